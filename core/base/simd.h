@@ -1,51 +1,71 @@
-/* simd.h - base: vectors of floats and integers, for kernels (*_kernel.c), which are compiled once for
- * each instruction set.
+/* simd.h - base: vectors of floats and integers, for kernels (*_kernel.c), which the Makefile compiles once for each
+ * instruction set.
  *
- * Types:   zr_vf, zr_vi hold ZR_LANES floats or int32_t, zr_vm one truth a lane. + - * / & | ^ << >>
- *          work on them as on numbers, both operands being vectors (a shift's count is an int).
- * Exact:   every operation here is IEEE's, lane by lane, so that each instruction set gives the
- *          same bytes: no approximate reciprocal, no fused multiply-add.
- * Each instruction set has a header in base/simd/, which defines all of:
+ * Types:   zr_vf and zr_vi hold ZR_LANES floats or int32_t, zr_vd ZR_DOUBLES doubles (half as many, or one), zr_vp two
+ *          int16_t per lane. zr_vm is a mask: true or false per lane. + - * / & | ^ << >> combine two vectors lane by
+ *          lane; the count of a shift is an int.
+ * Exact:   every operation is IEEE's, lane by lane, so that each instruction set gives the same bytes: no approximate
+ *          reciprocal, no fused multiply-add.
+ * Source:  base/simd/vec.h, then narrow.h (plain C, SSE2, NEON), avx2.h or avx512.h, then the end of this file.
+ *          tests/support/simd_check.c compares each operation with plain C.
  *
- *   zr_vf_set(a) zr_vi_set(a)          all lanes alike           zr_vf_ramp() zr_vi_ramp()   0, 1, 2 ...
- *   zr_vf_load(p) zr_vi_load(p)        ZR_LANES from anywhere    zr_vf_store(p, v) zr_vi_store(p, v)
- *   zr_vi_store_first(p, v, n): lanes 0 .. n - 1, n at most ZR_LANES, and nothing else is touched
- *   zr_vi_store_where(p, m, v): the lanes of m; others may be written as they were
- *   zr_vi_load_patch(p, stride): ZR_PATCH_ROWS rows of ZR_PATCH_COLUMNS words each, `stride` words apart, lane 0 and
- *     those that follow being the first row
- *   zr_vi_rows_of_patches(v): ZR_PATCH_ROWS patches side by side become as many rows of ZR_LANES words
- *   zr_vi_later(v, n): lane i is lane i - n of v, or anything where there is none; n is a constant, 1 .. 4
- *   zr_vi_stream(p, v): a non-temporal store where the machine has one, p being a multiple of the vector's size; others
- * see it as team.h says zr_vi_put(p, v, streamed): zr_vi_stream, or zr_vi_store zr_vf_lt le eq(a, b), zr_vi_lt eq(a,
- * b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits) zr_vm_first(n): the first n lanes, or all
- * where there are no more; zr_vm_any(m); zr_lowest_bit(bits), bits not 0 zr_vf_lt_where eq_where(m, a, b),
- * zr_vi_lt_where(m, a, b): m and the comparison, which AVX-512 does in one zr_vf_select(m, a, b), zr_vi_select: a where
- * m, else b zr_vf_min(a, b): a < b ? a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max zr_vf_abs(a)
- * zr_vf_sqrt(a) zr_vf_of(vi): int to float         zr_vi_round(vf): to the nearest, ties to even, where |v| < 2^22
- *   zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as integers, as floats
- *   ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
- *   zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
- *   zr_vf_load_fours(p, &x, &y, &z, &w), zr_vf_store_fours(p, x, y, z, w): ZR_LANES fours from p on, to p on, in an
- *     order of lanes of their own, which is one transposition; zr_vf_stream_fours: as zr_vi_stream
- *   zr_transpose4(a, b, c, d, &x, &y, &z, &w): 4 by 4 floats, in each 16 bytes by themselves
- *   zr_vf_pick(v, i): lane k is lane i[k] of v, i being 0 .. ZR_LANES - 1
- *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
- *   zr_vf_gather_fours(p, i, &x, &y, &z): p[4 i], p[4 i + 1] and p[4 i + 2], all lanes, where i < 2^29; p[4 i + 3] may
- *     be read
- *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
- *   zr_vi_list_bits(p, bits, first): first + i of each bit i, likewise; bits from ZR_LANES on are 0
+ * Constants and memory; a pointer needs no alignment unless it says so:
+ *   zr_vf_set(a), zr_vi_set(a)         every lane is a
+ *   zr_vf_ramp(), zr_vi_ramp()         0, 1, 2 ...
+ *   zr_vf_load(p), zr_vi_load(p)       ZR_LANES values from p on
+ *   zr_vf_store(p, v), zr_vi_store(p, v)
+ *   zr_vi_store_first(p, v, n)         lanes 0 .. n - 1 only, n <= ZR_LANES; no byte behind them is written
+ *   zr_vi_store_where(p, m, v)         lanes of m only; the others may be rewritten with their old value
+ *   zr_vi_stream(p, v)                 non-temporal store, where there is one; p is a multiple of the vector's size;
+ *                                      base/team.h says when other threads see it
+ *   zr_vi_put(p, v, streamed)          zr_vi_stream if streamed, else zr_vi_store
+ *   zr_vi_load_patch(p, stride)        ZR_PATCH_ROWS rows, `stride` words apart, of ZR_PATCH_COLUMNS words each; the
+ *                                      first row in the first lanes
+ *   zr_vi_rows_of_patches(v)           in place: ZR_PATCH_ROWS patches, side by side, become as many rows
  *
- * zr_vp holds two int16_t a lane, x in the lower half of its word and y in the upper; + - & << >> work half by half:
- *   zr_vp_pack(low, high): of int32_t x, y, x, y ..., half of the lanes in either vector; the nearest that fits
- *   zr_load_corners(vertices, corners, low, high): the same of floats; of lane i those at vertices + 4 corners[3 i + k]
- *   ZR_LOAD_PAIRS(AT, i), from which that follows, where it is defined: pairs of floats at AT(i), AT(i + 1), and in
- *     wider vectors at AT(i + 4), AT(i + 5) and so on, AT being a const float *
- *   zr_vp_min(a, b), zr_vp_max
- *   zr_vp_cross(a, b): a.x b.y - a.y b.x; some number where a half is -32768
+ * Comparisons and masks:
+ *   zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b)
+ *   zr_vf_lt_where eq_where(m, a, b), zr_vi_lt_where(m, a, b)   m and the comparison: one instruction of AVX-512
+ *   zr_vm_and or andnot(a, b)          andnot: a and not b
+ *   zr_vm_bits(m), zr_vm_of(bits)      bit i is lane i
+ *   zr_vm_first(n)                     lanes 0 .. n - 1; every lane if n > ZR_LANES
+ *   zr_vm_any(m), zr_lowest_bit(bits)  bits is not 0
+ *   zr_vf_select(m, a, b), zr_vi_select(m, a, b)    a in lanes of m, b in the others
  *
- * zr_vd holds ZR_DOUBLES doubles, half as many or one, and + - * / work on them, too:
- *   zr_vd_set(a)  zr_vd_store(p, v)    as of floats              zr_vd_min, zr_vd_max
- *   zr_vd_widen(p)  zr_vd_narrow(p, v) from floats, to floats    zr_vd_gather(p, i): p[i[k]], all lanes, of int32_t i[]
+ * Arithmetic:
+ *   zr_vf_min(a, b): a < b ? a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max
+ *   zr_vf_abs(a), zr_vf_sqrt(a)
+ *   zr_vf_of(vi)                       int32_t to float
+ *   zr_vi_round(vf)                    to the nearest, ties to even; |v| < 2^22
+ *   zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as the other type
+ *
+ * Lanes that move:
+ *   zr_vf_pick(v, i)                   lane k is lane i[k] of v; 0 <= i[k] < ZR_LANES
+ *   zr_vi_later(v, n)                  lane k is lane k - n of v; undefined for k < n; n is a constant, 1 .. 4
+ *   zr_vi_compress(p, m, v)            stores the lanes of m, packed, and returns their count; may write ZR_LANES words
+ *   zr_vi_list_bits(p, bits, first)    stores first + i for each bit i, as zr_vi_compress; bits < 2^ZR_LANES
+ *   zr_transpose4(a, b, c, d, &x, &y, &z, &w)       4 x 4 floats within each 16 bytes
+ *
+ * Gathers, and structures of four floats x, y, z, w:
+ *   zr_vi_gather(m, p, i)              the 4 bytes at p + 4 i[k]; lanes outside m are undefined, and read nothing
+ *   ZR_LOAD4(x, y, z, w, AT)           lane k from the four floats at AT(k), a const float *
+ *   zr_vf_store4(p, x, y, z, w), zr_vi_store4       ZR_LANES fours to p, one after the other
+ *   zr_vf_load_fours(p, &x, &y, &z, &w), zr_vf_store_fours(p, x, y, z, w), zr_vf_stream_fours
+ *                                      ZR_LANES fours at p, in an order of lanes that only these three share, by one
+ *                                      transposition
+ *   zr_vf_gather_fours(p, i, &x, &y, &z)            x, y, z of the four at p + 4 i[k]; 0 <= i[k] < 2^29; w may be read
+ *
+ * Pairs of int16_t: x in the lower half of the lane, y in the upper; + - & << >> work half by half:
+ *   zr_vp_pack(low, high)              from int32_t x, y, x, y ... in an order of their own; saturates
+ *   zr_load_corners(vertices, corners, low, high)   floats in that order: x and y at vertices + 4 corners[3 i + k] for
+ *                                      lane i, in low[k] and high[k]
+ *   zr_vp_min(a, b), zr_vp_max(a, b)
+ *   zr_vp_cross(a, b)                  a.x b.y - a.y b.x as int32_t; undefined if a half is -32768
+ *
+ * Doubles:
+ *   zr_vd_set(a), zr_vd_store(p, v), zr_vd_min(a, b), zr_vd_max(a, b)       as those of floats
+ *   zr_vd_widen(p), zr_vd_narrow(p, v) ZR_DOUBLES floats from p on, to p on
+ *   zr_vd_gather(p, i)                 p[i[k]]; i points to ZR_DOUBLES int32_t
  */
 #ifndef ZR_SIMD_H
 #define ZR_SIMD_H
@@ -55,7 +75,6 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Macros, not constants: vec.h asks for them by #if. */
 #if defined ZR_KERNEL_SCALAR
 #define ZR_SUFFIX scalar
 #define ZR_LANES  1
@@ -81,6 +100,8 @@
 #include "base/simd/avx2.h"
 #elif defined ZR_KERNEL_AVX512
 #include "base/simd/avx512.h"
+#else
+#include "base/simd/narrow.h"
 #endif
 
 #ifndef ZR_PATCH_ROWS
@@ -98,6 +119,12 @@ static inline void zr_vi_rows_of_patches(zr_vi v[ZR_PATCH_ROWS])
 #endif
 
 #ifndef ZR_HAS_MASKS
+static inline zr_vm zr_vm_of(uint32_t bits)
+{
+    const zr_vi own = {ZR_EACH_LANE(ZR_BIT)};
+    return zr_vi_eq(zr_vi_set((int32_t)bits) & own, own);
+}
+
 static inline void zr_vi_store_where(void *p, zr_vm m, zr_vi v)
 {
     zr_vi_store(p, zr_vi_select(m, v, zr_vi_load(p)));
@@ -140,7 +167,7 @@ enum { ZR_PATCH_COLUMNS = ZR_LANES / ZR_PATCH_ROWS };
 
 #define ZR_JOIN_(name, suffix) name##_##suffix
 #define ZR_JOIN(name, suffix)  ZR_JOIN_(name, suffix)
-/* The name of a kernel, for the instruction set that is compiled for. */
+/* The name of a kernel for the instruction set that is compiled for: name_avx2 and so on. */
 #define ZR_KERNEL(name) ZR_JOIN(name, ZR_SUFFIX)
 
 #define ZR_ALL_BITS  ((1u << (ZR_LANES - 1) << 1) - 1u)
@@ -151,7 +178,6 @@ static inline int zr_lowest_bit(uint32_t bits)
     return __builtin_ctz(bits);
 }
 
-/* The first `count` lanes, or all where there are no more than that. */
 static inline zr_vm zr_vm_first(uint32_t count)
 {
     return zr_vm_of(count < ZR_LANES ? (1u << count) - 1u : ZR_ALL_BITS);
@@ -179,7 +205,7 @@ static inline void zr_vf_store_fours(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf 
         zr_vf_store(p + i * ZR_LANES, v[i]);
 }
 
-#if ZR_LANES <= 4 /* whose order of lanes is the order of fours */
+#if ZR_LANES <= 4 /* zr_vf_store_fours keeps the order of lanes */
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
     zr_vf_store_fours(p, x, y, z, w);

@@ -87,12 +87,6 @@ const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, con
     return work->light;
 }
 
-zr_occlusion_samples_fn *zr_occlusion_samples_of(enum zr_isa isa)
-{
-    static zr_occlusion_samples_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_samples);
-    return table[isa];
-}
-
 /* ---- pixels ---- */
 
 /* Points of the G-buffer are counted from the eye. */

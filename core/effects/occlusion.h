@@ -77,11 +77,9 @@ typedef void zr_occlusion_row_fn(const struct zr_occlusion_work *work, int32_t y
 ZR_KERNEL_TABLE(zr_occlusion_row_fn, zr_occlusion_points)
 
 /* Computes row y of `light`, and its blur along the row to `rows`. All points must be there. */
-zr_occlusion_row_fn zr_occlusion_row_scalar, zr_occlusion_row_sse2, zr_occlusion_row_avx2, zr_occlusion_row_avx512,
-    zr_occlusion_row_neon;
+ZR_KERNEL_TABLE(zr_occlusion_row_fn, zr_occlusion_row)
 
 /* Blurs `rows` across rows to row y of `light`. All rows must be there. */
-zr_occlusion_row_fn zr_occlusion_blur_scalar, zr_occlusion_blur_sse2, zr_occlusion_blur_avx2, zr_occlusion_blur_avx512,
-    zr_occlusion_blur_neon;
+ZR_KERNEL_TABLE(zr_occlusion_row_fn, zr_occlusion_blur)
 
 #endif

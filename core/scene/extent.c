@@ -3,18 +3,12 @@
 
 #include "scene/camera_parts.h"
 
-static zr_fit_extent_fn *fit_extent_of(enum zr_isa isa)
-{
-    static zr_fit_extent_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_fit_extent);
-    return table[isa];
-}
-
 /* As the kernel, one by one where that cannot. */
 static void measure_extent(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
                            double most[ZR_MEASURES])
 {
     (void)context;
-    if (fit_extent_of(isa)(points, count, most)) return;
+    if (zr_fit_extent_of(isa)(points, count, most)) return;
     for (uint32_t i = 0; i < count; i++) {
         zr_dvec3 p;
         if (!zr_place_of(points[i], &p)) continue;

@@ -7,12 +7,6 @@
 
 enum { SIDE = ZR_SHADOW_SIDE, BORDER = ZR_SHADOW_BORDER, ROWS = SIDE + 2 * BORDER, STRIDE = ROWS + 8 };
 
-static shadow_shares_fn *shares_of(enum zr_isa isa)
-{
-    static shadow_shares_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(shadow_shares);
-    return table[isa];
-}
-
 /* A wall over one half of the map: light goes up from 0 to 1 over 7 texels, and the bias frees the wall itself. */
 static void the_border_of_a_shadow_is_soft(void **state)
 {

@@ -1,4 +1,4 @@
-/* avx2.h - base: base/simd.h for AVX2, and BMI2. */
+/* avx2.h - base: the rest of base/simd.h for AVX2 with BMI2: eight lanes. */
 #ifndef ZR_SIMD_AVX2_H
 #define ZR_SIMD_AVX2_H
 
@@ -9,6 +9,7 @@ ZR_BINARY(zr_vf, zr_vf_max, zr_vf, __m256, _mm256_max_ps)
 ZR_BINARY(zr_vi, zr_vi_min, zr_vi, __m256i, _mm256_min_epi32)
 ZR_BINARY(zr_vi, zr_vi_max, zr_vi, __m256i, _mm256_max_epi32)
 ZR_UNARY(zr_vf, zr_vf_sqrt, zr_vf, __m256, _mm256_sqrt_ps)
+ZR_UNARY(zr_vf, zr_vf_of, zr_vi, __m256i, _mm256_cvtepi32_ps)
 ZR_UNARY(zr_vi, zr_vi_round, zr_vf, __m256, _mm256_cvtps_epi32)
 ZR_UNARY(uint32_t, zr_vm_bits, zr_vm, __m256, _mm256_movemask_ps)
 ZR_BINARY(zr_vd, zr_vd_min, zr_vd, __m256d, _mm256_min_pd)
@@ -17,6 +18,38 @@ ZR_BINARY(zr_vp, zr_vp_pack, zr_vi, __m256i, _mm256_packs_epi32)
 ZR_BINARY(zr_vp, zr_vp_min, zr_vp, __m256i, _mm256_min_epi16)
 ZR_BINARY(zr_vp, zr_vp_max, zr_vp, __m256i, _mm256_max_epi16)
 
+static inline zr_vf zr_vf_set(float a)
+{
+    return (zr_vf)_mm256_set1_ps(a);
+}
+static inline zr_vi zr_vi_set(int32_t a)
+{
+    return (zr_vi)_mm256_set1_epi32(a);
+}
+static inline zr_vi zr_vi_ramp(void)
+{
+    return (zr_vi){0, 1, 2, 3, 4, 5, 6, 7};
+}
+static inline zr_vf zr_vf_ramp(void)
+{
+    return (zr_vf){0, 1, 2, 3, 4, 5, 6, 7};
+}
+static inline zr_vf zr_vf_load(const float *p)
+{
+    return (zr_vf)_mm256_loadu_ps(p);
+}
+static inline zr_vi zr_vi_load(const void *p)
+{
+    return (zr_vi)_mm256_loadu_si256((const __m256i *)p);
+}
+static inline void zr_vf_store(float *p, zr_vf v)
+{
+    _mm256_storeu_ps(p, (__m256)v);
+}
+static inline void zr_vi_store(void *p, zr_vi v)
+{
+    _mm256_storeu_si256((__m256i *)p, (__m256i)v);
+}
 static inline zr_vf zr_vf_select(zr_vm m, zr_vf a, zr_vf b)
 {
     return (zr_vf)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)m);
@@ -25,7 +58,6 @@ static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
 {
     return (zr_vi)zr_vf_select(m, (zr_vf)a, (zr_vf)b);
 }
-/* Lanes beyond are not touched, wherever they are. */
 static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
     _mm256_maskstore_epi32((int *)p, (__m256i)zr_vi_lt(zr_vi_ramp(), zr_vi_set((int32_t)n)), (__m256i)v);
@@ -50,7 +82,7 @@ static inline void zr_vi_stream(void *p, zr_vi v)
     _mm256_stream_si256((__m256i *)p, (__m256i)v);
 }
 
-/* Lanes i, i + 4 of two vectors of x, y, z, w each. */
+/* The fours at AT(i) and AT(i + 4). */
 #define ZR_LOAD_EVERY_FOURTH(AT, i)                                                                                    \
     _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(AT(i))), _mm_loadu_ps(AT((i) + 4)), 1)
 
@@ -61,7 +93,6 @@ static inline void zr_vi_stream(void *p, zr_vi v)
         zr_transpose4((zr_vf)a0, (zr_vf)a1, (zr_vf)a2, (zr_vf)a3, &(x), &(y), &(z), &(w));                             \
     } while (0)
 
-/* Four by four, in each half. */
 static inline void zr_transpose4(zr_vf a0, zr_vf a1, zr_vf a2, zr_vf a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
 {
     const __m256d low01 = (__m256d)_mm256_unpacklo_ps((__m256)a0, (__m256)a1);
@@ -74,7 +105,7 @@ static inline void zr_transpose4(zr_vf a0, zr_vf a1, zr_vf a2, zr_vf a3, zr_vf *
     *w = (zr_vf)_mm256_unpackhi_pd(high01, high23);
 }
 
-/* Pairs i, i + 1, i + 4, i + 5, as zr_vp_pack wants them. */
+/* Pairs i, i + 1, i + 4, i + 5: the order of zr_vp_pack. */
 #define ZR_LOAD_PAIRS(AT, i)                                                                                           \
     _mm256_insertf128_ps(_mm256_castps128_ps256(zr_load_pair(AT(i), AT((i) + 1))),                                     \
                          zr_load_pair(AT((i) + 4), AT((i) + 5)), 1)
@@ -104,10 +135,9 @@ static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
     _mm256_storeu_ps(p + 24, _mm256_permute2f128_ps((__m256)c, (__m256)d, 0x31));
 }
 
-/* By mask, a byte a lane: the lanes of the mask, one after the other. Lane by lane, without the table, a million
- * triangles took a sixth longer. */
+/* zr_fronts[bits] lists the lanes of a mask, one byte each. Without this table a million triangles take a sixth
+ * longer. */
 #define ZR_HAS_LIST_BITS
-#define ZR_HAS_COMPRESS
 #define ZR_FRONT_LANE(m, i) ((uint64_t)((m) >> (i)&1u ? (i) : 0u) << (8 * __builtin_popcount((m) & ((1u << (i)) - 1u))))
 #define ZR_FRONT(m)                                                                                                    \
     (ZR_FRONT_LANE(m, 0u) | ZR_FRONT_LANE(m, 1u) | ZR_FRONT_LANE(m, 2u) | ZR_FRONT_LANE(m, 3u) |                       \
@@ -133,6 +163,22 @@ static inline uint32_t zr_vi_list_bits(void *p, uint32_t bits, int32_t first)
     return (uint32_t)__builtin_popcount(bits);
 }
 
+static inline zr_vd zr_vd_set(double a)
+{
+    return (zr_vd)_mm256_set1_pd(a);
+}
+static inline void zr_vd_store(double *p, zr_vd v)
+{
+    _mm256_storeu_pd(p, (__m256d)v);
+}
+static inline zr_vd zr_vd_widen(const float *p)
+{
+    return (zr_vd)_mm256_cvtps_pd(_mm_loadu_ps(p));
+}
+static inline void zr_vd_narrow(float *p, zr_vd v)
+{
+    _mm_storeu_ps(p, _mm256_cvtpd_ps((__m256d)v));
+}
 static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
 {
     return (zr_vd)_mm256_i32gather_pd(p, _mm_loadu_si128((const __m128i *)(const void *)i), 8);

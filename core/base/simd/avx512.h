@@ -1,4 +1,5 @@
-/* avx512.h - base: base/simd.h for AVX-512 F, BW, DQ and VL, and BMI2. */
+/* avx512.h - base: the rest of base/simd.h for AVX-512 F, BW, DQ and VL with BMI2: sixteen lanes, and registers for
+ * masks. */
 #ifndef ZR_SIMD_AVX512_H
 #define ZR_SIMD_AVX512_H
 
@@ -9,6 +10,7 @@ ZR_BINARY(zr_vf, zr_vf_max, zr_vf, __m512, _mm512_max_ps)
 ZR_BINARY(zr_vi, zr_vi_min, zr_vi, __m512i, _mm512_min_epi32)
 ZR_BINARY(zr_vi, zr_vi_max, zr_vi, __m512i, _mm512_max_epi32)
 ZR_UNARY(zr_vf, zr_vf_sqrt, zr_vf, __m512, _mm512_sqrt_ps)
+ZR_UNARY(zr_vf, zr_vf_of, zr_vi, __m512i, _mm512_cvtepi32_ps)
 ZR_UNARY(zr_vi, zr_vi_round, zr_vf, __m512, _mm512_cvtps_epi32)
 ZR_BINARY(zr_vd, zr_vd_min, zr_vd, __m512d, _mm512_min_pd)
 ZR_BINARY(zr_vd, zr_vd_max, zr_vd, __m512d, _mm512_max_pd)
@@ -16,6 +18,38 @@ ZR_BINARY(zr_vp, zr_vp_pack, zr_vi, __m512i, _mm512_packs_epi32)
 ZR_BINARY(zr_vp, zr_vp_min, zr_vp, __m512i, _mm512_min_epi16)
 ZR_BINARY(zr_vp, zr_vp_max, zr_vp, __m512i, _mm512_max_epi16)
 
+static inline zr_vf zr_vf_set(float a)
+{
+    return (zr_vf)_mm512_set1_ps(a);
+}
+static inline zr_vi zr_vi_set(int32_t a)
+{
+    return (zr_vi)_mm512_set1_epi32(a);
+}
+static inline zr_vi zr_vi_ramp(void)
+{
+    return (zr_vi){0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+}
+static inline zr_vf zr_vf_ramp(void)
+{
+    return (zr_vf){0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+}
+static inline zr_vf zr_vf_load(const float *p)
+{
+    return (zr_vf)_mm512_loadu_ps(p);
+}
+static inline zr_vi zr_vi_load(const void *p)
+{
+    return (zr_vi)_mm512_loadu_si512(p);
+}
+static inline void zr_vf_store(float *p, zr_vf v)
+{
+    _mm512_storeu_ps(p, (__m512)v);
+}
+static inline void zr_vi_store(void *p, zr_vi v)
+{
+    _mm512_storeu_si512(p, (__m512i)v);
+}
 static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
     _mm512_mask_storeu_epi32(p, (__mmask16)_bzhi_u32(0xffff, n), (__m512i)v);
@@ -109,7 +143,7 @@ static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
     return (zr_vi)_mm512_mask_blend_epi32(m, (__m512i)b, (__m512i)a);
 }
 
-/* Lanes i, i + 4, i + 8, i + 12 of four vectors of x, y, z, w each. */
+/* The fours at AT(i), AT(i + 4), AT(i + 8) and AT(i + 12). */
 #define ZR_LOAD_EVERY_FOURTH(AT, i)                                                                                    \
     _mm512_insertf32x4(_mm512_insertf32x4(_mm512_insertf32x4(_mm512_castps128_ps512(_mm_loadu_ps(AT(i))),              \
                                                              _mm_loadu_ps(AT(i + 4)), 1),                              \
@@ -143,7 +177,8 @@ static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
 {
     return (zr_vi)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), m, (__m512i)i, p, 4);
 }
-#define ZR_HAS_GATHER_FOURS /* x and y as one: a tenth of the time of painting a million flat triangles */
+/* x and y are one gather of 8 bytes: a tenth of the time of painting a million flat triangles. */
+#define ZR_HAS_GATHER_FOURS
 static inline void zr_vf_gather_fours(const float *p, zr_vi i, zr_vf *x, zr_vf *y, zr_vf *z)
 {
     const __m512i pair = _mm512_slli_epi32((__m512i)i, 1);
@@ -156,13 +191,29 @@ static inline void zr_vf_gather_fours(const float *p, zr_vi i, zr_vf *x, zr_vf *
     *z = (zr_vf)_mm512_i32gather_ps(_mm512_slli_epi32(pair, 1), p + 2, 4);
 }
 
+static inline zr_vd zr_vd_set(double a)
+{
+    return (zr_vd)_mm512_set1_pd(a);
+}
+static inline void zr_vd_store(double *p, zr_vd v)
+{
+    _mm512_storeu_pd(p, (__m512d)v);
+}
+static inline zr_vd zr_vd_widen(const float *p)
+{
+    return (zr_vd)_mm512_cvtps_pd(_mm256_loadu_ps(p));
+}
+static inline void zr_vd_narrow(float *p, zr_vd v)
+{
+    _mm256_storeu_ps(p, _mm512_cvtpd_ps((__m512d)v));
+}
 static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
 {
     return (zr_vd)_mm512_i32gather_pd(_mm256_loadu_si256((const __m256i *)(const void *)i), p, 8);
 }
 
-/* Pairs i, i + 1, i + 4, i + 5, and so on, as zr_vp_pack wants them. Gathers of pairs are fewer instructions, and took
- * 8 % longer to sort a million triangles on a Zen 5. */
+/* Pairs i, i + 1, i + 4, i + 5 and so on: the order of zr_vp_pack. Gathers of pairs need fewer instructions, but with
+ * them sorting a million triangles took 8 % longer on a Zen 5. */
 #define ZR_LOAD_PAIRS(AT, i)                                                                                           \
     _mm512_insertf32x4(_mm512_insertf32x4(_mm512_insertf32x4(_mm512_castps128_ps512(zr_load_pair(AT(i), AT((i) + 1))), \
                                                              zr_load_pair(AT((i) + 4), AT((i) + 5)), 1),               \
