@@ -257,7 +257,7 @@ tests: fuzzers
 unit-tests: $(unit_tests)
 
 .PHONY: tests
-tests: all $(unit_tests) $(server_tests) $(BUILD)/failing_malloc.so $(verify) mutants $(BUILD)/zraster-bench $(bench_alone)
+tests: all $(unit_tests) $(server_tests) $(BUILD)/zraster-tables $(BUILD)/failing_malloc.so $(verify) mutants $(BUILD)/zraster-bench $(bench_alone)
 
 .PHONY: needs
 needs:
@@ -316,6 +316,9 @@ $(BUILD)/zraster-cross: $(cross) $(renderer)
 
 $(BUILD)/zraster-same: $(BUILD)/tests/cross/same.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
+
+$(BUILD)/zraster-tables: $(BUILD)/tests/make/tables.o $(BUILD)/libzraster.a
+	$(LINK) $(CORE_LIBS)
 
 $(BUILD)/zraster-uninitialised: $(BUILD)/tests/uninitialised/main.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(CORE_LIBS)
@@ -378,5 +381,5 @@ $(BUILD)/%_kernel.$(1).o: %_kernel.c | $(missing_compiler)
 endef
 $(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 
--include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(BUILD)/tests/cross/same.o $(BUILD)/tests/uninitialised/main.o $(server_support) \
+-include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(BUILD)/tests/cross/same.o $(BUILD)/tests/make/tables.o $(BUILD)/tests/uninitialised/main.o $(server_support) \
 	$(fuzz_support) $(fuzz_main) $(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone) $(fuzz_targets) $(BUILD)/tests/fuzz/seeds))

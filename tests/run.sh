@@ -94,7 +94,7 @@ for part in "$@"; do
     make)
         run make tests/make/test_make.sh
         run floors tests/make/test_floors.sh
-        run contract tests/make/test_contract.sh
+        run contract tests/make/test_contract.sh "$build"
         run calls tests/make/test_calls.sh "$build"
         ;;
     server)
