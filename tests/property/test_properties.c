@@ -9,54 +9,6 @@
 
 TEST_ARENA(1 << 28)
 
-/* A grid over the whole window and beyond, its inner points moved at random, each cell
- * cut along a random diagonal: every pixel is covered, by exactly one triangle. */
-static uint32_t make_mesh(struct random *random, int cells, float jitter, zr_vec4 *out)
-{
-    zr_vec4 points[17][17];
-    for (int y = 0; y <= cells; y++)
-        for (int x = 0; x <= cells; x++) {
-            bool border = x == 0 || y == 0 || x == cells || y == cells;
-            double dx = border ? 0 : random_range(random, -(double)jitter, (double)jitter);
-            double dy = border ? 0 : random_range(random, -(double)jitter, (double)jitter);
-            float step = 2.0f / (float)cells;
-            points[y][x] = (zr_vec4){-1 + step * ((float)x + (float)dx), -1 + step * ((float)y + (float)dy), 0, 1};
-        }
-    uint32_t count = 0;
-    for (int y = 0; y < cells; y++)
-        for (int x = 0; x < cells; x++) {
-            zr_vec4 a = points[y][x], b = points[y][x + 1], c = points[y + 1][x + 1], d = points[y + 1][x];
-            const zr_vec4 one[6] = {a, b, c, a, c, d}, other[6] = {a, b, d, b, c, d};
-            memcpy(out + 3 * count, random_below(random, 2) ? one : other, sizeof one);
-            count += 2;
-        }
-    return count;
-}
-
-static void triangles_that_share_an_edge_cover_each_pixel_exactly_once(void **state)
-{
-    (void)state;
-    struct random random = random_seeded(11);
-    static zr_vec4 positions[16 * 16 * 6];
-    static struct test_scene test;
-    for (int round = 0; round < 30; round++) {
-        uint32_t width = 40 + random_below(&random, 90), height = 40 + random_below(&random, 90);
-        int cells = 2 + (int)random_below(&random, 6);
-        uint32_t triangles = make_mesh(&random, cells, round % 3 ? 0.3f : 0.0f, positions);
-        static uint8_t covered[130 * 130];
-        memset(covered, 0, sizeof covered);
-        for (uint32_t t = 0; t < triangles; t++) { /* each alone, so that none hides another */
-            scene_of_triangles(&test, width, height, positions + 3 * t, 1);
-            const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
-            for (uint32_t i = 0; i < width * height; i++)
-                covered[i] = (uint8_t)(covered[i] + (frame->face_id[i] != 0));
-            zr_arena_reset(&arena, 1 << 28);
-        }
-        for (uint32_t i = 0; i < width * height; i++)
-            assert_int_equal(covered[i], 1);
-    }
-}
-
 /* Overlapping, intersecting, near and far, in perspective, with colours. */
 static uint32_t make_soup(struct random *random, zr_vec4 *positions, zr_vec4 *colors)
 {
@@ -73,33 +25,6 @@ static uint32_t make_soup(struct random *random, zr_vec4 *positions, zr_vec4 *co
         }
     }
     return TRIANGLES;
-}
-
-static void any_number_of_threads_gives_the_same_bytes(void **state)
-{
-    (void)state;
-    struct random random = random_seeded(23);
-    static zr_vec4 positions[9000], colors[9000];
-    static struct test_scene test;
-    const uint32_t sizes[3][2] = {{640, 480}, {333, 517}, {65, 1}};
-    for (int s = 0; s < 3; s++) {
-        uint32_t triangles = make_soup(&random, positions, colors);
-        scene_of_triangles(&test, sizes[s][0], sizes[s][1], positions, triangles);
-        test.mesh.colors = colors;
-        size_t pixels = (size_t)sizes[s][0] * sizes[s][1];
-        const struct zr_frame *one = scene_render(&arena, NULL, &test.scene);
-        const int threads[] = {1, 2, 7};
-        for (int t = 0; t < 3; t++) {
-            struct zr_team *team = zr_team_create(threads[t]);
-            const struct zr_frame *many = scene_render(&arena, team, &test.scene);
-            assert_memory_equal(one->color, many->color, pixels * 4);
-            assert_memory_equal(one->depth, many->depth, pixels * 4);
-            assert_memory_equal(one->window_depth, many->window_depth, pixels * 4);
-            assert_memory_equal(one->face_id, many->face_id, pixels * 4);
-            zr_team_destroy(team);
-        }
-        zr_arena_reset(&arena, 1 << 28);
-    }
 }
 
 /* In a window of 128 pixels with coordinates in 1/256 pixel every step is exact, so a
@@ -162,9 +87,6 @@ static void every_channel_tells_of_the_same_samples(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(triangles_that_share_an_edge_cover_each_pixel_exactly_once, open_arena,
-                                        close_arena),
-        cmocka_unit_test_setup_teardown(any_number_of_threads_gives_the_same_bytes, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(whole_pixel_translation_moves_the_picture_and_changes_nothing, open_arena,
                                         close_arena),
         cmocka_unit_test_setup_teardown(every_channel_tells_of_the_same_samples, open_arena, close_arena),

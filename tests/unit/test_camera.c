@@ -50,29 +50,6 @@ static void bounds_hold_every_point_but_those_at_infinity(void **state)
     assert_true(bounds.min.x == -1 && bounds.max.x == 1 && bounds.max.y == 2 && bounds.max.z == 3);
 }
 
-static void fit_fills_the_window_but_for_the_padding(void **state)
-{
-    (void)state;
-    struct test_scene *test = box_scene();
-    static const enum zr_projection projections[] = {ZR_PROJECTION_ORTHOGRAPHIC, ZR_PROJECTION_PERSPECTIVE,
-                                                     ZR_PROJECTION_INTRINSICS};
-    test->scene.views[0].intrinsics =
-        (struct zr_intrinsics){300, 350, 40, true, true, 520, 30}; /* outside of 400 x 200 */
-    for (int projection = 0; projection < 3; projection++)
-        for (int preset = 0; preset < ZR_PRESET_COUNT; preset++) {
-            test->scene.views[0].projection = projections[projection];
-            test->scene.views[0].preset = (enum zr_preset)preset;
-            struct zr_camera camera = resolve(test);
-            float farthest = 0.0f;
-            for (int i = 0; i < 12; i++) {
-                zr_vec4 p = to_clip(&camera, BOX[i]);
-                assert_true(p.w > 0.0f && fabsf(p.z) <= p.w);
-                farthest = fmaxf(farthest, fmaxf(fabsf(p.x), fabsf(p.y)) / p.w);
-            }
-            assert_true(fabsf(farthest - 0.9f) < 1e-4f); /* 5 % of the width on each side */
-        }
-}
-
 static void look_at_without_direction_or_up_is_refused(void **state)
 {
     (void)state;
@@ -229,7 +206,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bounds_hold_every_point_but_those_at_infinity),
-        cmocka_unit_test(fit_fills_the_window_but_for_the_padding),
         cmocka_unit_test(look_at_without_direction_or_up_is_refused),
         cmocka_unit_test(depth_range_given_is_kept_and_one_turned_round_is_refused),
         cmocka_unit_test(eye_inside_or_before_the_geometry_still_gives_a_camera),

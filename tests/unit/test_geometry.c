@@ -68,15 +68,6 @@ static struct zr_mesh quad_mesh(const zr_vec4 *positions, uint32_t count)
                             .indices = indices};
 }
 
-static void normal_of_face_is_twice_its_area_towards_its_front(void **state)
-{
-    (void)state;
-    const zr_vec4 p[4] = {{0, 0, 5, 1}, {2, 0, 5, 1}, {2, 3, 5, 1}, {0, 3, 5, 1}};
-    struct zr_mesh mesh = quad_mesh(p, 4);
-    zr_vec3 n = zr_normal_of_face(&mesh, 0);
-    assert_true(n.x == 0 && n.y == 0 && n.z == 12);
-}
-
 static bool is_concave(const zr_vec4 *ring, uint32_t count)
 {
     /* Whatever plane it lies in, from either side, and from each corner on. */
@@ -191,31 +182,6 @@ static struct zr_counts counts_of(const zr_vec4 *positions, uint32_t triangles, 
     return counts;
 }
 
-static void geometry_counts_every_triangle_once(void **state)
-{
-    (void)state;
-    const zr_vec4 p[] = {
-        {0, 0, 0, 1},   {0.5f, 0, 0, 1},    {0, 0.5f, 0, 1},      /* drawn */
-        {0, 0, 0, 1},   {0, 0.5f, 0, 1},    {0.5f, 0, 0, 1},      /* culled */
-        {0, 0, 0, 1},   {0.5f, 0.5f, 0, 1}, {0.25f, 0.25f, 0, 1}, /* no area */
-        {0, 0, 0, 1},   {0, 0, 0, 1},       {0.25f, 0.25f, 0, 1}, /* two corners only */
-        {2, 0, 0, 1},   {3, 0, 0, 1},       {2, 1, 0, 1},         /* outside */
-        {0, 0, 0, 1},   {2, 0, 0, 1},       {0, 0.5f, 0, 1},      /* clipped */
-        {NAN, 0, 0, 1}, {0.5f, 0, 0, 1},    {0, 0.5f, 0, 1},      /* NaN from a matrix */
-    };
-    struct zr_counts c = counts_of(p, 7, false);
-    assert_int_equal(c.polygons, 7);
-    assert_int_equal(c.degenerate_polygons, 1);
-    assert_int_equal(c.triangles, 6);
-    assert_int_equal(c.drawn_whole, 1);
-    assert_int_equal(c.culled, 1);
-    assert_int_equal(c.zero_area, 1);
-    assert_int_equal(c.outside, 1); /* NaN is outside of some plane, but not of all three corners */
-    assert_int_equal(c.clipped, 2);
-    assert_int_equal(c.drawn_pieces, 2);
-    assert_int_equal(c.outside + c.clipped + c.culled + c.zero_area + c.drawn_whole, c.triangles);
-}
-
 static void geometry_survives_points_at_infinity_and_the_zero_vertex(void **state)
 {
     (void)state;
@@ -233,11 +199,9 @@ int main(void)
         cmocka_unit_test(clip_by_all_planes_stays_within_room_and_volume),
         cmocka_unit_test(clip_outcode_of_nan_is_outside_of_everything),
         cmocka_unit_test(viewport_without_a_place_is_refused),
-        cmocka_unit_test(normal_of_face_is_twice_its_area_towards_its_front),
         cmocka_unit_test(faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not),
         cmocka_unit_test(faces_are_convex_only_if_they_are_exactly),
         cmocka_unit_test(faces_with_corners_behind_the_eye_are_judged_as_cones),
-        cmocka_unit_test(geometry_counts_every_triangle_once),
         cmocka_unit_test(geometry_survives_points_at_infinity_and_the_zero_vertex),
     };
     return cmocka_run_group_tests_name("geometry", tests, NULL, NULL);

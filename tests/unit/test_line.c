@@ -57,20 +57,6 @@ static struct cover cover_of(float x0, float y0, float x1, float y1)
     return cover;
 }
 
-static void ends_are_snapped_half_to_even(void **state)
-{
-    (void)state;
-    /* Minor coordinates of -1.5, 0.5 and 2.5 subpixels from the centre of row 0. */
-    struct zr_window_vertex v0 = at(1.25f, 0.5f - 1.5f / 256), v1 = at(9.25f, 0.5f + 0.5f / 256);
-    struct zr_line_corners c;
-    assert_true(zr_line_corners_make(&v0, &v1, 1, &c));
-    assert_int_equal(c.y[1] + 128, -2);
-    assert_int_equal(c.y[0] + 128, 0);
-    v1.y = 0.5f + 2.5f / 256;
-    assert_true(zr_line_corners_make(&v0, &v1, 1, &c));
-    assert_int_equal(c.y[0] + 128, 2);
-}
-
 static void older_rule_is_not_in_a_build_for_use(void **state)
 {
     (void)state;
@@ -175,20 +161,9 @@ static void depth_offset_is_the_steeper_slope_and_the_step_at_the_farthest_corne
     assert_true(zr_depth_offset(&v0, &v1, &v2, 1, 0) == 0x1p-5f);
 }
 
-static void depth_offset_step_is_zero_where_a_float_has_none_left(void **state)
-{
-    (void)state;
-    assert_true(zr_depth_offset_step(1.0f) == 0x1p-23f);
-    assert_true(zr_depth_offset_step(0x1.8p-10f) == 0x1p-33f);
-    assert_true(zr_depth_offset_step(0x1p-103f) == 0x1p-126f);
-    assert_true(zr_depth_offset_step(0x1p-104f) == 0.0f);
-    assert_true(zr_depth_offset_step(0.0f) == 0.0f);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ends_are_snapped_half_to_even),
         cmocka_unit_test(older_rule_is_not_in_a_build_for_use),
         cmocka_unit_test(line_that_leaves_no_diamond_is_dropped),
         cmocka_unit_test(clip_line_takes_the_farthest_cut_of_several_planes_from_its_own_end),
@@ -196,7 +171,6 @@ int main(void)
         cmocka_unit_test(clip_line_past_a_corner_or_outside_of_one_plane_is_gone),
         cmocka_unit_test(clipped_triangle_has_no_edge_along_the_plane),
         cmocka_unit_test(depth_offset_is_the_steeper_slope_and_the_step_at_the_farthest_corner),
-        cmocka_unit_test(depth_offset_step_is_zero_where_a_float_has_none_left),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
