@@ -51,9 +51,9 @@ static void print_keys(const char *before, const char *after, int depth)
         name += strspn(name, " ");
         printf("key %s\n", name);
         for (int is_list = 0; is_list < 2; is_list++) {
-            snprintf(inner, sizeof inner, "%s{\"%s\":%s", before, name, is_list ? "[" : "");
-            snprintf(outer, sizeof outer, "%s}%s", is_list ? "]" : "", after);
-            print_keys(inner, outer, depth + 1);
+            const int a = snprintf(inner, sizeof inner, "%s{\"%s\":%s", before, name, is_list ? "[" : "");
+            const int b = snprintf(outer, sizeof outer, "%s}%s", is_list ? "]" : "", after);
+            if (a < TEXT_SIZE && b < TEXT_SIZE) print_keys(inner, outer, depth + 1);
         }
     }
 }
