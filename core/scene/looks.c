@@ -17,7 +17,7 @@
 /* A key in front, from the left, and a weaker light from above. Both stand beside the camera's axis: a light on it
  * makes one grey hexagon of a cube that is seen isometrically. Of the lights whose directions are of unit length as
  * they stand, by which no face has less than a third of its colour and no normal more than all of it, the faces of a
- * cube seen from ten sides differ most by these (tests/unit/test_default_light.c prints the table):
+ * cube seen from ten sides differ most by these:
  *
  *     azimuth, elevation    left    right   top        azimuth, elevation    left    right   top
  *     isometric             0.663   0.341   0.965      30, 35                0.627   0.376   0.965

@@ -1,9 +1,8 @@
 /* Depth, distance and position where a corner has a w that is tiny beside those of the others. */
 #include <math.h>
-#include <string.h>
+#include <stdio.h>
 #include "input_check.h"
 #include "support/isas.h"
-#include "support/random.h"
 #include "support/scenes.h"
 
 /* The plane z = 0, three units in front of the camera, with a corner whose w is tiny beside those of the others: none
