@@ -16,7 +16,7 @@
 
 /* ---- a sample of faces, lines and points ---- */
 
-/* SAMPLES: things that are looked at, SAMPLED_CORNERS: about as many corners of them at most. */
+/* SAMPLES: faces, lines and points in the sample. SAMPLED_CORNERS: their corners at most, about. */
 enum { SAMPLES = 1024, SAMPLED_CORNERS = 1 << 16 };
 
 /* Sums over the sample, of pixels of the window. */
@@ -89,7 +89,7 @@ static double share_within(double low, double high, double size)
     return within < 0.0 ? 0.0 : fmin(fmax(within, 1.0) / fmax(high - low, 1.0), 1.0);
 }
 
-/* What has a corner behind the eye may cover the whole window. */
+/* A face with a corner behind the eye counts as the whole window. */
 static double pixels_in_window(const struct tally *tally, const struct footprint *print)
 {
     const double window = tally->width * tally->height;
@@ -119,7 +119,7 @@ static void add_layers(struct tally *tally, const struct zr_material *material, 
     tally->kept_squares += kept * kept;
 }
 
-/* What a lamp takes by the textbook, of what it takes in linear light. */
+/* Cost of a lamp per pixel by the textbook, relative to linear light. */
 static const double TEXTBOOK_LAMP_TIMES = 0.2;
 
 /* Lamps that light a material, and how many of these have a place, and shadows. */
@@ -199,7 +199,7 @@ static void add_line(struct tally *tally, const struct zr_mesh *mesh, const uint
     add_layers(tally, &tally->scene->materials[mesh->material], pixels, 0.0);
 }
 
-/* What a see-through pixel of a point takes, of what it takes in a face. */
+/* Cost of a see-through pixel of a point, relative to a pixel of a face. */
 static const double POINT_LAYER_TIMES = 3.0;
 
 /* A square around its middle. */
@@ -376,7 +376,7 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
 
 /* ---- counts ---- */
 
-/* How many times longer the other algorithms take: for a triangle, and for a fragment. */
+/* Time per triangle and per fragment, relative to production. */
 static const struct {
     double triangle, fragment;
 } TIMES[ZR_ALGORITHM_COUNT] = {[ZR_ALGORITHM_HALFSPACE] = {1.0, 1.0},
@@ -385,8 +385,8 @@ static const struct {
                                [ZR_ALGORITHM_SCANLINE] = {6.0, 16.0},
                                [ZR_ALGORITHM_PAINTER] = {12.0, 80.0}};
 
-/* The most that some estimate may be wrong by: six standard deviations of the mean of a sample. What is kept for sure
- * is the sum less that. */
+/* Lower bound of the see-through fragments that rendering keeps: the mean of the sample less six standard deviations of
+ * that mean. */
 static double kept_at_least(const struct tally *tally, double samples, double scale)
 {
     if (scale <= 1.0) return tally->kept;
@@ -410,22 +410,12 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
     }
 }
 
-/* What is computed at each pixel, in channels such as POSITION. */
-static double times_of_channel(enum zr_channel channel)
-{
-    switch (channel) {
-    case ZR_CHANNEL_DISTANCE:
-    case ZR_CHANNEL_POSITION:
-    case ZR_CHANNEL_TEXCOORD:
-        return 1.0;
-    case ZR_CHANNEL_NORMALS:
-        return 0.4;
-    case ZR_CHANNEL_BARYCENTRICS:
-        return 4.0;
-    default:
-        return 0.0;
-    }
-}
+/* Cost per pixel of a computed data channel, relative to POSITION. */
+static const double CHANNEL_TIMES[ZR_CHANNEL_COUNT] = {[ZR_CHANNEL_DISTANCE] = 1.0,
+                                                       [ZR_CHANNEL_POSITION] = 1.0,
+                                                       [ZR_CHANNEL_TEXCOORD] = 1.0,
+                                                       [ZR_CHANNEL_NORMALS] = 0.4,
+                                                       [ZR_CHANNEL_BARYCENTRICS] = 4.0};
 
 static void count_outputs(const struct zr_scene *scene, double *counts)
 {
@@ -434,13 +424,13 @@ static void count_outputs(const struct zr_scene *scene, double *counts)
     for (uint32_t i = 0; i < view->output_count; i++) {
         const enum zr_encoding encoding = view->outputs[i].encoding;
         counts[ZR_COST_OUTPUT_WORD] += pixels * fmax((double)zr_channel_rows[view->outputs[i].channel].words, 1.0);
-        counts[ZR_COST_CHANNEL_PIXEL] += pixels * times_of_channel(view->outputs[i].channel);
+        counts[ZR_COST_CHANNEL_PIXEL] += pixels * CHANNEL_TIMES[view->outputs[i].channel];
         if (encoding != ZR_ENCODING_PNG && encoding != ZR_ENCODING_PNG16) continue;
         counts[scene->compress == ZR_COMPRESS_SMALL ? ZR_COST_SMALL_PNG_PIXEL : ZR_COST_PNG_PIXEL] += pixels;
     }
 }
 
-/* How often all see-through faces are drawn for other channels than colours. Thickness takes both sides. */
+/* How often channels of layers draw all faces. Thickness draws both sides. */
 static double layer_walks(const struct zr_view *view)
 {
     return (zr_view_wants(view, ZR_CHANNEL_LAYERS) ? 1.0 : 0.0) +

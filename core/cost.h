@@ -2,16 +2,17 @@
  *
  * How:    ms = 1e-6 * sum over all kinds of counts[kind] * ns. Most counts follow from sizes. How much of the window
  *         faces cover follows from a sample of them.
- * Unit:   processor time of one thread with AVX-512, such as at 2.6 GHz. Who knows the machine multiplies by a factor.
- * Why:    the sum decides whether a request is small, large, or refused; the weights of the rows were fitted together,
- *         to within a factor of three. No single weight is the price of one thing.
+ * Unit:   processor time of one thread of the reference machine, with AVX-512. The daemon multiplies the sum by the
+ *         factor of its own machine (server/slowness.h).
+ * Why:    the sum decides whether a request is small, large, or refused. The weights of the rows were fitted
+ *         together, so that the sum is right to a factor of three. No single weight is the price of one thing.
  */
 #ifndef ZR_COST_H
 #define ZR_COST_H
 
 #include <stdint.h>
 
-/* ROW(ID, ns, words: what a client may ask for less of). A pass is one drawing of the scene: of pixels' centres, of
+/* ROW(ID, ns, words: the quantity, for messages). A pass is one drawing of the scene: of pixels' centres, of
  * samples, or of a depth map. */
 #define ZR_COST_ROWS(ROW)                                                                                              \
     ROW(REQUEST, 35e3, "what any request takes")                                                                       \

@@ -9,8 +9,7 @@
 
 enum { STACK_BYTES = 2 << 20, SURE_A_WORKER = 2, OVERSEER_TICK_MS = 20 };
 
-/* A job that takes longer on a worker is none of the small ones, whatever it seemed to be. On the express it holds up
- * the small ones, whatever it is. */
+/* On a worker, a job that takes longer counts as large. On the express it delays small jobs, so it counts as small. */
 static const int64_t SMALL_US = QUEUE_EXPRESS_MS * INT64_C(1000);
 
 struct lane {

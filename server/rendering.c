@@ -114,10 +114,10 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 
 /* ---- working ---- */
 
-/* What request->small_only lets pass: so much predicted work, so many faces for the painter, whose time follows from
- * no count, and what is read in some milliseconds. */
+/* Limits of a small request: predicted work; faces for the painter, whose time no count predicts; and input that is
+ * read in some milliseconds. */
 static const double SMALL_MS = 10.0;
-enum { SMALL_PAINTER_FACES = 64, SMALL_IMAGE_PIXELS = 4 << 20, SMALL_NODE_VISITS = 100000 };
+enum { SMALL_PAINTER_FACES = 64, SMALL_IMAGE_PIXELS = 1 << 20, SMALL_NODE_VISITS = 100000 };
 
 /* One request on its way. */
 struct rendering {

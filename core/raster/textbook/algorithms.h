@@ -24,7 +24,7 @@ zr_visibility_fn *zr_visibility_of(enum zr_algorithm algorithm);
 zr_visibility_fn zr_edgelist, zr_trapezoid, zr_scanline, zr_painter;
 
 /* Spans and samples that the painter compares or cuts, and pieces that it passes, at most: some 20 s of one core. */
-#define ZR_PAINTER_WORK_MAX UINT64_C(5000000000)
+#define ZR_PAINTER_WORK_MAX UINT64_C(2500000000)
 
 /* The painter with another limit; ZR_BAD_SCENE beyond it. */
 enum zr_status zr_painter_within(struct zr_arena *arena, const struct zr_geometry *geometry, uint64_t work_max,
