@@ -81,7 +81,7 @@ ZR_KERNEL_TABLE(zr_paint_floats_fn, zr_paint_floats)
 ZR_KERNEL_TABLE(const struct zr_paint, zr_paint)
 
 /* Whether tiny triangles are painted while they are sorted, and small ones that lie in stamps when they are drawn, in
- * tiles that keep words (visibility.c): their corners are at hand then, and those of neighbours in the mesh stand
+ * tiles that keep words (binned_scene.c): their corners are at hand then, and those of neighbours in the mesh stand
  * together, while later each pixel asks memory for its own (a tenth of the time of a million smooth triangles), and
  * triangles must be found again that were just set up (a quarter of the bunny's at 512x512). Flat ones ask for the same
  * either way; and where backs are drawn too, half of what would be painted is hidden. */

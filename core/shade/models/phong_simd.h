@@ -1,6 +1,6 @@
 /* phong_simd.h - shade: lit pixel by pixel: diffuse as Gouraud's vertices are, and specular as Blinn has it.
  *
- * Exact:  the order of operations is that of geometry/light_kernel.c, and, of what is specular, of Mesa's fixed
+ * Exact:  the order of operations is that of shade/lights/light_kernel.c, and, of what is specular, of Mesa's fixed
  * function, but for the power (base/pow_simd.h). The viewer is local: at the eye, or, where rays are parallel, far
  * away. Source: Phong, "Illumination for Computer Generated Pictures", 1975; Blinn, "Models of Light Reflection for
  * Computer Synthesized Pictures", 1977.
