@@ -56,8 +56,10 @@ static inline __attribute__((always_inline)) struct zr_vec3_v zr_phong_v(const s
     return sum;
 }
 
-static inline struct zr_vec3_v zr_model_phong(const struct zr_model_context *context,
-                                              const struct zr_material *material, const struct zr_model_inputs *in)
+/* Flattened: calls of zr_normalize_v in it would take a twentieth of the time. */
+static inline __attribute__((flatten)) struct zr_vec3_v zr_model_phong(const struct zr_model_context *context,
+                                                                       const struct zr_material *material,
+                                                                       const struct zr_model_inputs *in)
 {
     return zr_phong_v(context, material, in, false);
 }
