@@ -25,17 +25,19 @@ void ZR_KERNEL(zr_early)(const struct zr_prepaint *payload, const uint32_t *numb
     const struct zr_attribute color = surface->attributes[ZR_ATTRIBUTE_COLOR];
     struct zr_corner_v v[3];
     struct zr_vec3_v c[3];
+    zr_vf opacity[3];
     for (int k = 0; k < 3; k++)
         load_corner(corners + 3 * ZR_LANES * k, &v[k]);
 #define COLOR(i, k) (&color.values[zr_smooth_number(draw, color.rate, numbers[i] - draw->first, k)].x)
 #define COLOR_0(i)  COLOR(i, 0)
 #define COLOR_1(i)  COLOR(i, 1)
 #define COLOR_2(i)  COLOR(i, 2)
-    ZR_LOAD_THREE(c, COLOR_0, COLOR_1, COLOR_2);
+    ZR_LOAD_FOURS(c, opacity, COLOR_0, COLOR_1, COLOR_2);
 #undef COLOR_0
 #undef COLOR_1
 #undef COLOR_2
 #undef COLOR
+    (void)opacity;
     const struct zr_triangle_setup_v way = zr_way_make(zr_vm_of(turned), v);
     const struct zr_planes3_v planes = zr_planes3_make(&way, c);
     if (!triangles) {

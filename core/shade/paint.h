@@ -17,13 +17,6 @@
 #include "shade/draw_attributes.h"
 #include "shade/gbuffer.h"
 
-/* Values that vary over a surface: a colour; of what is shaded late, a normal and the way from the eye to it; in fog,
- * its depth, too; and where there are textures, a place in one. */
-enum { ZR_VALUES_FEW = 3, ZR_VALUES_LATE = 9, ZR_VALUES_FOG = 10, ZR_VALUES_MOST = 12 };
-
-/* Of colours as floats: of 1/w, all of these, and of the opacity. */
-enum { ZR_OPACITY_PLANE = 1 + ZR_VALUES_MOST, ZR_FLOAT_PLANES };
-
 /* Where a tile lies in a channel, whose values have four bytes each. */
 struct zr_pixel_rows {
     uint32_t *first;  /* of its lowest row */
@@ -97,18 +90,5 @@ static inline bool zr_draw_is_painted_early(const struct zr_draw_attributes *sur
 enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
                                 struct zr_scene_attributes *surfaces, uint64_t pixels,
                                 const struct zr_prepaint **payloads);
-
-/* Of a line: planes of 1/w and of its colour over that, and in fog of its depth. True where it has one colour: `color`,
- * as bytes, and in planes that are the same all over, not over w; without `needs_planes` these may stay unwritten. */
-bool zr_line_color(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
-                   bool needs_planes, struct zr_plane planes[1 + ZR_VALUES_MOST], uint32_t *color);
-
-/* The same planes, and that of its opacity behind them, whatever else is known of the line. */
-bool zr_line_floats(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
-                    struct zr_plane planes[ZR_FLOAT_PLANES]);
-
-/* Of a line, for a G-buffer: planes of 1/w, and over that of its colour, of a normal that is 0, and of its point. */
-void zr_line_sample(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
-                    struct zr_plane planes[1 + ZR_VALUES_LATE]);
 
 #endif

@@ -50,13 +50,15 @@ static void blend(const struct zr_tile *tile, const float *const front[4], float
 
 static void clear_samples(const struct zr_gbuffer *to, int32_t rows, int32_t columns)
 {
-    const struct zr_sample_v none = zr_no_sample();
-    const struct zr_sample_rows out = zr_sample_rows_of(to);
+    const struct zr_varying_rows out = zr_sample_rows_of(to);
+    const int count = to->base[0] ? 9 : 6;
     for (int32_t y = 0; y < rows; y++)
         for (int32_t x = 0; x < columns; x += ZR_LANES) {
-            zr_put_samples(&out, y * to->stride + x, &none, to->base[0] ? 0 : 3);
-            zr_vi_store(to->owner + y * to->stride + x, zr_vi_set(0));
-            if (to->material) zr_vi_store(to->material + y * to->stride + x, zr_vi_set(0));
+            const ptrdiff_t at = y * to->stride + x;
+            for (int k = 0; k < count; k++)
+                zr_vf_store(out.of[k] + at, zr_vf_set(k < count - 3 ? 0.0f : ZR_FAR_POINT));
+            zr_vi_store(to->owner + at, zr_vi_set(0));
+            if (to->material) zr_vi_store(to->material + at, zr_vi_set(0));
         }
 }
 

@@ -32,7 +32,32 @@ struct zr_parts {
     struct zr_block_parts blocks[ZR_BLOCKS];
 };
 
-/* ---- patches ---- */
+/* ---- blocks and patches ---- */
+
+/* A block's first column and row, in the tile. */
+static inline int32_t zr_block_left(int block)
+{
+    return block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
+}
+
+static inline int32_t zr_block_low(int block)
+{
+    return block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+}
+
+/* Where the patches of a block lie. */
+struct zr_patch_place {
+    zr_vi column, row; /* of each lane in its patch */
+    int32_t left, low; /* of the block, in the window */
+};
+
+static inline struct zr_patch_place zr_patch_place_of(const struct zr_tile *tile, int number)
+{
+    const zr_vi lane = zr_vi_ramp(), column = lane & zr_vi_set(ZR_PATCH_COLUMNS - 1);
+    return (struct zr_patch_place){column, (lane - column) >> (ZR_PATCH_COLUMNS == 4 ? 2 : 0),
+                                   tile->x + zr_block_left(number), tile->y + zr_block_low(number)};
+}
+_Static_assert(ZR_PATCH_COLUMNS == 4 || ZR_LANES == 1, "rows are a shift");
 
 /* The first pixel of patch `p` of a block, in the tile's arrays. */
 static inline int32_t zr_patch_first(int block, int p)

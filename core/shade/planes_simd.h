@@ -6,10 +6,12 @@
 #ifndef ZR_PLANES_SIMD_H
 #define ZR_PLANES_SIMD_H
 
+#include "base/inlined.h"
 #include "base/rgba_simd.h"
 #include "base/vec3_simd.h"
 #include "raster/triangle_simd.h"
 #include "shade/paint.h"
+#include "shade/varyings.h"
 
 /* ---- looking up ---- */
 
@@ -42,6 +44,20 @@ struct zr_corner_numbers {
     int32_t value[3][ZR_LANES];
 };
 
+/* The same corners, with the numbers of values at `rate`. */
+ZR_INLINED struct zr_corner_numbers zr_corners_at_rate(const struct zr_draw *draw, enum zr_rate rate, zr_vi numbers,
+                                                       const struct zr_corner_numbers *corners)
+{
+    const bool is_flat = zr_rate_is_flat(rate);
+    const zr_vi flat = is_flat ? zr_flat_number_v(draw, rate, numbers) : zr_vi_set(0);
+    struct zr_corner_numbers out = *corners;
+    for (int k = 0; k < 3; k++) {
+        const zr_vi vertex = zr_vi_load(corners->vertex[k]) - zr_vi_set((int32_t)draw->first_vertex);
+        zr_vi_store(out.value[k], is_flat ? flat : zr_smooth_number_v(draw, rate, numbers, vertex, k));
+    }
+    return out;
+}
+
 static inline struct zr_corner_numbers zr_corner_numbers_of(const struct zr_draw *draw, enum zr_rate rate,
                                                             zr_vi numbers)
 {
@@ -64,22 +80,22 @@ static inline zr_vm zr_shown_backs(const struct zr_draw *draw, zr_vi numbers, zr
     return zr_vi_eq(zr_vi_gather(ZR_ALL_LANES, draw->traits, numbers) & one, one);
 }
 
-/* Lane i of c[k] has the first three of the four floats that stand at AT_k(i), as ZR_LOAD4 has it. */
-#define ZR_LOAD_THREE(c, AT_0, AT_1, AT_2)                                                                             \
+/* Lane i of c[k] and last[k] has the four floats that stand at AT_k(i), as ZR_LOAD4 has it. */
+#define ZR_LOAD_FOURS(c, last, AT_0, AT_1, AT_2)                                                                       \
     do {                                                                                                               \
-        zr_vf last;                                                                                                    \
-        ZR_LOAD4((c)[0].x, (c)[0].y, (c)[0].z, last, AT_0);                                                            \
-        ZR_LOAD4((c)[1].x, (c)[1].y, (c)[1].z, last, AT_1);                                                            \
-        ZR_LOAD4((c)[2].x, (c)[2].y, (c)[2].z, last, AT_2);                                                            \
-        (void)last;                                                                                                    \
+        ZR_LOAD4((c)[0].x, (c)[0].y, (c)[0].z, (last)[0], AT_0);                                                       \
+        ZR_LOAD4((c)[1].x, (c)[1].y, (c)[1].z, (last)[1], AT_1);                                                       \
+        ZR_LOAD4((c)[2].x, (c)[2].y, (c)[2].z, (last)[2], AT_2);                                                       \
     } while (0)
 
-static inline void zr_values_load(const zr_vec4 *values, const int32_t (*numbers)[ZR_LANES], struct zr_vec3_v c[3])
+/* Inlined, so that fourth values that nothing asks for are not worked out. */
+ZR_INLINED void zr_values_load(const zr_vec4 *values, const int32_t (*numbers)[ZR_LANES], struct zr_vec3_v c[3],
+                               zr_vf last[3])
 {
 #define ZR_VALUE_0(i) (&values[numbers[0][i]].x)
 #define ZR_VALUE_1(i) (&values[numbers[1][i]].x)
 #define ZR_VALUE_2(i) (&values[numbers[2][i]].x)
-    ZR_LOAD_THREE(c, ZR_VALUE_0, ZR_VALUE_1, ZR_VALUE_2);
+    ZR_LOAD_FOURS(c, last, ZR_VALUE_0, ZR_VALUE_1, ZR_VALUE_2);
 #undef ZR_VALUE_0
 #undef ZR_VALUE_1
 #undef ZR_VALUE_2
@@ -167,9 +183,9 @@ static inline struct zr_triangle_setup_v zr_way_of(const struct zr_window_vertex
 
 /* ---- colours ---- */
 
-/* Of the side that each triangle shows: a bit of `backs` each. */
-static inline void zr_colors_load(const struct zr_draw_attributes *surface, const int32_t (*numbers)[ZR_LANES],
-                                  uint32_t backs, struct zr_vec3_v c[3])
+/* Colours of the sides that triangles show, a bit of `backs` each. */
+ZR_INLINED void zr_colors_load(const struct zr_draw_attributes *surface, const int32_t (*numbers)[ZR_LANES],
+                               uint32_t backs, struct zr_vec3_v c[3], zr_vf opacity[3])
 {
     const struct zr_attribute *attributes = surface->attributes;
     const zr_vec4 *const of_side[2] = {attributes[ZR_ATTRIBUTE_COLOR].values,
@@ -178,7 +194,7 @@ static inline void zr_colors_load(const struct zr_draw_attributes *surface, cons
 #define ZR_COLOR_0(i)  ZR_COLOR(i, 0)
 #define ZR_COLOR_1(i)  ZR_COLOR(i, 1)
 #define ZR_COLOR_2(i)  ZR_COLOR(i, 2)
-    ZR_LOAD_THREE(c, ZR_COLOR_0, ZR_COLOR_1, ZR_COLOR_2);
+    ZR_LOAD_FOURS(c, opacity, ZR_COLOR_0, ZR_COLOR_1, ZR_COLOR_2);
 #undef ZR_COLOR_0
 #undef ZR_COLOR_1
 #undef ZR_COLOR_2
@@ -195,15 +211,16 @@ static inline zr_vi zr_color_over_w(zr_vf oow, zr_vf red, zr_vf green, zr_vf blu
 /* ---- normals ---- */
 
 /* Of the sides that triangles of a draw show. */
-static inline void zr_normals_load(const struct zr_draw_attributes *surface, zr_vi numbers, zr_vm turned,
-                                   struct zr_vec3_v c[3])
+ZR_INLINED void zr_normals_load(const struct zr_draw_attributes *surface, zr_vi numbers, zr_vm turned,
+                                const struct zr_corner_numbers *corners, struct zr_vec3_v c[3])
 {
     const struct zr_attribute *normal = &surface->attributes[ZR_ATTRIBUTE_NORMAL];
-    const struct zr_corner_numbers corners = zr_corner_numbers_of(surface->draw, normal->rate, numbers);
+    const struct zr_corner_numbers own = zr_corners_at_rate(surface->draw, normal->rate, numbers, corners);
     const zr_vm backs = zr_shown_backs(surface->draw, numbers, turned);
     const zr_vf one = zr_vf_set(1.0f);
     const zr_vf sign = zr_vf_select(backs, ZR_MUTANT(backs_keep_normals, zr_vf_set(-1.0f), one), one);
-    zr_values_load(normal->values, corners.value, c);
+    zr_vf last[3];
+    zr_values_load(normal->values, own.value, c, last);
     for (int k = 0; k < 3; k++)
         c[k] = zr_scale_v(c[k], sign);
 }

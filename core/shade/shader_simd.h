@@ -36,7 +36,7 @@ struct zr_shader {
     bool any_late;
     struct zr_model_context model;
     /* Some for each part, one part after the other: of 1/w, and of each of its values. */
-    float planes[ZR_PARTS_ROOM * ZR_FLOAT_PLANES][4]; /* a0, dadx, dady */
+    float planes[ZR_PARTS_ROOM * ZR_PLANES_MOST][4]; /* a0, dadx, dady */
 };
 
 /* Of a kernel of its own (paint_textured_kernel.c): beside these, compilers would make less of what has no textures.
@@ -105,8 +105,8 @@ static inline void zr_put_words(struct zr_shader *s, const struct zr_run *run, z
 
 /* ---- planes of parts ---- */
 
-/* Plane k of ZR_LANES parts. */
-static inline void zr_put_plane(struct zr_shader *s, uint32_t first, int k, int count, const struct zr_plane_v *plane)
+/* Plane k of ZR_LANES parts, which have `count` each. */
+ZR_INLINED void zr_put_plane(struct zr_shader *s, uint32_t first, int k, int count, const struct zr_plane_v *plane)
 {
     float fours[4 * ZR_LANES];
     zr_vf_store4(fours, plane->a0, plane->dadx, plane->dady, zr_vf_set(0.0f));
@@ -114,27 +114,9 @@ static inline void zr_put_plane(struct zr_shader *s, uint32_t first, int k, int 
         memcpy(s->planes[(first + i) * (uint32_t)count + (uint32_t)k], fours + 4 * i, 4 * sizeof(float));
 }
 
-static inline void zr_put_three(struct zr_shader *s, uint32_t first, int k, int count,
-                                const struct zr_planes3_v *planes)
-{
-    zr_put_plane(s, first, k, count, &planes->x);
-    zr_put_plane(s, first, k + 1, count, &planes->y);
-    zr_put_plane(s, first, k + 2, count, &planes->z);
-}
-
-/* Of part i by itself; what there is beyond `given` is 0. */
-static inline void zr_put_alone(struct zr_shader *s, uint32_t i, const struct zr_plane *planes, int given, int count)
-{
-    for (int k = 0; k < count; k++) {
-        const struct zr_plane none = {0, 0, 0};
-        memcpy(s->planes[i * (uint32_t)count + (uint32_t)k], k < given ? &planes[k] : &none, sizeof none);
-    }
-    s->has_planes[i] = s->any_planes = true;
-}
-
 /* The planes of each lane, of the parts whose owners they are; of others anything. */
-static inline void zr_select_planes(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner, int planes,
-                                    zr_vf (*out)[3])
+ZR_INLINED void zr_select_planes(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner, int planes,
+                                 zr_vf (*out)[3])
 {
     const float(*from)[4] = &s->planes[first * (uint32_t)planes];
     for (int k = 0; k < planes; k++)

@@ -1,0 +1,90 @@
+#include "shade/varyings.h"
+
+#include <string.h>
+
+#include "base/rgba.h"
+#include "raster/line.h"
+
+/* Where the colours of a line stand. */
+struct line_colors {
+    struct zr_triangle line;
+    bool back;
+    uint32_t ends[2];
+    const zr_vec4 *values;
+};
+
+static struct line_colors line_colors_of(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
+                                         uint32_t number)
+{
+    const struct zr_draw *draw = surface->draw;
+    const struct zr_triangle line = zr_triangle_of(geometry, draw, number);
+    const bool back = surface->sided && line.back, smooth = zr_draw_is_smooth(surface);
+    const enum zr_rate rate = surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
+    const uint32_t t = number - draw->first;
+    const uint32_t n0 = smooth ? zr_smooth_number(draw, rate, t, 0) : zr_flat_number(draw, rate, t);
+    const uint32_t n1 = smooth ? zr_smooth_number(draw, rate, t, 1) : n0;
+    return (struct line_colors){
+        line, back, {n0, n1}, surface->attributes[back ? ZR_ATTRIBUTE_BACK_COLOR : ZR_ATTRIBUTE_COLOR].values};
+}
+
+bool zr_line_color(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
+                   uint32_t *color)
+{
+    const struct line_colors colors = line_colors_of(geometry, surface, number);
+    const uint32_t n = colors.ends[0];
+    if (n != colors.ends[1]) return false;
+    *color = surface->packed ? surface->packed[colors.back ? surface->color_count + n : n]
+                             : zr_rgba_opaque(colors.values[n]);
+    return true;
+}
+
+/* Values at the two ends of a line. */
+struct ends {
+    struct zr_line_basis basis;
+    float oow[2];
+    const zr_vec4 *values[2];
+};
+
+static struct zr_plane plane_of(const struct ends *ends, float p0, float p1)
+{
+    return zr_line_plane_make(&ends->basis, p0 * ends->oow[0], p1 * ends->oow[1]);
+}
+
+static void put_xyz(const struct ends *ends, bool constant, struct zr_plane out[3])
+{
+    const zr_vec4 *p0 = ends->values[0], *p1 = ends->values[1];
+    const float from[3] = {p0->x, p0->y, p0->z}, to[3] = {p1->x, p1->y, p1->z};
+    for (int k = 0; k < 3; k++)
+        out[k] = constant ? (struct zr_plane){from[k], 0, 0} : plane_of(ends, from[k], to[k]);
+}
+
+static void put_w(const struct ends *ends, bool constant, struct zr_plane *out)
+{
+    const float from = ends->values[0]->w;
+    *out = constant ? (struct zr_plane){from, 0, 0} : plane_of(ends, from, ends->values[1]->w);
+}
+
+bool zr_line_planes(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
+                    unsigned mask, struct zr_plane planes[ZR_PLANES_MOST])
+{
+    const struct zr_draw *draw = surface->draw;
+    const struct line_colors colors = line_colors_of(geometry, surface, number);
+    const struct zr_window_vertex *v0 = &geometry->vertices[colors.line.v[0]],
+                                  *v1 = &geometry->vertices[colors.line.v[1]];
+    const zr_vec4 *points = surface->attributes[ZR_ATTRIBUTE_POINT].values;
+    const bool has_colors = mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY);
+    const bool constant = !(mask & ZR_VARY_OVER_W) && !(has_colors && colors.ends[0] != colors.ends[1]);
+    struct ends ends = {zr_line_basis_make(v0, v1), {v0->oow, v1->oow}, {NULL, NULL}};
+    memset(planes, 0, (size_t)zr_plane_count(mask) * sizeof *planes);
+    planes[0] = constant && zr_may_lack_w(mask) ? (struct zr_plane){1, 0, 0} : plane_of(&ends, 1.0f, 1.0f);
+    for (uint32_t k = 0; k < 2 && has_colors; k++)
+        ends.values[k] = &colors.values[colors.ends[k]];
+    if (mask & ZR_VARY_COLOR) put_xyz(&ends, constant, &planes[zr_first_plane(mask, ZR_VARY_COLOR)]);
+    if (mask & ZR_VARY_OPACITY) put_w(&ends, constant, &planes[zr_first_plane(mask, ZR_VARY_OPACITY)]);
+    if (!points) return constant;
+    for (uint32_t k = 0; k < 2; k++)
+        ends.values[k] = &points[zr_draw_corner(draw, number - draw->first, k)];
+    if (mask & ZR_VARY_POINT) put_xyz(&ends, false, &planes[zr_first_plane(mask, ZR_VARY_POINT)]);
+    if (mask & ZR_VARY_DEPTH) put_w(&ends, false, &planes[zr_first_plane(mask, ZR_VARY_DEPTH)]);
+    return constant;
+}

@@ -1,0 +1,358 @@
+/* varyings_simd.h - shade: interpolates values over the samples of a tile, for the kernel that shades.
+ *
+ * Every part gets the planes of a set of groups (varyings.h). Then, ZR_LANES samples at a time, a maker turns values of
+ * the planes into results, and the walk stores these in rows. Sets and makers are known when this is compiled, and all
+ * of it is inlined: else planes would not stay in registers.
+ * Exact:  the reference's rules 8 (planes) and 9 (values over w).
+ */
+#ifndef ZR_VARYINGS_SIMD_H
+#define ZR_VARYINGS_SIMD_H
+
+#include "shade/tangents_simd.h"
+
+/* ---- planes ---- */
+
+/* Of one value, from the corners as they stand in the mesh: plane k. */
+ZR_INLINED void zr_put_value(struct zr_shader *s, const struct zr_run *run, unsigned mask, int k,
+                             const struct zr_triangle_setup_v *way, const zr_vf v[3], bool flat)
+{
+    const zr_vf zero = zr_vf_set(0.0f);
+    const struct zr_plane_v *oow = &way->oow_plane;
+    struct zr_plane_v plane = {v[0], zero, zero};
+    if (!flat)
+        plane = zr_plane1_make(way, v[0], v[1], v[2]);
+    else if (mask & ZR_VARY_OVER_W)
+        plane = (struct zr_plane_v){oow->a0 * v[0], oow->dadx * v[0], oow->dady * v[0]};
+    zr_put_plane(s, run->first, k, zr_plane_count(mask), &plane);
+}
+
+/* Of three values: planes k, k + 1 and k + 2. */
+ZR_INLINED void zr_put_three(struct zr_shader *s, const struct zr_run *run, unsigned mask, int k,
+                             const struct zr_triangle_setup_v *way, const struct zr_vec3_v v[3], bool flat)
+{
+    const zr_vf x[3] = {v[0].x, v[1].x, v[2].x}, y[3] = {v[0].y, v[1].y, v[2].y}, z[3] = {v[0].z, v[1].z, v[2].z};
+    zr_put_value(s, run, mask, k, way, x, flat);
+    zr_put_value(s, run, mask, k + 1, way, y, flat);
+    zr_put_value(s, run, mask, k + 2, way, z, flat);
+}
+
+/* Groups COLOR and OPACITY, both of which are flat or not. */
+ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+                              const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
+{
+    const struct zr_draw_attributes *surface = run->surface;
+    const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
+    const bool flat = zr_rate_is_flat(color->rate);
+    struct zr_vec3_v c[3];
+    zr_vf opacity[3];
+    uint32_t backs = 0;
+    if (surface->sided) backs = zr_vm_bits(zr_shown_backs(run->draw, zr_run_numbers(s, run), way->turned));
+    zr_colors_load(surface, corners->value, backs, c, opacity);
+    if (mask & ZR_VARY_COLOR) zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_COLOR), way, c, flat);
+    if (mask & ZR_VARY_OPACITY) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_OPACITY), way, opacity, flat);
+    if (zr_mixes_constants(mask)) memset(s->is_constant + run->first, flat, ZR_LANES);
+}
+
+/* Of the sides that are seen; 0 if there are none, as of what is flat in fog. */
+ZR_INLINED void zr_put_normals(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+                               const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
+{
+    const struct zr_attribute *normal = &run->surface->attributes[ZR_ATTRIBUTE_NORMAL];
+    const struct zr_vec3_v none = zr_spread_v((zr_vec3){0.0f, 0.0f, 0.0f});
+    struct zr_vec3_v n[3] = {none, none, none};
+    if (normal->values) zr_normals_load(run->surface, zr_run_numbers(s, run), way->turned, corners, n);
+    zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_NORMAL), way, n,
+                 !(mask & ZR_VARY_LATE) && zr_rate_is_flat(normal->rate));
+}
+
+/* Groups POINT and DEPTH. */
+ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+                              const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
+{
+    const zr_vec4 *points = run->surface->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex;
+    struct zr_vec3_v p[3];
+    zr_vf depth[3];
+    zr_values_load(points, corners->vertex, p, depth);
+    if (mask & ZR_VARY_POINT) zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_POINT), way, p, false);
+    if (mask & ZR_VARY_DEPTH) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_DEPTH), way, depth, false);
+}
+
+/* Texture coordinates are such places, or as the mesh has them: then only alpha is looked up, of what is see-through.
+ */
+ZR_INLINED void zr_put_places(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+                              const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
+{
+    const struct zr_texture_map *alpha = zr_opacity_map_of(&s->surfaces->textures, run->draw->material);
+    zr_vf c[3][4], places[2][3];
+    zr_texcoords_load(run, corners->vertex, c);
+    for (int k = 0; k < 3; k++) {
+        zr_vf place[2] = {c[k][0], c[k][1]};
+        if (s->surfaces->texcoords_as_given && alpha) zr_texture_transform_v(alpha->texture, c[k], place);
+        places[0][k] = place[0];
+        places[1][k] = place[1];
+    }
+    for (int i = 0; i < 2; i++)
+        zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_PLACE) + i, way, places[i], false);
+}
+
+/* Groups TEXCOORDS and TANGENT. */
+static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+                                    const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
+{
+    const int first = zr_first_plane(mask, ZR_VARY_TEXCOORDS), tangent = zr_first_plane(mask, ZR_VARY_TANGENT);
+    const struct zr_vec3_v none = zr_spread_v((zr_vec3){0.0f, 0.0f, 0.0f});
+    struct zr_tangents_v tangents = {{none, none, none}, zr_vf_set(0.0f)};
+    zr_vf c[3][4];
+    zr_texcoords_load(run, corners->vertex, c);
+    for (int k = 0; k < 4; k++) {
+        const zr_vf values[3] = {c[0][k], c[1][k], c[2][k]};
+        zr_put_value(s, run, mask, first + k, way, values, false);
+    }
+    if (run->draw->material->textures[ZR_TEXTURE_NORMAL])
+        tangents = zr_tangents_find(s, run, way->turned, corners->vertex, c);
+    const zr_vf sign[3] = {tangents.sign, tangents.sign, tangents.sign};
+    zr_put_three(s, run, mask, tangent, way, tangents.along, false);
+    zr_put_value(s, run, mask, tangent + 3, way, sign, true);
+}
+
+/* The rate at which the first group's values are numbered in zr_corner_numbers. */
+static inline enum zr_rate zr_rate_of(const struct zr_draw_attributes *surface, unsigned mask)
+{
+    if (mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY)) return surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
+    return mask & ZR_VARY_NORMAL ? surface->attributes[ZR_ATTRIBUTE_NORMAL].rate : ZR_RATE_DRAW;
+}
+
+/* Planes of a run of triangles; `is_per_pixel`: with all groups (ZR_VARY_LATE). */
+ZR_INLINED void zr_put_triangles(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+                                 const struct zr_corner_numbers *corners, bool is_per_pixel)
+{
+    const struct zr_triangle_setup_v way = zr_way_of(s->geometry->vertices, corners->vertex);
+    struct zr_plane_v oow = way.oow_plane;
+    if (zr_may_lack_w(mask) && zr_rate_is_flat(zr_rate_of(run->surface, mask)))
+        oow = (struct zr_plane_v){zr_vf_set(1.0f), zr_vf_set(0.0f), zr_vf_set(0.0f)};
+    zr_put_plane(s, run->first, 0, zr_plane_count(mask), &oow);
+    if (mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY)) zr_put_colors(s, run, mask, &way, corners);
+    if (mask & ZR_VARY_LATE && !is_per_pixel) return;
+    if (mask & ZR_VARY_NORMAL) zr_put_normals(s, run, mask, &way, corners);
+    if (mask & (ZR_VARY_POINT | ZR_VARY_DEPTH)) zr_put_points(s, run, mask, &way, corners);
+    if (mask & ZR_VARY_PLACE) zr_put_places(s, run, mask, &way, corners);
+    if (mask & ZR_VARY_TEXCOORDS) zr_put_texcoords(s, run, mask, &way, corners);
+}
+
+/* Planes of part i, which is a line or a point. */
+static inline void zr_put_line(struct zr_shader *s, const struct zr_run *run, unsigned mask, uint32_t i)
+{
+    struct zr_plane planes[ZR_PLANES_MOST];
+    const uint32_t count = (uint32_t)zr_plane_count(mask);
+    s->is_constant[i] = zr_line_planes(s->geometry, run->surface, s->parts.owners[i] - 1, mask, planes);
+    for (uint32_t k = 0; k < count; k++)
+        memcpy(s->planes[i * count + k], &planes[k], sizeof *planes);
+}
+
+/* Notes whose model shades a run's pixels; lines are as their colours say. */
+ZR_INLINED void zr_put_material(struct zr_shader *s, const struct zr_run *run, bool is_per_pixel)
+{
+    static const struct zr_material unlit = {.shading = ZR_SHADING_UNLIT};
+    const struct zr_material *material = zr_draw_is_of_wires(run->draw) ? &unlit : run->draw->material;
+    for (uint32_t i = run->first; i < run->first + ZR_LANES; i++)
+        s->materials[i] = is_per_pixel ? material : NULL;
+    s->any_late |= is_per_pixel;
+}
+
+ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_run *run, unsigned mask)
+{
+    const struct zr_draw *draw = run->draw;
+    const bool of_wires = zr_draw_is_of_wires(draw);
+    const bool is_per_pixel =
+        mask & ZR_VARY_TEXCOORDS ? !of_wires && zr_material_has_textures(draw->material) : run->surface->is_per_pixel;
+    if (mask & ZR_VARY_LATE) zr_put_material(s, run, is_per_pixel);
+    if (mask & ZR_VARY_TEXCOORDS && !is_per_pixel) return;
+    if (of_wires) {
+        for (uint32_t i = run->first; i < run->first + run->count; i++)
+            zr_put_line(s, run, mask, i);
+        return;
+    }
+    const struct zr_corner_numbers corners =
+        zr_corner_numbers_of(draw, zr_rate_of(run->surface, mask), zr_run_numbers(s, run));
+    zr_put_triangles(s, run, mask, &corners, is_per_pixel);
+}
+
+/* ---- samples ---- */
+
+/* ZR_LANES samples, and what may be seen there. */
+struct zr_samples_v {
+    uint32_t first, count; /* parts; none: nothing else is set, but `at` */
+    zr_vi owner;
+    zr_vm seen; /* where there is an owner */
+    zr_vf x, y;
+    zr_vf (*planes)[3];
+    /* Where the first one lies in rows, and whether they are a patch, or else side by side. */
+    ptrdiff_t at, stride;
+    bool is_patch;
+};
+
+/* Plane k of a sample by itself, over w. */
+ZR_INLINED zr_vf zr_varying(const struct zr_samples_v *in, int k, zr_vf w)
+{
+    return zr_shaded_value(in->planes, k, in->x, in->y) * w;
+}
+
+/* Planes k, k + 1 and k + 2. */
+ZR_INLINED struct zr_vec3_v zr_varying3(const struct zr_samples_v *in, int k, zr_vf w)
+{
+    return (struct zr_vec3_v){zr_varying(in, k, w), zr_varying(in, k + 1, w), zr_varying(in, k + 2, w)};
+}
+
+ZR_INLINED zr_vf zr_varying_w(const struct zr_samples_v *in)
+{
+    return zr_vf_set(1.0f) / zr_shaded_value(in->planes, 0, in->x, in->y);
+}
+
+/* Samples of part i, and of those behind it that have its material. */
+ZR_INLINED zr_vm zr_samples_of_material(const struct zr_shader *s, const struct zr_samples_v *in, uint32_t i)
+{
+    zr_vm out = zr_vi_lt(zr_vi_set(0), zr_vi_set(0));
+    for (uint32_t other = i; other < in->first + in->count; other++)
+        if (s->materials[other] == s->materials[i])
+            out = zr_vm_or(out, zr_vi_eq(in->owner, zr_vi_set((int32_t)s->parts.owners[other])));
+    return out;
+}
+
+/* What an array that lies as the rows do has there. */
+ZR_INLINED zr_vf zr_samples_load(const struct zr_samples_v *in, const float *array)
+{
+    if (!in->is_patch) return zr_vf_load(array + in->at);
+    return zr_vf_bits(zr_vi_load_patch((const uint32_t *)(const void *)(array + in->at), (size_t)in->stride));
+}
+
+/* Where the samples of a tile go, one after the other for each value that a maker gives; the tile's first sample is at
+ * the first of each. */
+enum { ZR_ROWS_MOST = 12 };
+struct zr_varying_rows {
+    float *of[ZR_ROWS_MOST];
+    ptrdiff_t stride;
+};
+
+/* Gives the values of some samples: those where nobody is seen, too. */
+typedef void zr_varyings_fn(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
+                            const void *context, zr_vf values[ZR_ROWS_MOST]);
+
+/* ---- the walk ---- */
+
+/* A block where nobody is seen. */
+ZR_INLINED void zr_fill_empty_block(const struct zr_shader *s, int number, unsigned mask, zr_varyings_fn *make,
+                                    const void *context, int count, const struct zr_varying_rows *rows)
+{
+    const ptrdiff_t first = zr_block_low(number) * rows->stride + zr_block_left(number);
+    const struct zr_samples_v none = {.at = first, .stride = rows->stride};
+    zr_vf values[ZR_ROWS_MOST];
+    make(s, &none, mask, context, values);
+    for (int v = 0; v < count; v++)
+        for (int32_t row = 0; row < ZR_BLOCK_HEIGHT; row++)
+            for (int32_t column = 0; column < ZR_BLOCK_WIDTH; column += ZR_LANES)
+                zr_vf_store(rows->of[v] + first + row * rows->stride + column, values[v]);
+}
+
+/* All of one part's. */
+ZR_INLINED void zr_fill_whole_block(const struct zr_shader *s, const struct zr_tile *tile, int number, unsigned mask,
+                                    zr_varyings_fn *make, const void *context, int count,
+                                    const struct zr_varying_rows *rows)
+{
+    const uint32_t part = s->parts.blocks[number].first;
+    const int32_t left = zr_block_left(number), low = zr_block_low(number);
+    zr_vf planes[ZR_PLANES_MOST][3], values[ZR_ROWS_MOST];
+    struct zr_samples_v in = {
+        .first = part, .count = 1, .seen = ZR_ALL_LANES, .planes = planes, .stride = rows->stride};
+    in.owner = zr_vi_set((int32_t)s->parts.owners[part]);
+    zr_select_planes(s, part, 1, in.owner, zr_plane_count(mask), planes);
+    for (int32_t row = low; row < low + ZR_BLOCK_HEIGHT; row++)
+        for (int32_t column = left; column < left + ZR_BLOCK_WIDTH; column += ZR_LANES) {
+            in.x = zr_vf_of(zr_vi_set(tile->x + column) + zr_vi_ramp());
+            in.y = zr_vf_set((float)(tile->y + row));
+            in.at = row * rows->stride + column;
+            make(s, &in, mask, context, values);
+            for (int v = 0; v < count; v++)
+                zr_vf_store(rows->of[v] + in.at, values[v]);
+        }
+}
+
+/* Patches side by side, as many as make whole rows of ZR_LANES. */
+ZR_INLINED void zr_fill_patches(const struct zr_shader *s, const struct zr_tile *tile, int number, unsigned mask,
+                                zr_varyings_fn *make, const void *context, int count,
+                                const struct zr_varying_rows *rows)
+{
+    const struct zr_block_parts *block = &s->parts.blocks[number];
+    const struct zr_patch_place place = zr_patch_place_of(tile, number);
+    uint32_t part = block->first;
+    for (int p = 0; p < ZR_BLOCK_PATCHES; p += ZR_PATCH_ROWS) {
+        const int32_t x = p % ZR_PATCHES_ACROSS * ZR_PATCH_COLUMNS, y = p / ZR_PATCHES_ACROSS * ZR_PATCH_ROWS;
+        const ptrdiff_t at = (place.low - tile->y + y) * rows->stride + place.left - tile->x + x;
+        zr_vi out[ZR_ROWS_MOST][ZR_PATCH_ROWS];
+        for (int k = 0; k < ZR_PATCH_ROWS; k++) {
+            zr_vf planes[ZR_PLANES_MOST][3], values[ZR_ROWS_MOST];
+            struct zr_samples_v in = {.first = part,
+                                      .count = block->patches[p + k],
+                                      .at = at + k * ZR_PATCH_COLUMNS,
+                                      .stride = rows->stride,
+                                      .is_patch = true};
+            if (in.count > 0) {
+                in.owner = zr_vi_load_patch(tile->owner + zr_patch_first(number, p + k), ZR_TILE_STRIDE);
+                in.seen = zr_vi_lt(zr_vi_set(0), in.owner);
+                in.x = zr_vf_of(place.column + zr_vi_set(place.left + x + k * ZR_PATCH_COLUMNS));
+                in.y = zr_vf_of(place.row + zr_vi_set(place.low + y));
+                in.planes = planes;
+                zr_select_planes(s, part, in.count, in.owner, zr_plane_count(mask), planes);
+                make(s, &in, mask, context, values);
+            } else {
+                in.count = 0; /* known now */
+                make(s, &in, mask, context, values);
+            }
+            for (int v = 0; v < count; v++)
+                out[v][k] = zr_vi_bits_of(values[v]);
+            part += block->patches[p + k];
+        }
+        for (int v = 0; v < count; v++) {
+            zr_vi_rows_of_patches(out[v]);
+            for (int k = 0; k < ZR_PATCH_ROWS; k++)
+                zr_vi_store(rows->of[v] + at + k * rows->stride, out[v][k]);
+        }
+    }
+}
+
+/* Whether any part of a block has textures. */
+static inline bool zr_block_is_textured(const struct zr_shader *s, int number)
+{
+    const struct zr_block_parts *block = &s->parts.blocks[number];
+    if (block->is_whole) return s->materials[block->first];
+    uint32_t end = block->first;
+    for (int p = 0; p < ZR_BLOCK_PATCHES; p++)
+        end += block->patches[p];
+    for (uint32_t i = block->first; i < end; i++)
+        if (s->materials[i]) return true;
+    return false;
+}
+
+/* Makes `count` rows of blocks begin .. end - 1, whose parts have been found. With ZR_VARY_TEXCOORDS, blocks without
+ * textures are left as they are. */
+ZR_INLINED void zr_varyings_fill(struct zr_shader *s, const struct zr_tile *tile, int begin, int end, unsigned mask,
+                                 zr_varyings_fn *make, const void *context, int count,
+                                 const struct zr_varying_rows *rows)
+{
+    const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
+    s->any_late = false;
+    s->materials[0] = NULL;
+    for (uint32_t i = 0; i < s->run_count; i++)
+        zr_put_run(s, &s->runs[i], mask);
+    if (mask & ZR_VARY_TEXCOORDS && !s->any_late) return;
+    for (int b = begin; b < end; b++) {
+        if (b % ZR_BLOCK_COLUMNS >= across || (mask & ZR_VARY_TEXCOORDS && !zr_block_is_textured(s, b))) continue;
+        if (!s->parts.blocks[b].is_whole)
+            zr_fill_patches(s, tile, b, mask, make, context, count, rows);
+        else if (s->parts.blocks[b].first > 0)
+            zr_fill_whole_block(s, tile, b, mask, make, context, count, rows);
+        else
+            zr_fill_empty_block(s, b, mask, make, context, count, rows);
+    }
+}
+
+#endif
