@@ -14,15 +14,26 @@ static inline zr_vi zr_rgba_bytes_v(zr_vf value)
     return zr_vi_round(ZR_MUTANT(bytes_rounded_down, exact, exact - zr_vf_set(0.49f)));
 }
 
-/* As zr_rgba_opaque. No result is 0, since alpha is 255. */
+/* Four bytes, as in memory: red first. */
+static inline zr_vi zr_rgba_join_v(zr_vi r, zr_vi g, zr_vi b, zr_vi a)
+{
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    return r | g << 8 | b << 16 | a << 24;
+#else
+    return r << 24 | g << 16 | b << 8 | a;
+#endif
+}
+
+/* As zr_rgba_make. */
+static inline zr_vi zr_rgba_make_v(zr_vf red, zr_vf green, zr_vf blue, zr_vf alpha)
+{
+    return zr_rgba_join_v(zr_rgba_bytes_v(red), zr_rgba_bytes_v(green), zr_rgba_bytes_v(blue), zr_rgba_bytes_v(alpha));
+}
+
+/* As zr_rgba_opaque: never 0. */
 static inline zr_vi zr_rgba_opaque_v(zr_vf red, zr_vf green, zr_vf blue)
 {
-    const zr_vi r = zr_rgba_bytes_v(red), g = zr_rgba_bytes_v(green), b = zr_rgba_bytes_v(blue);
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-    return r | g << 8 | b << 16 | zr_vi_set(-0x1000000);
-#else
-    return r << 24 | g << 16 | b << 8 | zr_vi_set(255);
-#endif
+    return zr_rgba_join_v(zr_rgba_bytes_v(red), zr_rgba_bytes_v(green), zr_rgba_bytes_v(blue), zr_vi_set(255));
 }
 
 #endif

@@ -126,7 +126,6 @@ static void pass_layer(const struct zr_tile_source *tiles, const struct zr_layer
 static bool pass_all(const struct zr_tile_source *tiles, struct zr_layers *layers, const struct zr_cancel *cancel,
                      struct zr_tile *tile)
 {
-    float *const front[4] = {layers->front[0], layers->front[1], layers->front[2], layers->front[3]};
     uint8_t done[ZR_LAYER_FLOATS] = {false};
     for (uint32_t at = 0; at < layers->most && !zr_is_cancelled(cancel); at++) {
         for (uint32_t place = 0; place < ZR_LAYER_FLOATS; place++) {
@@ -135,7 +134,7 @@ static bool pass_all(const struct zr_tile_source *tiles, struct zr_layers *layer
             const bool any = at < count && !done[place];
             show(layers, place, any, any ? keys[at] : 0);
         }
-        zr_paint_of(tiles->isa)->floats(tiles->geometry, tiles->surfaces, &layers->tile, front);
+        zr_paint_of(tiles->isa)->opacity(tiles->geometry, tiles->surfaces, &layers->tile, layers->front[3]);
         pass_layer(tiles, layers, done, tile);
     }
     for (uint32_t place = 0; place < ZR_LAYER_FLOATS; place++)
@@ -192,13 +191,6 @@ static void begin_sum(const struct zr_tile_source *tiles, const struct zr_tile *
         }
 }
 
-static zr_vec4 straight(const struct zr_layers *layers, uint32_t place)
-{
-    const float a = layers->sum[3][place];
-    const zr_vec4 c = {layers->sum[0][place], layers->sum[1][place], layers->sum[2][place], a};
-    return a > 0.0f ? (zr_vec4){c.x / a, c.y / a, c.z / a, a} : c;
-}
-
 static void add_layers(const struct zr_tile_source *tiles, const struct zr_cancel *cancel, struct zr_layers *layers)
 {
     const struct zr_paint *paint = zr_paint_of(tiles->isa);
@@ -234,17 +226,14 @@ bool zr_layers_blend(const struct zr_tile_source *tiles, uint32_t number, const 
 uint32_t zr_layers_put(const struct zr_tile_source *tiles, struct zr_layers *blended, const struct zr_tile *tile,
                        const struct zr_pixel_rows *out)
 {
-    const bool is_opaque = tiles->scene->background.w >= 1.0f;
+    const zr_vec4 nothing = tiles->scene->background;
+    const float *const sum[4] = {blended->sum[0], blended->sum[1], blended->sum[2], blended->sum[3]};
+    const uint32_t *ends = blended->fragments.ends;
     uint32_t uncovered = 0;
+    zr_paint_of(tiles->isa)->pack(tile, sum, ends, nothing.w >= 1.0f, zr_rgba_make(nothing), out);
     for (int32_t y = 0; y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x++) {
-            const uint32_t place = place_of(x, y);
-            if (blended->fragments.ends[place] == blended->fragments.ends[place + 1]) continue;
-            const zr_vec4 c = {blended->sum[0][place], blended->sum[1][place], blended->sum[2][place], 1.0f};
-            out->first[y * out->stride + x] =
-                is_opaque || tile->owner[place] > 0 ? zr_rgba_opaque(c) : zr_rgba_make(straight(blended, place));
-            uncovered += tile->owner[place] == 0;
-        }
+        for (uint32_t i = place_of(0, y); i < place_of(tile->width, y); i++)
+            uncovered += tile->owner[i] == 0 && ends[i] < ends[i + 1];
     zr_layers_give(tiles->layers, blended);
     return uncovered;
 }

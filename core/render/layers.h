@@ -55,8 +55,8 @@ bool zr_layers_has_blended(const struct zr_tile_source *tiles, uint32_t number);
 bool zr_layers_blend(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
                      struct zr_tile *tile, bool summed, struct zr_layers **blended);
 
-/* Puts that over the tile's colours, which `out` has, and gives *blended back. Returns how many pixels show nothing but
- * what is blended. */
+/* Writes the tile's colours, with that over them, and gives it back. No base may be behind. Returns how many pixels
+ * show nothing but what is blended. */
 uint32_t zr_layers_put(const struct zr_tile_source *tiles, struct zr_layers *blended, const struct zr_tile *tile,
                        const struct zr_pixel_rows *out);
 

@@ -45,11 +45,12 @@ static void average_bytes(struct drawing *d, struct zr_tile *tile, struct zr_lay
     const struct place place = place_of(d, tile);
     struct zr_tile_targets to = {.nothing = d->background};
     to.channels[ZR_CHANNEL_COLOR] = (struct zr_pixel_rows){.first = words, .stride = ZR_TILE_SIZE};
-    if (tile->is_empty)
+    if (blended)
+        *covered += zr_layers_put(&d->pass->tiles, blended, tile, &to.channels[ZR_CHANNEL_COLOR]);
+    else if (tile->is_empty)
         d->paint->fill(&to.channels[ZR_CHANNEL_COLOR], tile->width, tile->height, d->background);
     else
         d->paint->shade(&d->pass->geometry, &d->pass->surfaces, tile, &to);
-    if (blended) *covered += zr_layers_put(&d->pass->tiles, blended, tile, &to.channels[ZR_CHANNEL_COLOR]);
     for (uint32_t y = 0; y < place.height; y++) {
         const size_t row = d->frame->height - 1 - (place.y + y);
         uint32_t *out = (uint32_t *)(void *)d->frame->color + row * d->frame->width + place.x;
@@ -127,13 +128,12 @@ static void blend_light(const struct drawing *d, struct zr_layers *blended, stru
 {
     const struct zr_tile *layer = &blended->tile;
     float *const color[3] = {blended->front[0], blended->front[1], blended->front[2]};
-    float *const opacity[4] = {lit->color[0], lit->color[1], lit->color[2], blended->front[3]};
     const float *const front[4] = {color[0], color[1], color[2], blended->front[3]};
     float *const sum[4] = {blended->sum[0], blended->sum[1], blended->sum[2], blended->sum[3]};
     const struct zr_gbuffer samples = gbuffer_of(lit, layer, d->pass->surfaces.textures.of != NULL);
     for (uint32_t depth = 0; depth < blended->most && !zr_is_cancelled(d->cancel); depth++) {
         zr_layers_show(blended, depth);
-        d->paint->floats(&d->pass->geometry, &d->pass->surfaces, layer, opacity);
+        d->paint->opacity(&d->pass->geometry, &d->pass->surfaces, layer, blended->front[3]);
         d->paint->samples(&d->pass->geometry, &d->pass->surfaces, layer, &samples);
         zr_look_light_of(d->isa)(d->stages->lighting, &samples, NULL, color);
         if (d->stages->has_xrays) zr_xray_of(d->isa)(d->stages->lighting, &samples, blended->front[3]);

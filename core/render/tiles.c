@@ -44,14 +44,15 @@ bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, c
 static bool draw_tile(const struct drawing *d, uint32_t number, struct zr_tile *tile, struct zr_resolved *resolved)
 {
     const struct zr_tile_source *from = d->tiles;
-    const struct zr_frame *frame = d->frame;
+    struct zr_frame frame = *d->frame;
     struct zr_layers *blended;
     if (!zr_tile_find_visible(from, number, d->cancel, tile) ||
         !zr_layers_blend(from, number, d->cancel, tile, true, &blended))
         return false;
-    *resolved = zr_resolve_tile(from->geometry, from->surfaces, d->isa, from->scene, tile, frame);
+    if (blended) frame.color = NULL; /* it is made with what is blended, of the same values */
+    *resolved = zr_resolve_tile(from->geometry, from->surfaces, d->isa, from->scene, tile, &frame);
     if (!blended) return true;
-    const struct zr_pixel_rows colors = zr_resolve_rows(frame, tile, ZR_CHANNEL_COLOR);
+    const struct zr_pixel_rows colors = zr_resolve_rows(d->frame, tile, ZR_CHANNEL_COLOR);
     resolved->covered += zr_layers_put(from, blended, tile, &colors);
     return true;
 }

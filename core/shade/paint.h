@@ -42,14 +42,24 @@ struct zr_paint {
     void (*samples)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
                     const struct zr_tile *tile, const struct zr_gbuffer *to);
 
-    /* Red, green, blue and opacity of the samples of a tile, 0..1, in rows of ZR_TILE_STRIDE; where nobody is seen,
-     * anything. All of its blocks are written. */
+    /* Red, green, blue and opacity of the samples of a tile, 0..1, in rows of ZR_TILE_STRIDE; 0 where nobody is seen.
+     * All of its blocks are written. */
     void (*floats)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
                    const struct zr_tile *tile, float *const out[4]);
+
+    /* The opacity alone. */
+    void (*opacity)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+                    const struct zr_tile *tile, float *out);
 
     /* Where the tile has an owner, front over what is there, in rows of ZR_TILE_STRIDE. Both have an opacity, and
      * `to` has its colours times that. Exact: each product and sum is rounded, as GL's blending into floats does. */
     void (*blend)(const struct zr_tile *tile, const float *const front[4], float *const to[4]);
+
+    /* What `blend` made of a tile, as bytes: where the tile has an owner, or a list whose end in ends[] is not that of
+     * the list before it (zr_fragments); elsewhere `nothing`. Owned samples are opaque; all are, if is_opaque, whatever
+     * rounding made of their opacities. */
+    void (*pack)(const struct zr_tile *tile, const float *const sum[4], const uint32_t *ends, bool is_opaque,
+                 uint32_t nothing, const struct zr_pixel_rows *out);
 
     /* The depths of a tile. Where some are not written, none of its blocks is cut. */
     void (*depths)(const struct zr_tile *tile, const struct zr_pixel_rows *out);
@@ -65,11 +75,14 @@ struct zr_paint {
     void (*copy)(const struct zr_pixel_rows *out, int32_t width, int32_t height, const void *in);
 };
 
-/* zr_paint.floats. */
+/* zr_paint.floats and zr_paint.opacity. */
 typedef void zr_paint_floats_fn(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
                                 const struct zr_tile *tile, float *const out[4]);
+typedef void zr_paint_opacity_fn(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+                                 const struct zr_tile *tile, float *out);
 
 ZR_KERNEL_TABLE(zr_paint_floats_fn, zr_paint_floats)
+ZR_KERNEL_TABLE(zr_paint_opacity_fn, zr_paint_opacity)
 
 ZR_KERNEL_TABLE(const struct zr_paint, zr_paint)
 

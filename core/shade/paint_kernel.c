@@ -46,6 +46,30 @@ static void blend(const struct zr_tile *tile, const float *const front[4], float
     }
 }
 
+static void pack(const struct zr_tile *tile, const float *const sum[4], const uint32_t *ends, bool is_opaque,
+                 uint32_t nothing, const struct zr_pixel_rows *out)
+{
+    const zr_vf one = zr_vf_set(1.0f), zero = zr_vf_set(0.0f);
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x += ZR_LANES) {
+            const int32_t i = y * ZR_TILE_STRIDE + x, columns = tile->width - x;
+            const zr_vm owned = zr_vi_lt(zr_vi_set(0), zr_vi_load(tile->owner + i));
+            const zr_vi before = zr_vi_load(ends + i);
+            const zr_vm uncovered = zr_vi_eq(zr_vi_load(ends + i + 1), before);
+            const zr_vf r = zr_vf_load(sum[0] + i), g = zr_vf_load(sum[1] + i), b = zr_vf_load(sum[2] + i);
+            zr_vi words = zr_rgba_opaque_v(r, g, b);
+            if (!is_opaque) {
+                const zr_vf alpha = zr_vf_load(sum[3] + i), over = zr_vf_select(zr_vf_lt(zero, alpha), alpha, one);
+                words = zr_vi_select(owned, words, zr_rgba_make_v(r / over, g / over, b / over, alpha));
+            }
+            words = zr_vi_select(zr_vm_andnot(uncovered, owned), zr_vi_set((int32_t)nothing), words);
+            if (columns >= ZR_LANES)
+                zr_vi_put(out->first + y * out->stride + x, words, out->streamed);
+            else
+                zr_vi_store_first(out->first + y * out->stride + x, words, (uint32_t)columns);
+        }
+}
+
 /* ---- G-buffers ---- */
 
 static void clear_samples(const struct zr_gbuffer *to, int32_t rows, int32_t columns)
@@ -176,5 +200,6 @@ static void depths(const struct zr_tile *tile, const struct zr_pixel_rows *out)
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {shade, samples, ZR_KERNEL(zr_paint_floats), blend, depths, count, ends,
-                                             fill,  copy};
+const struct zr_paint ZR_KERNEL(zr_paint) = {
+    shade, samples, ZR_KERNEL(zr_paint_floats), ZR_KERNEL(zr_paint_opacity), blend, pack, depths, count, ends,
+    fill,  copy};
