@@ -11,7 +11,6 @@
 #define ZR_PAINT_H
 
 #include "base/isa.h"
-#include "raster/plane.h"
 #include "raster/prepaint.h"
 #include "raster/tile.h"
 #include "shade/draw_attributes.h"

@@ -4,7 +4,8 @@
 
 enum {
     COLORS = ZR_VARY_COLOR | ZR_VARY_OPACITY,
-    LATE_COLORS = COLORS | ZR_VARY_NORMAL | ZR_VARY_POINT | ZR_VARY_DEPTH | ZR_VARY_PLACE | ZR_VARY_LATE,
+    LATE_COLORS = COLORS | ZR_VARY_NORMAL | ZR_VARY_POINT | ZR_VARY_LATE,
+    ALL_COLORS = LATE_COLORS | ZR_VARY_DEPTH | ZR_VARY_PLACE,
     OPACITY = ZR_VARY_OPACITY,
     TEXTURED_OPACITY = OPACITY | ZR_VARY_PLACE | ZR_VARY_LATE
 };
@@ -28,7 +29,9 @@ void ZR_KERNEL(zr_paint_floats)(const struct zr_geometry *geometry, const struct
                                 const struct zr_tile *tile, float *const out[4])
 {
     const struct zr_varying_rows rows = {{out[0], out[1], out[2], out[3]}, ZR_TILE_STRIDE};
-    if (surfaces->any_late || surfaces->textures.of)
+    if (surfaces->fog.is_on || surfaces->textures.of)
+        fill(geometry, surfaces, tile, ALL_COLORS, 4, &rows);
+    else if (surfaces->any_late)
         fill(geometry, surfaces, tile, LATE_COLORS, 4, &rows);
     else
         fill(geometry, surfaces, tile, COLORS, 4, &rows);

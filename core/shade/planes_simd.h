@@ -111,7 +111,7 @@ struct zr_triangle_setup_v {
     struct zr_plane_v oow_plane; /* of 1/w itself */
 };
 
-static inline struct zr_triangle_setup_v zr_way_make(zr_vm turned, const struct zr_corner_v corners[3])
+ZR_INLINED struct zr_triangle_setup_v zr_way_make(zr_vm turned, const struct zr_corner_v corners[3])
 {
     struct zr_corner_v v[3] = {corners[0], corners[1], corners[2]};
     const int k = zr_swapped_corner();
@@ -130,8 +130,7 @@ struct zr_planes3_v {
 };
 
 /* `values` are those of the corners as they stand in the mesh. */
-static inline struct zr_planes3_v zr_planes3_make(const struct zr_triangle_setup_v *way,
-                                                  const struct zr_vec3_v values[3])
+ZR_INLINED struct zr_planes3_v zr_planes3_make(const struct zr_triangle_setup_v *way, const struct zr_vec3_v values[3])
 {
     struct zr_vec3_v v[3] = {zr_scale_v(values[0], way->oow[0]), zr_scale_v(values[1], way->oow[1]),
                              zr_scale_v(values[2], way->oow[2])};
@@ -145,7 +144,7 @@ static inline struct zr_planes3_v zr_planes3_make(const struct zr_triangle_setup
 }
 
 /* Of a value by itself, as the corners stand in the mesh. */
-static inline struct zr_plane_v zr_plane1_make(const struct zr_triangle_setup_v *way, zr_vf v0, zr_vf v1, zr_vf v2)
+ZR_INLINED struct zr_plane_v zr_plane1_make(const struct zr_triangle_setup_v *way, zr_vf v0, zr_vf v1, zr_vf v2)
 {
     zr_vf v[3] = {v0 * way->oow[0], v1 * way->oow[1], v2 * way->oow[2]};
     zr_swap_vf(way->turned, &v[0], &v[zr_swapped_corner()]);
@@ -153,8 +152,8 @@ static inline struct zr_plane_v zr_plane1_make(const struct zr_triangle_setup_v 
 }
 
 /* Window vertices, by their numbers. */
-static inline void zr_vertices_load(const struct zr_window_vertex *vertices, const int32_t (*numbers)[ZR_LANES],
-                                    struct zr_corner_v v[3])
+ZR_INLINED void zr_vertices_load(const struct zr_window_vertex *vertices, const int32_t (*numbers)[ZR_LANES],
+                                 struct zr_corner_v v[3])
 {
 #define ZR_VERTEX_0(i) (&vertices[numbers[0][i]].x)
 #define ZR_VERTEX_1(i) (&vertices[numbers[1][i]].x)
@@ -173,8 +172,8 @@ static inline zr_vm zr_turned_of(const struct zr_window_vertex *vertices, const 
     return zr_turned_v(vertices, numbers[0], numbers[1], numbers[2], v);
 }
 
-static inline struct zr_triangle_setup_v zr_way_of(const struct zr_window_vertex *vertices,
-                                                   const int32_t (*numbers)[ZR_LANES])
+ZR_INLINED struct zr_triangle_setup_v zr_way_of(const struct zr_window_vertex *vertices,
+                                                const int32_t (*numbers)[ZR_LANES])
 {
     struct zr_corner_v v[3];
     zr_vertices_load(vertices, numbers, v);

@@ -43,10 +43,10 @@ static inline int zr_plane_count(unsigned mask)
     return zr_first_plane(mask, ZR_VARY_LATE);
 }
 
-/* Whether a primitive's colours may be constants beside groups that are over w. */
+/* Whether a primitive's colours may be constants beside groups that are over w: not those of phong alone, as bytes. */
 static inline bool zr_mixes_constants(unsigned mask)
 {
-    return mask & ZR_VARY_LATE && mask & (ZR_VARY_DEPTH | ZR_VARY_PLACE);
+    return mask & ZR_VARY_LATE && mask & (ZR_VARY_DEPTH | ZR_VARY_PLACE | ZR_VARY_OPACITY);
 }
 
 /* Whether 1/w is 1 if the set's values are constants. */

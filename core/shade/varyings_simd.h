@@ -1,8 +1,8 @@
 /* varyings_simd.h - shade: interpolates values over the samples of a tile, for the kernel that shades.
  *
- * Every part gets the planes of a set of groups (varyings.h). Then, ZR_LANES samples at a time, a maker turns values of
- * the planes into results, and the walk stores these in rows. Sets and makers are known when this is compiled, and all
- * of it is inlined: else planes would not stay in registers.
+ * Every part gets the planes of a set of groups (varyings.h). Then, ZR_LANES samples at a time, a maker computes its
+ * results from the planes, and the walk stores them in rows. Sets and makers are compile-time constants and everything
+ * is inlined, so that planes stay in registers.
  * Exact:  the reference's rules 8 (planes) and 9 (values over w).
  */
 #ifndef ZR_VARYINGS_SIMD_H
@@ -12,7 +12,7 @@
 
 /* ---- planes ---- */
 
-/* Of one value, from the corners as they stand in the mesh: plane k. */
+/* Makes plane k of a run, from one value per corner as the corners stand in the mesh. */
 ZR_INLINED void zr_put_value(struct zr_shader *s, const struct zr_run *run, unsigned mask, int k,
                              const struct zr_triangle_setup_v *way, const zr_vf v[3], bool flat)
 {
@@ -26,7 +26,7 @@ ZR_INLINED void zr_put_value(struct zr_shader *s, const struct zr_run *run, unsi
     zr_put_plane(s, run->first, k, zr_plane_count(mask), &plane);
 }
 
-/* Of three values: planes k, k + 1 and k + 2. */
+/* Makes planes k, k + 1 and k + 2. */
 ZR_INLINED void zr_put_three(struct zr_shader *s, const struct zr_run *run, unsigned mask, int k,
                              const struct zr_triangle_setup_v *way, const struct zr_vec3_v v[3], bool flat)
 {
@@ -36,7 +36,7 @@ ZR_INLINED void zr_put_three(struct zr_shader *s, const struct zr_run *run, unsi
     zr_put_value(s, run, mask, k + 2, way, z, flat);
 }
 
-/* Groups COLOR and OPACITY, both of which are flat or not. */
+/* Makes the groups COLOR and OPACITY, which have one rate. */
 ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
 {
@@ -53,7 +53,7 @@ ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, uns
     if (zr_mixes_constants(mask)) memset(s->is_constant + run->first, flat, ZR_LANES);
 }
 
-/* Of the sides that are seen; 0 if there are none, as of what is flat in fog. */
+/* Makes the group NORMAL. Flat surfaces in fog have no normals: 0. */
 ZR_INLINED void zr_put_normals(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                                const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
 {
@@ -65,7 +65,7 @@ ZR_INLINED void zr_put_normals(struct zr_shader *s, const struct zr_run *run, un
                  !(mask & ZR_VARY_LATE) && zr_rate_is_flat(normal->rate));
 }
 
-/* Groups POINT and DEPTH. */
+/* Makes the groups POINT and DEPTH. */
 ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
 {
@@ -77,8 +77,8 @@ ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_run *run, uns
     if (mask & ZR_VARY_DEPTH) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_DEPTH), way, depth, false);
 }
 
-/* Texture coordinates are such places, or as the mesh has them: then only alpha is looked up, of what is see-through.
- */
+/* Makes the group PLACE. Surfaces of a G-buffer have texture coordinates as the mesh has them, and only their opacity
+ * needs places. */
 ZR_INLINED void zr_put_places(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
 {
@@ -95,7 +95,7 @@ ZR_INLINED void zr_put_places(struct zr_shader *s, const struct zr_run *run, uns
         zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_PLACE) + i, way, places[i], false);
 }
 
-/* Groups TEXCOORDS and TANGENT. */
+/* Makes the groups TEXCOORDS and TANGENT. */
 static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                                     const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
 {
@@ -115,14 +115,14 @@ static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *ru
     zr_put_value(s, run, mask, tangent + 3, way, sign, true);
 }
 
-/* The rate at which the first group's values are numbered in zr_corner_numbers. */
+/* The rate of the values that zr_corner_numbers.value numbers for a set. */
 static inline enum zr_rate zr_rate_of(const struct zr_draw_attributes *surface, unsigned mask)
 {
     if (mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY)) return surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
     return mask & ZR_VARY_NORMAL ? surface->attributes[ZR_ATTRIBUTE_NORMAL].rate : ZR_RATE_DRAW;
 }
 
-/* Planes of a run of triangles; `is_per_pixel`: with all groups (ZR_VARY_LATE). */
+/* Makes all planes of a run of triangles; is_per_pixel: they have all groups of a set with ZR_VARY_LATE. */
 ZR_INLINED void zr_put_triangles(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                                  const struct zr_corner_numbers *corners, bool is_per_pixel)
 {
@@ -139,7 +139,7 @@ ZR_INLINED void zr_put_triangles(struct zr_shader *s, const struct zr_run *run, 
     if (mask & ZR_VARY_TEXCOORDS) zr_put_texcoords(s, run, mask, &way, corners);
 }
 
-/* Planes of part i, which is a line or a point. */
+/* Makes all planes of part i, a line or a point. */
 static inline void zr_put_line(struct zr_shader *s, const struct zr_run *run, unsigned mask, uint32_t i)
 {
     struct zr_plane planes[ZR_PLANES_MOST];
@@ -149,7 +149,7 @@ static inline void zr_put_line(struct zr_shader *s, const struct zr_run *run, un
         memcpy(s->planes[i * count + k], &planes[k], sizeof *planes);
 }
 
-/* Notes whose model shades a run's pixels; lines are as their colours say. */
+/* Notes the material that shades a run's pixels, NULL if they are not shaded late. Lines are unlit. */
 ZR_INLINED void zr_put_material(struct zr_shader *s, const struct zr_run *run, bool is_per_pixel)
 {
     static const struct zr_material unlit = {.shading = ZR_SHADING_UNLIT};
@@ -179,7 +179,7 @@ ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_run *run, unsign
 
 /* ---- samples ---- */
 
-/* ZR_LANES samples, and what may be seen there. */
+/* ZR_LANES samples and the parts that cover them. */
 struct zr_samples_v {
     uint32_t first, count; /* parts; none: nothing else is set, but `at` */
     zr_vi owner;
@@ -233,13 +233,13 @@ struct zr_varying_rows {
     ptrdiff_t stride;
 };
 
-/* Gives the values of some samples: those where nobody is seen, too. */
+/* Computes the results of ZR_LANES samples. Samples without an owner get the results of uncovered ones. */
 typedef void zr_varyings_fn(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
                             const void *context, zr_vf values[ZR_ROWS_MOST]);
 
 /* ---- the walk ---- */
 
-/* A block where nobody is seen. */
+/* Stores a block without owners. */
 ZR_INLINED void zr_fill_empty_block(const struct zr_shader *s, int number, unsigned mask, zr_varyings_fn *make,
                                     const void *context, int count, const struct zr_varying_rows *rows)
 {
@@ -253,7 +253,7 @@ ZR_INLINED void zr_fill_empty_block(const struct zr_shader *s, int number, unsig
                 zr_vf_store(rows->of[v] + first + row * rows->stride + column, values[v]);
 }
 
-/* All of one part's. */
+/* Stores a block that one part covers. */
 ZR_INLINED void zr_fill_whole_block(const struct zr_shader *s, const struct zr_tile *tile, int number, unsigned mask,
                                     zr_varyings_fn *make, const void *context, int count,
                                     const struct zr_varying_rows *rows)
@@ -276,7 +276,7 @@ ZR_INLINED void zr_fill_whole_block(const struct zr_shader *s, const struct zr_t
         }
 }
 
-/* Patches side by side, as many as make whole rows of ZR_LANES. */
+/* Stores patches side by side, as many as make whole rows of ZR_LANES. */
 ZR_INLINED void zr_fill_patches(const struct zr_shader *s, const struct zr_tile *tile, int number, unsigned mask,
                                 zr_varyings_fn *make, const void *context, int count,
                                 const struct zr_varying_rows *rows)

@@ -62,16 +62,16 @@ static inline void zr_make_lines(struct zr_shader *s, const struct zr_run *run, 
     }
 }
 
-static inline void zr_make_smooth(struct zr_shader *s, const struct zr_run *run,
-                                  const struct zr_corner_numbers *corners, unsigned mask)
+ZR_INLINED void zr_make_smooth(struct zr_shader *s, const struct zr_run *run, const struct zr_corner_numbers *corners,
+                               unsigned mask)
 {
     zr_put_triangles(s, run, mask, corners, run->surface->is_per_pixel);
     memset(s->has_planes + run->first, true, ZR_LANES);
     s->any_planes = true;
 }
 
-static inline void zr_make_colors(struct zr_shader *s, const struct zr_run *run, const struct zr_color_places *places,
-                                  unsigned mask)
+ZR_INLINED void zr_make_colors(struct zr_shader *s, const struct zr_run *run, const struct zr_color_places *places,
+                               unsigned mask)
 {
     if (mask & ZR_VARY_LATE) zr_put_material(s, run, run->surface->is_per_pixel);
     if (zr_mixes_constants(mask)) memset(s->is_constant + run->first, false, ZR_LANES);

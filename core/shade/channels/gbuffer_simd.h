@@ -46,8 +46,8 @@ static inline struct zr_varying_rows zr_sample_rows_of(const struct zr_gbuffer *
     return out;
 }
 
-static inline void zr_sample_blocks(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                    const struct zr_gbuffer *to)
+static inline __attribute__((flatten)) void zr_sample_blocks(struct zr_shader *s, const struct zr_tile *tile, int begin,
+                                                             int end, const struct zr_gbuffer *to)
 {
     const struct zr_varying_rows rows = zr_sample_rows_of(to);
     enum { PLAIN = ZR_SAMPLE_VARYINGS, COLORED = PLAIN | ZR_VARY_COLOR };

@@ -23,8 +23,8 @@ ZR_INLINED void zr_make_normals(const struct zr_shader *s, const struct zr_sampl
     values[2] = zr_vf_select(in->seen, out.z, values[2]);
 }
 
-static inline void zr_shade_normals(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                    const struct zr_tile_targets *to)
+static inline __attribute__((flatten)) void zr_shade_normals(struct zr_shader *s, const struct zr_tile *tile, int begin,
+                                                             int end, const struct zr_tile_targets *to)
 {
     float normals[3][ZR_TILE_STRIDE * ZR_TILE_SIZE];
     const struct zr_pixel_rows *out = &to->channels[ZR_CHANNEL_NORMALS];

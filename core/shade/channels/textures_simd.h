@@ -1,8 +1,8 @@
 /* textures_simd.h - shade: what textures make of the samples of a tile, for a G-buffer (gbuffer.h) whose other values
  * are there, for the kernel that shades.
  *
- * Levels are told by the derivatives of the coordinates along the window's axes, which follow from the planes; so each
- * sample has its own, at every edge.
+ * Levels follow from the derivatives of the coordinates along the window's axes. Planes give them per sample, at every
+ * edge, too.
  * Source: glTF 2.0, 3.9.3; Heckbert, "Survey of Texture Mapping", 1986.
  */
 #ifndef ZR_TEXTURES_SIMD_H
