@@ -307,9 +307,10 @@ static void read_text(const struct reading *r, const struct zr_json_writer *text
 static void read_rows(const struct reading *r, const struct row *row, const struct row *end)
 {
     const bool has_view = zr_format_rows[r->request->format].has_view;
-    size_t room = 256;
+    size_t room = 0;
     for (const struct row *at = row; at < end; at++)
-        if (text_of(r->request, at)) room += strlen(at->pointer) + 6 * strlen(text_of(r->request, at)) + 128;
+        if (text_of(r->request, at)) room += 2 * strlen(at->pointer) + 6 * strlen(text_of(r->request, at)) + 128;
+    if (room == 0) return;
     struct zr_json_writer json = {.text = zr_arena_alloc(r->query->given.json.arena, room, 1), .pointer = ""};
     bool good = json.text != NULL;
     for (const struct row *at = row; json.text && at < end; at++) {

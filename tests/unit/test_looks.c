@@ -1,6 +1,9 @@
 /* Looks: what rows must have, and that what a scene says of its picture goes before them, key by key. */
 #include "looks_check.h"
 
+#include "input/json_objects.h"
+#include "input/json_scene.h"
+
 /* ---- rows ---- */
 
 static bool is_unit(zr_vec3 v)
@@ -229,6 +232,62 @@ static void backgrounds_are_colours_or_gradients(void **state)
     reading_free(reading);
 }
 
+/* ---- keys of the picture ---- */
+
+static bool is_picture_key(const char *object, const char *key)
+{
+    struct zr_parsed_picture given = {.keys = 0};
+    zr_picture_give_key(&given, object, key);
+    return given.keys != 0;
+}
+
+/* Without a row there, what a scene gives would be lost without a word. */
+static void each_key_that_is_read_into_the_picture_has_a_row(void **state)
+{
+    (void)state;
+    static const struct zr_json_object *const objects[] = {&zr_json_object_gradient, &zr_json_object_environment,
+                                                           &zr_json_object_occlusion, &zr_json_object_edges};
+    const size_t begin = offsetof(struct zr_parsed_scene, picture.picture), end = begin + sizeof(struct zr_picture);
+    int found = 0;
+    for (size_t i = 0; i < zr_json_object_scene.count; i++) {
+        const struct zr_json_field *field = &zr_json_object_scene.fields[i];
+        if (!field->read || field->offset < begin || field->offset >= end) continue;
+        if (!is_picture_key("", field->key)) fail_msg("%s has no row in scene/picture_keys.h", field->key);
+        found++;
+    }
+    assert_true(found >= 6);
+    for (size_t i = 0; i < sizeof objects / sizeof *objects; i++)
+        for (size_t k = 0; k < objects[i]->count; k++)
+            if (!is_picture_key(objects[i]->name, objects[i]->fields[k].key))
+                fail_msg("%s of %s has no row in scene/picture_keys.h", objects[i]->fields[k].key, objects[i]->name);
+}
+
+/* A row whose key nobody reads is never given. */
+static void each_row_of_a_key_of_the_picture_is_read(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *object, *key;
+    } rows[] = {
+#define ROW(ID, object, key, member, is_linear) {object, key},
+        ZR_PICTURE_KEYS(ROW)
+#undef ROW
+    };
+    static const struct zr_json_object *const objects[] = {
+#define ROW(name) &zr_json_object_##name,
+        ZR_JSON_OBJECTS(ROW)
+#undef ROW
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const char *object = *rows[i].object ? rows[i].object : "scene";
+        bool found = false;
+        for (size_t o = 0; o < sizeof objects / sizeof *objects; o++)
+            for (size_t k = 0; strcmp(objects[o]->name, object) == 0 && k < objects[o]->count; k++)
+                found |= strcmp(objects[o]->fields[k].key, rows[i].key) == 0;
+        if (!found) fail_msg("no reader has the key %s of %s", rows[i].key, object);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -243,6 +302,8 @@ int main(void)
         cmocka_unit_test(keys_of_effects_go_before_the_look_one_by_one),
         cmocka_unit_test(keys_of_environments_go_before_the_look_one_by_one),
         cmocka_unit_test(backgrounds_are_colours_or_gradients),
+        cmocka_unit_test(each_key_that_is_read_into_the_picture_has_a_row),
+        cmocka_unit_test(each_row_of_a_key_of_the_picture_is_read),
     };
     return cmocka_run_group_tests_name("looks", tests, NULL, NULL);
 }

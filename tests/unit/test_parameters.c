@@ -290,9 +290,9 @@ static void each_parameter_leads_to_a_key_that_has_what_its_kind_needs(void **st
 {
     (void)state;
     static const struct {
-        const char *name, *pointer, *kind;
+        const char *name, *pointer, *kind, *help;
     } rows[] = {
-#define ROW(name, pointer, whose, kind, help) {#name, pointer, #kind},
+#define ROW(name, pointer, whose, kind, help) {#name, pointer, #kind, help},
         ZR_PARAMETER_ROWS(ROW)
 #undef ROW
     };
@@ -304,6 +304,9 @@ static void each_parameter_leads_to_a_key_that_has_what_its_kind_needs(void **st
         if (strcmp(kind, "NUMBER") == 0 || strcmp(kind, "DEGREES") == 0 || strcmp(kind, "PIXELS") == 0)
             if (!(field->low < field->high)) fail_msg("%s has no range", rows[i].name);
         if (strcmp(kind, "COUNT") == 0) assert_non_null(field->words);
+        for (int k = 0; field->words && k < field->words->count && !strstr(rows[i].help, "others"); k++)
+            if (!strstr(rows[i].help, field->words->words[k]))
+                fail_msg("the help of %s lacks %s", rows[i].name, field->words->words[k]);
     }
 }
 
