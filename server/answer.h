@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { ANSWER_HEADERS_MAX = 12, ANSWER_DETAIL_SIZE = 256 };
+enum { ANSWER_HEADERS_MAX = 12, ANSWER_DETAIL_SIZE = 640 };
 
 struct answer_header {
     const char *name; /* of static lifetime */

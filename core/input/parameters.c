@@ -283,6 +283,7 @@ void zr_query_report(const struct zr_request *request, enum zr_status status, co
                      faults->items[i].detail);
 }
 
+/* Reads {"query": {...}}, or keys of a scene. */
 static void read_text(const struct reading *r, const struct zr_json_writer *text, bool is_of_query)
 {
     struct zr_query *query = r->query;
