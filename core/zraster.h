@@ -129,10 +129,10 @@ enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const str
                          const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
                          const struct zr_frame **frame, struct zr_error *error);
 
-/* One output: its bytes. Several: a ZIP of channel.extension. `team` may be NULL (one thread). The
- * same frame gives the same bytes for every team, wherever in memory it is encoded (output/deflate.h). Fails with
- * ZR_BAD_SCENE where something is warned of and the request is strict, ZR_NO_MEMORY, ZR_CANCELLED or ZR_INTERNAL, which
- * *error explains; *answer is then not to be read. */
+/* The outputs of the view that the frame shows. One: its bytes. Several: a ZIP of channel.extension. `team` may be NULL
+ * (one thread). The same frame gives the same bytes for every team, wherever in memory it is encoded
+ * (output/deflate.h). Fails with ZR_BAD_SCENE where something is warned of and the request is strict, ZR_NO_MEMORY,
+ * ZR_CANCELLED or ZR_INTERNAL, which *error explains; *answer is then not to be read. */
 enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
                          struct zr_error *error);

@@ -34,7 +34,7 @@ struct zr_pixel_fragments {
 };
 
 struct zr_frame {
-    const struct zr_view *view; /* that it shows; NULL: it is a depth map */
+    const struct zr_view *view; /* that it shows, of the scene that was rendered; NULL: it is a depth map */
     uint32_t width, height;
     union {
         void *channels[ZR_CHANNEL_COUNT]; /* scene/channels.h; NULL: not wanted */

@@ -43,10 +43,12 @@ static struct picture draw(const char *text, const struct zr_asset *assets, size
         fail_msg("%s: %s", error.items[0].pointer, error.items[0].detail);
     assert_int_equal(zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error), ZR_OK);
     for (int i = 0; i < CHANNELS; i++) {
-        struct zr_scene one = *scene;
-        one.views[0].outputs = &OUTPUTS[i];
-        one.views[0].output_count = 1;
-        assert_int_equal(zr_encode(&arena, NULL, &one, frame, NULL, &picture.channels[i], &error), ZR_OK);
+        struct zr_view view = *frame->view;
+        struct zr_frame one = *frame;
+        view.outputs = &OUTPUTS[i];
+        view.output_count = 1;
+        one.view = &view;
+        assert_int_equal(zr_encode(&arena, NULL, scene, &one, NULL, &picture.channels[i], &error), ZR_OK);
     }
     picture.frame = frame;
     picture.covered = frame->covered_pixels;
