@@ -10,7 +10,7 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "scene/scene.h"
-#include "shade/lamp.h"
+#include "shade/lights/lamp.h"
 
 /* How directions of one instance get to eye space. */
 struct zr_normal_matrix {

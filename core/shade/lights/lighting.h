@@ -9,8 +9,8 @@
 #include "base/isa.h"
 #include "scene/scene.h"
 #include "shade/gbuffer.h"
-#include "shade/lamp.h"
 #include "shade/lights/environment.h"
+#include "shade/lights/lamp.h"
 
 /* What is the same for the whole picture. */
 struct zr_linear_lighting {
