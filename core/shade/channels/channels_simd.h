@@ -7,6 +7,7 @@
 #define ZR_CHANNELS_SIMD_H
 
 #include "base/inlined.h"
+#include "shade/blocks_simd.h"
 #include "shade/channels/front_facing_simd.h"
 #include "shade/channels/ids_simd.h"
 #include "shade/channels/normals_simd.h"
