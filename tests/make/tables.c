@@ -66,7 +66,7 @@ int main(void)
     ZR_FORMAT_ROWS(PRINT_FORMAT)
     for (int i = 0; i < ZR_CHANNEL_COUNT; i++)
         printf("channel %s\n", zr_channel_rows[i].name);
-    for (int i = 0; i < ZR_LOOKS; i++)
+    for (int i = 0; i < zr_look_count; i++)
         printf("look %s\n", zr_looks[i].name);
     print_keys("", "", 0);
     return 0;

@@ -21,7 +21,7 @@ static void make_camera(float scale)
     camera.projection = (zr_mat4){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0}};
 }
 
-static struct zr_gl_lighting make_lighting(struct zr_arena *arena, uint32_t count)
+static struct zr_lights make_lighting(struct zr_arena *arena, uint32_t count)
 {
     const struct zr_scene scene = {.lights = lights, .light_count = count, .ambient = {0.01f, 0.02f, 0.03f}};
     return zr_lights_make(arena, &scene, &camera);

@@ -44,7 +44,7 @@ static void cancelled_reader_says_so(void **state)
     struct text text = {0};
     for (int i = 0; i < 5000; i++)
         add(&text, "v 0 0 0\nf -1 -1 -1\n");
-    check_cancelled(&zr_reader_OBJ, ZR_FORMAT_OBJ, &text);
+    check_cancelled(ZR_FORMAT_OBJ, &text);
     drop(&text);
 }
 

@@ -63,7 +63,7 @@ static void text_takes_little_more_memory_than_its_triangles(void **state)
     assert_read(reading);
     const size_t arrays = FACETS * (3 * sizeof(zr_vec4) + 4 * sizeof(uint32_t));
     assert_in_range(reading->arena.peak, arrays, arrays + arrays / 50 + 4096);
-    check_cancelled(&zr_reader_STL, ZR_FORMAT_STL, &text);
+    check_cancelled(ZR_FORMAT_STL, &text);
     reading_free(reading);
     drop(&text);
 }
@@ -147,7 +147,7 @@ static void cancelled_reader_of_binary_says_so(void **state)
     enum { TRIANGLES = 20000 };
     static zr_vec4 positions[3 * TRIANGLES];
     struct text binary = make_binary(TRIANGLES, positions);
-    check_cancelled(&zr_reader_STL, ZR_FORMAT_STL, &binary);
+    check_cancelled(ZR_FORMAT_STL, &binary);
     drop(&binary);
 }
 
