@@ -112,7 +112,7 @@ static void ask_looks(const struct scene_file *file)
 {
     const int window[2] = {file->window[0] < LOOK_SIDE ? file->window[0] : LOOK_SIDE,
                            file->window[1] < LOOK_SIDE ? file->window[1] : LOOK_SIDE};
-    for (size_t i = 0; i < ZR_LOOKS; i++) {
+    for (int i = 0; i < zr_look_count; i++) {
         const struct zr_look_pin pin = zr_look_pin_of(&zr_looks[i]);
         char look[NAME_SIZE];
         snprintf(look, sizeof look, "\"%s\"", pin.text);
@@ -164,7 +164,7 @@ static void ask_model(const char *path, const char *name)
     if (!is_wanted(name)) return;
     char *text = file_read(path, &size);
     if (!text) fail_msg("%s: cannot be read", path);
-    for (size_t i = 0; i < ZR_LOOKS; i++) {
+    for (int i = 0; i < zr_look_count; i++) {
         const struct zr_look_pin pin = zr_look_pin_of(&zr_looks[i]);
         char target[NAME_SIZE], label[2 * NAME_SIZE];
         snprintf(target, sizeof target, "/v1/render?look=%s&preset=isometric&width=200&height=150", pin.text);
