@@ -9,21 +9,22 @@
 #include "input/number_quick.h"
 #include "input/text.h"
 
-/* BYTES_A_LOOK: between two looks at the flag of cancellation. */
+/* BYTES_A_LOOK: bytes between two checks for cancellation. */
 enum { WORD_BITS = 64, BYTES_A_LOOK = 1 << 20 };
 
 static const char A_VALUE[] = "a value";
 
 /* ---- faults ---- */
 
-/* Of a part that is read ahead a fault is no more than its end. True also where reading has ended before. */
+/* True if reading has ended. A part that is read ahead ends at its first fault, without a report. */
 static bool ends_ahead(struct zr_json *json)
 {
     if (json->is_ahead) zr_json_give_up(json);
     return json->ended;
 }
 
-/* What was found instead of what is expected at `at`; false. Nothing that was reported before counts any more. */
+/* Reports a syntax error at `at`, where `what` was expected, and ends reading. Drops all earlier reports. Returns
+ * false. */
 static bool fail(struct zr_json *json, const char *at, const char *what)
 {
     if (ends_ahead(json)) return false;
@@ -52,13 +53,13 @@ static bool fail_limit(struct zr_json *json, const char *at, const char *format,
     return false;
 }
 
-/* False where the request is cancelled. */
+/* False if the request is cancelled; checks at most once per BYTES_A_LOOK. */
 static bool goes_on(struct zr_json *json, const char *at)
 {
     if (at < json->look) return true;
     json->look = at + (json->end - at < BYTES_A_LOOK ? json->end - at : BYTES_A_LOOK);
     if (!zr_is_cancelled(json->cancel)) return !json->ended;
-    zr_arena_charge(json->arena, SIZE_MAX); /* all readers end now, as where memory is used up */
+    zr_arena_charge(json->arena, SIZE_MAX); /* fails the arena, so that all readers end as if memory were used up */
     zr_json_give_up(json);
     return false;
 }
@@ -75,14 +76,14 @@ static bool is_digit(char byte)
     return (unsigned char)(byte - '0') < 10;
 }
 
-/* Bytes that go on a string as they are: neither control, quote, backslash nor beyond ASCII. */
+/* Bytes that a string holds unescaped: neither control, quote nor backslash, and within ASCII. */
 static bool is_plain(char byte)
 {
     return (unsigned char)byte >= 0x20 && (unsigned char)byte < 0x80 && byte != '"' && byte != '\\';
 }
 
-/* Eight bytes that may hold one that is not plain. Carries between bytes can only
- * raise false alarms, and the caller looks again. */
+/* True if one of eight bytes may not be plain. Carries between bytes can only raise false alarms: the caller checks
+ * byte by byte. */
 static bool needs_a_look(uint64_t word)
 {
     const uint64_t ones = UINT64_C(0x0101010101010101), tops = ones * 0x80;
@@ -90,7 +91,7 @@ static bool needs_a_look(uint64_t word)
     return ((word | (word - ones * 0x20) | (quote - ones) | (backslash - ones)) & tops) != 0;
 }
 
-/* `at` is a backslash; returns behind the escape, or NULL. */
+/* Returns the byte behind the escape at `at`, or NULL. */
 static const char *pass_escape(struct zr_json *json, const char *at)
 {
     size_t length;
@@ -108,7 +109,7 @@ static const char *pass_escape(struct zr_json *json, const char *at)
     return NULL;
 }
 
-/* `at` is behind the opening quote; returns behind the closing one, or NULL. */
+/* Returns the byte behind the closing quote, or NULL; `at` is behind the opening one. */
 static const char *pass_string(struct zr_json *json, const char *at, bool *has_escapes)
 {
     const char *end = json->end;
@@ -143,7 +144,7 @@ static const char *pass_string(struct zr_json *json, const char *at, bool *has_e
     }
 }
 
-/* Without a look at whether to stop. */
+/* Reads a string without a check for cancellation at its start. */
 static bool take_string(struct zr_json *json, struct zr_json_text *text)
 {
     text->at = json->at + 1;
@@ -173,7 +174,7 @@ const char *zr_json_decode(struct zr_json *json, const struct zr_json_text *text
 
 /* ---- numbers and words ---- */
 
-/* What is missing, and where, of what begins like a number. */
+/* The missing part of a number, and its place. */
 struct lack {
     const char *at, *what;
 };
@@ -188,7 +189,7 @@ static const char *pass_digits(const char *at, const char *end, struct lack *lac
     return NULL;
 }
 
-/* RFC 8259, section 6. Returns behind the number at `at`, or NULL and what it lacks. */
+/* Returns the byte behind the number at `at`, or NULL and the part that it lacks. Source: RFC 8259, section 6. */
 static const char *pass_number(const char *at, const char *end, struct lack *lack)
 {
     if (at < end && *at == '-') at++;
@@ -219,7 +220,7 @@ bool zr_json_take_number(struct zr_json *json, double *value)
     json->at = zr_json_skip_space(json->at, json->end);
     const char *behind = zr_number_quick(json->at, json->end, value);
     if (!behind) behind = zr_number_read_json(json->at, json->end, value);
-    if (!behind) return skip_number(json); /* which says why */
+    if (!behind) return skip_number(json); /* reports the syntax error */
     json->at = behind;
     return true;
 }
@@ -276,7 +277,7 @@ bool zr_json_enter(struct zr_json *json, char bracket)
     return true;
 }
 
-/* The byte before `at` tells whether anything was read since the bracket: no value ends with one of these. */
+/* True if nothing was read since the bracket. No value ends with '[' or '{', so the byte before `at` decides. */
 static bool is_first(const struct zr_json *json)
 {
     return json->at[-1] == '[' || json->at[-1] == '{';
@@ -337,7 +338,7 @@ void zr_json_check_closed(struct zr_json *json, unsigned inside)
     if (json->at == json->end && json->depth == inside) zr_json_any_item(json);
 }
 
-/* A value that is neither a list nor an object. */
+/* Skips a value other than a list or an object. */
 static bool skip_simple(struct zr_json *json, enum zr_json_type type)
 {
     struct zr_json_text text;
@@ -357,7 +358,7 @@ static bool skip_simple(struct zr_json *json, enum zr_json_type type)
 
 bool zr_json_skip(struct zr_json *json)
 {
-    uint64_t objects[ZR_JSON_DEPTH_MAX / WORD_BITS + 1] = {0}; /* a bit a level: is it one? */
+    uint64_t objects[ZR_JSON_DEPTH_MAX / WORD_BITS + 1] = {0}; /* one bit per level: 1 for an object */
     const unsigned around = json->depth;
     struct zr_json_text key;
     do {
@@ -403,7 +404,7 @@ enum zr_status zr_json_close(struct zr_json *json)
 {
     if (zr_is_cancelled(json->cancel)) return ZR_CANCELLED;
     if (!json->ended && json->error->count == 0 && zr_arena_ok(json->arena)) return ZR_OK;
-    if (!json->ended) { /* not all was read, perhaps */
+    if (!json->ended) { /* the rest of the text may be unread */
         struct zr_error verdict = {0};
         struct zr_json whole = *json;
         whole.error = &verdict;
@@ -416,7 +417,7 @@ enum zr_status zr_json_close(struct zr_json *json)
     return json->error->count > 0 ? json->error->status : ZR_NO_MEMORY;
 }
 
-/* An object is all that a scene can be; but whoever sends a list means JSON, too. */
+/* A scene is always an object; a list is taken for JSON as well, for a better message. */
 bool zr_looks_so_JSON(const char *bytes, size_t size)
 {
     const size_t blanks = zr_count_blanks(bytes, size);

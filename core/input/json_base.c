@@ -1,5 +1,5 @@
-/* A base: pictures of what was drawn before. Which of them the outputs need is not looked
- * at here, since the query may still ask for other outputs (scene/validate.h). */
+/* Reads a base: images of an earlier picture. scene/validate.h checks that the outputs have the images they need, since
+ * the query may add outputs. */
 #include <inttypes.h>
 #include <math.h>
 
@@ -17,12 +17,12 @@ struct reader {
     struct zr_parsed_scene *root;
     const struct zr_json_path *path;
     uint64_t keys;
-    const char *places[IMAGES]; /* in the text */
+    const char *places[IMAGES]; /* first bytes in the text */
     int ties;
     uint32_t first_face_id;
     struct zr_parsed_bytes given[IMAGES];
     struct zr_base *base;
-    uint64_t largest_id; /* in base->face_id */
+    uint64_t largest_id; /* the largest id in base->face_id */
 };
 
 #define IMAGE(key, number, what)                                                                                       \
@@ -45,7 +45,7 @@ static bool has(const struct reader *reader, int key)
     return zr_json_gives(reader->keys, key);
 }
 
-/* The window, as far as it is right: zr_scene_validate reports one that is not. */
+/* True if the window is valid; zr_scene_validate reports an invalid one. */
 static bool window_is_good(const struct zr_parsed_scene *root)
 {
     const struct zr_view *view = &root->scene->views[0];
@@ -128,7 +128,7 @@ static void read_depth(struct reader *reader)
     float *depth = read_numbers(reader, DEPTH, ZR_NPY_WANTED_FLOAT32);
     const size_t pixels = count_pixels(reader);
     for (size_t i = 0; depth && i < pixels; i++) {
-        if (isnan(depth[i])) depth[i] = INFINITY; /* either is nothing; ours is written */
+        if (isnan(depth[i])) depth[i] = INFINITY; /* both mean background; the output writes +inf */
         if (depth[i] == -INFINITY) {
             pixel_fault(reader, DEPTH, i, "-inf is no depth; +inf is where nothing is");
             return;
@@ -137,7 +137,7 @@ static void read_depth(struct reader *reader)
     reader->base->depth = depth;
 }
 
-/* Ids of the base may be anything but those that new faces get. */
+/* Ids of the base may be any numbers except those of new faces. */
 static void read_face_ids(struct reader *reader)
 {
     const uint32_t *ids = read_numbers(reader, FACE_ID, ZR_NPY_WANTED_UINT32);
@@ -186,8 +186,8 @@ static void check_words(struct reader *reader)
                       "0 is the id of nothing");
 }
 
-/* Depths of the z-buffer lie between the planes that it was drawn with. Others, fitted to what is new, would give them
- * another meaning, and a picture in which the wrong things are hidden. */
+/* Requires znear and zfar: depths of a z-buffer are relative to its planes. Planes fitted to the new geometry would
+ * change their meaning and hide the wrong faces. */
 static void check_planes(struct reader *reader)
 {
     const struct zr_view *view = view_of(reader);
@@ -198,7 +198,7 @@ static void check_planes(struct reader *reader)
                   "which its info has");
 }
 
-/* What is left open is fitted to the new geometry, and then it is not the base's view. */
+/* Warns if the view is fitted: it fits the new geometry, and so differs from the base's view. */
 static void warn_of_fitted_view(struct zr_parsed_scene *root)
 {
     const struct zr_view *view = &root->scene->views[0];

@@ -1,4 +1,4 @@
-/* Bytes that a scene brings along: in a data: URI, or beside it under a name; and those kept under their hash. */
+/* Bytes of a scene: in a data: URI, in a named part of the request, or stored under their hash. */
 #include <string.h>
 
 #include "input/data_uri.h"

@@ -1,4 +1,4 @@
-/* A colour bar: true, false, or what is to be said of one. */
+/* Reads a colour bar: true, false, or an object. */
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 

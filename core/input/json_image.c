@@ -1,10 +1,10 @@
-/* Images by the names that a scene has for their bytes: each is decoded once, whoever asks for it. */
+/* Images by the names of their bytes: each is decoded once, for all its uses. */
 #include <string.h>
 
 #include "input/image_read.h"
 #include "input/json_scene.h"
 
-/* Names of images in a scene, each of which is compared with all others. */
+/* Images per scene: each name is compared with all others. */
 enum { NAMES_MAX = 1024 };
 
 struct named {
@@ -12,11 +12,11 @@ struct named {
     size_t length;
     bool is_asset;
     uint32_t image;
-    enum { UNKNOWN, OPAQUE, SEE_THROUGH } opacity; /* found when somebody asks */
+    enum { UNKNOWN, OPAQUE, SEE_THROUGH } opacity; /* set by the first zr_parsed_image_is_opaque */
     struct zr_parsed_bytes bytes;
 };
 
-/* By its name alone, so that no asset is read twice. */
+/* Compares names alone, so that no asset is read twice. */
 static const struct named *find_name(const struct zr_growing *names, const struct named *wanted)
 {
     const struct named *named = names->items;
@@ -72,7 +72,7 @@ static bool read_named(struct zr_parsed_scene *root, const struct zr_json_path *
     return true;
 }
 
-/* Whether all alphas are the most that they can be. A row at a time, so that compilers take many texels at once. */
+/* True if all alphas are the largest value. One row at a time, so that compilers vectorise the loop. */
 static bool is_opaque(const struct zr_image *image)
 {
     for (uint32_t y = 0; y < image->height; y++) {

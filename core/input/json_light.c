@@ -3,13 +3,13 @@
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 
-/* Of lamps that have a place: so much as lights what is as far away as coordinates can be. */
+/* The larger limit is for lamps with a position: it lights objects as far away as coordinates allow. */
 #define INTENSITY_MAX        1e6
 #define INTENSITY_PLACED_MAX 1e15
 
 #define PI 3.14159265358979323846
 
-/* Of a wider cone's map, hardly any texels would be left for its middle. */
+/* A wider cone leaves too few texels of the shadow map for its middle. */
 #define SHADOW_DEGREES_MAX 80.0
 
 /* In the order of enum zr_light_type. */
@@ -39,7 +39,7 @@ static bool read_direction(struct zr_json *json, const struct zr_json_path *path
     return true;
 }
 
-/* double: how much is too much is known once the type is. */
+/* double: check_light checks the range, which depends on the type. */
 static bool read_intensity(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                            void *out)
 {
@@ -47,7 +47,8 @@ static bool read_intensity(struct zr_json *json, const struct zr_json_path *path
     return zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, out);
 }
 
-/* double: degrees; field->high is a quarter turn. Whoever gives degrees for radians is told so. */
+/* double, degrees: field->high is a quarter turn, in radians or degrees. The message suggests degrees for a large
+ * number of radians. */
 static bool read_half_angle(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                             void *out)
 {
@@ -116,7 +117,7 @@ static const struct zr_json_field fields[] = {
     {.key = "name"}};
 const struct zr_json_object zr_json_object_light = ZR_JSON_OBJECT_OF("light", fields);
 
-/* Which types have keys that not all have. */
+/* The types that have a key, for keys that some types lack. */
 enum {
     OF_DIRECTIONAL = 1 << ZR_LIGHT_DIRECTIONAL,
     OF_HEMISPHERE = 1 << ZR_LIGHT_HEMISPHERE,
@@ -186,7 +187,7 @@ static zr_vec3 rgb(zr_vec4 color)
     return (zr_vec3){color.x, color.y, color.z};
 }
 
-/* As it is where light is not linear. */
+/* Decodes a colour as if light were not linear; zr_parsed_decode_light corrects it. */
 static zr_vec3 light_of(zr_vec3 color, float intensity)
 {
     return zr_vec3_scale(zr_light_color(color, false), intensity);

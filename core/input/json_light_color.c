@@ -1,13 +1,12 @@
-/* Colours of light: numbers are linear light; a text, such as "#808080", is sRGB-encoded, as everywhere, and is decoded
- * where light is linear. Whether it is, is known once all materials are: until then the parts of a text's colour are
- * negative. */
+/* Colours of light. Numbers are linear light. A text, such as "#808080", is sRGB-encoded and is decoded if light is
+ * linear. That depends on all materials, so a text's components are stored negated until then. */
 #include <math.h>
 
 #include "base/srgb.h"
 #include "base/team.h"
 #include "input/json_scene.h"
 
-/* Texts have bytes. */
+/* Components of a text are bytes. */
 enum { LAST = 255, RAMP_ROOM = 16 };
 
 bool zr_read_light_color(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,

@@ -5,12 +5,13 @@
 #include "base/team.h"
 #include "input/parts.h"
 
-#ifndef ZR_JSON_PART_BYTES /* a test has smaller ones (tests/unit/test_json_parts.c) */
+#ifndef ZR_JSON_PART_BYTES /* smaller in tests/unit/test_json_parts.c */
 #define ZR_JSON_PART_BYTES (1 << 15)
 #endif
 
-/* PART_BYTES: 30 us of reading. ROOM_BYTES: for the items of a part, whose text may be shorter than they. WINDOW_PARTS:
- * handed over at once, since it takes a thread 50 us to wake. FIRST_BYTES: tell how many items a part has. */
+/* PART_BYTES: 30 us of reading. ROOM_BYTES: memory for the items of a part, which may be larger than its text.
+ *             WINDOW_PARTS: parts per job, since a thread takes 50 us to wake. FIRST_BYTES: read first, to estimate the
+ *             items of a part. */
 enum {
     PART_BYTES = ZR_JSON_PART_BYTES,
     ROOM_BYTES = (5 * PART_BYTES / 2 + 4096) / ZR_ARENA_ALIGN * ZR_ARENA_ALIGN,
@@ -19,7 +20,7 @@ enum {
     LARGE_BYTES = 4 * PART_BYTES
 };
 
-/* How much more room than its share a part has. */
+/* Factor of the items that a part has room for, over its share of the text. */
 #define MARGIN 1.25
 
 struct part {
@@ -31,12 +32,12 @@ struct part {
 struct window {
     const struct zr_json_list *list;
     const struct zr_json_path *path;
-    char *room; /* ROOM_BYTES for each */
+    char *room; /* ROOM_BYTES for each part */
     size_t count;
     struct part parts[WINDOW_PARTS];
 };
 
-/* The ',' between two items at `at` or a little behind, or NULL. */
+/* Returns the first ',' between two items from `at` on, within PART_BYTES, or NULL. */
 static const char *find_item(const char *at, const char *end, char opening)
 {
     const char closing = opening == '[' ? ']' : '}';
@@ -51,7 +52,7 @@ static const char *find_item(const char *at, const char *end, char opening)
     return NULL;
 }
 
-/* The parts from json->at on, which is between two items. */
+/* Cuts parts from json->at on, which is between two items. */
 static void cut_window(struct window *window, const struct zr_json *json)
 {
     const char *at = json->at;
@@ -68,7 +69,7 @@ static void cut_window(struct window *window, const struct zr_json *json)
     }
 }
 
-/* True where it arrives at the next one, in the list still. */
+/* True if reading ends exactly at the next part, in the same list. */
 static bool read_part(void *context, size_t number)
 {
     struct window *window = context;
@@ -79,8 +80,8 @@ static bool read_part(void *context, size_t number)
            zr_arena_ok(&part->arena);
 }
 
-/* Reads a window of parts from json->at on, between two items, as far as they arrive; `start`: where the list's first
- * item is. True where all parts did. */
+/* Reads a window of parts from json->at, between two items, and appends those before the first failure. `start`: the
+ * list's first item. True if all parts were read. */
 static bool read_window(struct zr_json *json, struct window *window, void *state, const char *start)
 {
     cut_window(window, json);
@@ -98,7 +99,7 @@ static bool read_window(struct zr_json *json, struct window *window, void *state
     return read == WINDOW_PARTS;
 }
 
-/* The list's items, as far as several threads can read them. */
+/* Reads the list's items on several threads until a part fails or the list ends. */
 static void read_ahead(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_list *list,
                        void *state)
 {
@@ -118,7 +119,7 @@ bool zr_json_list_read(struct zr_json *json, const struct zr_json_path *path, co
 {
     if (!zr_json_list(json, path) || !zr_json_enter(json, '[')) return false;
     const unsigned inside = json->depth;
-    /* Where memory is short, it is better used for the scene. */
+    /* If memory is short, the scene gets it. */
     if (json->team && zr_team_size(json->team) > 1 && json->end - json->at > LARGE_BYTES &&
         zr_arena_left(json->arena) / 8 > (size_t)WINDOW_PARTS * ROOM_BYTES)
         read_ahead(json, path, list, state);

@@ -1,12 +1,12 @@
-/* json_list.h - input: item after item of a list; of a large one, by several threads.
+/* json_list.h - input: reads the items of a list; large lists on several threads.
  *
  * Why:    two threads read a mesh in two thirds of the time of one (README.md, "make bench": the rows 2T of JSON).
- * How:    parts of the text begin where an item seems to begin, and are read ahead into arrays of their own. A part
- *         counts only if reading what is before it arrives exactly where it begins: the same place in the same list
- *         means the same result. So nothing is counted first, and a wrong guess costs time only. What is odd or wrong
- *         ends a part: the caller's thread goes on from there alone, and reports.
- * Memory: parts are read into one block of the request's arena, 1.3 MB, which all lists of a text use, one after the
- *         other: a list inside an item of such a list is read by one thread.
+ * How:    the text is cut into parts where an item seems to begin. Each part is read ahead into arrays of its own. A
+ *         part counts only if reading the text before it ends exactly at its first byte, in the same list: then a
+ *         single thread would read the same. So no pass counts items first, and a wrong cut costs only time. A fault or
+ *         an unusual item ends a part; the caller's thread then reads on from there and reports.
+ * Memory: all lists of a text use one block of the request's arena, 1.3 MB, one after the other. A list inside an item
+ *         of such a list is read by one thread.
  */
 #ifndef ZR_JSON_LIST_H
 #define ZR_JSON_LIST_H
@@ -15,26 +15,26 @@
 #include "input/json_value.h"
 
 struct zr_json_list {
-    char opening; /* of items: '[' or '{' */
-    /* Reads items into *state, from where `json` is in the list, up to one that begins at `until` or behind it, or to
-     * the list's end. */
+    char opening; /* first byte of each item: '[' or '{' */
+    /* Reads items from json->at into *state, until the first item that begins at `until` or behind it, or the list's
+     * end. */
     void (*read)(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until);
-    /* *part becomes a state as of a list with no items yet, like *state in all else, with room for `share` of the items
-     * that *state has. Calls of it come one after another. */
+    /* Makes *part the state of a list without items, otherwise equal to *state, with room for `share` times the items
+     * of *state. Calls are sequential. */
     bool (*begin_part)(struct zr_json *json, const void *state, void *part, double share);
-    /* Items of a part behind those in *state. */
+    /* Appends the items of a part to *state. */
     bool (*join)(struct zr_json *json, void *state, const void *part);
 };
 
-/* What a state may take. */
+/* The largest size of a state, bytes. */
 enum { ZR_JSON_STATE_MAX = 512 };
 
-/* The list that is next, all of it. False where it is none, which is reported, or where reading stopped. */
+/* Reads the next value, a list, into *state. False if it is no list, which is reported, or if reading stops. */
 bool zr_json_list_read(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_list *list,
                        void *state);
 
-/* For begin_part and join: an array with room for a share of another's items and some more; the items of a part behind
- * another's. */
+/* For begin_part and join: an array with room for `share` times the items of `array` and `more`; and the append of a
+ * part's items. */
 bool zr_growing_begin_part(struct zr_json *json, const struct zr_growing *array, struct zr_growing *part, double share,
                            size_t more);
 bool zr_growing_join(struct zr_json *json, struct zr_growing *array, const struct zr_growing *part);

@@ -1,5 +1,5 @@
-/* What a scene has of its look, and what of itself: what it says goes before its look, key by key. Once the root is
- * read, since a look may be named behind all else. */
+/* Merges a scene with its look: a key of the scene overrides the look's. Runs once the root is read, since `look` may
+ * be the last key. */
 #include <string.h>
 
 #include "input/json_objects.h"
@@ -25,14 +25,14 @@ static void use_picture(struct zr_parsed_scene *root)
     }
 }
 
-/* The look's samples may be too many for a large window; a scene that says how many is to know. */
+/* Reduces the samples to fit a large window. Samples of the look give a warning; samples of the scene are a fault. */
 static void fit_samples(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     const struct zr_view *view = &scene->views[0];
     const uint32_t most = root->json.limits->window_side_max;
     const uint32_t side = scene->picture.side, fits = zr_picture_side_in(side, view->width, view->height);
-    if (fits == side || view->width > most || view->height > most) return; /* zr_scene_validate refuses such windows */
+    if (fits == side || view->width > most || view->height > most) return; /* zr_scene_validate reports such windows */
     if (zr_scene_gives(root, ZR_SCENE_SAMPLES))
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_SAMPLES),
                       "%u a pixel are %u x %u: in this window up to %u are allowed", side * side, side, side,
@@ -44,7 +44,7 @@ static void fit_samples(struct zr_parsed_scene *root)
 
 /* ---- lamps ---- */
 
-/* Lamps without a direction shine from the sky above. */
+/* Lamps without a direction shine from above. */
 static void use_own_lights(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
@@ -64,7 +64,8 @@ static bool lights_pbr(const struct zr_scene *scene)
     return false;
 }
 
-/* Without the environment that they stand in for, they stand in for it in all shadings. */
+/* Lamps of a look replace its environment for classic shadings only. Without the environment they light all
+ * shadings. */
 static void light_pbr_too(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
@@ -78,7 +79,7 @@ static void light_pbr_too(struct zr_parsed_scene *root)
     scene->lights = lights;
 }
 
-/* Lamps go with the environment: those of another one are those of the first look that has it. */
+/* Lamps belong to an environment: those of another environment come from the first look that has it. */
 static void use_lights_of_environment(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
@@ -96,7 +97,7 @@ static void use_lights_of_environment(struct zr_parsed_scene *root)
     scene->light_count = zr_looks[i].light_count;
 }
 
-/* By the textbook ambient light and lamps are two things, and a scene may say either. */
+/* The look textbook has ambient light and lamps apart, so a scene may give either. */
 static void use_lights(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
@@ -130,7 +131,7 @@ void zr_parsed_use_look(struct zr_parsed_scene *root)
 
 /* ---- linear light ---- */
 
-/* A key that asks for it; NULL: none does. */
+/* Returns a key that needs linear light, or NULL. */
 static const char *linear_key_of(const struct zr_parsed_scene *root)
 {
     const struct zr_scene *scene = root->scene;
@@ -140,7 +141,7 @@ static const char *linear_key_of(const struct zr_parsed_scene *root)
     return key;
 }
 
-/* What is drawn into a picture that is there has one sample a pixel, in values as they are. */
+/* A base has one sample per pixel, and its values are not linear light. */
 static void check_base(struct zr_parsed_scene *root, const char *linear_key)
 {
     const struct zr_scene *scene = root->scene;

@@ -10,12 +10,12 @@
 #include "input/text.h"
 #include "scene/defaults.h"
 
-/* Of shininess: more than can be told apart at a pixel. */
+/* The exponent of highlights: larger values look the same at a pixel. */
 #define SHININESS_MAX 10000.0
 
 #define EMISSIVE_MAX 1e6
 
-/* ---- looks ---- */
+/* ---- outlines ---- */
 
 bool zr_read_outline(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                      void *out)
@@ -30,9 +30,9 @@ bool zr_read_outline(struct zr_json *json, const struct zr_json_path *path, cons
     return true;
 }
 
-/* ---- materials as they are given ---- */
+/* ---- materials as read ---- */
 
-/* zr_vec3: linear light, and so no colour of a text. */
+/* zr_vec3: linear light, so a text is not allowed. */
 static bool read_emissive(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                           void *out)
 {
@@ -92,7 +92,7 @@ static const struct zr_json_field fields[] = {
     {.key = "emissive"}};
 const struct zr_json_object zr_json_object_material = ZR_JSON_OBJECT_OF("material", fields);
 
-/* Equal names stay in the scene's order, so that the later one is the repetition. */
+/* Equal names stay in the scene's order, so that the later one is reported. */
 static int compare_given(const void *left, const void *right)
 {
     const struct zr_parsed_material *a = left, *b = right;
@@ -105,7 +105,7 @@ static int compare_name(const void *name, const void *given)
     return strcmp(name, ((const struct zr_parsed_material *)given)->name);
 }
 
-/* Keys that nothing but linear light has a use for. */
+/* Notes keys that need linear light. */
 static void note_linear_keys(struct zr_parsed_scene *root, uint64_t keys)
 {
     for (int key = METALLIC; key <= EMISSIVE_TEXTURE && !root->linear_key; key++)
@@ -163,14 +163,14 @@ size_t zr_parsed_find_material(struct zr_parsed_scene *root, const struct zr_jso
     return root->material_count;
 }
 
-/* ---- materials as they are drawn ---- */
+/* ---- resolved materials ---- */
 
 static zr_vec3 rgb(zr_vec4 color)
 {
     return (zr_vec3){color.x, color.y, color.z};
 }
 
-/* What the material says goes before what the look has. */
+/* The material's keys override the look's values. */
 static void put_values(const struct zr_parsed_material *given, struct zr_material *material)
 {
     if (zr_json_gives(given->keys, SPECULAR)) material->specular = rgb(given->specular);
@@ -181,7 +181,7 @@ static void put_values(const struct zr_parsed_material *given, struct zr_materia
     if (zr_json_gives(given->keys, COOL)) material->cool = rgb(given->cool);
 }
 
-/* A factor of a texture that is not given changes nothing. */
+/* A given texture replaces the look's factor by 1, unless the factor is given. */
 static void put_textures(const struct zr_parsed_material *given, struct zr_material *material)
 {
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
@@ -196,14 +196,14 @@ static void put_textures(const struct zr_parsed_material *given, struct zr_mater
         material->emissive = (zr_vec3){1, 1, 1};
 }
 
-/* ---- what is odd about them ---- */
+/* ---- oddities ---- */
 
 static void note(struct zr_parsed_scene *root, const struct zr_style *style, enum zr_oddity oddity)
 {
     zr_parsed_note_oddity(root, oddity, style->number, style->is_polygon);
 }
 
-/* `faces`: the style, the material's and the scene's, merged. */
+/* `faces`: the styles of the mesh, its material and the scene, merged. */
 static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *style, const struct zr_face_style *faces,
                           const struct zr_material *material)
 {
@@ -223,7 +223,7 @@ static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *s
         ((zr_picture_gives(&root->picture, ZR_PICTURE_EXPOSURE) && picture->exposure != 1.0f) ||
          (zr_picture_gives(&root->picture, ZR_PICTURE_TONE) && picture->tone != ZR_TONE_NONE)))
         note(root, style, ZR_ODD_EXPOSURE);
-    if (has_outline) return; /* of a colour of its own */
+    if (has_outline) return; /* the outline hides them: it has its own colour */
     if (material->alpha_mode == ZR_ALPHA_BLEND && most <= 0.0f) note(root, style, ZR_ODD_UNSEEN);
     if (material->alpha_mode == ZR_ALPHA_MASK && zr_rgba_byte(most) < zr_rgba_byte(material->alpha_cutoff))
         note(root, style, ZR_ODD_MASKED);
@@ -236,7 +236,7 @@ static void note_use(struct zr_parsed_material *given, const struct zr_style *st
     if (style->has_faces) given->shadings |= 1u << material->shading;
 }
 
-/* Which shadings look at a key; 0: it is for all that there is, lines too. */
+/* Returns the shadings that use a key, one bit each; 0: all draws use it, lines too. */
 static uint32_t shadings_of(int key)
 {
     const uint32_t by_nothing = zr_shadings_lit(ZR_SHADED_BY_NOTHING),
@@ -264,7 +264,7 @@ static uint32_t shadings_of(int key)
     }
 }
 
-/* Room for all keys, or all shadings. */
+/* Large enough for all keys, or all shadings. */
 struct words {
     char text[240];
 };
@@ -275,7 +275,7 @@ static void add_word(struct words *words, const char *word)
     snprintf(words->text + used, sizeof words->text - used, "%s%s", used ? ", " : "", word);
 }
 
-/* Keys of a material that none of its meshes has a use for. */
+/* Lists the keys of a material that its meshes do not use. */
 static struct words unused_keys(const struct zr_parsed_material *given)
 {
     struct words words = {""};
@@ -285,7 +285,7 @@ static struct words unused_keys(const struct zr_parsed_material *given)
     return words;
 }
 
-/* "with the shading phong": those of its meshes, as far as these have faces. */
+/* Formats "with the shading phong", or "without faces". */
 static struct words shadings_in_words(const struct zr_parsed_material *given)
 {
     struct words words = {""};
@@ -297,7 +297,7 @@ static struct words shadings_in_words(const struct zr_parsed_material *given)
     return all;
 }
 
-/* Room for how many more there are. */
+/* "" or " (and 3 more)". */
 struct more {
     char text[40];
 };
@@ -309,13 +309,13 @@ static struct more more_than_one(size_t count)
     return more;
 }
 
-/* Some of the materials: how many, and the first of them. */
+/* A set of materials: its size, and its first member. */
 struct some {
     const struct zr_parsed_material *first;
     size_t count;
 };
 
-/* Of the scene's order, for they are sorted by their names. */
+/* `first` is the first in the scene; the array is sorted by name. */
 static void add_to(struct some *some, const struct zr_parsed_material *given)
 {
     if (some->count++ == 0 || given->number < some->first->number) some->first = given;
@@ -345,8 +345,6 @@ void zr_parsed_warn_of_materials(struct zr_parsed_scene *root)
     snprintf(text, sizeof text, ": no effect of %s %s", unused_keys(odd.first).text, shadings_in_words(odd.first).text);
     warn_of(root, &odd, text);
 }
-
-/* ---- made ---- */
 
 uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_style *style, bool coloured, bool smooth)
 {

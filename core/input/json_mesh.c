@@ -61,7 +61,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
     list->size = sizeof(struct zr_parsed_mesh);
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); list->count++) {
-        /* By itself, so that its lists find it where it is, and can be the newest in the arena. */
+        /* A local, so that its lists keep their address and can be the arena's newest allocation. */
         struct zr_parsed_mesh given = {.face_style = zr_face_style_unset,
                                        .positions.size = sizeof(zr_vec4),
                                        .normals.size = sizeof(zr_vec3),
@@ -91,7 +91,7 @@ static bool gives(const struct zr_parsed_mesh *given, int key)
     return zr_json_gives(given->keys, key);
 }
 
-/* Either positions with faces, lines, points or some of these, or heights. */
+/* A mesh has heights, or positions with faces, lines or points. */
 static void check_shape(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given)
 {
     static const int others[] = {POSITIONS, FACES, LINES, POINTS};
@@ -105,7 +105,7 @@ static void check_shape(struct zr_json *json, const struct zr_json_path *path, c
         zr_json_fault(json, path, "faces is missing, and so are lines and points");
 }
 
-/* The items of a list that must have one for each of `wanted` things; NULL where it is not given or not right. */
+/* Returns the items of a list that must have `wanted` items; NULL if it is not given. Reports another length. */
 static const void *one_each(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
                             int key, const struct zr_growing *list, size_t wanted, const char *of)
 {
@@ -116,8 +116,8 @@ static const void *one_each(struct zr_json *json, const struct zr_json_path *pat
     return list->items;
 }
 
-/* Indices that came before the positions that they are of. Item i has the indices offsets[i] to offsets[i + 1] - 1, or,
- * where offsets is NULL, two. */
+/* Checks indices that precede their positions in the text. Item i has the indices offsets[i] to offsets[i + 1] - 1; two
+ * per item if offsets is NULL. */
 static void check_indices(struct zr_json *json, const struct zr_json_path *path, const uint32_t *indices,
                           const uint32_t *offsets, size_t items, uint32_t positions)
 {
@@ -161,7 +161,7 @@ static void make_points(struct zr_json *json, const struct zr_json_path *path, c
                               mesh->position_count, "positions");
 }
 
-/* Both sets side by side; what is not given is 0. */
+/* Interleaves both sets; a missing set is 0. */
 static void make_texcoords(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
                            struct zr_mesh *mesh)
 {
@@ -195,7 +195,7 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
         const bool textured = zr_parsed_has_textures(root, style.material) && !gives(given, TEXCOORDS);
         if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, textured, mesh)) return;
     } else {
-        if (!given->positions.items) return; /* no count to hold the rest against */
+        if (!given->positions.items) return; /* the count of positions, which the other checks need */
         mesh->position_count = (uint32_t)given->positions.count;
         mesh->positions = given->positions.items;
         make_faces(json, path, given, mesh);

@@ -1,6 +1,6 @@
-/* json_mesh.h - input: a mesh of a JSON scene, and its lists of numbers, which are read into arrays where they are met.
+/* json_mesh.h - input: a mesh of a JSON scene. Its lists of numbers go into arrays while the text is read.
  *
- * What lists must agree on is looked at once all of them are read: json_mesh.c does so, json_mesh_lists.c reads them.
+ * json_mesh_lists.c reads the lists. json_mesh.c checks that they agree, once all are read.
  */
 #ifndef ZR_JSON_MESH_H
 #define ZR_JSON_MESH_H
@@ -9,15 +9,15 @@
 #include "input/json_scalars.h"
 #include "input/json_scene.h"
 
-/* Faces, lines and points while they are read. positions: what indices are known to be below, UINT32_MAX where these
- * come later in the text. */
+/* Faces, lines and points while they are read. positions: the bound that indices were checked against; UINT32_MAX if
+ * positions come later in the text. */
 struct zr_parsed_faces {
-    struct zr_growing ends, indices; /* ends: of each face in indices, behind a first one that is 0 */
+    struct zr_growing ends, indices; /* ends: 0, then the end of each face in indices */
     uint32_t positions;
 };
 
 struct zr_parsed_lines {
-    struct zr_growing ends; /* two a line */
+    struct zr_growing ends; /* two indices per line */
     uint32_t positions;
 };
 
@@ -26,10 +26,10 @@ struct zr_parsed_points {
     uint32_t positions;
 };
 
-/* A mesh as the scene has it. */
+/* A mesh as read. */
 struct zr_parsed_mesh {
-    uint64_t keys;               /* those that are there */
-    const char *name, *material; /* NULL: no word of it */
+    uint64_t keys;               /* bit i: key i is given */
+    const char *name, *material; /* NULL: not given */
     struct zr_face_style face_style;
     struct zr_growing positions, normals, colors, face_colors, texcoords, texcoords1, tangents;
     struct zr_parsed_faces faces;

@@ -1,4 +1,4 @@
-/* The hierarchy of nodes as JSON has it -> the instances that it places. */
+/* Reads the hierarchy of nodes and makes the instances that it places. */
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 
@@ -10,16 +10,16 @@
 #include "input/text.h"
 #include "scene/nodes.h"
 
-/* ---- what names refer to ---- */
+/* ---- references ---- */
 
 struct named {
     const char *name;
     uint32_t number;
 };
 
-/* Things that may be referred to by number, or by a name that only one of them has. */
+/* Things that a number or a unique name refers to. */
 struct directory {
-    const char *one, *many; /* what they are called */
+    const char *one, *many; /* nouns for messages */
     uint32_t count;
     size_t named_count;
     struct named *named; /* sorted by name, then by number */
@@ -47,7 +47,7 @@ static void sort_names(struct directory *directory)
     qsort(directory->named, directory->named_count, sizeof *directory->named, compare_named);
 }
 
-/* The first of those that have the name, or where it would be. */
+/* Returns the index of the first entry with the name, or the place to insert it. */
 static size_t first_with_name(const struct directory *directory, const char *name)
 {
     size_t low = 0, high = directory->named_count;
@@ -89,8 +89,8 @@ static bool read_reference(struct zr_json *json, const struct zr_json_path *path
 
 /* ---- matrices ---- */
 
-/* T · R · S. The quaternion is normalised by dividing products by its squared length, which
- * leaves turns by a right angle exact.
+/* Returns T · R · S. The quaternion is normalised by dividing products by its squared length, so that right angles stay
+ * exact.
  * Source: glTF 2.0, section 3.5.3 "Transformations"; Shoemake, "Quaternions", 1991. */
 static zr_mat4 matrix_of(zr_vec3 t, zr_vec4 q, zr_vec3 s)
 {
@@ -114,7 +114,7 @@ static zr_mat4 matrix_of(zr_vec3 t, zr_vec4 q, zr_vec3 s)
 /* ---- nodes ---- */
 
 struct given_node {
-    const char *name, *mesh, *children; /* the latter two: where they are in the text; NULL where they are not */
+    const char *name, *mesh, *children; /* mesh, children: places in the text, or NULL */
     zr_mat4 matrix;
     zr_vec3 translation, scale;
     zr_vec4 rotation;
@@ -135,12 +135,12 @@ static const struct zr_json_field fields[] = {
                   .text = "the numbers or the names of nodes that go with it"}};
 const struct zr_json_object zr_json_object_node = ZR_JSON_OBJECT_OF("node", fields);
 
-/* Nodes while they are read. Children wait until every name is known. */
+/* Nodes while they are read. Children are resolved once every name is known. */
 struct reader {
     struct zr_json *json;
-    const struct zr_json_path *path; /* of the list */
+    const struct zr_json_path *path; /* the list's */
     struct directory meshes, nodes;
-    const char **children; /* where each node's are, or NULL */
+    const char **children; /* the place of each node's list in the text, or NULL */
     struct zr_node *made;
 };
 
@@ -192,7 +192,7 @@ static const uint32_t *read_children(struct reader *reader, uint32_t *total)
     *total = 0;
     for (uint32_t i = 0; i < reader->nodes.count; i++) {
         reader->made[i].first_child = *total;
-        *total += reader->made[i].child_count; /* values of one text: they fit */
+        *total += reader->made[i].child_count; /* no overflow: each is a value of the text */
     }
     uint32_t *children = zr_arena_alloc(json->arena, *total, sizeof *children), *next = children;
     if (!children) return NULL;
@@ -241,7 +241,7 @@ static bool report(const struct reader *reader, const struct zr_punctual_light *
     return false;
 }
 
-/* How many meshes no node places. In a hierarchy without cycles every node is below a root. */
+/* Returns the number of meshes that no node places. In a hierarchy without cycles every node is below a root. */
 static uint32_t count_unplaced(struct zr_arena *arena, const struct reader *reader)
 {
     bool *placed = zr_arena_zero(arena, reader->meshes.count, sizeof *placed);

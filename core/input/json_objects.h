@@ -1,5 +1,6 @@
-/* json_objects.h - input: the tables of keys of all kinds of objects that a scene has, each in the file that reads it:
- * for whoever writes a schema or a manual of them, and for the test that holds them against what rows must have. */
+/* json_objects.h - input: tables of keys of all objects of a scene; each table is in the file of its reader. For
+ * generators of the schema and the manual, and for the test of the rows.
+ */
 #ifndef ZR_JSON_OBJECTS_H
 #define ZR_JSON_OBJECTS_H
 

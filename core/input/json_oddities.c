@@ -10,7 +10,7 @@ void zr_parsed_note_oddity(struct zr_parsed_scene *root, enum zr_oddity oddity, 
     if (note->count++ == 0) *note = (struct zr_oddity_note){1, number, is_polygon};
 }
 
-/* What of them only matters in colours, and what is said. */
+/* The text of each oddity, and whether it concerns only colours. */
 static const struct {
     bool is_of_colors;
     const char *text;
@@ -33,7 +33,7 @@ struct what {
     char text[96];
 };
 
-/* "mesh 3 'bunny' and 2 more" */
+/* Formats "mesh 3 'bunny' and 2 more". */
 static struct what what_of(const struct zr_parsed_scene *root, const struct zr_oddity_note *note)
 {
     struct what what;

@@ -10,7 +10,7 @@ struct given_output {
     uint32_t x, y;
 };
 
-/* Words that name a space; which of them a channel has is looked at once the channel is known. */
+/* int: any space; check_space refuses one that the channel lacks. */
 static bool read_space(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                        void *out)
 {
@@ -61,7 +61,7 @@ static bool check_space(struct zr_json *json, const struct zr_json_path *path, c
     return true;
 }
 
-/* Of the channel fragments, and of no other. */
+/* x and y are required by the channel fragments and refused by others. */
 static bool check_pixel(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
                         const struct zr_output *output)
 {
@@ -90,7 +90,8 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, s
            zr_json_fault(json, ZR_JSON_KEY(path, fields[SCALE].key), "only the encoding png16 has one");
 }
 
-/* More outputs than there are file names must clash, so that few are ever compared. */
+/* True, and reported, if an output equals one before. Outputs that do not clash are no more than the file names, so few
+ * are compared. */
 static bool clashes(struct zr_json *json, const struct zr_json_path *path, const struct zr_output *outputs,
                     size_t count, const struct zr_output *output)
 {

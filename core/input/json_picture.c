@@ -1,13 +1,13 @@
-/* What a scene says of its picture: the look that it has, and what goes before that look. */
+/* Keys of the picture: the look, and the keys that override it. */
 #include <float.h>
 
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 
 #define INTENSITY_MAX 1e6
-#define ANGLE_MAX     1e6 /* degrees: turns beyond this are a slip */
+#define ANGLE_MAX     1e6 /* degrees: larger angles are taken for mistakes */
 #define STRENGTH_MAX  10.0
-#define RADIUS_MIN    1e-3 /* shares of the diagonal */
+#define RADIUS_MIN    1e-3 /* fractions of the diagonal */
 #define RADIUS_MAX    10.0
 
 static const char *const managements[] = {"none", "srgb"};
@@ -17,7 +17,7 @@ static const char *const samples[] = {"1", "4", "16", "64"};
 const struct zr_names zr_sample_names = ZR_NAMES(4, samples);
 const struct zr_names zr_tone_names = ZR_NAMES(ZR_TONE_COUNT, tones);
 
-/* ---- keys that are given ---- */
+/* ---- given keys ---- */
 
 void zr_parsed_note_keys(struct zr_parsed_picture *given, const char *name, const struct zr_json_object *object,
                          uint64_t keys)
@@ -39,7 +39,7 @@ bool zr_read_look(struct zr_json *json, const struct zr_json_path *path, const s
 
 /* ---- up ---- */
 
-/* bool: z, else y. */
+/* bool: true for z, false for y. */
 bool zr_read_up(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
     int axis = 0;
@@ -101,9 +101,9 @@ bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, c
     return true;
 }
 
-/* ---- what may be false ---- */
+/* ---- effects ---- */
 
-/* true, false, or an object with values, which means true. */
+/* Reads true, false, or an object with values, which means true. */
 static bool read_effect(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
                         struct zr_parsed_picture *given, void *effect, bool *is_on)
 {
@@ -152,7 +152,7 @@ bool zr_read_edges(struct zr_json *json, const struct zr_json_path *path, const 
 
 /* ---- the environment ---- */
 
-/* Names are those of enum zr_environment_name from 1 on. */
+/* Names of enum zr_environment_name, from 1 on. */
 static const char *const environments[] = {"studio", "outdoor"};
 static const struct zr_names environment_names = ZR_NAMES(ZR_ENVIRONMENT_COUNT - 1, environments);
 
@@ -203,7 +203,7 @@ bool zr_read_environment(struct zr_json *json, const struct zr_json_path *path, 
     uint64_t keys;
     (void)field;
     if (!read_environment(json, path, &given, &keys)) {
-        zr_picture_give(picture, ZR_PICTURE_ENVIRONMENT); /* that it has no name is not said, too */
+        zr_picture_give(picture, ZR_PICTURE_ENVIRONMENT); /* prevents a second report of a missing name */
         return false;
     }
     picture->picture.environment = (struct zr_environment){.name = (enum zr_environment_name)(given.name + 1),

@@ -1,4 +1,4 @@
-/* The pose of a view: where the camera is, and which way it looks. */
+/* The pose of a view: the position and the orientation of the camera. */
 #include "input/json_view.h"
 
 #include <math.h>
@@ -6,14 +6,14 @@
 #include "scene/pose_matrix.h"
 #include "scene/upright.h"
 
-/* How far R may be from a rotation: what four digits in a file may do, and no more. */
+/* Deviation of R from a rotation: enough for four digits in a file. */
 static const double ROTATION_TOLERANCE = 1e-3;
 
-/* ---- which pose is said ---- */
+/* ---- the form of the pose ---- */
 
 #define BIT(key) (1u << ZR_VIEW_##key)
 
-/* What makes a pose is one of the keys `by`; the keys `with` may go with it. */
+/* A form of a pose: one of the keys `by` selects it; the keys `with` may accompany it. */
 static const struct form {
     enum zr_pose pose;
     unsigned by, with;
@@ -47,7 +47,7 @@ static const char *first_word(unsigned bits)
     return zr_view_fields[key].key;
 }
 
-/* The one form that is said, or NULL: none is, or more than one, which is reported. */
+/* Returns the only given form; NULL if there is none, or several, which is reported. */
 static const struct form *find_form(struct zr_parsed_view *given)
 {
     const struct form *form = NULL;
@@ -79,8 +79,7 @@ static const struct form *find_form(struct zr_parsed_view *given)
 
 /* ---- each pose ---- */
 
-/* y is not up in a picture that looks straight up or down. Without an `up`, such a view has that of the presets top
- * and bottom. */
+/* A view straight up or down cannot have y up. Without the key `up`, it has the up of the presets top and bottom. */
 static void find_up(struct zr_parsed_view *given)
 {
     const zr_vec3 d = zr_view_looks_along(&given->view);
@@ -120,15 +119,15 @@ static bool check_rotation(struct zr_json *json, const struct zr_json_path *path
            zr_json_fault(json, path, "not a rotation but a reflection: its determinant is negative");
 }
 
-/* X_camera = R X_world + t, as OpenCV has it. */
+/* X_camera = R X_world + t, as in OpenCV. */
 static zr_mat4 matrix_of(const double r[9], zr_vec3 t)
 {
     return (zr_mat4){{(float)r[0], (float)r[3], (float)r[6], 0, (float)r[1], (float)r[4], (float)r[7], 0, (float)r[2],
                       (float)r[5], (float)r[8], 0, t.x, t.y, t.z, 1}};
 }
 
-/* From OpenCV's camera (y down, looks along +z) to OpenGL's: the rows y and z change sign.
- * Subtracted from zero, so that no zero becomes -0. */
+/* Converts from OpenCV's camera (y down, looks along +z) to OpenGL's: the rows y and z change sign. Subtraction from
+ * zero avoids -0. */
 static void flip_camera(zr_mat4 *world_to_camera)
 {
     for (int column = 0; column < 4; column++)
@@ -136,8 +135,8 @@ static void flip_camera(zr_mat4 *world_to_camera)
             world_to_camera->m[column * 4 + row] = 0.0f - world_to_camera->m[column * 4 + row];
 }
 
-/* A pose that scales all lengths alike, as of a camera below a scaled node, is divided by its factor: distances of the
- * view and of its outputs are in scene units. A projectionMatrix belongs to the matrix as it is. */
+/* Divides a pose by its uniform scale, as of a camera below a scaled node, so that distances of the view and of its
+ * outputs are in scene units. With a projectionMatrix the pose stays as it is. */
 static void remove_scale(const struct zr_parsed_view *given, zr_mat4 *world_to_camera)
 {
     const double scale = zr_pose_matrix_scale(world_to_camera);
@@ -176,7 +175,7 @@ void zr_view_find_pose(struct zr_parsed_view *given)
     check_convention(given);
     if (!form) {
         if (!zr_view_gives(given, ZR_VIEW_PROJECTION_MATRIX)) return;
-        view->pose = ZR_POSE_MATRIX; /* as in OpenGL: it alone leads from the world to clip space */
+        view->pose = ZR_POSE_MATRIX; /* as in OpenGL: projectionMatrix alone maps the world to clip space */
         view->world_to_camera = zr_mat4_identity();
         return;
     }

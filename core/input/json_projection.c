@@ -1,21 +1,22 @@
-/* Readers of the projections that a view may have. */
+/* Readers of a view's projections. */
 #include "input/json_objects.h"
 #include "input/json_view.h"
 
 #define PI 3.14159265358979323846
 
-/* Pixels: far beyond any lens, and still a float once divided by a window. */
+/* Pixels: the largest is far beyond any lens, and a finite float after division by a window's side. */
 #define FOCAL_MIN  1e-6
 #define PIXELS_MAX 1e9
 
-/* ---- an angle of view ---- */
+/* ---- perspective ---- */
 
 static float radians(double degrees)
 {
     return (float)(degrees * PI / 180);
 }
 
-/* double: field->high is half a turn. Whoever gives degrees for radians is told so. */
+/* float, radians: field->high is half a turn, in radians or degrees. The message suggests degrees for a large number of
+ * radians. */
 static bool read_angle(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                        void *out)
 {
@@ -29,7 +30,7 @@ static bool read_angle(struct zr_json *json, const struct zr_json_path *path, co
     if (!(value >= 0 && value <= field->high))
         return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, 0.0, field->high);
     const float angle = degrees ? radians(value) : (float)value;
-    /* As floats: one that rounds to 0 or a half turn has no tangent to divide by. */
+    /* As float: an angle that rounds to 0 or to half a turn has no usable tangent. */
     if (!(angle > 0.0f) || !(angle < (float)PI))
         return zr_json_fault(json, path, "%.9g: an angle between 0 and 180 degrees, both excluded, is needed", value);
     *(float *)out = angle;
@@ -72,7 +73,7 @@ bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, 
     return json->error->count == faults;
 }
 
-/* ---- none ---- */
+/* ---- orthographic ---- */
 
 enum { XMAG, YMAG };
 static const struct zr_json_field orthographic_fields[] = {
@@ -94,7 +95,7 @@ bool zr_read_orthographic(struct zr_json *json, const struct zr_json_path *path,
                          has_xmag ? "ymag" : "xmag");
 }
 
-/* ---- pinhole cameras ---- */
+/* ---- intrinsics ---- */
 
 bool zr_view_check_focal(struct zr_json *json, const struct zr_json_path *path, double value)
 {

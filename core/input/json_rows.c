@@ -26,7 +26,7 @@ const char *zr_row_any_three(const char *at, const char *end, double low, double
     return at;
 }
 
-/* A whole number below `count`; in the form 1.0 or 1e3 it is one too. */
+/* Reads an integer below `count`; the forms 1.0 and 1e3 count as integers. */
 static const char *read_index(const char *at, const char *end, uint32_t count, uint32_t *out)
 {
     uint64_t word = zr_eight_bytes(at, end);
@@ -132,7 +132,7 @@ void zr_rows_read_texcoords(struct zr_json *json, const struct zr_json_path *pat
     }
 }
 
-/* Of the bitangent. */
+/* True if `w` is a sign of the bitangent. */
 static bool is_sign(float w)
 {
     return w == 1.0f || w == -1.0f;

@@ -1,8 +1,8 @@
-/* json_rows.h - input: rows of numbers, from a text straight into the scene's arrays.
+/* json_rows.h - input: reads rows of numbers from the text straight into the scene's arrays.
  *
- * Each function reads the value at `at` and returns where it ends; NULL where it is not what it should be, in
- * form or in range, or not in plain form. What is wrong then, if anything, is for json_value.h to say.
- * What they take is JSON. All are inlined into the loops over lists: a call for each row costs a tenth.
+ * Each function reads the value at `at` and returns the byte behind it. NULL if its form or range is wrong, or its form
+ * is unusual; the caller then uses the reader of json_value.h, which reports faults. They accept only valid JSON. All
+ * are inlined into the loops over lists: a call per row costs a tenth.
  */
 #ifndef ZR_JSON_ROWS_H
 #define ZR_JSON_ROWS_H
@@ -22,7 +22,8 @@ static inline const char *zr_row_skip_space(const char *at, const char *end)
 }
 
 #ifdef __SSE2__
-/* The number behind `at` in its usual form; returns behind it, or NULL. ZR_QUICKER_BYTES + 2 may be read. */
+/* Reads the number behind `at` in its usual form and returns the byte behind it, or NULL. May read ZR_QUICKER_BYTES + 2
+ * bytes. */
 ZR_INLINED const char *zr_row_quicker(const char *at, double low, double high, float *out)
 {
     double value;
@@ -35,10 +36,10 @@ ZR_INLINED const char *zr_row_quicker(const char *at, double low, double high, f
 }
 #endif
 
-/* The number behind `at`, which is '[' or ',', whatever its form; returns at the ',' or ']' that follows. */
+/* Reads the number behind `at`, a '[' or ',', in any form. Returns the ',' or ']' that follows it. */
 const char *zr_row_any_next(const char *at, const char *end, double low, double high, float *out);
 
-/* The same inlined for its usual form. */
+/* zr_row_any_next, with the usual form inlined. */
 ZR_INLINED const char *zr_row_next(const char *at, const char *end, double low, double high, float *out)
 {
 #ifdef __SSE2__
@@ -50,11 +51,11 @@ ZR_INLINED const char *zr_row_next(const char *at, const char *end, double low, 
     return zr_row_any_next(at, end, low, high, out);
 }
 
-/* Three numbers behind `at`, which is '[', whatever their form; returns at the ',' or ']' that follows. */
+/* Reads three numbers in any form behind `at`, a '['. Returns the ',' or ']' that follows. */
 const char *zr_row_any_three(const char *at, const char *end, double low, double high, zr_vec3 *out);
 
-/* The same inlined for their usual form. One after the other, since floats that are put into an array and taken out as
- * a vector wait for each other in memory: 3 ns a row. */
+/* zr_row_any_three, with the usual form inlined. Three variables instead of an array: a vector load behind three float
+ * stores stalls (store forwarding), 3 ns per row. */
 ZR_INLINED const char *zr_row_three(const char *at, const char *end, double low, double high, zr_vec3 *out)
 {
     if (at == end || *at != '[') return NULL;
@@ -77,7 +78,7 @@ ZR_INLINED const char *zr_row_vec3(const char *at, const char *end, double limit
     return at && *at == ']' ? at + 1 : NULL;
 }
 
-/* Three or four numbers; the fourth is 1 where it is not given. */
+/* Reads three or four numbers; the default of the fourth is 1. */
 ZR_INLINED const char *zr_row_vec4(const char *at, const char *end, double low, double high, zr_vec4 *out)
 {
     zr_vec3 v;
@@ -109,11 +110,11 @@ static inline const char *zr_row_color(const char *at, const char *end, zr_vec4 
                : NULL;
 }
 
-/* At least one index and at most `most`; *used of them. */
+/* Reads 1..most indices below `count`; *used: how many. `at` is the '['. */
 const char *zr_row_any_indices(const char *at, const char *end, uint32_t count, size_t most, uint32_t *out,
                                size_t *used);
 
-/* The same inlined for short rows without spaces: a tenth of reading a mesh. */
+/* zr_row_any_indices, inlined for short rows without spaces: saves a tenth of reading a mesh. */
 ZR_INLINED const char *zr_row_indices(const char *at, const char *end, uint32_t count, size_t most, uint32_t *out,
                                       size_t *used)
 {
@@ -129,14 +130,14 @@ ZR_INLINED const char *zr_row_indices(const char *at, const char *end, uint32_t 
 
 /* ---- lists of rows ---- */
 
-/* Items of a list, from where `json` is in it up to one that begins at `until` or behind it, or to the list's end,
- * behind what the array holds. Their numbers in the path count from the array's item `first`. What is odd or wrong is
- * read by the readers of json_value.h. */
+/* Appends items of a list to the array, from json->at until the first item that begins at `until` or behind it, or the
+ * list's end. The path numbers them from the array's item `first` on. Unusual and wrong items go through the readers of
+ * json_value.h. */
 typedef void zr_rows_read_fn(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
                              size_t first, const char *until);
 zr_rows_read_fn zr_rows_read_positions, zr_rows_read_colors; /* zr_vec4 */
 zr_rows_read_fn zr_rows_read_vec3s;                          /* zr_vec3 */
 zr_rows_read_fn zr_rows_read_texcoords;                      /* float[2] */
-zr_rows_read_fn zr_rows_read_tangents;                       /* zr_vec4, of four numbers */
+zr_rows_read_fn zr_rows_read_tangents;                       /* zr_vec4, with w = 1 or -1 */
 
 #endif

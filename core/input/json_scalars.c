@@ -11,13 +11,13 @@
 
 #define VALUE_MAX ((double)FLT_MAX)
 
-/* Between two looks at the flag of cancellation. */
+/* Values between two checks for cancellation. */
 enum { VALUES_A_LOOK = 1 << 16 };
 
 /* ---- reading ---- */
 
-/* Plain numbers up to the first that is not; true behind the list's end. `json` is at the list, and then at the '[' or
- * ',' before what is not plain. */
+/* Reads numbers in usual form; true at the list's end. `json` is before the '['; on false it is at the '[' or ','
+ * before a number in another form. */
 static bool read_plain(struct zr_json *json, struct zr_growing *values)
 {
     const char *behind;
@@ -35,7 +35,7 @@ static bool read_plain(struct zr_json *json, struct zr_growing *values)
     return false;
 }
 
-/* The rest, with a complaint for each that is no number. */
+/* Reads the other numbers and reports each fault. */
 static void read_odd(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *values)
 {
     for (; zr_json_item(json); values->count++) {
@@ -81,14 +81,14 @@ bool zr_read_scalar_range(struct zr_json *json, const struct zr_json_path *path,
 
 /* ---- colours ---- */
 
-/* What is coloured: numbers, and where their colours go. */
+/* The numbers to colour, and their range. */
 struct coloring {
     const float *values;
     size_t count;
-    const float *z; /* as of zr_scalars_apply, where values are of positions; else NULL */
+    const float *z; /* of zr_scalars_apply, if values are per position; else NULL */
     float low, high;
     enum zr_colormap map;
-    uint64_t below, above; /* numbers beyond the ends */
+    uint64_t below, above; /* how many numbers are outside of the range */
 };
 
 static bool is_hole(const struct coloring *coloring, size_t i)
@@ -107,8 +107,8 @@ static void find_range(struct coloring *coloring)
     }
 }
 
-/* Where in the map the number is. In double, where the difference of two floats is finite. In a range of no length what
- * is neither below nor above it is in the middle. */
+/* The place of a number in the map, 0..1. In double, so that a difference of two floats is finite. A range of length 0
+ * maps its value to the middle. */
 static float place(struct coloring *coloring, size_t i)
 {
     const double low = (double)coloring->low, high = (double)coloring->high;
@@ -143,7 +143,7 @@ static void warn(struct zr_json *json, const struct zr_json_path *path, const st
                             (double)coloring->low, (double)coloring->high);
 }
 
-/* NULL where all numbers are holes, and where there is no memory. */
+/* NULL if all numbers are in holes, or without memory. */
 static const struct zr_color_scale *make_scale(struct zr_json *json, const struct coloring *coloring, bool is_asked)
 {
     if (coloring->low > coloring->high) return NULL;
@@ -152,7 +152,7 @@ static const struct zr_color_scale *make_scale(struct zr_json *json, const struc
     return scale;
 }
 
-/* False where there is nothing to be coloured, or a fault. */
+/* False if there is nothing to colour, or after a fault. */
 static bool choose(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars,
                    const float *z, const struct zr_mesh *mesh)
 {

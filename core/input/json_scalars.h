@@ -1,7 +1,7 @@
-/* json_scalars.h - input: numbers of a mesh, and a map that makes colours of them.
+/* json_scalars.h - input: numbers of a mesh, and the colormap that turns them into colours.
  *
- * Colours are made while the scene is read: drawing knows nothing of numbers. Between corners colours are interpolated,
- * not numbers, as with all colours of vertices.
+ * Colours are made while the scene is read; drawing has no scalars. Between corners, colours are interpolated, not
+ * numbers, as for all vertex colours.
  */
 #ifndef ZR_JSON_SCALARS_H
 #define ZR_JSON_SCALARS_H
@@ -12,8 +12,8 @@
 #include "scene/scene_builder.h"
 
 struct zr_scalars {
-    struct zr_growing values; /* floats; items is NULL where none are given */
-    int colormap;             /* -1: not given */
+    struct zr_growing values; /* floats; items is NULL if there are no scalars */
+    int colormap;             /* enum zr_colormap; -1: not given */
     bool has_range;
     float range[2];
 };
@@ -41,10 +41,9 @@ struct zr_scalars {
     }
 zr_json_read_fn zr_read_scalars, zr_read_scalar_range; /* struct zr_scalars */
 
-/* Colours of the mesh's positions or faces, which are there, and nothing else of it that has a colour, and the scale
- * that they have: nothing where there are neither scalars nor a map. `z`: of a grid, each position's, NaN in holes,
- * whose scalars count for nothing; else NULL. `path` is the mesh's. Faults are reported, and scalars that the range
- * cuts off are warned of. */
+/* Sets colors or face_colors, and scale, of a mesh with positions and faces; does nothing without scalars and map. `z`:
+ * of a grid, one per position, NaN in holes, whose scalars do not count; else NULL. `path`: the mesh's. Reports faults,
+ * such as other colours of the mesh, and warns of scalars outside of the range. */
 void zr_scalars_apply(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars,
                       const float *z, struct zr_warning_list *warnings, struct zr_mesh *mesh);
 

@@ -1,17 +1,15 @@
-/* The root of a scene: all of it is read first, in the order of the text, and then put together. */
+/* Reads a scene: the whole root first, in the order of the text, then its references are resolved. */
 #include "input/json_scene.h"
 
 #include "input/input.h"
 #include "input/json_objects.h"
 
-/* Rows of numbers are read without counting levels. This deep an item of a list may be: /meshes/0/heights/values/0/0.
- */
+/* The deepest item of a list, /meshes/0/heights/values/0/0. Rows of numbers are read without counting levels. */
 enum { DEPTH_OF_LISTS = 6 };
 
-/* ---- what refers to something else ---- */
+/* ---- references ---- */
 
-/* Meshes in their order, then all polygons as one more. Returns how many meshes are placed
- * by nodes, where there are nodes: all but the polygons. */
+/* Makes the meshes of the list, and one more of all polygons. Returns the length of the list: nodes can place these. */
 static uint32_t make_meshes(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
@@ -23,8 +21,7 @@ static uint32_t make_meshes(struct zr_parsed_scene *root)
     return listed;
 }
 
-/* Where nodes have the say, they place the `listed` meshes; else each is where it is. The
- * polygons always are. */
+/* Nodes place the `listed` meshes; without nodes each has the identity. The polygons always have the identity. */
 static void place_meshes(struct zr_parsed_scene *root, uint32_t listed)
 {
     struct zr_scene *scene = root->scene;
@@ -38,7 +35,7 @@ static void place_meshes(struct zr_parsed_scene *root, uint32_t listed)
     zr_scene_builder_place(root->builder, instances, count);
 }
 
-/* `listed`: meshes that nodes may place. */
+/* `listed`: the number of meshes that nodes can place. */
 static void warn(struct zr_parsed_scene *root, uint32_t listed)
 {
     struct zr_warning_list *warnings = &root->builder->warnings;
@@ -68,7 +65,7 @@ static void build(struct zr_parsed_scene *root)
     warn(root, listed);
 }
 
-/* Looks at the whole text first. */
+/* Checks the depth of the whole text. */
 static bool is_shallow(struct zr_json *json)
 {
     struct zr_json there = *json;

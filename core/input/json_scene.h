@@ -1,11 +1,9 @@
-/* json_scene.h - input: what the readers of a JSON scene's parts share.
+/* json_scene.h - input: shared by the readers of a JSON scene's parts, private to them.
  *
- * Order:  the text is read once. Lists of numbers go into arrays where they are met, and whatever needs another part of
- *         the scene (a material by its name, nodes, the base) waits until the root is read: so keys may come in any
- *         order.
- * Materials: a scene's materials are what it says of itself; a drawn mesh needs
- *         them resolved (base colour, shading, sidedness), where the mesh's own word goes
- *         before the material's, and that before the scene's.
+ * Order:  the text is read once, and lists of numbers go into arrays directly. A key that refers to another part of the
+ *         scene (a material's name, nodes, the base) is resolved once the root is read. So keys may come in any order.
+ * Materials: a parsed material holds the keys that the scene gives. A drawn mesh needs all values (base colour,
+ *            shading, sidedness): a key of the mesh overrides the material's, which overrides the scene's.
  */
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
@@ -17,17 +15,17 @@
 #include "scene/parsed_picture.h"
 #include "scene/scene_builder.h"
 
-/* Bytes have a name by one of two keys. */
+/* A name of bytes: one of two keys. */
 struct zr_bytes_name {
     const char *uri, *asset; /* NULL: not given */
 };
 
-/* How texels become pixels: enum zr_filter and enum zr_wrap. */
+/* Sampling of a texture: indices of enum zr_filter and enum zr_wrap. */
 struct zr_parsed_sampler {
     int magnify, minify, wrap_s, wrap_t;
 };
 
-/* A texture as a material has it. */
+/* A texture of a material, as read. */
 struct zr_parsed_texture {
     bool is_given;
     struct zr_bytes_name name;
@@ -35,50 +33,50 @@ struct zr_parsed_texture {
     struct zr_parsed_sampler sampler;
     float offset[2], scale[2];
     double rotation; /* radians */
-    float strength;  /* of normals and of occlusion */
-    uint32_t number; /* 1 + that in the scene, once the root is read; 0: it was refused */
+    float strength;  /* factor: normalScale or strength */
+    uint32_t number; /* 1 + its index in the scene, set once the root is read; 0: none or refused */
 };
 
-/* A material as the scene has it, under its name. */
+/* A material of the scene, as read. */
 struct zr_parsed_material {
     const char *name;
-    size_t number; /* in the scene's list */
-    uint64_t keys; /* those that it gives; the rest is the look's */
+    size_t number; /* index in the text's list */
+    uint64_t keys; /* bit i: key i is given; the look has the others */
     zr_vec4 base_color, specular, cool;
     float shininess, metallic, roughness;
     zr_vec3 emissive;
     struct zr_parsed_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
-    bool is_used, is_masked; /* by a mesh, and by one whose alphaMode is MASK */
-    uint32_t shadings;       /* those that its meshes have, a bit each */
+    bool is_used, is_masked; /* used by a mesh; used by a mesh whose alphaMode is MASK */
+    uint32_t shadings;       /* bit i: a mesh with shading i uses it */
 };
 
-/* What meshes say that shows nothing, or not what is meant: opacities that nothing is made of, or that hide all of a
- * mesh, and keys that nothing uses. Each kind is one warning, of the first mesh and how many more there are. */
+/* Oddities of meshes: keys or opacities without the effect that they suggest. Each kind is one warning, which names the
+ * first mesh and counts the others. */
 enum zr_oddity {
-    ZR_ODD_ALPHA,         /* an alpha below 1, and no word of what it is for */
-    ZR_ODD_TEXTURE_ALPHA, /* the same of a baseColorTexture */
-    ZR_ODD_UNSEEN,        /* BLEND, with an alpha of 0 everywhere */
-    ZR_ODD_MASKED,        /* MASK, with an alpha below the cutoff everywhere */
-    ZR_ODD_CUTOFF,        /* an alphaCutoff of its own, without MASK */
-    ZR_ODD_EXPOSURE,      /* gooch, and an exposure or a tone mapping of the scene's */
+    ZR_ODD_ALPHA,         /* an alpha below 1 without an alphaMode */
+    ZR_ODD_TEXTURE_ALPHA, /* the same for a baseColorTexture */
+    ZR_ODD_UNSEEN,        /* BLEND with an alpha of 0 everywhere */
+    ZR_ODD_MASKED,        /* MASK with an alpha below the cutoff everywhere */
+    ZR_ODD_CUTOFF,        /* an alphaCutoff without MASK */
+    ZR_ODD_EXPOSURE,      /* gooch with an exposure or a tone mapping */
     ZR_ODD_POINT_SIZE,    /* a pointSize without points */
     ZR_ODDITIES
 };
 
-/* What has it first: a mesh, or a polygon, by its number. */
+/* The count of one oddity, and the number of the first mesh or polygon that has it. */
 struct zr_oddity_note {
     uint32_t count, number;
     bool is_polygon;
 };
 
-/* Colours of a lamp as they are given: see zr_read_light_color. */
+/* Colours of a lamp, as read: see zr_read_light_color. */
 struct zr_parsed_light_colors {
     zr_vec3 color, ground;
     float intensity;
 };
 
-/* A mesh as the scene has it, before what it refers to is known. */
+/* A mesh as read, its references unresolved. */
 struct zr_parsed_mesh;
 
 /* The polygons of a scene, likewise. */
@@ -115,27 +113,28 @@ enum zr_scene_key {
     ZR_SCENE_COLOR_BAR
 };
 
-/* A scene while its JSON is being read. */
+/* A JSON scene while it is read. */
 struct zr_parsed_scene {
     struct zr_json json;
     struct zr_scene_builder *builder;
     struct zr_scene *scene; /* the builder's */
 
-    uint64_t keys; /* those of the root that are there */
-    bool is_bare;  /* a mesh with keys of a query: its material keeps the colour of the look textbook */
+    uint64_t keys; /* bit i: key i of the root is given */
+    bool is_bare;  /* a mesh with keys of a query: without a colour of its own it has that of its look, also with
+                      textbook */
     int algorithm, color_management;
     zr_vec4 background, ambient;
-    struct zr_face_style face_style;  /* the scene's own */
-    const struct zr_look *look;       /* the one that it names, or NULL */
-    struct zr_parsed_picture picture; /* complete once the root is read */
+    struct zr_face_style face_style;  /* of the root */
+    const struct zr_look *look;       /* of the key `look`, or NULL */
+    struct zr_parsed_picture picture; /* merged with the look once the root is read */
     uint32_t light_count;
-    struct zr_light *lights;                     /* without a direction: the scene's up */
-    struct zr_parsed_light_colors *light_colors; /* of each */
+    struct zr_light *lights;                     /* direction 0: the scene's up, set later */
+    struct zr_parsed_light_colors *light_colors; /* one per light */
     bool view_says_up;
     bool fog_has_color;
-    const char *fit_mesh;       /* the name of the mesh that the view is fitted to, or NULL */
-    const char *color_bar_mesh; /* that of the mesh whose scale the colour bar shows, or NULL */
-    const char *nodes, *base;   /* where they are in the text, or NULL */
+    const char *fit_mesh;       /* name of the mesh that the view is fitted to, or NULL */
+    const char *color_bar_mesh; /* name of the mesh whose scale the colour bar shows, or NULL */
+    const char *nodes, *base;   /* places in the text, or NULL */
 
     size_t material_count;
     struct zr_parsed_material *materials; /* sorted by name */
@@ -143,44 +142,43 @@ struct zr_parsed_scene {
     struct zr_soup *soup;                 /* or NULL */
 
     struct zr_oddity_note oddities[ZR_ODDITIES];
-    const char *linear_key; /* one that needs linear light, in whatever part of the scene; or NULL */
+    const char *linear_key; /* the name of a key, anywhere in the scene, that needs linear light; or NULL */
 
     size_t asset_count;
     const struct zr_asset *assets;
     bool *assets_used;
     struct zr_stored stored;
     struct zr_quick *quick;   /* the request's; may be NULL */
-    struct zr_growing images; /* json_image.c's */
-    uint64_t image_pixels;    /* of all of them */
+    struct zr_growing images; /* decoded images, private to json_image.c */
+    uint64_t image_pixels;    /* decoded pixels, all images */
 
-    uint32_t unplaced_meshes; /* by any node */
+    uint32_t unplaced_meshes; /* meshes that no node places */
 };
 
-extern const struct zr_json_field zr_scene_fields[]; /* json_scene_fields.c: enum zr_scene_key, and others */
+extern const struct zr_json_field zr_scene_fields[]; /* json_scene_fields.c: enum zr_scene_key, then other keys */
 
 static inline bool zr_scene_gives(const struct zr_parsed_scene *root, enum zr_scene_key key)
 {
     return zr_json_gives(root->keys, (int)key);
 }
 
-/* The path of a key, as ZR_JSON_KEY has it. */
+/* The path of a key of the root. */
 #define ZR_SCENE_PATH(which) ZR_JSON_KEY(NULL, zr_scene_fields[which].key)
 
-/* What a mesh or a polygon says of its faces. */
+/* Draw style of a mesh or a polygon, as read. */
 struct zr_style {
     size_t material; /* index into root->materials, or material_count: none */
     struct zr_face_style face_style;
-    bool is_uniform; /* has no colours of its own, whatever others of its mesh have */
-    bool is_open;    /* an open surface: two-sided where nobody says otherwise */
-    bool has_faces;  /* else what has it are lines and points */
-    uint32_t number; /* of the mesh, or of the first polygon, that has it */
+    bool is_uniform; /* without colours of its own, though others of its mesh may have some */
+    bool is_open;    /* an open surface: two-sided by default */
+    bool has_faces;  /* false: it has only lines and points */
+    uint32_t number; /* number of the mesh, or of the first polygon, with this style */
     bool is_polygon;
-    struct zr_alpha_range alpha; /* of colours of its own */
+    struct zr_alpha_range alpha; /* alpha range of its own colours */
 };
 
-/* json_material.c. The keys of a face style have the same names wherever they may stand: rows for the table of an
- * object that fills a `type`, whose member `faces` is a struct zr_face_style. That of a scene is one without sides:
- * those are a body's. */
+/* json_material.c. Keys of a face style, with the same names in all objects: rows for the table of an object that fills
+ * a `type`, whose member `faces` is a struct zr_face_style. doubleSided has its own row, since a scene lacks it. */
 #define ZR_FACE_STYLE_FIELDS(type, faces)                                                                              \
     {.key = "shading",                                                                                                 \
      .read = zr_json_choice,                                                                                           \
@@ -217,74 +215,71 @@ struct zr_style {
     }
 zr_json_read_fn zr_read_outline; /* struct zr_face_style */
 
-/* json_material.c: a list of materials; by their names, once the root is read; the index of one by its name, or
- * material_count, and a fault at `path`. */
-zr_json_read_fn zr_read_materials; /* struct zr_parsed_scene, as all that follow */
+/* json_material.c: reads a list of materials; sorts them by name, once the root is read; finds one by name. An unknown
+ * name is a fault at `path` and gives material_count. */
+zr_json_read_fn zr_read_materials; /* struct zr_parsed_scene, as for all that follow */
 void zr_parsed_sort_materials(struct zr_parsed_scene *root, const struct zr_json_path *path);
 size_t zr_parsed_find_material(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name);
 
-/* The number of the resolved material. coloured: the mesh has colours of its own;
- * smooth: it has normals or vertex colours. */
+/* Resolves a material and returns its number. coloured: the mesh has its own colours; smooth: it has normals or vertex
+ * colours. */
 uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_style *style, bool coloured,
                                  bool smooth);
 
-/* json_oddities.c: notes what a mesh or a polygon, by its number, has; and warns of all that was noted, once there are
- * meshes. */
+/* json_oddities.c: notes an oddity of mesh or polygon `number`; warns of all that were noted, once there are meshes. */
 void zr_parsed_note_oddity(struct zr_parsed_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon);
 void zr_parsed_warn_of_oddities(struct zr_parsed_scene *root);
 
-/* json_material.c: of materials that nothing uses, and of what they have for other shadings than those of their meshes.
- */
+/* json_material.c: warns of unused materials, and of keys without effect in the shadings of their meshes. */
 void zr_parsed_warn_of_materials(struct zr_parsed_scene *root);
 
-/* json_mesh.c and json_polygons.c: read a list, and make meshes of it once the root is read: as many as root->meshes
- * has, and one, or none where there is no polygon. */
+/* json_mesh.c and json_polygons.c: read a list; make its meshes once the root is read. Meshes: root->meshes.count of
+ * them. Polygons: one mesh, or false if there is none. */
 zr_json_read_fn zr_read_meshes, zr_read_polygons;
 void zr_parsed_make_meshes(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes);
 bool zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh);
 
-/* json_nodes.c: the instances that nodes place, *count of them and room for one more; each
- * mesh is one of meshes[0..mesh_count-1]. NULL where there was a fault, here or before. */
+/* json_nodes.c: returns the instances that nodes place, *count of them, with room for one more. Each mesh is one of
+ * meshes[0..mesh_count-1]. NULL after a fault, here or before. */
 struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                          const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
 
-/* json_mesh.c: once there are meshes, the number of the only one that has this name. False, and a fault at `path`,
- * where none has it, or two. */
+/* json_mesh.c: finds the number of the mesh with this name, once there are meshes. False, and a fault at `path`, if
+ * none or several have it. */
 bool zr_parsed_find_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name,
                          uint32_t *out);
 
-/* json_view.c: over the defaults that scene->views[0] already has; json_view_fields.c: once there are meshes, the one
- * that the view is fitted to. */
+/* json_view.c: reads a view over the defaults in scene->views[0]. json_view_fields.c: finds the mesh that the view is
+ * fitted to, once there are meshes. */
 zr_json_read_fn zr_read_view;
 void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path);
 
-/* json_color_bar.c: into the scene; and, once there are meshes, the one that it is of. */
+/* json_color_bar.c: reads the colour bar into the scene, and finds its mesh once there are meshes. */
 zr_json_read_fn zr_read_color_bar;
 void zr_parsed_find_color_bar_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path);
 
-/* Into the scene, and lights into root->lights. */
+/* Read into the scene; lights into root->lights. */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;
 
-/* json_light_color.c: a zr_vec4, a colour of light: numbers are linear light, and a text is sRGB-encoded, whose parts
- * are negative until zr_light_color makes a colour of them, in linear light or, else, as it is given. */
+/* json_light_color.c: zr_vec4, a colour of light. Numbers are linear light. A text is sRGB-encoded and is stored
+ * negated until zr_light_color decodes it: to linear light, or to the values as written if light is not linear. */
 zr_json_read_fn zr_read_light_color;
 zr_vec3 zr_light_color(zr_vec3 given, bool is_linear);
 
-/* Makes colours of those of lamps, of `ambient` and of the specular of materials, once it is known whether light is
- * linear. */
+/* Decodes the colours of lamps, of `ambient` and of materials' specular, once scene->picture.is_linear is known. */
 void zr_parsed_decode_light(struct zr_parsed_scene *root);
 
-/* json_picture.c: notes, in `given`, which keys of an object of this name are given. */
+/* json_picture.c: marks the given keys of the object `name` in `given`. */
 void zr_parsed_note_keys(struct zr_parsed_picture *given, const char *name, const struct zr_json_object *object,
                          uint64_t keys);
 
-/* Into root->look and root->picture. */
+/* Read into root->look and root->picture. */
 zr_json_read_fn zr_read_look, zr_read_up, zr_read_samples, zr_read_background, zr_read_environment, zr_read_occlusion,
     zr_read_edges;
 extern const struct zr_names zr_management_names, zr_tone_names, zr_sample_names;
 
-/* json_looks.c: what the scene does not say is as its look has it. First the picture, lamps, view and window; and, once
- * there are materials, whether light is linear, and what does not go with that. */
+/* json_looks.c: fills keys that the scene does not give from its look: the picture, lamps, view and window. Then, once
+ * there are materials, decides on linear light and reports keys that exclude it. */
 void zr_parsed_use_look(struct zr_parsed_scene *root);
 void zr_parsed_check_light(struct zr_parsed_scene *root);
 
@@ -301,8 +296,8 @@ void zr_parsed_check_light(struct zr_parsed_scene *root);
         .text = "the name of a part of the request, or sha256: and the hash of what was uploaded before"               \
     }
 
-/* What a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."} stands for. In the arena or the
- * request. */
+/* json_bytes.c: the bytes of a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."}. They stay in the
+ * arena or in the request. */
 struct zr_parsed_bytes {
     const void *bytes;
     size_t size;
@@ -312,34 +307,33 @@ bool zr_parsed_read_named(struct zr_parsed_scene *root, const struct zr_json_pat
 bool zr_parsed_read_bytes(struct zr_parsed_scene *root, struct zr_json *json, const struct zr_json_path *path,
                           struct zr_parsed_bytes *out);
 
-/* json_image.c: the number of the image in scene->images that the bytes of this name are, decoded where they were not
- * asked for before; `path` is that of the object which has the keys of ZR_BYTES_NAME_FIELDS. False, and reported, where
- * it cannot be had. The bytes are not looked at before, and so keys may be read at any time, and images once the root
- * is read. */
+/* json_image.c: finds the index in scene->images of the image with these bytes; each is decoded once. `path`: of the
+ * object with the keys of ZR_BYTES_NAME_FIELDS. False, and reported, on failure. The bytes are read only here, so the
+ * keys may be read at any time, and images once the root is read. */
 bool zr_parsed_find_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
                           const struct zr_bytes_name *name, uint32_t *number);
 
-/* Whether no texel of the image has an alpha below 1. Looks at its texels once. */
+/* True if all alphas of the image are 1. Scans its texels once. */
 bool zr_parsed_image_is_opaque(const struct zr_parsed_scene *root, uint32_t number);
 
-/* json_texture.c: reads an object into a struct zr_parsed_texture: that of a normal map and that of occlusion have a
- * key more. */
+/* json_texture.c: struct zr_parsed_texture. A normal map has the key normalScale, and occlusion has the key
+ * strength. */
 zr_json_read_fn zr_read_texture, zr_read_normal_texture, zr_read_occlusion_texture;
 
-/* What materials need of their textures, in the scene: `path` is that of the list of materials. */
+/* Adds the textures of all materials to the scene. `path`: of the list of materials. */
 void zr_parsed_find_textures(struct zr_parsed_scene *root, const struct zr_json_path *path);
 
-/* The keys of materials that have textures, by enum zr_texture_slot. */
+/* Keys of a material's textures, by enum zr_texture_slot. */
 extern const char *const zr_texture_keys[ZR_TEXTURE_SLOTS];
 
-/* Whether the material, by its number in the scene's list, has any; false of the number behind the last one. */
+/* True if a material, by its index in root->materials, has a texture; false for material_count. */
 bool zr_parsed_has_textures(const struct zr_parsed_scene *root, size_t material);
 
-/* Reports, at `path`, what a mesh lacks that is drawn with the material. */
+/* Reports, at `path`, texture coordinates that a mesh lacks for the material; returns false then. */
 bool zr_parsed_check_texcoords(struct zr_parsed_scene *root, const struct zr_json_path *path, size_t material,
                                bool has_texcoords, bool has_texcoords1);
 
-/* json_base.c. Needs the window, the background, the view and the meshes. */
+/* json_base.c: reads the base. Needs the window, the background, the view and the meshes. */
 void zr_parsed_read_base(struct zr_parsed_scene *root, const struct zr_json_path *path);
 
 #endif

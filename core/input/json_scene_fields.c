@@ -4,7 +4,7 @@
 
 #define EXPOSURE_MAX 1e6
 
-/* uint32_t: of which this version knows one value, 1. */
+/* uint32_t: the only version is 1. */
 static bool read_version(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                          void *out)
 {

@@ -46,7 +46,7 @@ static size_t write_utf8(int32_t character, char *out)
     return more + 1;
 }
 
-/* No escape is shorter than what it stands for. */
+/* An escape is never shorter than its UTF-8 form, so `out` needs no more bytes than `text`. */
 size_t zr_json_text_resolve(const struct zr_json_text *text, char *out)
 {
     const char *at = text->at, *end = text->end;

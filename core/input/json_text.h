@@ -1,4 +1,4 @@
-/* json_text.h - input: a string of JSON as it is written, and what it means (RFC 8259, section 7). */
+/* json_text.h - input: JSON strings as written, and their decoded text (RFC 8259, section 7). */
 #ifndef ZR_JSON_TEXT_H
 #define ZR_JSON_TEXT_H
 
@@ -6,20 +6,20 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* From behind the opening quote to the closing one. */
+/* The bytes between the quotes, escapes unresolved. */
 struct zr_json_text {
     const char *at, *end;
     bool has_escapes;
 };
 
-/* The character of the \u escape at `at`, of one unit or of a surrogate pair, and how many bytes it takes; below 0
- * where there is none, with *length 0 where four hexadecimal digits are missing. */
+/* Decodes the \u escape at `at`, or a surrogate pair of two. *length: its bytes. Negative if it is invalid, with
+ * *length 0 if hexadecimal digits are missing. */
 int32_t zr_json_text_unit(const char *at, const char *end, size_t *length);
 
-/* Writes a well-formed string with its escapes resolved, and returns how many bytes: no more than it has. */
+/* Writes a well-formed string with its escapes resolved and returns the bytes written, at most the length of `text`. */
 size_t zr_json_text_resolve(const struct zr_json_text *text, char *out);
 
-/* Is a well-formed string this word? */
+/* True if a well-formed string equals `word` after its escapes are resolved. */
 bool zr_json_is(const struct zr_json_text *text, const char *word);
 
 #endif

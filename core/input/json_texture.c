@@ -9,7 +9,7 @@ const char *const zr_texture_keys[ZR_TEXTURE_SLOTS] = {"baseColorTexture", "meta
 
 /* ---- samplers ---- */
 
-/* A word, or the number that glTF has for it. */
+/* Words, and glTF's number for each. */
 struct numbered {
     struct zr_names names;
     const uint32_t *numbers;
@@ -168,7 +168,7 @@ bool zr_read_occlusion_texture(struct zr_json *json, const struct zr_json_path *
 
 /* ---- in the scene ---- */
 
-/* Scaled, turned and moved. */
+/* Scales, then rotates, then translates the coordinates. Source: KHR_texture_transform. */
 static void put_transform(const struct zr_parsed_texture *given, struct zr_texture *texture)
 {
     const double to_degrees = 57.295779513082321;

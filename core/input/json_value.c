@@ -10,16 +10,16 @@
 #include "input/text.h"
 #include "scene/scene.h"
 
-/* From one corner of the largest scene to the other there are 3.5 times as many units as coordinates may have, and who
- * wants to see it all stands farther off. Squared, such lengths are far below ZR_MATRIX_MAX times a coordinate. */
+/* The diagonal of the largest scene is 3.5 times coordinate_max, and a camera that shows it all is farther away. The
+ * square of such a length is far below ZR_MATRIX_MAX times a coordinate. */
 enum { LENGTHS_A_COORDINATE = 1000 };
 
 enum { PATH_LINKS_MAX = 16, POINTER_ROOM = ZR_POINTER_SIZE + 8 };
 
-/* ---- complaints ---- */
+/* ---- faults ---- */
 
-/* RFC 6901, section 3: ~ is ~0 and / is ~1. Ends one byte early where it must, so
- * that the text stays too long for zr_error_add, which then cuts it well. */
+/* RFC 6901, section 3: ~ becomes ~0 and / becomes ~1. Stops one byte early if needed, so that the text stays too long
+ * for zr_error_add, which cuts it at a whole character. */
 static size_t write_key(char *text, size_t used, const char *key)
 {
     for (; *key && used + 2 < POINTER_ROOM; key++) {
@@ -75,7 +75,7 @@ bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const
     return false;
 }
 
-/* The next value is of this type, or reported. */
+/* True if the next value has this type; else reports it. */
 static bool expect(struct zr_json *json, const struct zr_json_path *path, enum zr_json_type type, const char *what)
 {
     return zr_json_type(json) == type || zr_json_expect(json, path, what);
@@ -98,7 +98,7 @@ static void report_unknown(struct zr_json *json, const struct zr_json_path *path
                   zr_names_join(&known).text);
 }
 
-/* Where keys come in the order of the table, each is found at once. */
+/* Begins the search at `first`: keys in the order of the table match at once. */
 static size_t find_field(const struct zr_json_object *object, const struct zr_json_text *key, size_t first)
 {
     for (size_t i = first; i < object->count; i++)
@@ -127,11 +127,11 @@ static void read_field(struct zr_json *json, const struct zr_json_path *path, co
                       field->read ? "given twice" : "not supported in this version");
 }
 
-/* The object begins with this key, plainly written, as most items of large lists do: to its value. Saves a sixteenth of
- * reading polygons. */
+/* Moves to the value of the first key if it is `key`, without escapes or spaces, as in most items of large lists. Saves
+ * a sixteenth of the time of reading polygons. */
 static bool take_first(struct zr_json *json, const char *key)
 {
-    const char *at = json->at, *end = json->look; /* so far it is known that reading goes on */
+    const char *at = json->at, *end = json->look; /* no check for cancellation is due before */
     if (at >= end || *at++ != '"') return false;
     for (; at < end && *key && *at == *key; at++)
         key++;
@@ -339,7 +339,7 @@ bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size
     return zr_json_fault(json, path, "expected %zu or %zu numbers, found %zu", least, most, *count);
 }
 
-/* Three numbers or four; the fourth is 1 where it is not given. */
+/* Reads three or four numbers; the default of the fourth is 1. */
 static bool read_vec4(struct zr_json *json, const struct zr_json_path *path, size_t least, double low, double high,
                       zr_vec4 *out)
 {
@@ -395,7 +395,7 @@ bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const 
     return zr_json_skip(json) && zr_json_fault(json, path, "expected a colour, found %s: %s", kinds[type], forms);
 }
 
-/* Is the list that is next one of lists? */
+/* True if the next value is a list of lists. */
 static bool has_rows(const struct zr_json *json)
 {
     struct zr_json there = *json;
@@ -432,7 +432,7 @@ bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const s
     return true;
 }
 
-/* Whoever writes a flat one row by row has the translation in the bottom row, and is told so. */
+/* The message explains the order: a flat list written row by row has the translation in the bottom row. */
 bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
     zr_mat4 matrix;

@@ -1,5 +1,5 @@
-/* A view is one pose and one projection. Two of a kind are refused by name: to
- * follow one and drop the other would draw a wrong picture without a word. */
+/* A view is one pose and one projection. Two of either are refused by name: to ignore one would draw a wrong picture
+ * without a message. */
 #include "input/json_view.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"
@@ -20,8 +20,8 @@ static void check_k(struct zr_parsed_view *given)
         given->intrinsics = (struct zr_intrinsics){k[0], k[4], k[1], true, true, k[2], k[5]};
 }
 
-/* (0, 0) is the corner of the picture; in the other convention it is the centre of the first
- * pixel, which is half a pixel further. */
+/* Image coordinates have their origin at the corner of the picture. In the other convention it is the centre of the
+ * first pixel, half a pixel further. */
 static void check_pixel_center(struct zr_parsed_view *given)
 {
     const struct zr_json_path *path = ZR_VIEW_PATH(given, ZR_VIEW_PIXEL_CENTER);
@@ -34,7 +34,7 @@ static void check_pixel_center(struct zr_parsed_view *given)
     given->view.intrinsics.cy += 0.5 - center;
 }
 
-/* What stands at a place of its own is seen as by a lens; what is fitted, as in a drawing. */
+/* The default: perspective if the camera has a given position, orthographic if it is fitted. */
 static void suggest_projection(struct zr_view *view)
 {
     bool placed = view->pose == ZR_POSE_LOOK_AT || view->pose == ZR_POSE_MATRIX ||
@@ -73,7 +73,7 @@ static void find_projection(struct zr_parsed_view *given)
 
 /* ---- the view ---- */
 
-/* Has the plane been given rightly? */
+/* True if the plane is given and valid. */
 static bool check_plane(struct zr_parsed_view *given, enum zr_view_key key, float distance)
 {
     if (!zr_view_gives(given, key)) return false;
@@ -105,7 +105,7 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
     const size_t faults = json->error->count;
     (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_view, &given, &given.keys)) return false;
-    if (json->error->count > faults) return false; /* what is not known cannot be judged */
+    if (json->error->count > faults) return false; /* a view with faults is not checked further */
     zr_view_find_pose(&given);
     find_projection(&given);
     find_planes(&given);

@@ -1,7 +1,7 @@
-/* json_view.h - input: what the readers of a view's parts share; nobody else includes it.
+/* json_view.h - input: shared by the readers of a view's parts, private to them.
  *
  * json_view_fields.c has the table of keys, json_projection.c the readers of projections. Once all keys are read,
- * json_pose.c makes a pose of those that belong to it, and json_view.c the projection and the rest.
+ * json_pose.c finds the pose, and json_view.c the projection and the planes.
  */
 #ifndef ZR_JSON_VIEW_H
 #define ZR_JSON_VIEW_H
@@ -35,41 +35,41 @@ enum zr_view_key {
     ZR_VIEW_KEYS
 };
 
-/* Which way the axes of a camera go. */
+/* Axes of a camera: y up and looking along -z, or y down and looking along +z. */
 enum zr_convention { ZR_CONVENTION_OPENGL, ZR_CONVENTION_OPENCV };
 
-/* What a view says, as far as it can be judged by itself. */
+/* A view as read, before its keys are checked against each other. */
 struct zr_parsed_view {
     struct zr_json *json;
-    const struct zr_json_path *path; /* of the view */
-    uint64_t keys;                   /* those that are there */
-    struct zr_view view;             /* over the defaults */
+    const struct zr_json_path *path; /* the view's */
+    uint64_t keys;                   /* bit i: key i is given */
+    struct zr_view view;             /* defaults, overridden by the keys */
     int preset, convention;
     zr_mat4 camera_to_world;
     double r[9], k[9];
     zr_vec3 t;
     double pixel_center;
     struct zr_intrinsics intrinsics;
-    const char *fit_mesh; /* or NULL */
+    const char *fit_mesh; /* name of the mesh to fit; NULL: all geometry */
 };
 
-extern const struct zr_json_field zr_view_fields[]; /* enum zr_view_key, and those that are not supported */
+extern const struct zr_json_field zr_view_fields[]; /* enum zr_view_key, then the keys that are not supported */
 
 static inline bool zr_view_gives(const struct zr_parsed_view *given, enum zr_view_key key)
 {
     return zr_json_gives(given->keys, (int)key);
 }
 
-/* The path of a member, as ZR_JSON_KEY has it. */
+/* The path of a key of the view. */
 #define ZR_VIEW_PATH(given, which) ZR_JSON_KEY((given)->path, zr_view_fields[which].key)
 
-/* json_pose.c: the pose, and which way its axes go. */
+/* json_pose.c: finds the pose from the keys, in OpenGL's axes. */
 void zr_view_find_pose(struct zr_parsed_view *given);
 
 /* json_projection.c */
 zr_json_read_fn zr_read_perspective, zr_read_orthographic, zr_read_intrinsics; /* struct zr_parsed_view */
 
-/* Reports a focal length, in pixels, that is too short. */
+/* Reports a focal length, pixels, that is too short; returns false. */
 bool zr_view_check_focal(struct zr_json *json, const struct zr_json_path *path, double value);
 
 #endif

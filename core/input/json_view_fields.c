@@ -5,14 +5,14 @@
 #include "input/json_scene.h"
 #include "input/json_view.h"
 
-#define ANGLE_MAX    1e6 /* degrees: turns beyond this are a slip */
+#define ANGLE_MAX    1e6 /* degrees: larger angles are taken for mistakes */
 #define ROTATION_MAX 1e3 /* entries of R */
-#define PIXELS_MAX   1e9 /* entries of K: far beyond any lens, and still a float once divided by a window */
+#define PIXELS_MAX   1e9 /* entries of K: far beyond any lens, and a finite float after division by a window's side */
 #define PADDING_MAX  0.45
 
 /* ---- values ---- */
 
-/* double[9]: three rows of three numbers, or nine numbers row by row, as OpenCV and ROS write them: magnitudes up to
+/* double[9]: three rows of three numbers, or nine numbers row by row, as in OpenCV and ROS; magnitudes up to
  * field->high. */
 static bool read_rows(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                       void *out)
@@ -24,7 +24,7 @@ static bool read_rows(struct zr_json *json, const struct zr_json_path *path, con
     return true;
 }
 
-/* All but which mesh is meant: not all meshes have been read yet. */
+/* The mesh is a name here, since meshes may come later in the text. */
 struct given_fit {
     float padding;
     const char *mesh;

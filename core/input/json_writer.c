@@ -5,7 +5,6 @@
 
 #include "input/text.h"
 
-/* How many characters two pointers share, up to the last stroke. */
 size_t zr_json_shared(const char *a, const char *b)
 {
     size_t length = 0;
@@ -21,7 +20,6 @@ void zr_json_put(struct zr_json_writer *json, const char *text)
     json->used += length;
 }
 
-/* What no JSON may have becomes a question mark, as in messages. */
 void zr_json_put_string(struct zr_json_writer *json, const char *text)
 {
     const char *end = text + strlen(text);
@@ -39,7 +37,6 @@ void zr_json_put_string(struct zr_json_writer *json, const char *text)
     zr_json_put(json, "\"");
 }
 
-/* Leaves the objects and lists of the value before that the next one is not in, and enters those of the next one. */
 void zr_json_go_to(struct zr_json_writer *json, const char *pointer)
 {
     const size_t same = zr_json_shared(json->pointer, pointer);
