@@ -1,10 +1,10 @@
-/* A bare mesh becomes a scene: {"meshes": [the body]}, with the keys of the query, by the look studio. */
+/* Makes a scene of a bare mesh: {"meshes": [the body]}, with the keys of the query and the look studio by default. */
 #include "input/formats.h"
 #include "input/input.h"
 #include "input/parameters.h"
 #include "scene/defaults.h"
 
-/* Turns the mesh so that its up axis becomes y. */
+/* Returns the rotation that turns the mesh's up axis to y. */
 static zr_mat4 upright(bool z_is_up)
 {
     if (!z_is_up) return zr_mat4_identity();
@@ -35,7 +35,8 @@ static void make_materials(struct zr_parsed_scene *root)
     }
 }
 
-/* The angle of a look that is orthographic is that of scenes. */
+/* Sets the projection of the query or the look. Perspective uses the look's angle; an orthographic look has none, and
+ * then the angle is ZR_YFOV. */
 static void use_projection(const struct zr_query *query)
 {
     const struct zr_look_view *look = &query->given.scene->look->view;

@@ -13,7 +13,7 @@ static void make_table(uint8_t table[256])
         table[(unsigned char)alphabet[i]] = i;
 }
 
-/* The characters at text[from] and on that are in the alphabet. */
+/* Returns the index of the first character from `from` on that is not in the alphabet, or `size`. */
 static size_t count_good(const uint8_t table[256], const char *text, size_t from, size_t size)
 {
     while (from < size && table[(unsigned char)text[from]] != NONE)
@@ -21,7 +21,8 @@ static size_t count_good(const uint8_t table[256], const char *text, size_t from
     return from;
 }
 
-/* The last four characters: one or two of them may be '='. Returns the bytes, 0 where it fails. */
+/* Decodes the last four characters, of which one or two may be '='. Returns the bytes written; 0 if they are
+ * invalid. */
 static size_t decode_last(const uint8_t table[256], const char *text, unsigned char *out)
 {
     size_t padding = text[3] != '=' ? 0 : text[2] != '=' ? 1 : 2;

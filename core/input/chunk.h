@@ -1,4 +1,4 @@
-/* chunk.h - input: sixteen bytes of text at once. */
+/* chunk.h - input: operations on sixteen bytes of text at once. */
 #ifndef ZR_CHUNK_H
 #define ZR_CHUNK_H
 
@@ -12,7 +12,7 @@
 
 enum { ZR_CHUNK = 16 };
 
-/* A comparison of two gives -1, all ones, where it holds. */
+/* Comparisons give 0xFF in each byte for which they hold, else 0. */
 typedef uint8_t zr_chunk __attribute__((vector_size(ZR_CHUNK)));
 
 static inline zr_chunk zr_chunk_load(const void *at)
@@ -22,13 +22,14 @@ static inline zr_chunk zr_chunk_load(const void *at)
     return bytes;
 }
 
-/* All ones where white space is, as isspace() has it in the "C" locale. */
+/* 0xFF for white space, as isspace() in the "C" locale. */
 static inline zr_chunk zr_chunk_spaces(zr_chunk bytes)
 {
     return (zr_chunk)(bytes == ' ') | (zr_chunk)((bytes - '\t') < 5);
 }
 
-/* The sum of its bytes, side by side in words: 16 additions one by one cost 3 ns a list, and polygons are short. */
+/* Returns the sum of the bytes, added in parallel within words: 16 single additions take 3 ns per list, and polygons
+ * are short. */
 static inline size_t zr_chunk_sum(zr_chunk bytes)
 {
     const uint64_t low = UINT64_C(0x00FF00FF00FF00FF), ones = UINT64_C(0x0001000100010001);
@@ -38,7 +39,7 @@ static inline size_t zr_chunk_sum(zr_chunk bytes)
     return (size_t)(pairs * ones >> 48);
 }
 
-/* A bit for each byte, the first one's lowest, each being zero or all ones. */
+/* Returns one bit per byte, the first byte's lowest; each byte must be 0 or 0xFF. */
 static inline unsigned zr_chunk_bits(zr_chunk bytes)
 {
 #ifdef __SSE2__
@@ -55,7 +56,7 @@ static inline unsigned zr_chunk_bits(zr_chunk bytes)
 #endif
 }
 
-/* The place of the first byte that is not zero, each being that or all ones; or ZR_CHUNK. */
+/* Returns the index of the first byte that is not 0, or ZR_CHUNK; each byte must be 0 or 0xFF. */
 static inline size_t zr_chunk_first(zr_chunk bytes)
 {
     return (size_t)__builtin_ctz(zr_chunk_bits(bytes) | 1u << ZR_CHUNK);

@@ -8,7 +8,7 @@
 
 enum { ZR_COLOR_NAME_MAX = 20 }; /* letters: lightgoldenrodyellow */
 
-/* 0xRRGGBB of one of the 148 names of CSS Color Module Level 4, section 6.1, in capital letters or small ones. */
+/* Finds one of the 148 names of CSS Color Module Level 4, section 6.1, in any case; *rgb: 0xRRGGBB. */
 bool zr_color_of_name(const char *name, size_t length, uint32_t *rgb);
 
 #endif

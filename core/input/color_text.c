@@ -15,7 +15,7 @@ static float channel_of(int byte)
     return (float)byte * (1.0f / 255.0f);
 }
 
-/* Of `count` channels, one digit each or two; one digit stands for two of it. */
+/* Reads `count` channels of one or two hexadecimal digits; a single digit is doubled. */
 static bool read_hex(const char *text, size_t digits, size_t count, zr_vec4 *out)
 {
     float channels[4] = {0, 0, 0, 1.0f};

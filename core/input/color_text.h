@@ -1,4 +1,4 @@
-/* color_text.h - input: colours that are written as a text. */
+/* color_text.h - input: colours written as text. */
 #ifndef ZR_COLOR_TEXT_H
 #define ZR_COLOR_TEXT_H
 
@@ -7,7 +7,8 @@
 
 #include "base/vec.h"
 
-/* "#rrggbb", "#rrggbbaa", "#rgb", "#rgba" or a name (color_names.h), of this length; alpha 1 where not given. */
+/* Reads "#rrggbb", "#rrggbbaa", "#rgb", "#rgba" or a name (color_names.h), `length` characters; the default of alpha is
+ * 1. */
 bool zr_color_of_text(const char *text, size_t length, zr_vec4 *out);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "input/base64.h"
 
-/* A media type longer than this is none, and a URI without a comma is not searched to its end. */
+/* Limits the search for a comma: media types are shorter. */
 enum { HEAD_MAX = 256 };
 
 static const char SCHEME[] = "data:", BASE64[] = ";base64";
@@ -15,7 +15,7 @@ static bool ends_with(const char *text, size_t size, const char *end, size_t end
     return size >= end_size && strncasecmp(text + size - end_size, end, end_size) == 0;
 }
 
-/* Where the base64 begins, NULL with the reason. */
+/* Returns the start of the base64 text; NULL with the reason. */
 static const char *find_payload(const char *text, struct zr_reason *reason)
 {
     if (strncasecmp(text, SCHEME, sizeof SCHEME - 1) != 0) {

@@ -13,7 +13,7 @@ static size_t type_length(const char *media_type)
     return strcspn(media_type, "; \t");
 }
 
-/* `words` are apart by blanks. */
+/* `words` are separated by blanks. */
 static bool is_among(const char *words, const char *word, size_t length)
 {
     for (const char *at = words; *at; at += strspn(at, " ")) {
@@ -33,7 +33,7 @@ enum zr_format zr_format_of_type(const char *media_type)
     return ZR_FORMAT_UNKNOWN;
 }
 
-/* curl sends the last one where nothing is said. */
+/* The last type is curl's default. */
 bool zr_media_type_is_generic(const char *media_type)
 {
     static const char generic[] = "application/octet-stream binary/octet-stream text/plain "

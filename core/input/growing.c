@@ -1,9 +1,9 @@
 #include "input/growing.h"
 
-/* So few items say little of those to come. MARGIN: a sixteenth more than the guess. */
+/* ITEMS_TO_GUESS_FROM: fewer items give no useful estimate. MARGIN: a sixteenth is added to the estimate. */
 enum { ITEMS_AT_FIRST = 16, ITEMS_TO_GUESS_FROM = 256, MARGIN = 16 };
 
-/* How many items there will be, if the text goes on as it has begun. */
+/* Estimates the number of items, if the rest of the text has as many per byte. */
 static size_t guess(const struct zr_growing *array, const struct zr_json *json)
 {
     const double read = (double)(json->at - array->start), left = (double)(json->end - json->at);

@@ -1,8 +1,9 @@
-/* growing.h - input: arrays that grow while a list of a text is read, whose length nobody has counted.
+/* growing.h - input: arrays that grow while a list of unknown length is read.
  *
- * Why:    to count first takes an eighth of reading a mesh. Room is guessed from the items read so far and the text
- *         that is left, and what was too much is given back: a large array is copied once, when it is small.
- * Memory: in the text's arena. Where the guess would take more than half of what is left there, arrays double.
+ * Why:    counting first takes an eighth of the time of reading a mesh. Instead the room is estimated from the items
+ *         read so far and the text left, and the excess is returned. So a large array is copied once, while it is
+ *         small.
+ * Memory: in the text's arena. If the estimate exceeds half of the memory left, arrays double instead.
  */
 #ifndef ZR_GROWING_H
 #define ZR_GROWING_H
@@ -10,23 +11,23 @@
 #include "input/json.h"
 
 struct zr_growing {
-    size_t size; /* of an item: the caller sets it, and all else is zero to begin with */
+    size_t size; /* bytes per item, set by the caller; all other members start at zero */
     size_t count, room;
     void *items;
-    const char *start; /* where in the text the first item was */
+    const char *start; /* the text's place at the first item */
 };
 
-/* Room for `more` items behind the last. False, and the arena has failed, where there is no memory. */
+/* Makes room for `more` items behind the last. False, and the arena has failed, without memory. */
 bool zr_growing_reserve(struct zr_growing *array, struct zr_json *json, size_t more);
 
-/* The place behind the last item, which count does not include yet; NULL where there is no memory. */
+/* Returns the slot behind the last item; the caller increments count. NULL without memory. */
 static inline void *zr_growing_next(struct zr_growing *array, struct zr_json *json)
 {
     if (array->count == array->room && !zr_growing_reserve(array, json, 1)) return NULL;
     return (char *)array->items + array->count * array->size;
 }
 
-/* Gives back the room that is left, where that can be. */
+/* Returns unused room to the arena if the array is its newest allocation. */
 void zr_growing_trim(struct zr_growing *array, struct zr_arena *arena);
 
 #endif

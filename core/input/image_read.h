@@ -1,7 +1,7 @@
-/* image_read.h - input: bytes of a picture of any kind -> an image that textures take their texels from.
+/* image_read.h - input: decodes the image of a texture, PNG or JPEG.
  *
- * What it is, its bytes say: PNG or JPEG. Its size is looked at before anything is decoded, and so a small file of a
- * huge picture costs nothing. What is broken or cut short is refused, though libraries would show some of it.
+ * The first bytes decide the format. The size is checked before decoding, so that a small file of a huge image costs no
+ * time. Broken and truncated files are refused, though libraries would decode a part of them.
  */
 #ifndef ZR_IMAGE_READ_H
 #define ZR_IMAGE_READ_H
@@ -11,8 +11,8 @@
 #include "input/text.h"
 #include "scene/image.h"
 
-/* The image's texels, in the arena; beside them `texels_max` may be there at most. What libraries need meanwhile is
- * given back. ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED (arena->cancel), or ZR_BAD_SCENE with the reason. */
+/* Decodes an image into the arena. Refuses more than `texels_max` texels. Frees the libraries' memory at the end.
+ * ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED (arena->cancel), or ZR_BAD_SCENE with the reason. */
 enum zr_status zr_image_read(struct zr_arena *arena, const void *bytes, size_t size, uint64_t texels_max,
                              struct zr_image *image, struct zr_reason *reason);
 

@@ -1,4 +1,4 @@
-/* image_size.h - input: how large an image may be, which is asked before anything of it is decoded. */
+/* image_size.h - input: limits of an image's size, checked before decoding. */
 #ifndef ZR_IMAGE_SIZE_H
 #define ZR_IMAGE_SIZE_H
 
@@ -7,10 +7,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Texels from side to side, as llvmpipe has it. */
+/* Texels per side, as in llvmpipe. */
 enum { ZR_IMAGE_SIDE_MAX = 16384 };
 
-/* Whether a picture of this size may be decoded; if not, with the reason. `texels_max`: what is left for it. */
+/* True if an image of this size may be decoded; else gives the reason. `texels_max`: the texels left for this
+ * request. */
 bool zr_image_fits(uint32_t width, uint32_t height, uint64_t texels_max, struct zr_reason *reason);
 
 #endif

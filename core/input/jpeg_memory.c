@@ -4,7 +4,7 @@
 
 #include <jerror.h>
 
-/* Of AVX-512, and more than libjpeg-turbo asks for. */
+/* The width of an AVX-512 vector; libjpeg-turbo needs less. */
 enum { ROW_ALIGN = 64 };
 
 _Static_assert(ZR_ARENA_ALIGN % ROW_ALIGN == 0, "the first row is aligned as all others");
@@ -12,8 +12,8 @@ _Static_assert(ZR_ARENA_ALIGN % ROW_ALIGN == 0, "the first row is aligned as all
 struct jvirt_sarray_control {
     struct jvirt_sarray_control *next;
     JDIMENSION samples_per_row, rows;
-    JDIMENSION zeroed; /* of the rows, the first ones */
-    JSAMPARRAY array;  /* NULL: not realized */
+    JDIMENSION zeroed; /* rows zeroed so far */
+    JSAMPARRAY array;  /* NULL: not realized yet */
 };
 
 struct jvirt_barray_control {
@@ -27,7 +27,7 @@ static struct zr_jpeg_memory *memory_of(j_common_ptr jpeg)
     return (struct zr_jpeg_memory *)(void *)jpeg->mem;
 }
 
-/* Never NULL: libjpeg does not look. */
+/* Never returns NULL, which libjpeg does not check. */
 static void *allocate(j_common_ptr jpeg, size_t count, size_t size)
 {
     void *result = zr_arena_alloc(memory_of(jpeg)->arena, count, size);
@@ -37,7 +37,7 @@ static void *allocate(j_common_ptr jpeg, size_t count, size_t size)
 
 static void *alloc_bytes(j_common_ptr jpeg, int pool, size_t size)
 {
-    (void)pool; /* all of them end together */
+    (void)pool; /* all pools end together */
     return allocate(jpeg, size, 1);
 }
 
@@ -126,7 +126,7 @@ static JBLOCKARRAY access_blocks(j_common_ptr jpeg, jvirt_barray_ptr virtual, JD
 static void free_pool(j_common_ptr jpeg, int pool)
 {
     struct zr_jpeg_memory *memory = memory_of(jpeg);
-    (void)pool; /* the arena gives it back */
+    (void)pool; /* the arena frees it */
     memory->samples = NULL;
     memory->blocks = NULL;
 }

@@ -1,10 +1,11 @@
-/* jpeg_memory.h - input: libjpeg's memory, from an arena.
+/* jpeg_memory.h - input: a memory manager for libjpeg that allocates from an arena.
  *
- * Why:    what libjpeg takes is foreign bytes' choice, the coefficients of a whole picture where it is progressive. Its
- *         own manager asks malloc and knows no ceiling; it may be replaced (jpeglib.h: struct jpeg_memory_mgr).
- * Layout: rows of samples are padded to ROW_ALIGN bytes, since its SIMD code reads and writes whole vectors. Virtual
- *         arrays are there as a whole; their rows become zeros when they are first asked for, since to fill them all at
- *         once takes longer than a cancelled request may.
+ * Why:    the input decides how much memory libjpeg takes: for a progressive file, the coefficients of the whole
+ *         picture. Its own manager uses malloc without a ceiling. It can be replaced (jpeglib.h: struct
+ *         jpeg_memory_mgr).
+ * Layout: rows of samples are padded to ROW_ALIGN bytes, since libjpeg's SIMD code reads and writes whole vectors.
+ *         Virtual arrays are allocated whole. Their rows are zeroed at the first access: zeroing all of them at once
+ *         would delay a cancellation too long.
  */
 #ifndef ZR_JPEG_MEMORY_H
 #define ZR_JPEG_MEMORY_H
@@ -16,21 +17,20 @@
 
 #include "base/arena.h"
 
-/* Begins with the table of methods that libjpeg calls. */
+/* `methods`, which libjpeg calls, must be the first member. */
 struct zr_jpeg_memory {
     struct jpeg_memory_mgr methods;
-    struct jpeg_memory_mgr *before; /* libjpeg's own, which has what jpeg_create_decompress needed */
+    struct jpeg_memory_mgr *before; /* libjpeg's own manager, with the memory of jpeg_create_decompress */
     struct zr_arena *arena;
-    struct jvirt_sarray_control *samples; /* lists */
+    struct jvirt_sarray_control *samples; /* linked lists of virtual arrays */
     struct jvirt_barray_control *blocks;
 };
 
-/* After jpeg_create_decompress: from here on all memory is the arena's. Where that has none, libjpeg's error_exit is
- * called with JERR_OUT_OF_MEMORY. */
+/* Replaces the manager of `jpeg`, after jpeg_create_decompress. If the arena has no memory, it calls libjpeg's
+ * error_exit with JERR_OUT_OF_MEMORY. */
 void zr_jpeg_memory_begin(struct zr_jpeg_memory *memory, struct zr_arena *arena, struct jpeg_decompress_struct *jpeg);
 
-/* Before jpeg_destroy_decompress, which gives back what there was before. Not begun, memory being zero, nothing
- * happens. */
+/* Restores libjpeg's manager, before jpeg_destroy_decompress. Does nothing if *memory is zero. */
 void zr_jpeg_memory_end(struct zr_jpeg_memory *memory, struct jpeg_decompress_struct *jpeg);
 
 #endif

@@ -10,12 +10,12 @@
 
 #include <jerror.h>
 
-/* Bits are refined one by one, by as many scans for each of three colours, and the first has but the means: no encoder
- * makes as many. Each goes through the whole picture, however few bytes it has: so the product of both is limited, too,
- * to 16 scans of the largest picture. Arithmetic coding takes four times as long. */
+/* Limits of scans. A progressive file refines each of three channels bit by bit, and encoders make far fewer scans than
+ * SCANS_MAX. Each scan visits the whole picture, however few bytes it has. So scans * texels is limited too, to
+ * SCANS_OF_LARGEST scans of the largest picture. Arithmetic coding takes four times as long. */
 enum { SCANS_MAX = 200, SCANS_OF_LARGEST = 16, ARITHMETIC_TIMES = 4 };
 
-/* What libjpeg calls back with. */
+/* Context of libjpeg's callbacks. */
 struct reading {
     struct jpeg_decompress_struct jpeg;
     struct jpeg_error_mgr errors;
@@ -47,7 +47,7 @@ static _Noreturn void take_error(j_common_ptr jpeg)
     struct reading *reading = reading_of(jpeg);
     char text[JMSG_LENGTH_MAX];
     if (jpeg->err->msg_code == JERR_OUT_OF_MEMORY) {
-        reading->scratch->failed = true; /* or it was malloc, before the arena was asked */
+        reading->scratch->failed = true; /* also if malloc failed, before libjpeg used the arena */
         leave(reading, ZR_NO_MEMORY);
     }
     jpeg->err->format_message(jpeg, text);
@@ -55,7 +55,7 @@ static _Noreturn void take_error(j_common_ptr jpeg)
     leave(reading, ZR_BAD_SCENE);
 }
 
-/* Warnings are of broken pictures; the rest tells how reading goes. */
+/* Warnings (level < 0) mean a broken picture; other messages are only traces. */
 static void take_message(j_common_ptr jpeg, int level)
 {
     if (level < 0) take_error(jpeg);
@@ -81,7 +81,7 @@ static void set_errors(struct reading *reading)
     reading->jpeg.client_data = reading;
 }
 
-/* ---- where its bytes come from ---- */
+/* ---- source ---- */
 
 static void do_nothing(j_decompress_ptr jpeg)
 {
@@ -158,7 +158,7 @@ static void set_output(struct jpeg_decompress_struct *jpeg)
     jpeg->out_color_space = JCS_EXT_RGBA;
     jpeg->dct_method = JDCT_ISLOW;
     jpeg->do_fancy_upsampling = TRUE;
-    jpeg->do_block_smoothing = FALSE; /* differs from version to version */
+    jpeg->do_block_smoothing = FALSE; /* differs between versions of libjpeg */
 }
 
 static void read_rows(struct reading *reading, uint8_t *rgba)
@@ -192,7 +192,8 @@ bool zr_jpeg_looks_so(const void *bytes, size_t size)
     return size >= 3 && memcmp(bytes, "\xFF\xD8\xFF", 3) == 0;
 }
 
-/* The jump lands here, once; nothing but what `reading` points to is changed before it. */
+/* Decodes the picture; errors jump back to the setjmp here, once. Only *reading and its targets change before the
+ * jump. */
 static void run(struct reading *reading, const void *bytes, size_t size, uint64_t texels_max, struct zr_image *image)
 {
     if (setjmp(reading->jump) != 0) return;

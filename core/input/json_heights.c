@@ -9,12 +9,12 @@
 #include "input/json_objects.h"
 #include "input/json_rows.h"
 
-/* Corner slots are counted in 32 bits, four a cell. */
+/* Four corners per cell are counted in 32 bits. */
 enum { POSITIONS_MAX = INT32_MAX / 4 };
 
 /* ---- reading ---- */
 
-/* The value at hand, or a hole, in its plain form; returns at the ',' or ']' behind it, or NULL. */
+/* Reads a number or null, a hole, in usual form. Returns the ',' or ']' behind it, or NULL. */
 static const char *read_plain(const char *at, const char *end, double limit, float *out)
 {
     const char *behind = zr_row_next(at, end, -limit, limit, out);
@@ -26,8 +26,8 @@ static const char *read_plain(const char *at, const char *end, double limit, flo
     return at < end && (*at == ',' || *at == ']') ? at : NULL;
 }
 
-/* Plain values up to the first that is not; true behind the row's end. `json` is at the row, and then at the '[' or ','
- * before what is not plain. */
+/* Reads values in usual form; true at the row's end. `json` is before the '['; on false it is at the '[' or ',' before
+ * a value in another form. */
 static bool read_plain_row(struct zr_json *json, struct zr_heights *heights, size_t *count)
 {
     const double limit = (double)json->limits->coordinate_max;
@@ -46,7 +46,7 @@ static bool read_plain_row(struct zr_json *json, struct zr_heights *heights, siz
     return false;
 }
 
-/* The rest of a row, with a complaint for each value that is none. */
+/* Reads the rest of a row and reports each fault. */
 static void read_odd_row(struct zr_json *json, const struct zr_json_path *path, struct zr_heights *heights,
                          size_t *count)
 {
@@ -121,7 +121,7 @@ static bool read_values(struct zr_json *json, const struct zr_json_path *path, c
     return heights->columns > 0;
 }
 
-/* float[2]: where the first and the last column or row are. */
+/* float[2]: coordinates of the first and the last column or row. */
 static bool read_range(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                        void *out)
 {
@@ -166,7 +166,7 @@ struct grid {
     float x[2], y[2];
 };
 
-/* A step of 1 from 0 on, where nothing is said. */
+/* Sets the default range: steps of 1 from 0 on. */
 static bool find_range(struct zr_json *json, const struct zr_json_path *path, const struct zr_heights *heights, int key,
                        size_t count, float out[2])
 {
@@ -178,14 +178,14 @@ static bool find_range(struct zr_json *json, const struct zr_json_path *path, co
            zr_json_fault(json, path, "%zu steps of 1 lead beyond %.9g; give %s", count - 1, limit, fields[key].key);
 }
 
-/* The ends are exact. */
+/* Returns the coordinate of column or row `index`; the first and the last are exact. */
 static float place(const float range[2], size_t index, size_t count)
 {
     double last = (double)(count - 1), i = (double)index;
     return (float)(((double)range[0] * (last - i) + (double)range[1] * i) / last);
 }
 
-/* Where each value stands, holes too. */
+/* Computes the position of each value; holes have z = 0. */
 static void place_values(const struct grid *grid, const float *values, zr_vec4 *positions)
 {
     for (size_t column = 0; column < grid->columns; column++)
@@ -198,7 +198,7 @@ static void place_values(const struct grid *grid, const float *values, zr_vec4 *
     }
 }
 
-/* A quad a cell, row by row, counter-clockwise as seen from +z whichever way the axes run. */
+/* Makes one quad per cell, row by row. Quads are counter-clockwise seen from +z, for any direction of the axes. */
 static bool make_cells(struct zr_arena *arena, const struct grid *grid, struct zr_mesh *mesh)
 {
     uint32_t columns = (uint32_t)grid->columns, rows = (uint32_t)grid->rows, cells = (columns - 1) * (rows - 1);
@@ -222,7 +222,7 @@ static bool make_cells(struct zr_arena *arena, const struct grid *grid, struct z
     return true;
 }
 
-/* An image over all of it: its left is column 0, and its top the last row. */
+/* Maps an image over the grid: its left edge to column 0, its top edge to the last row. */
 static bool make_texcoords(struct zr_arena *arena, const struct grid *grid, struct zr_mesh *mesh)
 {
     static const float across[2] = {0, 1}, down[2] = {1, 0};
@@ -257,8 +257,8 @@ bool zr_heights_make(struct zr_json *json, const struct zr_json_path *path, cons
 
 /* ---- holes ---- */
 
-/* new_index[p] becomes the number of position p among those that a kept cell touches, or
- * UINT32_MAX. Returns how many cells are kept, and in *positions how many positions. */
+/* Selects the cells without a hole and the positions that they use. new_index[p]: the new number of position p, or
+ * UINT32_MAX. Returns the number of cells; *positions: of positions. */
 static uint32_t choose(const float *values, const struct zr_mesh *mesh, uint32_t *kept_cells, uint32_t *new_index,
                        uint32_t *positions)
 {
@@ -278,7 +278,7 @@ static uint32_t choose(const float *values, const struct zr_mesh *mesh, uint32_t
     return cells;
 }
 
-/* The same list without what is dropped: `list` has one item a position. */
+/* Returns a list of one item per position without the dropped positions. */
 static const zr_vec4 *keep_positions(struct zr_arena *arena, const struct zr_mesh *mesh, const zr_vec4 *list,
                                      const uint32_t *new_index, uint32_t positions)
 {
@@ -319,7 +319,7 @@ void zr_heights_drop_holes(struct zr_arena *arena, const struct zr_heights *heig
     }
     mesh->position_count = positions;
     mesh->normal_count = mesh->normals ? positions : 0;
-    mesh->face_count = cells; /* its offsets are those of the cells before: all have four corners */
+    mesh->face_count = cells; /* face_offsets stays valid: all cells have four corners */
     mesh->indices = indices;
     mesh->face_colors = face_colors;
 }

@@ -2,12 +2,12 @@
 #include "input/json_mesh.h"
 #include "input/json_rows.h"
 
-/* Corners that a face may have beside those in its list's room, before it is read with more care. */
+/* Free slots of the index array before each face. A face with more corners than free slots goes through read_face. */
 enum { CORNERS_AT_HAND = 64 };
 
 /* ---- arrays ---- */
 
-/* The list that is next, into an array, which is there from then on though it may be empty. */
+/* Reads the next value, a list, into an array; `items` is not NULL from then on, even if the list is empty. */
 static bool read_array(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_list *list,
                        struct zr_growing *array)
 {
@@ -74,7 +74,7 @@ static uint32_t known_positions(const struct zr_parsed_mesh *given)
     return given->positions.items ? (uint32_t)given->positions.count : UINT32_MAX;
 }
 
-/* The face at hand, when it is not plainly one. */
+/* Reads a face with full checks. */
 static void read_face(struct zr_json *json, const struct zr_json_path *path, uint32_t positions,
                       struct zr_growing *indices)
 {

@@ -1,5 +1,5 @@
-/* The plain form of a scene, a soup of polygons -> one mesh, in which each
- * polygon is a face with vertices and a material of its own. */
+/* Reads polygons, the simple form of a scene, into one mesh. Each polygon is a face with its own vertices and
+ * material. */
 #include <string.h>
 
 #include "input/json_list.h"
@@ -7,27 +7,28 @@
 #include "input/json_rows.h"
 #include "input/json_scene.h"
 
-/* What polygons have of their own, beside vertices. */
+/* Kinds of polygons, by their optional colours and normals. */
 enum { HAS_COLOR = 1, HAS_COLORS = 2, HAS_NORMALS = 4, KINDS = 8 };
 
 #define NO_STYLE UINT32_MAX
 
-/* How polygons look: a material is made of it once the root is read. */
+/* The style of polygons; it becomes a material once the root is read. */
 struct style {
-    uint32_t polygon; /* the first that has it */
+    uint32_t polygon; /* the first with this style */
     int has;
-    struct zr_json_text material; /* its name as it is written; at: NULL: none */
+    struct zr_json_text material; /* name as written, escapes unresolved; at is NULL if there is none */
     struct zr_face_style face_style;
 };
 
-/* All polygons so far. Arrays of what some of them have hold something for each from the first such polygon on. */
+/* The polygons read so far. An optional array is empty until a polygon has such a list; then the earlier polygons get
+ * defaults. */
 struct zr_soup {
-    struct zr_growing positions, colors, normals; /* one a vertex; the latter two are empty, or complete */
-    struct zr_growing offsets, face_styles;       /* one a polygon */
-    struct zr_growing face_colors;                /* likewise, or empty */
-    struct zr_growing rings, ring_offsets;        /* of all polygons, or empty where there is no hole */
+    struct zr_growing positions, colors, normals; /* one per vertex; colors and normals are optional */
+    struct zr_growing offsets, face_styles;       /* one per polygon */
+    struct zr_growing face_colors;                /* one per polygon; optional */
+    struct zr_growing rings, ring_offsets;        /* of all polygons; empty without holes */
     struct zr_growing styles;
-    uint32_t last_styles[KINDS]; /* the last one of each kind: neighbours look alike */
+    uint32_t last_styles[KINDS]; /* the last style of each kind, for comparison: consecutive polygons often share it */
 };
 
 _Static_assert(sizeof(struct zr_soup) <= ZR_JSON_STATE_MAX, "a state of json_list.h");
@@ -37,13 +38,13 @@ struct polygon {
     struct zr_soup *soup;
     size_t first_vertex;
     zr_vec4 color;
-    const char *holes; /* where they are in the text, or NULL */
+    const char *holes; /* place in the text, or NULL */
     struct style style;
 };
 
 /* ---- lists of a polygon ---- */
 
-/* struct polygon: rings of positions, the first or, with its path, a hole. */
+/* struct polygon: a ring of positions: the outer one or, called with its path, a hole. */
 static bool read_ring(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                       void *out)
 {
@@ -65,7 +66,7 @@ static bool read_ring(struct zr_json *json, const struct zr_json_path *path, con
     return true;
 }
 
-/* Fills the array up to `count` items with so many times the same. */
+/* Extends the array to `count` items by copies of `item`. */
 static bool fill(struct zr_growing *array, struct zr_json *json, size_t count, const void *item)
 {
     if (array->count >= count) return true;
@@ -76,9 +77,9 @@ static bool fill(struct zr_growing *array, struct zr_json *json, size_t count, c
 }
 
 static const zr_vec4 white = {1, 1, 1, 1};
-static const zr_vec3 computed = {0, 0, 0}; /* as a normal */
+static const zr_vec3 computed = {0, 0, 0}; /* normal that is computed later */
 
-/* A list with something for each vertex; earlier polygons get `item`, where this is the first that has one. */
+/* Reads a list with one item per vertex. Earlier polygons get `item` if this is the first such list. */
 static bool read_each(struct zr_json *json, const struct zr_json_path *path, const struct polygon *polygon,
                       struct zr_growing *list, const void *item, zr_rows_read_fn *read)
 {
@@ -90,7 +91,7 @@ static bool read_each(struct zr_json *json, const struct zr_json_path *path, con
     return true;
 }
 
-/* struct polygon, as the next one */
+/* struct polygon, also for read_normals */
 static bool read_colors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
@@ -118,7 +119,7 @@ static bool read_color(struct zr_json *json, const struct zr_json_path *path, co
     return true;
 }
 
-/* struct zr_json_text: a name that is compared as it is written, and kept once for all that have it. */
+/* struct zr_json_text: a name, compared as written and decoded once per style. */
 static bool read_material(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                           void *out)
 {
@@ -152,8 +153,8 @@ static bool add(struct zr_growing *array, struct zr_json *json, size_t value)
     return true;
 }
 
-/* The rings of the polygon that was read last, outer one first. With the first hole of all, the rings of those before
- * are made up for. */
+/* Appends the rings of the last polygon, the outer one first. Before the first hole, it also appends the outer rings of
+ * all earlier polygons. */
 static bool read_holes(struct zr_json *json, const struct zr_json_path *path, struct polygon *polygon)
 {
     struct zr_soup *soup = polygon->soup;
@@ -173,7 +174,7 @@ static bool read_holes(struct zr_json *json, const struct zr_json_path *path, st
     return true;
 }
 
-/* A list with one item for each vertex, where there is one; or, if any polygon has had one, what stands for it. */
+/* Checks that a given list has one item per vertex. Extends a list that is not given, if an earlier polygon has it. */
 static bool check_list(struct zr_json *json, const struct zr_json_path *path, const struct polygon *polygon,
                        bool is_given, int key, struct zr_growing *list, const void *item)
 {
@@ -197,7 +198,7 @@ static bool same_face_style(const struct zr_face_style *a, const struct zr_face_
            a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff;
 }
 
-/* The number of a style like this. */
+/* Returns the number of an equal style, or adds it. */
 static bool find_style(struct zr_json *json, struct zr_soup *soup, const struct style *style, uint32_t *number)
 {
     uint32_t *last = &soup->last_styles[style->has];
@@ -213,7 +214,7 @@ static bool find_style(struct zr_json *json, struct zr_soup *soup, const struct 
     return true;
 }
 
-/* Of a polygon with faults, so that the next one can be judged by itself. */
+/* Removes the vertices of a polygon with faults, so that the next polygon is checked on its own. */
 static void drop_vertices(const struct polygon *polygon)
 {
     struct zr_growing *const lists[] = {&polygon->soup->positions, &polygon->soup->colors, &polygon->soup->normals};
@@ -233,7 +234,8 @@ static void read_polygon(struct zr_json *json, const struct zr_json_path *path, 
     zr_json_fields(json, path, &zr_json_object_polygon, &polygon, &keys);
     const bool has_color = zr_json_gives(keys, COLOR), has_colors = zr_json_gives(keys, COLORS),
                has_normals = zr_json_gives(keys, NORMALS);
-    if (polygon.holes && json->is_ahead) zr_json_give_up(json); /* rings are counted by one thread */
+    if (polygon.holes && json->is_ahead)
+        zr_json_give_up(json); /* rings need the count of all rings before, so one thread reads them */
     if (json->error->count > faults || json->ended) {
         drop_vertices(&polygon);
         return;
@@ -277,7 +279,7 @@ static void read_items(struct zr_json *json, const struct zr_json_path *path, vo
         read_polygon(json, ZR_JSON_ITEM(path, soup->offsets.count), soup);
 }
 
-/* As above, where the array has any items. */
+/* begin_part for an optional array. */
 static bool begin_if_any(struct zr_json *json, const struct zr_growing *array, struct zr_growing *part, double share)
 {
     return array->count == 0 || zr_growing_begin_part(json, array, part, share, 1);
@@ -296,7 +298,7 @@ static bool begin_soup(struct zr_json *json, const void *state, void *part, doub
            begin_if_any(json, &all->face_colors, &soup->face_colors, share);
 }
 
-/* Of what some have: where one of the two has it, the other is made up for. */
+/* Appends an optional array; fills the missing part with `item` if only one of the two has it. */
 static bool join_some(struct zr_json *json, struct zr_growing *all, size_t count, const struct zr_growing *part,
                       size_t part_count, const void *item)
 {
@@ -351,7 +353,7 @@ bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, con
 
 /* ---- a mesh ---- */
 
-/* What the polygons of each style have of opacities: in an array of these. */
+/* Returns the alpha range of the polygons of each style. */
 static struct zr_alpha_range *find_alphas(struct zr_json *json, const struct zr_soup *soup)
 {
     struct zr_alpha_range *alphas = zr_arena_alloc(json->arena, soup->styles.count, sizeof *alphas);
@@ -371,7 +373,7 @@ static struct zr_alpha_range *find_alphas(struct zr_json *json, const struct zr_
     return alphas;
 }
 
-/* The material of each style, in place of the number of the style at each face. */
+/* Makes the material of each style and replaces each face's style number by its material. */
 static void find_materials(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_soup *soup)
 {
     const struct style *styles = soup->styles.items;
@@ -401,7 +403,8 @@ static void find_materials(struct zr_parsed_scene *root, const struct zr_json_pa
         faces[f] = materials[faces[f]];
 }
 
-/* Of the polygons that have some: of others zeros stand there. As long as faces have numbers of styles. */
+/* Passes the normals of polygons that have some to the builder; the others are filled with zeros. Runs before
+ * find_materials replaces the style numbers. */
 static void note_normals(struct zr_scene_builder *builder, uint32_t mesh, const struct zr_soup *soup)
 {
     const struct style *styles = soup->styles.items;

@@ -58,7 +58,7 @@ struct zr_names_refusal zr_names_refuse(const struct zr_names *names, const char
     return refusal;
 }
 
-/* Versions of one look have one name. */
+/* Versions of a look are adjacent and share a name, which is listed once. */
 struct zr_names_refusal zr_looks_refuse(const char *word)
 {
     enum { NAMES_MOST = 64 };

@@ -2,10 +2,10 @@
 
 #include <stdio.h>
 
-/* OFFERS_MAX: a scene may have any number of names, and each costs microseconds. */
+/* OFFERS_MAX: a scene may have any number of names, and each comparison takes microseconds. */
 enum { LETTERS_MAX = 40, OFFERS_MAX = 1000, DISTANCE_MAX = 2 };
 
-/* Small letters and digits only; how many there are, or LETTERS_MAX + 1. */
+/* Copies a word without '_' and '-', in lower case. Returns its length, or LETTERS_MAX + 1 if it is longer. */
 static size_t fold(const char *word, char out[LETTERS_MAX])
 {
     size_t count = 0;
@@ -22,7 +22,8 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Of optimal alignment: Damerau, "A technique for computer detection and correction of spelling errors", 1964. */
+/* Returns the distance by optimal alignment. Source: Damerau, "A technique for computer detection and correction of
+ * spelling errors", 1964. */
 static size_t distance_of(const char *a, size_t a_count, const char *b, size_t b_count)
 {
     size_t rows[3][LETTERS_MAX + 1], *before = rows[0], *last = rows[1], *row = rows[2];

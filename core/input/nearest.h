@@ -1,7 +1,7 @@
-/* nearest.h - input: which known word was probably meant.
+/* nearest.h - input: finds the known word nearest to a misspelt one.
  *
  *     struct zr_nearest nearest = {.word = "zNear"};
- *     for each word that is known: zr_nearest_offer(&nearest, known);
+ *     for each known word: zr_nearest_offer(&nearest, known);
  *     ... zr_nearest_text(&nearest).text
  */
 #ifndef ZR_NEAREST_H
@@ -10,17 +10,17 @@
 #include <stddef.h>
 
 struct zr_nearest {
-    const char *word;  /* as it was written */
-    const char *known; /* the nearest one so far; NULL where none is near */
+    const char *word;  /* the misspelt word */
+    const char *known; /* the nearest known word so far; NULL if none is near */
     size_t distance, offers;
 };
 
-/* Letters left out, too many, changed or swapped with the next: one or two of them, few enough for the word's length.
- * Case, '_' and '-' do not count, so that base_color_factor is baseColorFactor. After a thousand
- * words no more are looked at. */
+/* Compares a known word by edit distance: letters left out, added, changed or swapped with the next. A word is near at
+ * a distance of 1 or 2, less for short words. Case, '_' and '-' do not count: base_color_factor equals baseColorFactor.
+ * Ignores words after the first thousand. */
 void zr_nearest_offer(struct zr_nearest *nearest, const char *known);
 
-/* " (did you mean WORD?)", or "". */
+/* Formats " (did you mean WORD?)", or "". */
 struct zr_nearest_text {
     char text[64];
 };

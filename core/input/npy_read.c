@@ -8,13 +8,13 @@ enum { PREFIX = 8, SIDES_MAX = 3 };
 
 static const char MAGIC[] = "\x93NUMPY";
 
-/* The dictionary's text while it is read, and what it said. */
+/* The text of the dictionary while it is parsed, and its values. */
 struct header {
     const char *at, *end;
-    const char *type; /* between its quotes; NULL: not said */
+    const char *type; /* between its quotes; NULL: not read yet */
     size_t type_size;
     bool has_order, fortran, has_shape;
-    size_t sides; /* counted beyond SIDES_MAX, kept up to it */
+    size_t sides; /* may exceed SIDES_MAX; `shape` has the first SIDES_MAX */
     uint64_t shape[SIDES_MAX];
 };
 
@@ -41,7 +41,7 @@ static bool take_word(struct header *h, const char *word)
     return true;
 }
 
-/* A string without escapes, in either kind of quotes. */
+/* Reads a string without escapes, in single or double quotes. */
 static bool take_string(struct header *h, const char **text, size_t *size)
 {
     skip_space(h);
@@ -62,11 +62,11 @@ static bool take_count(struct header *h, uint64_t *out)
         if (__builtin_mul_overflow(*out, 10u, out) || __builtin_add_overflow(*out, (uint64_t)(*h->at - '0'), out))
             return false;
     if (h->at == begin) return false;
-    if (h->at < h->end && *h->at == 'L') h->at++; /* from Python 2 */
+    if (h->at < h->end && *h->at == 'L') h->at++; /* suffix of Python 2 */
     return true;
 }
 
-/* (), (n,), (n, m), (n, m,) ... */
+/* Reads (), (n,), (n, m), (n, m,) ... */
 static bool take_shape(struct header *h)
 {
     if (h->has_shape || !take(h, '(')) return false;
@@ -107,7 +107,7 @@ static bool take_dictionary(struct header *h)
     return h->at == h->end && h->type && h->has_order && h->has_shape;
 }
 
-/* The dictionary's place in the file, by the length in front of it. */
+/* Finds the dictionary by its length, which precedes it. */
 static bool find_header(const char *bytes, size_t size, struct header *h)
 {
     if (size < PREFIX + 2 || memcmp(bytes, MAGIC, sizeof MAGIC - 1) != 0) return false;

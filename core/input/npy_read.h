@@ -1,8 +1,7 @@
-/* npy_read.h - input: an array as numpy.save writes it -> one number a pixel.
+/* npy_read.h - input: reads an array of numpy.save, one number per pixel.
  *
- * Source: NumPy enhancement proposal 1, "A Simple File Format for NumPy Arrays", versions
- *         1.0, 2.0 and 3.0. The header is a Python dictionary of three known keys, of which
- *         no more is understood than NumPy itself writes.
+ * Source: NumPy enhancement proposal 1, "A Simple File Format for NumPy Arrays", versions 1.0, 2.0 and 3.0. The header
+ *         is a Python dictionary of three keys; only the syntax that NumPy writes is accepted.
  */
 #ifndef ZR_NPY_READ_H
 #define ZR_NPY_READ_H
@@ -15,9 +14,8 @@
 
 enum zr_npy_wanted { ZR_NPY_WANTED_FLOAT32, ZR_NPY_WANTED_UINT32 };
 
-/* height * width numbers of 4 bytes in the machine's order, a copy in the arena. Either
- * byte order is read; shape, type and size must be right to the byte. ZR_OK,
- * ZR_NO_MEMORY, or ZR_BAD_SCENE with the reason. */
+/* Copies height * width numbers of 4 bytes into the arena, in the machine's byte order. The file may have either byte
+ * order; its shape, type and size must match exactly. ZR_OK, ZR_NO_MEMORY, or ZR_BAD_SCENE with the reason. */
 enum zr_status zr_npy_read(struct zr_arena *arena, const void *bytes, size_t size, enum zr_npy_wanted wanted,
                            uint32_t width, uint32_t height, void **values, struct zr_reason *reason);
 

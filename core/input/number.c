@@ -10,17 +10,17 @@
 #include "input/number_round.h"
 
 enum {
-    EXPONENT_MAX = 1000000, /* clamps what is written; far beyond any double, far within an int */
-    /* Between two doubles, the middle has at most 767 significant digits: more
-     * cannot change the rounding, except by being not all zero. */
+    EXPONENT_MAX = 1000000, /* clamps exponents: far beyond any double, far within an int */
+    /* The midpoint of two doubles has at most 767 significant digits. Later digits affect the rounding only by whether
+     * all of them are zero. */
     DIGITS_KEPT = 770,
-    FAST_DIGITS = 19 /* fit 64 bits */
+    FAST_DIGITS = 19 /* as many as fit 64 bits */
 };
 
 struct decimal {
     bool negative;
-    const char *first, *last; /* significant digits, perhaps with a point among them; last is one past */
-    int digits;               /* count of them, saturated */
+    const char *first, *last; /* significant digits, possibly with a point among them; last is one past */
+    int digits;               /* their count, at most EXPONENT_MAX */
     uint64_t mantissa;        /* valid while digits <= FAST_DIGITS */
     int64_t exponent;         /* of the last digit */
 };
@@ -30,7 +30,7 @@ static bool is_digit(const char *at, const char *end)
     return at < end && (unsigned char)(*at - '0') < 10;
 }
 
-/* Digits are taken into the mantissa as long as they fit; the caller counts. */
+/* Accumulates digits into the mantissa while they fit, and counts all of them. */
 static const char *read_digits(const char *at, const char *end, struct decimal *decimal)
 {
     uint64_t mantissa = decimal->mantissa;
@@ -61,7 +61,7 @@ static const char *read_exponent(const char *at, const char *end, int64_t *expon
     return digit;
 }
 
-/* Rewrites the number without a point, so that no locale matters. */
+/* Converts by strtod, on a copy without a point, so that the locale does not matter. */
 static double convert_exactly(const struct decimal *decimal)
 {
     char text[DIGITS_KEPT + 32];

@@ -4,7 +4,7 @@
 
 enum { DIGITS = 19, WORDS = 3, EXPONENT_DIGITS = 3 };
 
-/* The sign is set without a branch, which would be guessed wrong every other time. */
+/* Sets the sign without a branch, which would be mispredicted every other time. */
 static bool convert(uint64_t mantissa, int exponent, bool negative, double *value)
 {
     double magnitude;
@@ -16,7 +16,7 @@ static bool convert(uint64_t mantissa, int exponent, bool negative, double *valu
     return true;
 }
 
-/* Behind the 'e'; of up to three digits. */
+/* Adds an exponent of up to three digits, from behind the 'e'. */
 static const char *add_exponent(const char *at, const char *end, int *exponent)
 {
     uint64_t word = zr_eight_bytes(at, end);

@@ -1,10 +1,9 @@
-/* number_quick.h - input: the numbers that scenes are full of, eight digits at a time.
+/* number_quick.h - input: reads short decimal numbers, eight digits at a time.
  *
- * Why:    a large scene is a million short decimals, and reading them is what reading it
- *         costs. A digit at a time takes 20 ns for a short one and 35 for 17 digits; these, 11 and 20, and inlined 9,
- *         because they have no branch that depends on how many digits there are.
- * Source: Lemire, "Quickly parsing eight digits", 2018; Clinger, "How to read floating point
- *         numbers accurately", PLDI 1990, for why one division of exact operands is correctly rounded.
+ * Why:    a large scene is a million short decimals, and reading them dominates its time. Digit by digit a number takes
+ *         20 ns, or 35 with 17 digits; here 11 and 20, and 9 inlined: no branch depends on the number of digits.
+ * Source: Lemire, "Quickly parsing eight digits", 2018; Clinger, "How to read floating point numbers accurately", PLDI
+ *         1990, for the proof that one division of exact operands is correctly rounded.
  */
 #ifndef ZR_NUMBER_QUICK_H
 #define ZR_NUMBER_QUICK_H
@@ -17,7 +16,7 @@
 #include "base/inlined.h"
 #include "input/number.h"
 
-/* Eight bytes of text, the first one lowest; zeros behind `end`, which is never read. */
+/* Returns eight bytes of text, the first in the lowest bits; zeros from `end` on, where nothing is read. */
 static inline uint64_t zr_eight_bytes(const char *at, const char *end)
 {
     uint64_t word = 0;
@@ -33,8 +32,8 @@ static inline uint64_t zr_eight_bytes(const char *at, const char *end)
     return word;
 }
 
-/* How many of the eight are digits, counted up to the first that is none. Carries between bytes
- * only go upwards, from a byte that is no digit itself. */
+/* Counts the digits before the first other byte, 0..8. Carries between bytes only start at a byte that is no digit, and
+ * only go upwards. */
 static inline unsigned zr_count_digits(uint64_t word)
 {
     const uint64_t ones = UINT64_C(0x0101010101010101);
@@ -43,16 +42,16 @@ static inline unsigned zr_count_digits(uint64_t word)
     return others ? (unsigned)__builtin_ctzll(others) / 8 : 8;
 }
 
-/* The value of the first `count` of eight bytes, 1 to 8, all digits. */
+/* Returns the value of the first `count` of eight bytes, 1..8, all digits. */
 static inline uint32_t zr_digits_value(uint64_t word, unsigned count)
 {
-    word = (word ^ UINT64_C(0x3030303030303030)) << (8 * (8 - count)); /* zeros before the first digit */
-    word = (word * (1 + (10 << 8))) >> 8;                              /* pairs of digits */
+    word = (word ^ UINT64_C(0x3030303030303030)) << (8 * (8 - count)); /* shifts in zeros before the first digit */
+    word = (word * (1 + (10 << 8))) >> 8; /* sums digits to pairs, then to fours, then to eights */
     word = ((word & UINT64_C(0x00FF00FF00FF00FF)) * (1 + (100 << 16))) >> 16;
     return (uint32_t)(((word & UINT64_C(0x0000FFFF0000FFFF)) * (1 + (UINT64_C(10000) << 32))) >> 32);
 }
 
-/* The byte behind the first `count` of eight, below 8. */
+/* Returns the byte behind the first `count` of eight, count < 8. */
 static inline char zr_byte_behind(uint64_t word, unsigned count)
 {
     return (char)(word >> (8 * count));
@@ -64,8 +63,8 @@ static inline uint32_t zr_quick_scale(unsigned digits)
     return scales[digits];
 }
 
-/* A number of JSON with at most 7 digits before the point and 23 behind it, few enough in all to fit 64 bits, and 3 of
- * an exponent. Returns where it ends, or NULL where there is anything else at `at`: number.h knows what. */
+/* Reads a JSON number with at most 7 digits before the point, 23 behind it, and 3 of an exponent; all digits must fit
+ * 64 bits. Returns the byte behind it, or NULL for any other text, which number.h reads. */
 const char *zr_number_quick(const char *at, const char *end, double *value);
 
 #ifdef __SSE2__
@@ -73,7 +72,7 @@ const char *zr_number_quick(const char *at, const char *end, double *value);
 
 enum { ZR_QUICKER_BYTES = 32 };
 
-/* Which of the next 32 bytes are no digits; the first byte is bit 0. */
+/* Marks the bytes among the next 32 that are no digits; bit 0 is the first byte. */
 static inline uint32_t zr_mark_others(const char *at)
 {
     const __m128i nine = _mm_set1_epi8(9), zero = _mm_set1_epi8('0');
@@ -84,9 +83,9 @@ static inline uint32_t zr_mark_others(const char *at)
     return ~(first | second << 16);
 }
 
-/* The same inlined for [-] digits . digits of at most 16 characters, where ZR_QUICKER_BYTES may be read. What comes
- * behind is the caller's to judge: only ',' or ']' is known to end the number. Where the next number begins depends on
- * this one through one load, not three in a row, and all digits are gathered in a word: 11 ns a number become 9. */
+/* The same, inlined, for [-] digits . digits of at most 16 characters; ZR_QUICKER_BYTES must be readable. The caller
+ * checks the next byte: only ',' or ']' surely ends the number. Finding the end takes one load instead of three
+ * dependent ones, and all digits are gathered in one word: 9 ns instead of 11. */
 ZR_INLINED const char *zr_number_quicker(const char *at, double *value)
 {
     static const double powers[2][16] = {
@@ -101,7 +100,7 @@ ZR_INLINED const char *zr_number_quicker(const char *at, double *value)
     const char *first = at + negative;
     size_t zero = *first == '0';
     if (at[point] != '.' || whole - 1 > 6 - 6 * zero || decimals - 1 > 14) return NULL;
-    /* The digits without the point, and without a zero in front of it. */
+    /* Removes the point, and a zero before it. */
     whole -= zero;
     uint64_t before, after, kept = (UINT64_C(1) << (8 * whole)) - 1;
     memcpy(&before, first + zero, sizeof before);
@@ -121,10 +120,10 @@ ZR_INLINED const char *zr_number_quicker(const char *at, double *value)
 
 enum { ZR_QUICK_ROW_BYTES = 32 + 8 };
 
-/* Whole numbers of up to 7 digits without leading zeros, the first one behind `at`, one `separator` and perhaps a blank
- * between two, `most` of them at most, which end within 32 bytes, where ZR_QUICK_ROW_BYTES may be read: each is from +
- * what becomes out[i], which is less than `count`. Returns where the last one ends, *used of them; NULL where there is
- * anything else. All ends are found at once, so that no number waits for the one before. */
+/* Reads integers of at most 7 digits without leading zeros, the first behind `at`. One `separator`, and perhaps a
+ * blank, is between two. There are at most `most`, within 32 bytes; ZR_QUICK_ROW_BYTES must be readable. out[i] is the
+ * i-th minus `from`, and less than `count`. Returns the byte behind the last, and *used of them; NULL for any other
+ * text. All ends are found at once, so that no number waits for the one before. */
 ZR_INLINED const char *zr_number_quick_row(const char *at, char separator, uint32_t from, uint32_t count, size_t most,
                                            uint32_t *out, size_t *used)
 {
@@ -151,8 +150,7 @@ ZR_INLINED const char *zr_number_quick_row(const char *at, char separator, uint3
 }
 #endif
 
-/* zr_number_read (number.h), with the same value and end always; inlined for numbers in their usual form that a blank
- * or a line's end is behind. */
+/* Equal to zr_number_read (number.h), inlined for the usual form with a blank or a line end behind it. */
 static inline const char *zr_number_next(const char *at, const char *end, double *value)
 {
     const char *behind;

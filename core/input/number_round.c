@@ -1,10 +1,10 @@
-/* Where doubles hold both the digits and the power of ten exactly, one operation of the two rounds once.
+/* If doubles hold the digits and the power of ten exactly, one operation on them rounds once.
  * Source: Clinger, "How to read floating point numbers accurately", PLDI 1990.
  *
- * Else the tie-free road from a decimal to a double: one multiplication by a power of five kept to 128 bits
- * tells, but for rare cases that it recognises, how the exact product rounds.
- * Source: Lemire, "Number parsing at a gigabyte per second", Software: Practice and Experience 2021,
- * section 5; the names are the paper's. */
+ * Otherwise one multiplication by a power of five in 128 bits decides the rounding of the exact product, except for
+ * rare cases that it detects.
+ * Source: Lemire, "Number parsing at a gigabyte per second", Software: Practice and Experience 2021, section 5; the
+ *         names are the paper's. */
 #include "input/number_round.h"
 
 #include <stdbool.h>
@@ -14,8 +14,8 @@ __extension__ typedef unsigned __int128 uint128;
 
 enum { FIRST = -64, LAST = 47, MANTISSA_BITS = 52, BIAS = 1023, EXPONENT_INFINITE = 0x7FF };
 
-/* 5^q for q = FIRST..LAST, scaled to 128 bits: cut off for q >= 0, rounded up below. Others are rare
- * enough in scenes for strtod, and 652 lines of table are not. */
+/* 5^q for q = FIRST..LAST, scaled to 128 bits: truncated for q >= 0, rounded up for q < 0. Other powers are rare in
+ * scenes, and strtod handles them; the full table has 652 lines. */
 static const uint64_t powers[LAST - FIRST + 1][2] = {
     {0xa87fea27a539e9a5, 0x3f2398d747b36224}, {0xd29fe4b18e88640e, 0x8eec7f0d19a03aad},
     {0x83a3eeeef9153e89, 0x1953cf68300424ac}, {0xa48ceaaab75a8e2b, 0x5fa8c3423c052dd7},
@@ -75,13 +75,13 @@ static const uint64_t powers[LAST - FIRST + 1][2] = {
     {0xe0352f62a19e306e, 0xd50b2037ad200000}, {0x8c213d9da502de45, 0x4526f422cc340000},
 };
 
-/* The floor of log2(10^q), and 63 more. */
+/* Returns floor(log2(10^q)) + 63. */
 static int power(int q)
 {
     return ((152170 + 65536) * q >> 16) + 63;
 }
 
-/* Clinger's numbers: 10^22 is the largest power of ten that a double holds exactly. */
+/* Limits of Clinger's method: 10^22 is the largest power of ten that a double holds exactly. */
 enum { EXACT_POWER = 22 };
 #define EXACT_MANTISSA (UINT64_C(1) << 53)
 
@@ -104,18 +104,18 @@ bool zr_number_round(uint64_t w, int q, double *value)
     const uint64_t *t = powers[q - FIRST];
     uint128 product = (uint128)(w << l) * t[0];
     uint64_t high = (uint64_t)(product >> 64), low = (uint64_t)product;
-    /* Only where all bits behind those kept are ones can the lower half of the power carry into them. */
+    /* The lower half of the power matters only if all bits behind the kept ones are 1: then it can carry into them. */
     if ((high & 0x1FF) == 0x1FF) {
         uint64_t more = (uint64_t)((uint128)(w << l) * t[1] >> 64);
         low += more;
         if (low < more) high++;
-        if (low == UINT64_MAX && (q < -27 || q > 55)) return false; /* a power that is not exact in 128 bits */
+        if (low == UINT64_MAX && (q < -27 || q > 55)) return false; /* the power is not exact in 128 bits */
     }
     int upper = (int)(high >> 63);
     uint64_t m = high >> (upper + 64 - MANTISSA_BITS - 3);
     int p = power(q) + upper - l + BIAS;
     if (p <= 0) return false; /* a denormal has fewer bits */
-    /* Just between two doubles: to the even one. */
+    /* Midway between two doubles: rounds to even. */
     if (low <= 1 && q >= -4 && q <= 23 && (m & 3) == 1 && m << (upper + 64 - MANTISSA_BITS - 3) == high)
         m &= ~UINT64_C(1);
     m = (m + (m & 1)) >> 1;

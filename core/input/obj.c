@@ -1,8 +1,8 @@
-/* Wavefront OBJ, as its specification (obj_text.h) has it for polygons; curves, surfaces and grouping are passed over.
+/* Reads the polygons of Wavefront OBJ (obj_text.h); ignores curves, surfaces and grouping.
  *
- * The text is cut into parts, which all threads read, twice: first they count, so that arrays have their size,
- * each part knows what is before it, and an index can be judged where it stands, also where its vertex comes later.
- * Nobody reports a fault from the middle: from the first part on that has one, one thread reads once more. */
+ * All threads read the parts of the text twice. The first pass counts: arrays get their sizes, each part its first
+ * numbers, and an index can be checked before its vertex is read. The second pass reads. From the first part with a
+ * fault on, one thread reads again and reports, so that faults come in the order of the text. */
 #include "input/input.h"
 
 #include "input/number_quick.h"
@@ -10,34 +10,34 @@
 #include "input/parts.h"
 #include "input/text.h"
 
-/* So many are counted and read in a fifth of a millisecond, about as long as it takes to wake a thread. */
-#ifndef ZR_OBJ_PART_BYTES /* a test has smaller ones (tests/unit/test_obj_parts.c) */
+/* Counted and read in a fifth of a millisecond, about the time to wake a thread. */
+#ifndef ZR_OBJ_PART_BYTES /* smaller in tests/unit/test_obj_parts.c */
 #define ZR_OBJ_PART_BYTES (1 << 16)
 #endif
 
 enum { COUNT_MAX = 1 << 30, VERTEX_NUMBERS_MAX = 6 };
 
-/* Stands in for an index until the zero normal has its place. */
+/* Replaces the index of a missing normal until the zero normal has its index. */
 #define CORNER_WITHOUT_NORMAL UINT32_MAX
 
 struct counts {
     size_t lines, positions, normals, faces, corners;
 };
 
-/* Statements of which nothing is seen. */
+/* Statements that are not drawn. */
 struct unread {
     size_t materials, lines, points, curved;
 };
 
-/* Of each part, which is whole statements. */
+/* Counts of one part, which is whole statements. */
 struct part {
     struct counts holds, before;
     struct unread unread;
     bool has_colors;
-    bool normal_given, normal_missing; /* at a corner; once it is read */
+    bool normal_given, normal_missing; /* at a corner; set by the second pass */
 };
 
-/* What all threads share. */
+/* Data of a file, shared by all threads. */
 struct file {
     const char *end;
     const struct zr_limits *limits;
@@ -45,19 +45,19 @@ struct file {
     const struct zr_part *texts;
     struct part *parts;
     struct counts total;
-    zr_vec4 *positions, *colors; /* NULL: no vertex has one */
+    zr_vec4 *positions, *colors; /* NULL: no vertex has a colour */
     zr_vec3 *normals;
     uint32_t *face_offsets, *indices, *normal_indices; /* NULL: the file has no normals */
 };
 
-/* One thread at a part. */
+/* State of one thread that reads a part. */
 struct reader {
     const struct file *file;
     struct zr_obj_text text;
-    struct counts count; /* so far, from the beginning of the file */
+    struct counts count; /* counts since the start of the file */
     struct zr_error *error;
     bool normal_given, normal_missing;
-    bool bad_syntax; /* what follows would only be noise */
+    bool bad_syntax; /* stops the reader: more faults would only follow from this one */
 };
 
 /* ---- parts ---- */
@@ -75,7 +75,7 @@ static bool count_part(void *context, size_t index)
     struct part *part = &file->parts[index];
     struct zr_obj_text text = {file->texts[index].at, file->texts[index].end, 0};
     struct zr_obj_statement statement, word;
-    struct counts count = {0}; /* of its own: parts of other threads are near */
+    struct counts count = {0}; /* local, since the structs of other threads share cache lines */
     struct unread unread = {0};
     while (zr_obj_next(&text, &statement)) {
         if (zr_obj_at_end(&statement)) continue;
@@ -143,15 +143,15 @@ static bool syntax_fault(struct reader *reader, const struct zr_obj_statement *s
     return false;
 }
 
-/* The word that begins here is at fault. */
+/* Reports the word at the start of the statement. */
 static bool word_fault(struct reader *reader, const struct zr_obj_statement *statement, const char *expected)
 {
     struct zr_obj_statement shown = *statement, word = zr_obj_word(&shown);
     return syntax_fault(reader, statement, &word, expected);
 }
 
-/* Numbers up to the end of the statement; false after reporting one that is none
- * or too large, or more than `most`. */
+/* Reads numbers up to the end of the statement. False after reporting a word that is no number or too large, or more
+ * than `most` numbers. */
 static bool read_numbers(struct reader *reader, struct zr_obj_statement *statement, int most, float *out, int *count)
 {
     double limit = (double)reader->file->limits->coordinate_max;
@@ -193,7 +193,7 @@ static bool set_color(struct reader *reader, const struct zr_obj_statement *stat
     return true;
 }
 
-/* v x y z, v x y z w (a weight for curves), v x y z r g b (as Meshlab writes). */
+/* v x y z, v x y z w (a weight for curves), v x y z r g b (written by Meshlab). */
 static bool read_vertex(struct reader *reader, struct zr_obj_statement *statement)
 {
     float v[VERTEX_NUMBERS_MAX];
@@ -225,7 +225,7 @@ static bool read_texcoord(struct reader *reader, struct zr_obj_statement *statem
     return count > 0 || count_fault(reader, statement, "1 to 3 numbers behind vt", count);
 }
 
-/* A whole number with perhaps a sign; saturates, far above any count. */
+/* Reads an integer with an optional sign; saturates far above any count. */
 ZR_INLINED const char *read_integer(const char *at, const char *end, int64_t *value)
 {
     bool negative = at < end && *at == '-';
@@ -241,7 +241,7 @@ ZR_INLINED const char *read_integer(const char *at, const char *end, int64_t *va
     return at;
 }
 
-/* From 1, or backwards from the last one so far (-1) -> from 0. */
+/* Converts an index from 1, or a negative one relative to the last element so far, to an index from 0. */
 ZR_INLINED bool resolve_index(struct reader *reader, const struct zr_obj_statement *statement, int64_t index,
                               const char *of, size_t so_far, size_t total, uint32_t *out)
 {
@@ -292,8 +292,8 @@ static bool read_corner(struct reader *reader, struct zr_obj_statement *statemen
 }
 
 #ifdef __SSE2__
-/* Positions alone with one space before each, as most are: a fifth of the time of reading. False where it is anything
- * else, or wrong. */
+/* Reads a face of positions alone, with one space before each, the usual form: saves a fifth of the reading time. False
+ * for any other form or fault. */
 ZR_INLINED bool read_plain_face(struct reader *reader, const struct zr_obj_statement *statement)
 {
     const struct file *file = reader->file;
@@ -361,7 +361,7 @@ static void read_statement(struct reader *reader, struct zr_obj_statement *state
 
 /* ---- the whole ---- */
 
-/* Up to as many faults, or to bad syntax; then false. */
+/* Reads a part up to `faults` faults or a syntax error; false then. */
 static bool read_up_to(const struct file *file, size_t index, size_t faults, struct zr_error *error)
 {
     const struct zr_part *text = &file->texts[index];
@@ -394,7 +394,7 @@ static bool allocate(struct file *file, struct zr_arena *arena, bool has_colors)
     return zr_arena_ok(arena);
 }
 
-/* Corners without a normal share a zero one, which is computed later. */
+/* Corners without a normal share one zero normal, whose value is computed later. Returns the number of normals. */
 static uint32_t finish_normals(struct file *file)
 {
     bool given = false, missing = false;
@@ -473,7 +473,7 @@ enum zr_status zr_read_OBJ(struct zr_scene_builder *builder, const struct zr_req
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-/* The first statement that is not a comment begins with one of the words of OBJ. */
+/* True if the first statement other than a comment begins with a keyword of OBJ. */
 bool zr_looks_so_OBJ(const char *bytes, size_t size)
 {
     static const char *const words[] = {"v", "vn", "vt", "f", "l", "p", "g", "o", "s", "mtllib", "usemtl"};

@@ -21,7 +21,7 @@ static size_t count_one_by_one(struct zr_obj_statement *statement)
     return count;
 }
 
-/* A bit for each byte of two chunks, the first one's lowest. */
+/* Bit i: byte i of two chunks is a space; is a '#' or a backslash. */
 struct marks {
     uint32_t spaces, odd;
 };
@@ -35,8 +35,8 @@ static inline struct marks mark(const char *at)
                           zr_chunk_bits(odd_low) | zr_chunk_bits(odd_high) << ZR_CHUNK};
 }
 
-/* Of bits of which no two are neighbours. Without an instruction for it, which not all have, the compiler calls a
- * library. */
+/* Counts bits of which no two are adjacent. __builtin_popcount calls a library function on processors without the
+ * instruction. */
 static inline uint32_t count_apart(uint32_t bits)
 {
     bits = (bits | bits >> 1) & 0x55555555;
@@ -44,13 +44,14 @@ static inline uint32_t count_apart(uint32_t bits)
     return ((bits + (bits >> 4)) & 0x0F0F0F0F) * 0x01010101u >> 24;
 }
 
-/* Many bytes at once: of comments, joined lines and the file's last, which ends at `end`, count_one_by_one says it.
- * Room is made for as many corners as are counted here, and whoever reads a face goes from word to word. */
+/* Counts 32 bytes at a time. Statements with comments or continued lines, and the last bytes of the file, are counted
+ * word by word. The array has room for the corners counted here, and the reader of faces splits words in the same
+ * way. */
 size_t zr_obj_count_words(struct zr_obj_statement *statement, const char *end)
 {
     enum { BYTES = 2 * ZR_CHUNK };
     size_t count = 0;
-    uint32_t space_before = 0; /* the keyword is */
+    uint32_t space_before = 0; /* the keyword is before */
     for (const char *at = statement->at; at < statement->end; at += BYTES) {
         if (end - at < BYTES) return count_one_by_one(statement);
         const struct marks marks = mark(at);
@@ -95,7 +96,7 @@ enum zr_obj_keyword zr_obj_rare_keyword(const struct zr_obj_statement *word)
         {"trim", ZR_OBJ_IGNORED},       {"usemap", ZR_OBJ_MATERIAL},  {"usemtl", ZR_OBJ_MATERIAL},
         {"vp", ZR_OBJ_IGNORED}};
     size_t length = (size_t)(word->end - word->at);
-    if (length == 2 && word->at[0] == 'v' && word->at[1] == 'n') return ZR_OBJ_VN; /* many */
+    if (length == 2 && word->at[0] == 'v' && word->at[1] == 'n') return ZR_OBJ_VN; /* frequent */
     if (length == 2 && word->at[0] == 'v' && word->at[1] == 't') return ZR_OBJ_VT;
     if (memchr(word->at, '\0', length)) return ZR_OBJ_UNKNOWN;
     const struct rare_word *found =
@@ -110,7 +111,7 @@ bool zr_obj_has_comment(const char *at, const char *line_end)
     return false;
 }
 
-/* A line end that no backslash hides ends a statement, be it a comment or not. */
+/* A line end without a backslash ends every statement, also a comment. */
 const char *zr_obj_cut(const char *at, size_t size, const char *end)
 {
     for (const char *line_end = at + size; line_end < end; line_end++) {

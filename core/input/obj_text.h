@@ -1,7 +1,8 @@
-/* obj_text.h - input: the text of Wavefront OBJ: statements, and the words that they are made of.
+/* obj_text.h - input: splits the text of Wavefront OBJ into statements and words.
  *
  * Source: Wavefront Advanced Visualizer manual, appendix B1.
- * What all statements go through is inlined, so that the place in the text stays in a register: a quarter of the time.
+ * Speed:  the functions that every statement uses are inlined, so that the position stays in a register: saves a
+ *         quarter of the time.
  */
 #ifndef ZR_OBJ_TEXT_H
 #define ZR_OBJ_TEXT_H
@@ -12,13 +13,13 @@
 
 #include "base/inlined.h"
 
-/* What is still to be read: whole statements. */
+/* The rest of the text: whole statements. */
 struct zr_obj_text {
     const char *at, *end;
-    size_t line; /* the first one's */
+    size_t line; /* line number of `at` */
 };
 
-/* One statement: a line, with those that a backslash joins to it. */
+/* One statement: a line, continued by lines after a backslash. */
 struct zr_obj_statement {
     const char *at, *end;
     size_t line;
@@ -29,24 +30,24 @@ enum zr_obj_keyword {
     ZR_OBJ_VN,
     ZR_OBJ_VT,
     ZR_OBJ_F,
-    ZR_OBJ_MATERIAL, /* mtllib, usemtl and others: how faces look */
+    ZR_OBJ_MATERIAL, /* mtllib, usemtl and other material statements */
     ZR_OBJ_LINE,     /* l */
     ZR_OBJ_POINT,    /* p */
     ZR_OBJ_CURVED,   /* curves and surfaces */
-    ZR_OBJ_IGNORED,  /* nothing that would be seen: names, groups, what belongs to curves */
+    ZR_OBJ_IGNORED,  /* without effect on the picture: names, groups, parameters of curves */
     ZR_OBJ_UNKNOWN
 };
 
-/* Up to the next blank, to be shown or compared; moves behind it. */
+/* Returns the word up to the next blank and moves behind it. */
 struct zr_obj_statement zr_obj_word(struct zr_obj_statement *statement);
 
-/* How many words are left. Up to `end`, bytes may be read. */
+/* Counts the words left. Bytes up to `end` may be read. */
 size_t zr_obj_count_words(struct zr_obj_statement *statement, const char *end);
 
-/* Of a word that is none of v and f. */
+/* Returns the keyword of a word other than v and f. */
 enum zr_obj_keyword zr_obj_rare_keyword(const struct zr_obj_statement *word);
 
-/* For zr_parts_cut: behind whole statements. There are more than `size` bytes. */
+/* For zr_parts_cut: the end of the first statement that ends at at + size or later; more than `size` bytes follow. */
 const char *zr_obj_cut(const char *at, size_t size, const char *end);
 
 ZR_INLINED bool zr_obj_is_blank(char byte)
@@ -54,7 +55,7 @@ ZR_INLINED bool zr_obj_is_blank(char byte)
     return byte == ' ' || byte == '\t' || byte == '\r' || byte == '\v' || byte == '\f';
 }
 
-/* The length of a backslash and the line end that it hides, or 0. */
+/* Returns the length of a backslash and the line end behind it, or 0. */
 ZR_INLINED size_t zr_obj_continuation(const char *at, const char *end)
 {
     if (*at != '\\' || end - at < 2) return 0;
@@ -72,7 +73,7 @@ ZR_INLINED void zr_obj_skip_blanks(struct zr_obj_statement *statement)
     statement->at = at;
 }
 
-/* Behind blanks: nothing more but perhaps a comment? */
+/* True at the end or a comment; `statement` is behind blanks. */
 ZR_INLINED bool zr_obj_at_end(const struct zr_obj_statement *statement)
 {
     return statement->at == statement->end || *statement->at == '#';
@@ -89,11 +90,11 @@ ZR_INLINED bool zr_obj_hides_line_end(const char *from, const char *line_end)
     return line_end > from && line_end[-1] == '\\';
 }
 
-/* Is there a comment in a line, from its beginning at `at`? A '#' in the middle of a word begins none. */
+/* True if the line that begins at `at` has a comment. A '#' within a word starts none. */
 bool zr_obj_has_comment(const char *at, const char *line_end);
 
-/* Behind its blanks; false where the text ends. Comments end with their line, backslash or not:
- * a path at the end of a comment must not swallow a vertex. */
+/* Reads the next statement, without leading blanks; false at the end of the text. A comment ends with its line even
+ * behind a backslash: a path at its end must not swallow a vertex. */
 ZR_INLINED bool zr_obj_next(struct zr_obj_text *text, struct zr_obj_statement *statement)
 {
     if (text->at == text->end) return false;
@@ -110,11 +111,11 @@ ZR_INLINED bool zr_obj_next(struct zr_obj_text *text, struct zr_obj_statement *s
     return true;
 }
 
-/* Moves behind the keyword. *word is set where it is neither v nor f. */
+/* Moves behind the keyword. Sets *word unless it is v or f. */
 ZR_INLINED enum zr_obj_keyword zr_obj_next_keyword(struct zr_obj_statement *statement, struct zr_obj_statement *word)
 {
     const char *at = statement->at;
-    if ((*at == 'v' || *at == 'f') && zr_obj_ends_word(statement, at + 1)) { /* nearly all */
+    if ((*at == 'v' || *at == 'f') && zr_obj_ends_word(statement, at + 1)) { /* nearly all statements */
         statement->at++;
         return *at == 'v' ? ZR_OBJ_V : ZR_OBJ_F;
     }

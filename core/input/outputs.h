@@ -1,7 +1,4 @@
-/* outputs.h - input: which channels there are, and in which encodings.
- *
- * Shared by the scene's "outputs" and the query's parameters.
- */
+/* outputs.h - input: names of channels, encodings and spaces, for scenes and queries. */
 #ifndef ZR_OUTPUTS_H
 #define ZR_OUTPUTS_H
 
@@ -16,10 +13,10 @@ extern const struct zr_names zr_channel_names;  /* enum zr_channel */
 extern const struct zr_names zr_encoding_names; /* enum zr_encoding */
 extern const struct zr_names zr_space_names;    /* enum zr_space */
 
-/* The encodings of a channel as words, for a message. */
+/* Lists the encodings of a channel, for a message. */
 struct zr_names_text zr_channel_encodings_join(enum zr_channel channel);
 
-/* Would both get the same file name in an archive (channel.extension)? */
+/* True if both outputs would have the same file name in an archive (channel.extension). */
 bool zr_outputs_clash(const struct zr_output *a, const struct zr_output *b);
 
 #endif

@@ -24,7 +24,7 @@ static const struct row {
     const char *name, *pointer;
     enum whose whose;
     enum kind kind;
-    size_t offset; /* of its text in struct zr_request */
+    size_t offset; /* of its text, a const char * in struct zr_request */
 } rows[] = {
 #define PARAMETER(name, pointer, whose, kind, help)                                                                    \
     {#name, pointer, whose, KIND_##kind, offsetof(struct zr_request, name)},
@@ -33,7 +33,7 @@ static const struct row {
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
 
-/* Keys that an object must have, where a query has others of the object only. */
+/* Required keys of objects, added if the query has other keys of the object. */
 static const struct {
     const char *pointer, *value;
 } required[] = {
@@ -42,7 +42,7 @@ static const struct {
 static const char *const projections[] = {"orthographic", "perspective"};
 static const struct zr_names projection_names = ZR_NAMES(2, projections);
 
-/* Keys that no scene has. */
+/* Parameters that are no key of a scene. */
 #define AT(member) offsetof(struct zr_query, member)
 static const struct zr_json_field query_fields[] = {
     {"compress", zr_json_choice, AT(compress), .words = &zr_compress_names, .text = "how PNGs are compressed"},
@@ -58,7 +58,7 @@ static const char *text_of(const struct zr_request *request, const struct row *r
     return *(const char *const *)(const void *)((const char *)request + row->offset);
 }
 
-/* The field that a pointer of a scene leads to. */
+/* Returns the field that a pointer into a scene refers to. */
 static const struct zr_json_field *field_of(const char *pointer)
 {
     const struct zr_json_object *object = &zr_json_object_scene;
@@ -75,7 +75,7 @@ static const struct zr_json_field *field_of(const char *pointer)
     return field;
 }
 
-/* Before the first value in an object. */
+/* Adds the required key before the first value of an object. */
 static void put_required(struct zr_json_writer *json, const char *pointer)
 {
     for (size_t i = 0; i < sizeof required / sizeof *required; i++) {
@@ -105,7 +105,7 @@ static bool refuse(const struct reading *r, const struct row *row, const char *t
     return false;
 }
 
-/* A number by itself. */
+/* True if the text is exactly one number. */
 static bool is_number(const char *text, size_t length, double *value)
 {
     return zr_number_read(text, text + length, value) == text + length;
@@ -134,7 +134,7 @@ static bool put_positive(const struct reading *r, struct zr_json_writer *json, c
     return true;
 }
 
-/* Digits alone, at least one of them; beyond UINT32_MAX all numbers are some number that is. */
+/* True for digits alone, at least one. *value is exact up to UINT32_MAX; larger numbers give some value above it. */
 static bool is_whole(const char *text, uint64_t *value)
 {
     const char *at = text;
@@ -150,7 +150,7 @@ static bool put_side(const struct reading *r, struct zr_json_writer *json, const
     char wanted[80];
     snprintf(wanted, sizeof wanted, "a whole number of pixels from 1 to %u", most);
     if (!is_whole(text, &value) || value < 1) return refuse(r, row, text, wanted);
-    if (value > most) { /* well-formed, but more than may be drawn: as in a scene */
+    if (value > most) { /* well-formed, but too large: the same status as in a scene */
         zr_error_add(r->error, ZR_BAD_SCENE, NULL, "query parameter %s: %s pixels; 1 to %u are allowed", row->name,
                      zr_quote(text, strlen(text)).text, most);
         return false;
@@ -240,7 +240,7 @@ static bool put_name(const struct reading *r, struct zr_json_writer *json, const
     return true;
 }
 
-/* False after reporting. */
+/* Writes the value as JSON; false after reporting. */
 static bool put_value(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
     static bool (*const by_kind[])(const struct reading *, struct zr_json_writer *, const struct row *,
@@ -263,7 +263,7 @@ static bool put_value(const struct reading *r, struct zr_json_writer *json, cons
 
 /* ---- reading ---- */
 
-/* The parameter of a fault: the first of those given whose key, or an object around it, the fault is of. */
+/* Returns the parameter of a fault: the first given one whose key is, contains or is within the fault's pointer. */
 static const char *name_of(const struct zr_request *request, const char *pointer)
 {
     for (int i = 0; i < ROWS; i++) {
@@ -304,7 +304,7 @@ static void read_text(const struct reading *r, const struct zr_json_writer *text
     zr_query_report(r->request, ZR_BAD_REQUEST, &faults, r->error);
 }
 
-/* Rows of one object. */
+/* Reads the rows of one object. */
 static void read_rows(const struct reading *r, const struct row *row, const struct row *end)
 {
     const bool has_view = zr_format_rows[r->request->format].has_view;
@@ -327,7 +327,7 @@ static void read_rows(const struct reading *r, const struct row *row, const stru
         zr_json_go_to(&json, at->pointer);
         good = put_value(r, &json, at, text) && good;
     }
-    if (!good || json.used == 0) return; /* an object with a wrong value is checked no further */
+    if (!good || json.used == 0) return; /* an object with a wrong value is not checked further */
     zr_json_go_to(&json, "");
     read_text(r, &json, strncmp(row->pointer, query_prefix, strlen(query_prefix)) == 0);
 }
@@ -347,7 +347,7 @@ static void open_query(const struct zr_request *request, const struct zr_limits 
                                .projection = ZR_UNSET,
                                .z_is_up = format->z_is_up};
     if (format->has_view) return;
-    /* A view of the query changes that of the look, key by key. */
+    /* A key of the query's view overrides that key of the look's view. */
     given->look = request->look ? zr_look_find(request->look) : NULL;
     if (!given->look) given->look = zr_look_find("studio");
     zr_look_set_view(given->look, &given->scene->views[0]);

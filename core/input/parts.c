@@ -19,7 +19,7 @@ struct reading {
     size_t first;
     zr_part_fn *read;
     void *context;
-    atomic_size_t failed; /* the first so far */
+    atomic_size_t failed; /* smallest number of a failed part; initially the count */
 };
 
 static void lower_to(atomic_size_t *least, size_t value)

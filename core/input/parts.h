@@ -1,7 +1,8 @@
-/* parts.h - input: bytes in parts, which all threads read, up to the first that cannot be read so.
+/* parts.h - input: cuts bytes into parts and reads them on all threads, up to the first part that fails.
  *
- * Why: faults are told in the order of the bytes, and few files have any. So each part is read as if there were none,
- *      and where one has, a single thread reads on from there, and tells. */
+ * Why: faults are reported in the order of the bytes, and few files have any. So each part is read without reports.
+ *      From the first part with a fault on, a single thread reads again and reports.
+ */
 #ifndef ZR_PARTS_H
 #define ZR_PARTS_H
 
@@ -15,18 +16,18 @@ struct zr_part {
     const char *at, *end;
 };
 
-/* Where a part may end that begins at `at`: behind something whole, of `size` bytes or a little more, or at `end`. */
+/* Returns the end of a part that begins at `at`: a boundary of the format at at + size or a little behind, or `end`. */
 typedef const char *zr_cut_fn(const char *at, size_t size, const char *end);
 
-/* The parts of bytes..end, *count of them; NULL where memory is used up. */
+/* Cuts bytes..end into parts, *count of them; NULL without memory. */
 struct zr_part *zr_parts_cut(struct zr_arena *arena, const char *bytes, const char *end, size_t part_size,
                              zr_cut_fn *cut, size_t *count);
 
-/* False where a part must be read again, by one thread. Called for several parts at once. */
+/* Reads a part; false if one thread must read it again. Called for several parts at once. */
 typedef bool zr_part_fn(void *context, size_t part);
 
-/* Parts from `first` to `count` - 1. Returns the first that was not read, or `count`: all parts before it were, of
- * those behind it nothing is known. `team` may be NULL, and so may `cancel`: it is looked at before each part. */
+/* Reads the parts first..count - 1. Returns the number of the first that failed, or `count`. All parts before it were
+ * read; those behind it may have been. `team` may be NULL, and so may `cancel`, which is polled before each part. */
 size_t zr_parts_read(struct zr_team *team, const struct zr_cancel *cancel, size_t first, size_t count, zr_part_fn *read,
                      void *context);
 

@@ -7,21 +7,21 @@
 
 #include "base/cancel.h"
 
-/* The signature, then IHDR: its length and name, width, height and bits a channel. */
+/* Offsets: behind the signature comes IHDR with its length, name, width, height and bits per channel. */
 enum { SIGNATURE = 8, IHDR_NAME = 12, WIDTH = 16, HEIGHT = 20, BITS = 24, HEAD = 33 };
 
-/* More than any chunk that is kept: a palette and its alpha. */
+/* Larger than all chunks that are read: a palette and its alpha. */
 enum { CHUNK_BYTES_MAX = 4096, PUSHED = 4096 };
 
-/* What libpng calls back with. The file is pushed through it, so that it stops with the last row: asked for the
- * rows itself, it would go on to inflate whatever follows them, however much that is. */
+/* Context of libpng's callbacks. The file is pushed through libpng, so that reading stops at the last row. Its pull
+ * interface would inflate all data behind it. */
 struct reading {
-    struct zr_arena *arena; /* libpng's */
+    struct zr_arena *arena; /* for libpng's memory */
     struct zr_reason *reason;
     uint32_t width, height;
     size_t row_bytes;
     uint8_t *rgba;
-    bool is_strict; /* up to the end of the file, and without a warning */
+    bool is_strict; /* reads to the end of the file, and treats a warning as an error */
     int passes;
     bool has_rows, done;
 };
@@ -33,7 +33,7 @@ static void leave(png_structp png, png_const_charp message)
     png_longjmp(png, 1);
 }
 
-/* Of a file that is broken, too: no other chunks are pushed than those that make the picture. */
+/* Warnings concern broken files only: chunks beside the picture are not pushed. */
 static void take_warning(png_structp png, png_const_charp message)
 {
     const struct reading *reading = png_get_error_ptr(png);
@@ -48,7 +48,7 @@ static png_voidp allocate(png_structp png, png_alloc_size_t size)
 
 static void keep(png_structp png, png_voidp pointer)
 {
-    (void)png; /* the arena gives it back */
+    (void)png; /* the arena frees it */
     (void)pointer;
 }
 
@@ -65,7 +65,7 @@ bool zr_png_head_read(const void *bytes, size_t size, struct zr_png_head *head)
     return true;
 }
 
-/* Before libpng sees the file, so that a picture of the wrong size costs nothing. */
+/* Checks the header before libpng reads the file, so that a picture of the wrong size costs no time. */
 static bool check_head(const void *bytes, size_t size, uint32_t width, uint32_t height, struct zr_reason *reason)
 {
     struct zr_png_head head;
@@ -81,8 +81,7 @@ static bool check_head(const void *bytes, size_t size, uint32_t width, uint32_t 
     return false;
 }
 
-/* To RGBA of 8 bits, or of 16. Returns how often the rows must be gone through: an interlaced picture
- * comes in several passes. */
+/* Converts to RGBA of 8 or 16 bits per channel. Returns the number of passes; an interlaced picture has several. */
 static int set_transforms(png_structp png, png_infop info)
 {
     int color = png_get_color_type(png, info);
@@ -93,7 +92,7 @@ static int set_transforms(png_structp png, png_infop info)
     if (has_key)
         png_set_tRNS_to_alpha(png);
     else if (!(color & PNG_COLOR_MASK_ALPHA))
-        png_set_add_alpha(png, 0xffff, PNG_FILLER_AFTER); /* of 8 bits, the lower ones */
+        png_set_add_alpha(png, 0xffff, PNG_FILLER_AFTER); /* with 8 bits, libpng uses the lower byte */
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
     if (png_get_bit_depth(png, info) == 16) png_set_swap(png);
 #endif
@@ -112,7 +111,8 @@ static void begin_rows(png_structp png, png_infop info)
 static void take_row(png_structp png, png_bytep row, png_uint_32 number, int pass)
 {
     struct reading *reading = png_get_progressive_ptr(png);
-    if (zr_is_cancelled(reading->arena->cancel)) png_error(png, "reading was stopped"); /* few bytes may be many rows */
+    if (zr_is_cancelled(reading->arena->cancel))
+        png_error(png, "reading was stopped"); /* a few bytes may decode to many rows */
     if (number < reading->height) png_progressive_combine_row(png, reading->rgba + number * reading->row_bytes, row);
     reading->has_rows = pass + 1 >= reading->passes && number + 1 >= reading->height;
     reading->done = reading->has_rows && !reading->is_strict;
@@ -126,7 +126,7 @@ static void take_end(png_structp png, png_infop info)
     reading->done = true;
 }
 
-/* In parts, and no more once the last row is there: what comes behind it is neither read nor inflated. */
+/* Pushes blocks of bytes until the last row is complete; the bytes behind it are neither read nor inflated. */
 static void push(png_structp png, png_infop info, const unsigned char *bytes, size_t size,
                  const struct reading *reading)
 {
@@ -134,7 +134,7 @@ static void push(png_structp png, png_infop info, const unsigned char *bytes, si
     for (size_t at = 0; at < size && !reading->done; at += PUSHED) {
         size_t count = size - at < PUSHED ? size - at : PUSHED;
         if (zr_is_cancelled(reading->arena->cancel)) png_error(png, "reading was stopped");
-        memcpy(part, bytes + at, count); /* libpng wants bytes that it may write to */
+        memcpy(part, bytes + at, count); /* libpng takes bytes that are not const */
         png_process_data(png, info, part, count);
     }
 }
@@ -147,7 +147,7 @@ static bool is_wanted(const unsigned char *name)
     return false;
 }
 
-/* Chunk by chunk. Those beside the picture are passed over: text and profiles may be large, or packed. */
+/* Pushes the chunks of the picture. Skips all others: text and profiles may be large or compressed. */
 static void push_chunks(png_structp png, png_infop info, const unsigned char *bytes, size_t size,
                         const struct reading *reading)
 {
@@ -169,17 +169,17 @@ static void set_bounds(png_structp png, uint32_t width, uint32_t height)
 {
     png_set_user_limits(png, width, height);
     png_set_chunk_malloc_max(png, CHUNK_BYTES_MAX);
-    png_set_chunk_cache_max(png, 1); /* 0 would be no limit; 1 leaves room for none */
+    png_set_chunk_cache_max(png, 1); /* 0 means no limit; 1 allows none */
 }
 
-/* Into reading->rgba. */
+/* Decodes the file into reading->rgba. */
 static enum zr_status read_rows(struct reading *reading, const void *bytes, size_t size)
 {
     png_structp png =
         png_create_read_struct_2(PNG_LIBPNG_VER_STRING, reading, leave, take_warning, reading, allocate, keep);
     if (!png) return ZR_NO_MEMORY;
     png_infop info = png_create_info_struct(png);
-    /* Nothing that is set below is read after the jump; it lands here, once. */
+    /* libpng's errors return here, once. No local changes after this line and is read behind the jump. */
     if (!info || setjmp(png_jmpbuf(png))) {
         png_destroy_read_struct(&png, &info, NULL);
         if (!zr_arena_ok(reading->arena)) return ZR_NO_MEMORY;

@@ -1,8 +1,9 @@
-/* png_read.h - input: a PNG -> RGBA, through libpng.
+/* png_read.h - input: decodes a PNG to RGBA, through libpng.
  *
- * Values pass through as they are: no gamma and no profile is applied; grey and palettes are spread to RGB, and alpha
- * is that of white where the file has none. All memory is the arena's, and nothing of the picture's is taken before its
- * header has been found to match. Cancelled (arena->cancel), reading ends soon, with ZR_CANCELLED.
+ * Values: unchanged, without gamma or profile. Grey and palettes become RGB; without alpha in the file, alpha is the
+ *         maximum.
+ * Memory: the arena's, taken only after the header is checked.
+ * Cancel: reading polls arena->cancel and then returns ZR_CANCELLED.
  */
 #ifndef ZR_PNG_READ_H
 #define ZR_PNG_READ_H
@@ -14,21 +15,21 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* What the first 33 bytes say. False where they are not those of a PNG. */
+/* Reads the size and the depth from the first 33 bytes. False if they are not a PNG's. */
 struct zr_png_head {
     uint32_t width, height;
-    uint32_t bits; /* a sample */
+    uint32_t bits; /* per channel */
 };
 bool zr_png_head_read(const void *bytes, size_t size, struct zr_png_head *head);
 
-/* A picture of a size known beforehand, of up to 8 bits a channel: 4 bytes a pixel, row 0 on top. What comes behind the
- * last row is not looked at. ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED, or ZR_BAD_SCENE with the reason. */
+/* Decodes an image of the given size, up to 8 bits per channel, to 4 bytes per pixel, row 0 on top. Ignores all bytes
+ * behind the last row. ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED, or ZR_BAD_SCENE with the reason. */
 enum zr_status zr_png_read(struct zr_arena *arena, const void *bytes, size_t size, uint32_t width, uint32_t height,
                            uint8_t **rgba, struct zr_reason *reason);
 
-/* A picture of any kind, whole: also refused is what libpng warns of, and what lacks its end. `head` is what
- * zr_png_head_read made of it; of 16 bits come four uint16_t a pixel, in the machine's order, else four bytes, into
- * `rgba`, which has room for them and all of which is written. The arena is for libpng. Otherwise as above. */
+/* Decodes a complete file of any size; also refuses files with a libpng warning or without an end. `head`: from
+ * zr_png_head_read. Fills `rgba`, width * height pixels: four uint16_t per pixel, in the machine's byte order, if the
+ * depth is 16, else four bytes. `arena` is for libpng. Returns as zr_png_read. */
 enum zr_status zr_png_read_whole(struct zr_arena *arena, const void *bytes, size_t size, const struct zr_png_head *head,
                                  void *rgba, struct zr_reason *reason);
 

@@ -1,16 +1,17 @@
-/* sniff.h - input: the format that bytes look like. */
+/* sniff.h - input: detects the format of bytes. */
 #ifndef ZR_SNIFF_H
 #define ZR_SNIFF_H
 
 #include "zraster.h"
 
-/* The first row whose bytes look so; ZR_FORMAT_UNKNOWN: none. */
+/* Returns the first format whose looks_so accepts the bytes, or ZR_FORMAT_UNKNOWN. */
 enum zr_format zr_format_of_bytes(const char *bytes, size_t size);
 
-/* The same in words, foreign formats included: "STL", "a PNG picture"; NULL: unknown. */
+/* Names the format for a message, also foreign ones: "STL", "a PNG picture"; NULL: unknown. */
 const char *zr_bytes_in_words(const char *bytes, size_t size);
 
-/* How many bytes of a byte order mark there are, as some editors put in front of UTF-8; it is no part of the text. */
+/* Returns the length of a UTF-8 byte order mark at the start, or 0. Some editors write it; it is no part of the
+ * text. */
 size_t zr_byte_order_mark(const char *bytes, size_t size);
 
 #endif

@@ -1,6 +1,5 @@
-/* STL, binary and ASCII (3D Systems, StereoLithography Interface Specification,
- * 1989). Each triangle keeps three vertices of its own; the normals in the file
- * are passed over, since exporters often write zeros or worse there. */
+/* Reads STL, binary and ASCII. Each triangle has its own three vertices. Normals are ignored, since exporters often
+ * write zeros or wrong ones. Source: 3D Systems, StereoLithography Interface Specification, 1989. */
 #include "input/input.h"
 
 #include <string.h>
@@ -13,13 +12,13 @@ enum {
     HEADER_BYTES = 80,
     COUNT_END = HEADER_BYTES + 4,
     TRIANGLE_BYTES = 50,     /* normal, three vertices, two bytes of attributes */
-    VERTICES_AT = 12,        /* in a triangle, behind its normal */
+    VERTICES_AT = 12,        /* offset in a triangle, behind its normal */
     PART_TRIANGLES = 1 << 13 /* read in a tenth of a millisecond */
 };
 
 struct binary {
     const struct zr_limits *limits;
-    const char *triangles; /* the first one's bytes */
+    const char *triangles; /* bytes of the first triangle */
     size_t count;
     zr_vec4 *positions;
 };
@@ -40,7 +39,7 @@ static float read_f32(const char *at)
 
 /* ---- binary ---- */
 
-/* Up to as many faults. */
+/* Reads triangles begin..end - 1, up to `faults` faults. */
 static void read_triangles(const struct binary *binary, size_t begin, size_t end, size_t faults, struct zr_error *error)
 {
     const float limit = binary->limits->coordinate_max;
@@ -85,9 +84,9 @@ static enum zr_status read_binary(struct zr_arena *arena, struct zr_team *team, 
     return error->count > 0 ? error->status : ZR_OK;
 }
 
-/* ---- either ---- */
+/* ---- both ---- */
 
-/* The size decides: many binary files begin with "solid" too. */
+/* Decides by the size: many binary files begin with "solid" too. */
 static bool is_binary(const char *bytes, size_t size)
 {
     return size >= COUNT_END && COUNT_END + (uint64_t)read_u32(bytes + HEADER_BYTES) * TRIANGLE_BYTES == size;

@@ -7,25 +7,25 @@
 #include "input/parts.h"
 #include "input/text.h"
 
-/* The shortest text of one triangle bounds how many a file can hold. */
+/* The shortest text of a triangle, which bounds the triangles of a file. */
 #define TRIANGLE_TEXT "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 0 0 endloop endfacet"
 
-/* Read in a fifth of a millisecond, about as long as it takes to wake a thread. */
-#ifndef ZR_STL_PART_BYTES /* a test has smaller ones (tests/unit/test_stl_parts.c) */
+/* Read in a fifth of a millisecond, about the time to wake a thread. */
+#ifndef ZR_STL_PART_BYTES /* smaller in tests/unit/test_stl_parts.c */
 #define ZR_STL_PART_BYTES (1 << 17)
 #endif
 
-/* All but the first part begin behind a line that is nothing but "endfacet": in a solid, since a line with "solid" has
- * more, between two facets. Where somebody has written "endfacet" for a normal, the part that it ends is at
- * fault, and who reads on from its beginning knows better. */
+/* A part of the text. All but the first begin behind a line that is only "endfacet": within a solid, between two
+ * facets. If such a line is really part of a normal, the part before it has a fault, and one thread reads on from the
+ * start of that part. */
 struct part {
-    size_t first;     /* of its triangles, in room for `room` of them */
-    size_t room;      /* no less than there are */
-    size_t triangles; /* once it is read */
-    size_t line_ends; /* so, too */
+    size_t first;     /* number of its first triangle */
+    size_t room;      /* triangles that it has room for, at least as many as it has */
+    size_t triangles; /* triangles read */
+    size_t line_ends; /* line ends read */
 };
 
-/* What all threads share. */
+/* Data of a file, shared by all threads. */
 struct file {
     const struct zr_limits *limits;
     const struct zr_cancel *cancel;
@@ -35,18 +35,18 @@ struct file {
     zr_vec4 *positions;
 };
 
-/* One thread at its part, or at all that is left. */
+/* State of one thread that reads a part, or the rest of the file. */
 struct reader {
     const struct zr_limits *limits;
     const struct zr_cancel *cancel;
     const char *at, *end;
     size_t line;
-    bool inside;   /* of a solid */
-    bool goes_on;  /* behind `end` */
-    size_t before; /* triangles, of which messages know */
+    bool inside;   /* within a solid */
+    bool goes_on;  /* text follows behind `end` */
+    size_t before; /* triangles before this text, for messages */
     size_t triangles;
-    zr_vec4 *positions; /* of those */
-    size_t faults;      /* at which it ends */
+    zr_vec4 *positions; /* of the triangles read here */
+    size_t faults;      /* stops at this number of faults */
     struct zr_error *error;
 };
 
@@ -68,7 +68,7 @@ static inline void skip_spaces(struct reader *reader)
         reader->line += *reader->at == '\n';
 }
 
-/* Or the end. Byte by byte, words take a third of the time of all. */
+/* Returns the next white space, or `end`. Byte by byte, this took a third of the reading time. */
 static inline const char *find_space(const char *at, const char *end)
 {
     while (end - at >= ZR_CHUNK) {
@@ -81,7 +81,7 @@ static inline const char *find_space(const char *at, const char *end)
     return at;
 }
 
-/* An empty token at the end of the text. */
+/* Returns an empty token at the end of the text. */
 static inline struct token next_token(struct reader *reader)
 {
     skip_spaces(reader);
@@ -126,7 +126,7 @@ static void skip_line(struct reader *reader)
 
 /* ---- facets ---- */
 
-/* False on bad syntax only: a place out of range is reported, and the rest read. */
+/* False for a syntax error only; a coordinate out of range is reported, and reading continues. */
 static bool read_vertex(struct reader *reader, zr_vec4 *out)
 {
     const double limit = (double)reader->limits->coordinate_max;
@@ -150,7 +150,7 @@ static bool read_vertex(struct reader *reader, zr_vec4 *out)
     return true;
 }
 
-/* Behind "facet". The normal may be anything: some exporters write "nan". */
+/* Reads a facet behind "facet". Its normal may be any words: some exporters write "nan". */
 static bool read_facet(struct reader *reader)
 {
     if (!expect_word(reader, "normal")) return false;
@@ -159,7 +159,7 @@ static bool read_facet(struct reader *reader)
         if (token.size == 0) return syntax_fault(reader, token, "", "a normal");
     }
     if (!expect_word(reader, "outer") || !expect_word(reader, "loop")) return false;
-    zr_vec4 corners[3]; /* there is room for whole facets only */
+    zr_vec4 corners[3]; /* the array has room for whole facets only */
     for (size_t i = 0; i < 3; i++)
         if (!read_vertex(reader, &corners[i])) return false;
     if (!expect_word(reader, "endloop") || !expect_word(reader, "endfacet")) return false;
@@ -167,7 +167,8 @@ static bool read_facet(struct reader *reader)
     return true;
 }
 
-/* Facets up to the end of their solid; false where reading ends before: at a fault, cancelled, or with its part. */
+/* Reads facets up to the end of the solid. False if reading ends before: at a fault, a cancellation or the end of the
+ * part. */
 static bool read_facets(struct reader *reader)
 {
     while (reader->error->count < reader->faults && !zr_is_cancelled(reader->cancel)) {
@@ -180,7 +181,7 @@ static bool read_facets(struct reader *reader)
     return false;
 }
 
-/* Solid after solid; names are free text up to the end of their line. */
+/* Reads all solids. A name is free text up to the end of its line. */
 static void read_solids(struct reader *reader)
 {
     for (;;) {
@@ -202,7 +203,7 @@ static void read_solids(struct reader *reader)
 
 /* ---- parts ---- */
 
-/* The next f of either case, from `at` on, or `end`. Numbers have none, and so few are passed on the way. */
+/* Returns the next 'f' or 'F', or `end`. Numbers have none, so few other words are tested. */
 static const char *find_f(const char *at, const char *end)
 {
     for (; end - at >= ZR_CHUNK; at += ZR_CHUNK) {
@@ -235,7 +236,7 @@ const char *zr_stl_cut(const char *at, size_t size, const char *end)
     return end;
 }
 
-/* Of either case. */
+/* Counts a letter in both cases. */
 static size_t count_letter(const char *at, const char *end, char letter)
 {
     size_t count = 0;
@@ -250,8 +251,8 @@ static size_t count_letter(const char *at, const char *end, char letter)
     return count;
 }
 
-/* For whole facets, of which each has the x of "vertex" three times, and no shorter text than there is. A name with an
- * x may make it too much; what begins in the part before, after all, has its vertices in this one. */
+/* Bounds the triangles of a part: by its letters x, three per facet in "vertex", and by its length. A name with an x
+ * only raises the bound. A facet that began in the part before has its vertices in this one. */
 static bool make_room(void *context, size_t index)
 {
     const struct file *file = context;
@@ -297,7 +298,7 @@ static bool read_part(void *context, size_t index)
     return error.count == 0;
 }
 
-/* Moves what is behind room that was not needed; returns how many triangles there are. */
+/* Closes the gaps that unused room left between parts; returns the number of triangles. */
 static size_t close_gaps(struct file *file, size_t parts)
 {
     size_t sum = 0;
@@ -311,8 +312,8 @@ static size_t close_gaps(struct file *file, size_t parts)
     return sum;
 }
 
-/* From a part on that could not be read by itself: to the end, or to as many faults as are told. Returns how many
- * triangles there are. */
+/* Reads from the part `index`, which could not be read by itself, to the end or ZR_ERROR_ITEMS faults. Returns the
+ * number of triangles. */
 static size_t read_on(struct file *file, size_t index, struct zr_error *error)
 {
     struct reader reader = reader_of(file, index, error);
@@ -339,8 +340,8 @@ enum zr_status zr_stl_text_read(struct zr_arena *arena, struct zr_team *team, co
                                 struct zr_error *error)
 {
     struct file file = {.limits = limits, .cancel = request->cancel};
-    file.texts =
-        zr_parts_cut(arena, request->bytes, request->bytes + request->size, ZR_STL_PART_BYTES, zr_stl_cut, &file.part_count);
+    file.texts = zr_parts_cut(arena, request->bytes, request->bytes + request->size, ZR_STL_PART_BYTES, zr_stl_cut,
+                              &file.part_count);
     file.parts = zr_arena_zero(arena, file.part_count, sizeof *file.parts);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     if (zr_parts_read(team, file.cancel, 0, file.part_count, make_room, &file) < file.part_count) return ZR_CANCELLED;

@@ -1,6 +1,7 @@
-/* stl_text.h - input: ASCII STL, its triangles' vertices.
+/* stl_text.h - input: reads the vertices of ASCII STL.
  *
- * Source: 3D Systems, StereoLithography Interface Specification, 1989; words in any case, blanks of any kind.
+ * Words may be in any case and separated by any white space.
+ * Source: 3D Systems, StereoLithography Interface Specification, 1989.
  */
 #ifndef ZR_STL_TEXT_H
 #define ZR_STL_TEXT_H
@@ -8,18 +9,18 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* Most triangles that an STL file may have. */
+/* The largest number of triangles of an STL file. */
 enum { ZR_STL_TRIANGLES_MAX = 1 << 29 };
 
-/* Is its first word "solid"? So it is in many binary files, too. */
+/* True if the first word is "solid", which many binary files begin with, too. */
 bool zr_stl_is_text(const char *bytes, size_t size);
 
-/* For zr_parts_cut: behind a line that is nothing but "endfacet", of which there are few that do not end a facet (a
- * normal may be any words). There are more than `size` bytes, which are no fewer than the word's. */
+/* For zr_parts_cut: the end of the first line that is only "endfacet" behind at + size. Such a line nearly always ends
+ * a facet; but a normal may be any words. More than `size` bytes follow, and `size` is at least the word's. */
 const char *zr_stl_cut(const char *at, size_t size, const char *end);
 
-/* Three vertices a triangle; the normals in the file are passed over. `team` may be NULL. Fails with ZR_BAD_SYNTAX or
- * ZR_BAD_SCENE, which *error explains, ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Reads three vertices per triangle; ignores normals. `team` may be NULL. Returns ZR_BAD_SYNTAX or ZR_BAD_SCENE, with
+ * details in *error, ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_stl_text_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                                 const struct zr_limits *limits, zr_vec4 **positions, size_t *triangles,
                                 struct zr_error *error);

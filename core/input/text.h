@@ -1,26 +1,25 @@
-/* text.h - input: what every reader needs to speak about text it did not write. */
+/* text.h - input: UTF-8, quotes and places for messages about the input. */
 #ifndef ZR_TEXT_H
 #define ZR_TEXT_H
 
 #include <stddef.h>
 
-/* The length, 1..4, of the UTF-8 character at `at`, or 0 where the bytes are none
- * (overlong forms, surrogates, beyond U+10FFFF, cut short by `end`).
- * Source: RFC 3629, section 4. Requires at < end. */
+/* Returns the length, 1..4, of the UTF-8 character at `at`; 0 if it is invalid (overlong, a surrogate, beyond U+10FFFF,
+ * cut short by `end`). Requires at < end. Source: RFC 3629, section 4. */
 size_t zr_utf8_length(const char *at, const char *end);
 
-/* How many blanks, tabs and ends of lines bytes begin with, of the first ZR_BLANKS_MAX. */
+/* Counts leading blanks, tabs and line ends, at most ZR_BLANKS_MAX. */
 enum { ZR_BLANKS_MAX = 64 << 10 };
 size_t zr_count_blanks(const char *bytes, size_t size);
 
-/* Foreign bytes made fit for an error message: in single quotes, cut at a whole
- * character, whatever is not printable UTF-8 replaced by '?'. */
+/* Formats bytes of the input for a message: in single quotes, cut at a whole character, with '?' for bytes that are not
+ * printable UTF-8. */
 struct zr_quote {
     char text[64];
 };
 struct zr_quote zr_quote(const char *bytes, size_t size);
 
-/* Why bytes are refused, told to whoever knows where in the input they stood. */
+/* The reason of a refusal, for a caller that adds the place in the input. */
 struct zr_reason {
     char text[160];
 };
