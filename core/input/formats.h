@@ -22,7 +22,7 @@ struct zr_format_row {
 extern const struct zr_format_row zr_format_rows[ZR_FORMAT_COUNT];
 
 /* zr_format_of_type: the format of a Content-Type, without its parameters; ZR_FORMAT_UNKNOWN if there is none.
- * zr_media_type_is_generic: true for NULL and for types that clients send by default. */
+ * zr_media_type_is_generic: true for NULL and for types that clients send by default, such as text/plain. */
 enum zr_format zr_format_of_type(const char *media_type);
 bool zr_media_type_is_generic(const char *media_type);
 

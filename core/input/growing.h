@@ -17,10 +17,10 @@ struct zr_growing {
     const char *start; /* the text's place at the first item */
 };
 
-/* Makes room for `more` items behind the last. False, and the arena has failed, without memory. */
+/* Makes room for `more` items behind the last. False if memory runs out; the arena has then failed. */
 bool zr_growing_reserve(struct zr_growing *array, struct zr_json *json, size_t more);
 
-/* Returns the slot behind the last item; the caller increments count. NULL without memory. */
+/* Returns the slot behind the last item; the caller increments count. NULL if memory runs out. */
 static inline void *zr_growing_next(struct zr_growing *array, struct zr_json *json)
 {
     if (array->count == array->room && !zr_growing_reserve(array, json, 1)) return NULL;

@@ -10,8 +10,7 @@
 /* Texels per side, as in llvmpipe. */
 enum { ZR_IMAGE_SIDE_MAX = 16384 };
 
-/* True if an image of this size may be decoded; else gives the reason. `texels_max`: the texels left for this
- * request. */
+/* True if an image of this size may be decoded; else gives the reason. `texels_max`: texels left for the request. */
 bool zr_image_fits(uint32_t width, uint32_t height, uint64_t texels_max, struct zr_reason *reason);
 
 #endif

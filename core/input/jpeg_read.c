@@ -117,7 +117,7 @@ static void set_source(struct reading *reading, const void *bytes, size_t size)
 
 /* ---- the picture ---- */
 
-static void look_at_progress(j_common_ptr common)
+static void check_progress(j_common_ptr common)
 {
     struct reading *reading = reading_of(common);
     if (zr_is_cancelled(reading->arena->cancel)) leave(reading, ZR_CANCELLED);
@@ -200,7 +200,7 @@ static void run(struct reading *reading, const void *bytes, size_t size, uint64_
     jpeg_create_decompress(&reading->jpeg);
     zr_jpeg_memory_begin(&reading->memory, reading->scratch, &reading->jpeg);
     set_source(reading, bytes, size);
-    reading->progress.progress_monitor = look_at_progress;
+    reading->progress.progress_monitor = check_progress;
     reading->jpeg.progress = &reading->progress;
     read_picture(reading, texels_max, image);
 }

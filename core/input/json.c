@@ -54,7 +54,7 @@ static bool fail_limit(struct zr_json *json, const char *at, const char *format,
 }
 
 /* False if the request is cancelled; checks at most once per BYTES_A_LOOK. */
-static bool goes_on(struct zr_json *json, const char *at)
+static bool may_continue(struct zr_json *json, const char *at)
 {
     if (at < json->look) return true;
     json->look = at + (json->end - at < BYTES_A_LOOK ? json->end - at : BYTES_A_LOOK);
@@ -66,7 +66,7 @@ static bool goes_on(struct zr_json *json, const char *at)
 
 bool zr_json_stops(struct zr_json *json)
 {
-    return !goes_on(json, json->at) || json->error->count >= ZR_ERROR_ITEMS || !zr_arena_ok(json->arena);
+    return !may_continue(json, json->at) || json->error->count >= ZR_ERROR_ITEMS || !zr_arena_ok(json->arena);
 }
 
 /* ---- strings ---- */
@@ -84,7 +84,7 @@ static bool is_plain(char byte)
 
 /* True if one of eight bytes may not be plain. Carries between bytes can only raise false alarms: the caller checks
  * byte by byte. */
-static bool needs_a_look(uint64_t word)
+static bool may_be_special(uint64_t word)
 {
     const uint64_t ones = UINT64_C(0x0101010101010101), tops = ones * 0x80;
     uint64_t quote = word ^ (ones * '"'), backslash = word ^ (ones * '\\');
@@ -116,10 +116,10 @@ static const char *pass_string(struct zr_json *json, const char *at, bool *has_e
     *has_escapes = false;
     for (;;) {
         uint64_t word;
-        if (!goes_on(json, at)) return NULL;
+        if (!may_continue(json, at)) return NULL;
         while (json->look - at >= (ptrdiff_t)sizeof word) {
             memcpy(&word, at, sizeof word);
-            if (needs_a_look(word)) break;
+            if (may_be_special(word)) break;
             at += sizeof word;
         }
         while (at < json->look && is_plain(*at))
@@ -375,7 +375,7 @@ bool zr_json_skip(struct zr_json *json)
             const bool is_object = objects[json->depth / WORD_BITS] >> (json->depth % WORD_BITS) & 1u;
             if (is_object ? next_member(json, &key) : next_item(json)) break;
         }
-    } while (json->depth > around && goes_on(json, json->at));
+    } while (json->depth > around && may_continue(json, json->at));
     return !json->ended;
 }
 

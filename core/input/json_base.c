@@ -128,7 +128,7 @@ static void read_depth(struct reader *reader)
     float *depth = read_numbers(reader, DEPTH, ZR_NPY_WANTED_FLOAT32);
     const size_t pixels = count_pixels(reader);
     for (size_t i = 0; depth && i < pixels; i++) {
-        if (isnan(depth[i])) depth[i] = INFINITY; /* both mean background; the output writes +inf */
+        if (isnan(depth[i])) depth[i] = INFINITY; /* both mean background, which the output writes as +inf */
         if (depth[i] == -INFINITY) {
             pixel_fault(reader, DEPTH, i, "-inf is no depth; +inf is where nothing is");
             return;

@@ -257,8 +257,8 @@ bool zr_heights_make(struct zr_json *json, const struct zr_json_path *path, cons
 
 /* ---- holes ---- */
 
-/* Selects the cells without a hole and the positions that they use. new_index[p]: the new number of position p, or
- * UINT32_MAX. Returns the number of cells; *positions: of positions. */
+/* Selects the cells without a hole and the positions that they use. new_index[p] is the new number of position p, or
+ * UINT32_MAX. Returns the number of cells; *positions is that of positions. */
 static uint32_t choose(const float *values, const struct zr_mesh *mesh, uint32_t *kept_cells, uint32_t *new_index,
                        uint32_t *positions)
 {

@@ -1,4 +1,4 @@
-/* Images by the names of their bytes: each is decoded once, for all its uses. */
+/* Finds images by the names of their bytes. Each is decoded once, however many textures use it. */
 #include <string.h>
 
 #include "input/image_read.h"

@@ -148,7 +148,7 @@ static void refuse_strange_keys(struct zr_json *json, const struct zr_json_path 
                           owners[i].named);
 }
 
-static void ask_for(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int key)
+static void require_key(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int key)
 {
     if (!zr_json_gives(keys, key)) zr_json_fault(json, path, "%s is missing: %s", fields[key].key, fields[key].text);
 }
@@ -174,8 +174,8 @@ static void check_light(struct zr_json *json, const struct zr_json_path *path, u
     const bool is_placed = given->type == ZR_LIGHT_POINT || given->type == ZR_LIGHT_SPOT;
     const double most = is_placed ? INTENSITY_PLACED_MAX : INTENSITY_MAX;
     refuse_strange_keys(json, path, keys, given->type);
-    if (given->type == ZR_LIGHT_DIRECTIONAL || given->type == ZR_LIGHT_SPOT) ask_for(json, path, keys, DIRECTION);
-    if (is_placed) ask_for(json, path, keys, POSITION);
+    if (given->type == ZR_LIGHT_DIRECTIONAL || given->type == ZR_LIGHT_SPOT) require_key(json, path, keys, DIRECTION);
+    if (is_placed) require_key(json, path, keys, POSITION);
     if (given->type == ZR_LIGHT_SPOT) check_cone(json, path, keys, given);
     if (!(given->intensity >= 0.0 && given->intensity <= most))
         zr_json_fault(json, ZR_JSON_KEY(path, fields[INTENSITY].key), "%.10g is outside of %.10g to %.10g",

@@ -9,9 +9,8 @@
 #define ZR_JSON_PART_BYTES (1 << 15)
 #endif
 
-/* PART_BYTES: 30 us of reading. ROOM_BYTES: memory for the items of a part, which may be larger than its text.
- *             WINDOW_PARTS: parts per job, since a thread takes 50 us to wake. FIRST_BYTES: read first, to estimate the
- *             items of a part. */
+/* PART_BYTES: 30 us of reading. ROOM_BYTES: memory for the items of a part, which may exceed its text. WINDOW_PARTS:
+ * parts per job, since a thread takes 50 us to wake. FIRST_BYTES: read first, to estimate the items of a part. */
 enum {
     PART_BYTES = ZR_JSON_PART_BYTES,
     ROOM_BYTES = (5 * PART_BYTES / 2 + 4096) / ZR_ARENA_ALIGN * ZR_ARENA_ALIGN,

@@ -64,7 +64,7 @@ static bool lights_pbr(const struct zr_scene *scene)
     return false;
 }
 
-/* Lamps of a look replace its environment for classic shadings only. Without the environment they light all
+/* Lamps of a look stand in for its environment in classic shadings only. Without the environment they light all
  * shadings. */
 static void light_pbr_too(struct zr_parsed_scene *root)
 {

@@ -223,7 +223,7 @@ static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *s
         ((zr_picture_gives(&root->picture, ZR_PICTURE_EXPOSURE) && picture->exposure != 1.0f) ||
          (zr_picture_gives(&root->picture, ZR_PICTURE_TONE) && picture->tone != ZR_TONE_NONE)))
         note(root, style, ZR_ODD_EXPOSURE);
-    if (has_outline) return; /* the outline hides them: it has its own colour */
+    if (has_outline) return; /* its outline is visible: it has its own colour */
     if (material->alpha_mode == ZR_ALPHA_BLEND && most <= 0.0f) note(root, style, ZR_ODD_UNSEEN);
     if (material->alpha_mode == ZR_ALPHA_MASK && zr_rgba_byte(most) < zr_rgba_byte(material->alpha_cutoff))
         note(root, style, ZR_ODD_MASKED);

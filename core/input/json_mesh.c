@@ -195,7 +195,7 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
         const bool textured = zr_parsed_has_textures(root, style.material) && !gives(given, TEXCOORDS);
         if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, textured, mesh)) return;
     } else {
-        if (!given->positions.items) return; /* the count of positions, which the other checks need */
+        if (!given->positions.items) return; /* the other checks need the count of positions */
         mesh->position_count = (uint32_t)given->positions.count;
         mesh->positions = given->positions.items;
         make_faces(json, path, given, mesh);

@@ -1,5 +1,5 @@
-/* json_objects.h - input: tables of keys of all objects of a scene; each table is in the file of its reader. For
- * generators of the schema and the manual, and for the test of the rows.
+/* json_objects.h - input: tables of keys of all objects of a scene, for the schema, the manual and a test of their
+ * rows.
  */
 #ifndef ZR_JSON_OBJECTS_H
 #define ZR_JSON_OBJECTS_H

@@ -29,19 +29,19 @@ static const struct {
     [ZR_ODD_POINT_SIZE] = {false, "pointSize has no effect without points"},
 };
 
-struct what {
+struct label {
     char text[96];
 };
 
 /* Formats "mesh 3 'bunny' and 2 more". */
-static struct what what_of(const struct zr_parsed_scene *root, const struct zr_oddity_note *note)
+static struct label label_of(const struct zr_parsed_scene *root, const struct zr_oddity_note *note)
 {
-    struct what what;
-    int used = note->is_polygon ? snprintf(what.text, sizeof what.text, "polygon %u", note->number)
-                                : snprintf(what.text, sizeof what.text, "%s",
+    struct label label;
+    int used = note->is_polygon ? snprintf(label.text, sizeof label.text, "polygon %u", note->number)
+                                : snprintf(label.text, sizeof label.text, "%s",
                                            zr_mesh_label_of(note->number, root->scene->meshes[note->number].name).text);
-    if (note->count > 1) snprintf(what.text + used, sizeof what.text - (size_t)used, " and %u more", note->count - 1);
-    return what;
+    if (note->count > 1) snprintf(label.text + used, sizeof label.text - (size_t)used, " and %u more", note->count - 1);
+    return label;
 }
 
 void zr_parsed_warn_of_oddities(struct zr_parsed_scene *root)
@@ -50,7 +50,7 @@ void zr_parsed_warn_of_oddities(struct zr_parsed_scene *root)
     for (int i = 0; i < ZR_ODDITIES; i++)
         if (root->oddities[i].count > 0)
             zr_warning_list_add(root->json.arena, ROWS[i].is_of_colors ? &builder->color_warnings : &builder->warnings,
-                                "%s: %s", what_of(root, &root->oddities[i]).text, ROWS[i].text);
+                                "%s: %s", label_of(root, &root->oddities[i]).text, ROWS[i].text);
     if (root->face_style.alpha_cutoff >= 0.0f && !zr_any_is_masked(builder->materials, builder->scene->material_count))
         zr_warning_list_add(root->json.arena, &builder->warnings, "the scene's %s", ROWS[ZR_ODD_CUTOFF].text);
 }

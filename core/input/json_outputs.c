@@ -90,8 +90,8 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, s
            zr_json_fault(json, ZR_JSON_KEY(path, fields[SCALE].key), "only the encoding png16 has one");
 }
 
-/* True, and reported, if an output equals one before. Outputs that do not clash are no more than the file names, so few
- * are compared. */
+/* True, and reported, if an output has the file name of an earlier one, or its channel in another space. So few outputs
+ * are kept, and few are compared. */
 static bool clashes(struct zr_json *json, const struct zr_json_path *path, const struct zr_output *outputs,
                     size_t count, const struct zr_output *output)
 {

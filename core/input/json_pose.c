@@ -34,7 +34,7 @@ static const struct part {
              {ZR_VIEW_T, "R"}};
 enum { PARTS = sizeof parts / sizeof parts[0] };
 
-static unsigned said(const struct zr_parsed_view *given, unsigned mask)
+static unsigned keys_among(const struct zr_parsed_view *given, unsigned mask)
 {
     return (unsigned)given->keys & mask;
 }
@@ -47,17 +47,17 @@ static const char *first_word(unsigned bits)
     return zr_view_fields[key].key;
 }
 
-/* Returns the only given form; NULL if there is none, or several, which is reported. */
+/* Returns the form that the keys select. NULL if there is none, or several, which is reported. */
 static const struct form *find_form(struct zr_parsed_view *given)
 {
     const struct form *form = NULL;
     bool many = false;
     for (int i = 0; i < FORMS; i++) {
-        if (!said(given, forms[i].by)) continue;
+        if (!keys_among(given, forms[i].by)) continue;
         if (form) {
             many = true;
-            zr_json_fault(given->json, given->path, "two poses: %s and %s", first_word(said(given, form->by)),
-                          first_word(said(given, forms[i].by)));
+            zr_json_fault(given->json, given->path, "two poses: %s and %s", first_word(keys_among(given, form->by)),
+                          first_word(keys_among(given, forms[i].by)));
         } else {
             form = &forms[i];
         }
@@ -67,7 +67,8 @@ static const struct form *find_form(struct zr_parsed_view *given)
         if (!zr_view_gives(given, parts[i].key) || (form && form->with >> parts[i].key & 1u)) continue;
         const char *word = zr_view_fields[parts[i].key].key;
         if (form)
-            zr_json_fault(given->json, given->path, "two poses: %s and %s", first_word(said(given, form->by)), word);
+            zr_json_fault(given->json, given->path, "two poses: %s and %s", first_word(keys_among(given, form->by)),
+                          word);
         else
             zr_json_fault(given->json, given->path, "%s needs %s, which is missing", word, parts[i].of);
     }
@@ -135,8 +136,8 @@ static void flip_camera(zr_mat4 *world_to_camera)
             world_to_camera->m[column * 4 + row] = 0.0f - world_to_camera->m[column * 4 + row];
 }
 
-/* Divides a pose by its uniform scale, as of a camera below a scaled node, so that distances of the view and of its
- * outputs are in scene units. With a projectionMatrix the pose stays as it is. */
+/* Divides a pose by its uniform scale, so that distances of the view and its outputs are in scene units. A camera below
+ * a scaled node has such a pose. With a projectionMatrix the pose stays as it is. */
 static void remove_scale(const struct zr_parsed_view *given, zr_mat4 *world_to_camera)
 {
     const double scale = zr_pose_matrix_scale(world_to_camera);
@@ -160,7 +161,7 @@ static void find_matrix(struct zr_parsed_view *given)
 
 static void check_convention(struct zr_parsed_view *given)
 {
-    const bool matrices = said(given, BIT(CAMERA_TO_WORLD) | BIT(WORLD_TO_CAMERA) | BIT(R)) != 0;
+    const bool matrices = keys_among(given, BIT(CAMERA_TO_WORLD) | BIT(WORLD_TO_CAMERA) | BIT(R)) != 0;
     if (!zr_view_gives(given, ZR_VIEW_CONVENTION))
         given->convention = zr_view_gives(given, ZR_VIEW_R) ? ZR_CONVENTION_OPENCV : ZR_CONVENTION_OPENGL;
     else if (given->convention == ZR_CONVENTION_OPENCV && !matrices)

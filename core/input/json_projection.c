@@ -30,7 +30,7 @@ static bool read_angle(struct zr_json *json, const struct zr_json_path *path, co
     if (!(value >= 0 && value <= field->high))
         return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, 0.0, field->high);
     const float angle = degrees ? radians(value) : (float)value;
-    /* As float: an angle that rounds to 0 or to half a turn has no usable tangent. */
+    /* In float: an angle that rounds to 0 or to half a turn has no usable tangent. */
     if (!(angle > 0.0f) || !(angle < (float)PI))
         return zr_json_fault(json, path, "%.9g: an angle between 0 and 180 degrees, both excluded, is needed", value);
     *(float *)out = angle;
@@ -56,17 +56,17 @@ bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, 
     struct given_angles angles = {0, 0};
     const size_t faults = json->error->count;
     uint64_t keys;
-    int said = -1;
+    int first = -1;
     (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_perspective, &angles, &keys)) return false;
     for (int i = 0; i < (int)zr_json_object_perspective.count; i++) {
         if (!zr_json_gives(keys, i)) continue;
-        if (said >= 0)
-            zr_json_fault(json, path, "two angles: %s and %s", angle_fields[said].key, angle_fields[i].key);
+        if (first >= 0)
+            zr_json_fault(json, path, "two angles: %s and %s", angle_fields[first].key, angle_fields[i].key);
         else
-            said = i;
+            first = i;
     }
-    if (said < 0 && json->error->count == faults)
+    if (first < 0 && json->error->count == faults)
         zr_json_fault(json, path, "no angle; one of yfov, yfovDegrees, xfov, xfovDegrees is needed");
     given->view.yfov_radians = angles.yfov;
     given->view.xfov_radians = angles.xfov;

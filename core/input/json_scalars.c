@@ -143,12 +143,13 @@ static void warn(struct zr_json *json, const struct zr_json_path *path, const st
                             (double)coloring->low, (double)coloring->high);
 }
 
-/* NULL if all numbers are in holes, or without memory. */
-static const struct zr_color_scale *make_scale(struct zr_json *json, const struct coloring *coloring, bool is_asked)
+/* NULL if all numbers are in holes, or if memory runs out. */
+static const struct zr_color_scale *make_scale(struct zr_json *json, const struct coloring *coloring,
+                                               bool is_range_given)
 {
     if (coloring->low > coloring->high) return NULL;
     struct zr_color_scale *scale = zr_arena_alloc(json->arena, 1, sizeof *scale);
-    if (scale) *scale = (struct zr_color_scale){coloring->map, coloring->low, coloring->high, is_asked};
+    if (scale) *scale = (struct zr_color_scale){coloring->map, coloring->low, coloring->high, is_range_given};
     return scale;
 }
 

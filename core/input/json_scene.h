@@ -120,8 +120,7 @@ struct zr_parsed_scene {
     struct zr_scene *scene; /* the builder's */
 
     uint64_t keys; /* bit i: key i of the root is given */
-    bool is_bare;  /* a mesh with keys of a query: without a colour of its own it has that of its look, also with
-                      textbook */
+    bool is_bare;  /* a bare mesh: without baseColorFactor, the default colour of the look applies */
     int algorithm, color_management;
     zr_vec4 background, ambient;
     struct zr_face_style face_style;  /* of the root */

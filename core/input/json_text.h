@@ -12,8 +12,8 @@ struct zr_json_text {
     bool has_escapes;
 };
 
-/* Decodes the \u escape at `at`, or a surrogate pair of two. *length: its bytes. Negative if it is invalid, with
- * *length 0 if hexadecimal digits are missing. */
+/* Decodes the \u escape at `at`, or the two of a surrogate pair; *length: their bytes. Negative if it is invalid;
+ * *length is then 0 if hexadecimal digits are missing. */
 int32_t zr_json_text_unit(const char *at, const char *end, size_t *length);
 
 /* Writes a well-formed string with its escapes resolved and returns the bytes written, at most the length of `text`. */

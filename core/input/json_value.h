@@ -103,7 +103,7 @@ bool zr_json_bad_index(struct zr_json *json, const struct zr_json_path *path, do
 zr_json_read_fn zr_json_bool;   /* bool */
 zr_json_read_fn zr_json_flag;   /* int: 0 or 1 */
 zr_json_read_fn zr_json_string; /* const char *, in the arena */
-zr_json_read_fn zr_json_choice; /* int: an index into field->words */
+zr_json_read_fn zr_json_choice; /* int: the index of a supported word of field->words */
 
 zr_json_read_fn zr_json_vec3;     /* zr_vec3 */
 zr_json_read_fn zr_json_vec4;     /* zr_vec4 */

@@ -53,19 +53,19 @@ static void find_projection(struct zr_parsed_view *given)
                  {ZR_VIEW_INTRINSICS, ZR_PROJECTION_INTRINSICS},
                  {ZR_VIEW_K, ZR_PROJECTION_INTRINSICS},
                  {ZR_VIEW_PROJECTION_MATRIX, ZR_PROJECTION_MATRIX}};
-    int said = -1;
+    int first = -1;
     for (int i = 0; i < (int)(sizeof kinds / sizeof kinds[0]); i++) {
         if (!zr_view_gives(given, kinds[i].key)) continue;
-        if (said >= 0)
-            zr_json_fault(given->json, given->path, "two projections: %s and %s", zr_view_fields[kinds[said].key].key,
+        if (first >= 0)
+            zr_json_fault(given->json, given->path, "two projections: %s and %s", zr_view_fields[kinds[first].key].key,
                           zr_view_fields[kinds[i].key].key);
         else
-            said = i;
+            first = i;
     }
-    if (said < 0)
+    if (first < 0)
         suggest_projection(&given->view);
     else
-        given->view.projection = kinds[said].projection;
+        given->view.projection = kinds[first].projection;
     if (zr_view_gives(given, ZR_VIEW_K)) check_k(given);
     given->view.intrinsics = given->intrinsics;
     if (zr_view_gives(given, ZR_VIEW_PIXEL_CENTER)) check_pixel_center(given);

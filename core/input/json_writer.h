@@ -10,15 +10,15 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The caller provides a `text` large enough for all values and a final zero: six bytes per byte of a string, 32 per
- * number, and two bytes more per segment of a pointer than it has. */
+/* The caller provides a `text` with room for all values and a final zero: six bytes per byte of a string, 32 per
+ * number, and for each pointer its length and two bytes per segment. */
 struct zr_json_writer {
     char *text;
     size_t used;
     const char *pointer; /* of the last value; "" at the beginning */
 };
 
-/* Closes the objects and lists that the new value is not in, and opens those that it is in. The values of one object
+/* Closes the objects and lists that the new value is outside of, and opens the ones around it. The values of one object
  * must be consecutive; lists have one item, 0. "" ends the text. */
 void zr_json_go_to(struct zr_json_writer *json, const char *pointer);
 

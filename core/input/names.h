@@ -4,12 +4,12 @@
 
 #include "base/status.h"
 
-/* Words of an enum, in its order. The first `count` are supported. Those up to `all` are in the contract, but not in
- * this version: the refusal says so instead of calling them unknown. */
+/* Words of an enum, in its order. The first `count` are supported. The others, up to `all`, are in the contract, but
+ * not in this version: the refusal says so instead of calling them unknown. */
 struct zr_names {
     int count, all;
     const char *const *words;
-    const char *others; /* text of a refusal of unsupported words; NULL: "not supported in this version" */
+    const char *others; /* continues "WORD is ..." for unsupported words; NULL: "not supported in this version" */
 };
 
 /* Initialises a struct zr_names from an array; the first `works` words are supported. */

@@ -83,8 +83,8 @@ static inline uint32_t zr_mark_others(const char *at)
     return ~(first | second << 16);
 }
 
-/* The same, inlined, for [-] digits . digits of at most 16 characters; ZR_QUICKER_BYTES must be readable. The caller
- * checks the next byte: only ',' or ']' surely ends the number. Finding the end takes one load instead of three
+/* zr_number_quick, inlined, for [-] digits . digits of at most 16 characters; ZR_QUICKER_BYTES must be readable. The
+ * caller checks the next byte: only ',' or ']' surely ends the number. Finding the end takes one load instead of three
  * dependent ones, and all digits are gathered in one word: 9 ns instead of 11. */
 ZR_INLINED const char *zr_number_quicker(const char *at, double *value)
 {

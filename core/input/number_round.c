@@ -1,8 +1,8 @@
 /* If doubles hold the digits and the power of ten exactly, one operation on them rounds once.
  * Source: Clinger, "How to read floating point numbers accurately", PLDI 1990.
  *
- * Otherwise one multiplication by a power of five in 128 bits decides the rounding of the exact product, except for
- * rare cases that it detects.
+ * Otherwise one multiplication by a power of five in 128 bits decides how the exact product rounds. It detects the rare
+ * cases in which it does not.
  * Source: Lemire, "Number parsing at a gigabyte per second", Software: Practice and Experience 2021, section 5; the
  *         names are the paper's. */
 #include "input/number_round.h"
@@ -109,7 +109,7 @@ bool zr_number_round(uint64_t w, int q, double *value)
         uint64_t more = (uint64_t)((uint128)(w << l) * t[1] >> 64);
         low += more;
         if (low < more) high++;
-        if (low == UINT64_MAX && (q < -27 || q > 55)) return false; /* the power is not exact in 128 bits */
+        if (low == UINT64_MAX && (q < -27 || q > 55)) return false; /* beyond -27..55, 5^q is not exact in 128 bits */
     }
     int upper = (int)(high >> 63);
     uint64_t m = high >> (upper + 64 - MANTISSA_BITS - 3);

@@ -47,7 +47,8 @@ size_t zr_obj_count_words(struct zr_obj_statement *statement, const char *end);
 /* Returns the keyword of a word other than v and f. */
 enum zr_obj_keyword zr_obj_rare_keyword(const struct zr_obj_statement *word);
 
-/* For zr_parts_cut: the end of the first statement that ends at at + size or later; more than `size` bytes follow. */
+/* For zr_parts_cut: returns the end of a statement at least `size` bytes behind `at`, or `end`. There are more than
+ * `size` bytes. */
 const char *zr_obj_cut(const char *at, size_t size, const char *end);
 
 ZR_INLINED bool zr_obj_is_blank(char byte)

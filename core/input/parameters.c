@@ -263,7 +263,7 @@ static bool put_value(const struct reading *r, struct zr_json_writer *json, cons
 
 /* ---- reading ---- */
 
-/* Returns the parameter of a fault: the first given one whose key is, contains or is within the fault's pointer. */
+/* Returns the name of the first given parameter whose key is at the fault's pointer, within it or around it. */
 static const char *name_of(const struct zr_request *request, const char *pointer)
 {
     for (int i = 0; i < ROWS; i++) {

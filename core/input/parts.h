@@ -16,10 +16,10 @@ struct zr_part {
     const char *at, *end;
 };
 
-/* Returns the end of a part that begins at `at`: a boundary of the format at at + size or a little behind, or `end`. */
+/* Returns the end of a part that begins at `at`: the end of a whole item at least `size` bytes further, or `end`. */
 typedef const char *zr_cut_fn(const char *at, size_t size, const char *end);
 
-/* Cuts bytes..end into parts, *count of them; NULL without memory. */
+/* Cuts bytes..end into parts, *count of them. NULL if memory runs out. */
 struct zr_part *zr_parts_cut(struct zr_arena *arena, const char *bytes, const char *end, size_t part_size,
                              zr_cut_fn *cut, size_t *count);
 

@@ -179,7 +179,7 @@ static enum zr_status read_rows(struct reading *reading, const void *bytes, size
         png_create_read_struct_2(PNG_LIBPNG_VER_STRING, reading, leave, take_warning, reading, allocate, keep);
     if (!png) return ZR_NO_MEMORY;
     png_infop info = png_create_info_struct(png);
-    /* libpng's errors return here, once. No local changes after this line and is read behind the jump. */
+    /* libpng's errors jump here, at most once. The code behind the jump reads no variable that is set after setjmp. */
     if (!info || setjmp(png_jmpbuf(png))) {
         png_destroy_read_struct(&png, &info, NULL);
         if (!zr_arena_ok(reading->arena)) return ZR_NO_MEMORY;

@@ -13,7 +13,7 @@ static const struct {
     const char *begin;
     size_t length;
     const char *words;
-} strangers[] = {
+} foreign[] = {
     {"\x1F\x8B", 2, "gzip (Content-Encoding: gzip is missing)"},
     {"\x89PNG", 4, "a PNG picture"},
     {"\xFF\xD8\xFF", 3, "a JPEG picture"},
@@ -59,7 +59,7 @@ const char *zr_bytes_in_words(const char *bytes, size_t size)
 {
     const enum zr_format format = zr_format_of_bytes(bytes, size);
     if (format != ZR_FORMAT_UNKNOWN) return formats[format].name;
-    for (size_t i = 0; i < sizeof strangers / sizeof *strangers; i++)
-        if (begins_with(bytes, size, strangers[i].begin, strangers[i].length)) return strangers[i].words;
+    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
+        if (begins_with(bytes, size, foreign[i].begin, foreign[i].length)) return foreign[i].words;
     return NULL;
 }

@@ -10,8 +10,7 @@ enum zr_format zr_format_of_bytes(const char *bytes, size_t size);
 /* Names the format for a message, also foreign ones: "STL", "a PNG picture"; NULL: unknown. */
 const char *zr_bytes_in_words(const char *bytes, size_t size);
 
-/* Returns the length of a UTF-8 byte order mark at the start, or 0. Some editors write it; it is no part of the
- * text. */
+/* Returns the length of a UTF-8 byte order mark at the start, which is no part of the text; 0: there is none. */
 size_t zr_byte_order_mark(const char *bytes, size_t size);
 
 #endif

@@ -16,8 +16,8 @@
 #endif
 
 /* A part of the text. All but the first begin behind a line that is only "endfacet": within a solid, between two
- * facets. If such a line is really part of a normal, the part before it has a fault, and one thread reads on from the
- * start of that part. */
+ * facets. If such a line belongs to a normal, the part before it has a fault, and one thread reads on from that
+ * part. */
 struct part {
     size_t first;     /* number of its first triangle */
     size_t room;      /* triangles that it has room for, at least as many as it has */

@@ -1,7 +1,6 @@
 /* stl_text.h - input: reads the vertices of ASCII STL.
  *
- * Words may be in any case and separated by any white space.
- * Source: 3D Systems, StereoLithography Interface Specification, 1989.
+ * Source: 3D Systems, StereoLithography Interface Specification, 1989; words in any case, any white space between.
  */
 #ifndef ZR_STL_TEXT_H
 #define ZR_STL_TEXT_H
@@ -15,8 +14,9 @@ enum { ZR_STL_TRIANGLES_MAX = 1 << 29 };
 /* True if the first word is "solid", which many binary files begin with, too. */
 bool zr_stl_is_text(const char *bytes, size_t size);
 
-/* For zr_parts_cut: the end of the first line that is only "endfacet" behind at + size. Such a line nearly always ends
- * a facet; but a normal may be any words. More than `size` bytes follow, and `size` is at least the word's. */
+/* For zr_parts_cut: returns the end of a line that is only "endfacet", at least `size` bytes behind `at`, or `end`.
+ * Such a line nearly always ends a facet, but a normal may be any words. There are more than `size` bytes, and at least
+ * as many as the word has. */
 const char *zr_stl_cut(const char *at, size_t size, const char *end);
 
 /* Reads three vertices per triangle; ignores normals. `team` may be NULL. Returns ZR_BAD_SYNTAX or ZR_BAD_SCENE, with
