@@ -187,7 +187,7 @@ static zr_vec3 rgb(zr_vec4 color)
     return (zr_vec3){color.x, color.y, color.z};
 }
 
-/* Decodes a colour as if light were not linear; zr_parsed_decode_light corrects it. */
+/* Returns the light as if it were not linear; zr_parsed_decode_light replaces it if it is. */
 static zr_vec3 light_of(zr_vec3 color, float intensity)
 {
     return zr_vec3_scale(zr_light_color(color, false), intensity);

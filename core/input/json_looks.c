@@ -158,10 +158,10 @@ static void check_base(struct zr_parsed_scene *root, const char *linear_key)
 
 void zr_parsed_check_light(struct zr_parsed_scene *root)
 {
-    const bool is_said = zr_scene_gives(root, ZR_SCENE_COLOR_MANAGEMENT);
-    const bool is_srgb = is_said && root->color_management == 1;
+    const bool is_given = zr_scene_gives(root, ZR_SCENE_COLOR_MANAGEMENT);
+    const bool is_srgb = is_given && root->color_management == 1;
     const char *key = linear_key_of(root);
-    if (is_said && !is_srgb && key)
+    if (is_given && !is_srgb && key)
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_COLOR_MANAGEMENT),
                       "none does not go with %s, which needs linear light: srgb", key);
     if (is_srgb && !key) key = zr_scene_fields[ZR_SCENE_COLOR_MANAGEMENT].key;

@@ -2,7 +2,7 @@
  *
  * Readers: take one value, right or wrong. On a fault they report ZR_BAD_SCENE with a JSON Pointer, leave *out
  *          unchanged and return false. The caller may continue, so that up to ZR_ERROR_ITEMS faults are reported at
- *          once.
+ *          once. The comment of a reader begins with the type of *out.
  * Memory:  if the arena fails, a value may stay unread; reading stops at the next item or member.
  */
 #ifndef ZR_JSON_VALUE_H

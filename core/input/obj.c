@@ -193,7 +193,7 @@ static bool set_color(struct reader *reader, const struct zr_obj_statement *stat
     return true;
 }
 
-/* v x y z, v x y z w (a weight for curves), v x y z r g b (written by Meshlab). */
+/* Reads v x y z, v x y z w (a weight for curves) or v x y z r g b (written by Meshlab). */
 static bool read_vertex(struct reader *reader, struct zr_obj_statement *statement)
 {
     float v[VERTEX_NUMBERS_MAX];
@@ -259,7 +259,7 @@ ZR_INLINED bool resolve_index(struct reader *reader, const struct zr_obj_stateme
     return false;
 }
 
-/* v, v/vt, v//vn or v/vt/vn. */
+/* Reads a corner: v, v/vt, v//vn or v/vt/vn. */
 static bool read_corner(struct reader *reader, struct zr_obj_statement *statement, size_t corner)
 {
     int64_t position, texcoord, normal = 0;
