@@ -11,10 +11,9 @@
 
 struct zr_query {
     const struct zr_request *request;
-    struct zr_parsed_scene
-        given;                /* keys of a scene in the query; .scene is the builder's for a bare mesh, else `others` */
-    struct zr_scene others;   /* values of the query that override a JSON scene: outputs and the colour bar */
-    int compress, projection; /* ZR_UNSET: not given */
+    struct zr_parsed_scene given; /* scene keys of the query; .scene: the builder's for a bare mesh, else `others` */
+    struct zr_scene others;       /* values of the query that override a JSON scene: outputs and the colour bar */
+    int compress, projection;     /* ZR_UNSET: not given */
     bool is_strict, z_is_up;
 };
 
