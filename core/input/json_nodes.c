@@ -213,7 +213,7 @@ static uint64_t visits_max(const struct reader *reader)
     return (uint64_t)ZR_NODES_VISITS_AN_INSTANCE * reader->json->limits->instances_max + reader->nodes.count;
 }
 
-static bool report(const struct reader *reader, const struct zr_punctual_light *placement)
+static bool report(const struct reader *reader, const struct zr_placement *placement)
 {
     struct zr_json *json = reader->json;
     const struct zr_json_path *node = ZR_JSON_ITEM(reader->path, placement->node);
@@ -284,7 +284,7 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
     struct zr_quick *quick = root->quick;
     const uint64_t most = visits_max(&reader);
     const uint64_t quick_most = quick && quick->node_visits_max < most ? quick->node_visits_max : most;
-    struct zr_punctual_light placement = zr_nodes_place(arena, &hierarchy, json->limits->instances_max, quick_most);
+    struct zr_placement placement = zr_nodes_place(arena, &hierarchy, json->limits->instances_max, quick_most);
     if (placement.fault == ZR_NODES_TOO_MANY_VISITS && placement.visits <= most) {
         quick->is_exceeded = true;
         zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");

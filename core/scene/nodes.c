@@ -21,7 +21,7 @@ struct placing {
     uint32_t steps; /* visits, and child entries that were counted */
     struct tally *tallies;
     uint32_t *children; /* as in nodes, but only those that lead to a mesh */
-    struct zr_punctual_light *out;
+    struct zr_placement *out;
 };
 
 static bool fail(struct placing *placing, enum zr_nodes_fault fault, uint32_t node, uint32_t child)
@@ -127,7 +127,7 @@ struct step {
 static bool enter(struct placing *placing, struct step *path, size_t depth, uint32_t number)
 {
     const struct zr_node *node = &placing->nodes->nodes[number];
-    struct zr_punctual_light *out = placing->out;
+    struct zr_placement *out = placing->out;
     struct step *step = &path[depth];
     *step = (struct step){number, 0, node->local};
     if (depth > 0) step->world = zr_mat4_mul(&path[depth - 1].world, &node->local);
@@ -154,10 +154,10 @@ static bool place_below(struct placing *placing, uint32_t root)
     return true;
 }
 
-struct zr_punctual_light zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max,
-                                        uint64_t visits_max)
+struct zr_placement zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max,
+                                   uint64_t visits_max)
 {
-    struct zr_punctual_light out = {.fault = ZR_NODES_GOOD};
+    struct zr_placement out = {.fault = ZR_NODES_GOOD};
     struct placing placing = {.nodes = nodes,
                               .cancel = arena->cancel,
                               .tallies = zr_arena_zero(arena, nodes->count, sizeof *placing.tallies),

@@ -47,7 +47,7 @@ enum zr_nodes_fault {
     ZR_NODES_OUT_OF_RANGE     /* the matrix of `node` in world space is beyond ZR_MATRIX_MAX */
 };
 
-struct zr_punctual_light {
+struct zr_placement {
     enum zr_nodes_fault fault;
     uint32_t node, child;
     uint32_t count;                /* of instances */
@@ -57,7 +57,7 @@ struct zr_punctual_light {
 
 /* Everything points into the arena; check zr_arena_ok afterwards. Takes time for every node, every child entry, and
  * every visit. Once arena->cancel is raised, it ends soon, with some of the instances. */
-struct zr_punctual_light zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max,
-                                        uint64_t visits_max);
+struct zr_placement zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max,
+                                   uint64_t visits_max);
 
 #endif

@@ -51,9 +51,9 @@ static void shift(struct tree *tree, uint32_t node, float x)
     tree->made[node].local.m[12] = x;
 }
 
-static struct zr_punctual_light place(struct tree *tree, uint32_t instances_max)
+static struct zr_placement place(struct tree *tree, uint32_t instances_max)
 {
-    struct zr_punctual_light placement = zr_nodes_place(&tree->arena, &tree->nodes, instances_max, UINT64_MAX);
+    struct zr_placement placement = zr_nodes_place(&tree->arena, &tree->nodes, instances_max, UINT64_MAX);
     assert_true(zr_arena_ok(&tree->arena));
     return placement;
 }
@@ -69,7 +69,7 @@ static void nodes_are_placed_depth_first_in_listed_order(void **state)
     add_node(tree, 4, CHILDREN(3, NONE)); /* the same child again */
     for (uint32_t i = 0; i < 5; i++)
         shift(tree, i, (float)(1u << i));
-    struct zr_punctual_light placement = place(tree, 6);
+    struct zr_placement placement = place(tree, 6);
     const uint32_t meshes[6] = {0, 4, 3, 2, 3, 1};
     const float x[6] = {1, 17, 25, 5, 13, 2};
     assert_int_equal(placement.fault, ZR_NODES_GOOD);
@@ -91,7 +91,7 @@ static void world_is_parent_times_local(void **state)
     /* A quarter turn about z, then a step along the turned x. */
     tree->made[0].local = (zr_mat4){{0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1}};
     shift(tree, 1, 2);
-    struct zr_punctual_light placement = place(tree, 1);
+    struct zr_placement placement = place(tree, 1);
     zr_vec4 p = zr_mat4_apply(&placement.instances[0].object_to_world, (zr_vec4){1, 0, 0, 1});
     assert_true(p.x == 5 && p.y == 3 && p.z == 0 && p.w == 1);
     tree_free(tree);
@@ -105,7 +105,7 @@ static void cycle_is_told_by_the_entry_that_closes_it(void **state)
     add_node(tree, NONE, CHILDREN(3, 2, NONE));
     add_node(tree, NONE, CHILDREN(3, 1, NONE));
     add_node(tree, NONE, CHILDREN(NONE));
-    struct zr_punctual_light placement = place(tree, 100);
+    struct zr_placement placement = place(tree, 100);
     assert_int_equal(placement.fault, ZR_NODES_CYCLE);
     assert_int_equal(placement.node, 2);
     assert_int_equal(placement.child, 1);
@@ -150,7 +150,7 @@ static void doubling_chain_is_counted_without_being_walked(void **state)
         tree_free(tree);
     }
     struct tree *tree = doubling_chain(16, 0);
-    struct zr_punctual_light placement = place(tree, 1u << 16);
+    struct zr_placement placement = place(tree, 1u << 16);
     assert_int_equal(placement.fault, ZR_NODES_GOOD);
     assert_int_equal(placement.count, 1u << 16);
     tree_free(tree);
@@ -161,7 +161,7 @@ static void paths_without_a_mesh_are_not_walked(void **state)
     (void)state;
     struct tree *tree = doubling_chain(100, NONE);
     add_node(tree, 7, CHILDREN(0, NONE));
-    struct zr_punctual_light placement = place(tree, 1);
+    struct zr_placement placement = place(tree, 1);
     assert_int_equal(placement.fault, ZR_NODES_GOOD);
     assert_int_equal(placement.count, 1);
     assert_int_equal(placement.instances[0].mesh, 7);
@@ -177,7 +177,7 @@ static void matrix_out_of_range_names_the_node_that_leaves_it(void **state)
     add_node(tree, 0, CHILDREN(NONE));
     for (uint32_t i = 0; i < 3; i++)
         tree->made[i].local.m[0] = 1e7f;
-    struct zr_punctual_light placement = place(tree, 10);
+    struct zr_placement placement = place(tree, 10);
     assert_int_equal(placement.fault, ZR_NODES_OUT_OF_RANGE);
     assert_int_equal(placement.node, 2);
     tree->made[2].local.m[0] = NAN;
@@ -189,7 +189,7 @@ static void matrix_out_of_range_names_the_node_that_leaves_it(void **state)
 
 /* Each node is the child of the one before it, and the last has a mesh; or the other way
  * round, so that what is below a node is done when that node is come to. */
-static struct zr_punctual_light place_chain(struct zr_arena *arena, uint32_t length, bool forward)
+static struct zr_placement place_chain(struct zr_arena *arena, uint32_t length, bool forward)
 {
     struct zr_node *made = zr_arena_alloc(arena, length, sizeof *made);
     uint32_t *children = zr_arena_alloc(arena, length, sizeof *children), entries = 0;
@@ -212,7 +212,7 @@ static void shared_nodes_are_visited_once_for_each_way_and_no_more_than_the_limi
         add_node(tree, NONE, CHILDREN(i + 1, NONE));
     add_node(tree, 0, CHILDREN(NONE));
     add_node(tree, 0, CHILDREN(NONE)); /* alone */
-    struct zr_punctual_light placement = zr_nodes_place(&tree->arena, &tree->nodes, 10, 204);
+    struct zr_placement placement = zr_nodes_place(&tree->arena, &tree->nodes, 10, 204);
     assert_int_equal(placement.fault, ZR_NODES_GOOD);
     assert_int_equal(placement.count, 3);
     assert_int_equal(placement.visits, 204);
@@ -250,7 +250,7 @@ static void chain_is_placed_up_to_the_depth_limit(void **state)
     struct zr_arena arena;
     zr_arena_init(&arena, (size_t)1 << 28);
     for (int forward = 0; forward < 2; forward++) {
-        struct zr_punctual_light placement = place_chain(&arena, ZR_NODES_DEPTH_MAX, forward);
+        struct zr_placement placement = place_chain(&arena, ZR_NODES_DEPTH_MAX, forward);
         assert_int_equal(placement.fault, ZR_NODES_GOOD);
         placement = place_chain(&arena, ZR_NODES_DEPTH_MAX + 1, forward);
         assert_int_equal(placement.fault, ZR_NODES_TOO_DEEP);
@@ -261,7 +261,7 @@ static void chain_is_placed_up_to_the_depth_limit(void **state)
 }
 
 /* What zr_nodes_place must come to, by plain recursion. */
-static void place_plainly(const struct zr_nodes *nodes, uint32_t number, zr_mat4 parent, struct zr_punctual_light *out)
+static void place_plainly(const struct zr_nodes *nodes, uint32_t number, zr_mat4 parent, struct zr_placement *out)
 {
     const struct zr_node *node = &nodes->nodes[number];
     zr_mat4 world = zr_mat4_mul(&parent, &node->local);
@@ -305,14 +305,14 @@ static void random_hierarchies_are_placed_as_by_plain_recursion(void **state)
         struct tree *tree = random_tree(&random);
         const struct zr_nodes *nodes = &tree->nodes;
         static struct zr_instance instances[20000];
-        struct zr_punctual_light want = {.instances = instances};
+        struct zr_placement want = {.instances = instances};
         for (uint32_t i = 0; i < nodes->count; i++) {
             bool is_child = false;
             for (uint32_t k = 0; k < nodes->child_count; k++)
                 is_child = is_child || nodes->children[k] == i;
             if (!is_child) place_plainly(nodes, i, zr_mat4_identity(), &want);
         }
-        struct zr_punctual_light got = place(tree, want.count);
+        struct zr_placement got = place(tree, want.count);
         assert_int_equal(got.fault, ZR_NODES_GOOD);
         assert_int_equal(got.count, want.count);
         for (uint32_t i = 0; i < want.count; i++) {
@@ -335,7 +335,7 @@ static void every_memory_ceiling_fails_cleanly_or_places_all(void **state)
     for (size_t ceiling = 0; ceiling < 8192; ceiling += 64) {
         struct zr_arena arena;
         zr_arena_init(&arena, ceiling);
-        struct zr_punctual_light placement = zr_nodes_place(&arena, &tree->nodes, 100, UINT64_MAX);
+        struct zr_placement placement = zr_nodes_place(&arena, &tree->nodes, 100, UINT64_MAX);
         if (zr_arena_ok(&arena)) {
             assert_int_equal(placement.count, 32);
             successes++;
