@@ -6,21 +6,21 @@
 
 enum { PIXELS_A_CANCEL_CHECK = 1 << 16 };
 
-/* Of depths that lie on one of the planes, as floats: that is nobody's fault. */
+/* Tolerance of window depth: rounding may move a depth on the near or far plane beyond it. */
 static const double rounding = 1e-5;
 
-/* The rows of the projection that make z and w of a point (0, 0, -depth). */
+/* Entries of the projection's rows z and w for a point (0, 0, -depth). */
 struct rows {
     double z_slope, z, w_slope, w;
 };
 
-/* Kept within 0 to 1, and noted where it was not. */
+/* Returns the window depth, clamped to 0..1, and counts clamped values. */
 static float window_depth(const struct rows *rows, float depth, uint64_t *clamped)
 {
     if (depth == INFINITY) return 1.0f;
     double w = rows->w - rows->w_slope * (double)depth;
     double z = rows->z - rows->z_slope * (double)depth;
-    double window = w > 0.0 ? 0.5 * (z / w) + 0.5 : -1.0; /* not in front of the eye */
+    double window = w > 0.0 ? 0.5 * (z / w) + 0.5 : -1.0; /* behind the eye */
     *clamped += window < -rounding || window > 1.0 + rounding;
     return window > 0.0 ? window < 1.0 ? (float)window : 1.0f : 0.0f;
 }

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* Without column `left_out`. */
+/* Returns the determinant of the 3 rows without column `left_out`. */
 static double minor_of(double (*rows)[4], int left_out)
 {
     double m[3][3];
@@ -13,7 +13,7 @@ static double minor_of(double (*rows)[4], int left_out)
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/* The one point, or direction, whose x, y and w are 0 in clip space. */
+/* Solves for the homogeneous point whose clip-space x, y and w are 0, by Cramer's rule. */
 zr_vec4 zr_camera_eye(const struct zr_camera *camera)
 {
     static const int of_clip[3] = {0, 1, 3};
@@ -38,7 +38,7 @@ zr_vec4 zr_camera_eye(const struct zr_camera *camera)
     return isfinite(eye.x) && isfinite(eye.y) && isfinite(eye.z) ? eye : origin;
 }
 
-/* What rounding makes of 1 is 1. */
+/* Measures the image of the y axis. Scales within 0.001 of 1 come from rounding and count as 1. */
 float zr_eye_scale_of(const struct zr_camera *camera)
 {
     const float *m = camera->world_to_eye.m;

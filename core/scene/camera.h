@@ -1,9 +1,8 @@
-/* camera.h - scene: what a view leads to (resolved_view.h): matrices.
+/* camera.h - scene: the matrices of a resolved view (resolved_view.h).
  *
  * Space:  world -> eye (the camera looks along -z, y up) -> clip, as in GL.
- * Exact:  a view given as matrices passes through untouched, so that the same
- *         floats can be handed to glLoadMatrixf. Sines and tangents come from
- *         base/trig.h, not libm, so that every machine gets the same bits.
+ * Exact:  matrices that a view gives pass through unchanged, so that the same floats can be handed to glLoadMatrixf.
+ *         Sines and tangents come from base/trig.h, not libm, so that every machine gets the same bits.
  */
 #ifndef ZR_CAMERA_H
 #define ZR_CAMERA_H
@@ -12,7 +11,7 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* Of world-space positions; empty where valid is false. */
+/* Axis-aligned bounds in world space; empty if not valid. */
 struct zr_bounds {
     bool valid;
     zr_vec3 min, max;
@@ -21,31 +20,30 @@ struct zr_bounds {
 struct zr_camera {
     zr_mat4 world_to_eye, projection;
     float znear, zfar; /* distances in front of the camera; 0 and 0 with a projectionMatrix */
-    float fit_margin; /* what a fitted view leaves free around the geometry, beside its padding, since rounding may move
-                       * it: a share of its size; 0 where nothing is fitted */
+    float fit_margin; /* fitted view: room for rounding around the geometry, beside the padding, as a share of its size;
+                         else 0 */
 };
 
-/* Where rays of sight come from, in eye space: a place (w = 1), or, where all are parallel, the unit vector that leads
- * there (w = 0). The origin, but with a projection that moves the eye, or has none. */
+/* Returns the centre of projection in eye space: a point (w = 1), or for parallel rays the unit vector against their
+ * direction (w = 0). It is the origin, unless a projection matrix moves it to another finite place. */
 zr_vec4 zr_camera_eye(const struct zr_camera *camera);
 
-/* How much longer things are in eye space than in the world: 1, but with a worldToCamera that scales. */
+/* Returns the scale factor of lengths from world to eye space: 1 unless a worldToCamera scales by more than 0.001. */
 float zr_eye_scale_of(const struct zr_camera *camera);
 
-/* An orthographic camera at `eye` that looks along -back and sees half_size to each side. All in world space; right, up
- * and back have unit length. */
+/* Returns an orthographic camera at `eye` that looks along -back; its window extends by half_size to each side. All in
+ * world space; right, up and back have unit length. */
 struct zr_camera zr_camera_orthographic(zr_vec3 right, zr_vec3 up, zr_vec3 back, zr_vec3 eye, float half_size,
                                         float near, float far);
 
-/* The diagonal of the bounds; 0 where they are empty. */
+/* Returns the length of the diagonal; 0 for empty bounds. */
 float zr_diagonal_of(const struct zr_bounds *bounds);
 
-/* Points at infinity (w = 0), or beyond the range of float, are left out. Walks over all placed points, as
- * zr_camera_resolve does some times more; cancelled, both return early, with what they have. `team` and `cancel` may be
- * NULL. */
+/* Returns the bounds of all instances, without points at infinity (w = 0) or beyond the range of float. Visits every
+ * point of every instance; if cancelled, returns the bounds so far. `team` and `cancel` may be NULL. */
 struct zr_bounds zr_bounds_of(const struct zr_scene *scene, struct zr_team *team, const struct zr_cancel *cancel);
 
-/* False where the view is given as matrices: then geometry has no say in it. */
+/* False if pose and projection are both matrices, which do not depend on the geometry. */
 static inline bool zr_view_needs_bounds(const struct zr_view *view)
 {
     return view->pose != ZR_POSE_MATRIX || view->projection != ZR_PROJECTION_MATRIX;

@@ -1,11 +1,11 @@
-/* camera_parts.h - scene: what the files of the camera share; nobody else includes it.
+/* camera_parts.h - scene: internal declarations of the files that resolve a view.
  *
  *     pose.c         view            -> axes
  *     extent.c       geometry        -> bounds, extents in eye space
- *     fit.c          axes, geometry  -> where the eye stands   (points.h)
+ *     fit.c          axes, geometry  -> position of the eye    (points.h)
  *     projection.c   view, geometry  -> projection, near and far plane
  *
- * Doubles inside, floats out: a view is resolved once a request.
+ * They compute in double and return floats: a view is resolved once per request.
  */
 #ifndef ZR_CAMERA_PARTS_H
 #define ZR_CAMERA_PARTS_H
@@ -41,8 +41,8 @@ static inline zr_dvec3 zr_dvec3_cross(zr_dvec3 a, zr_dvec3 b)
     return (zr_dvec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/* False for points at infinity (w = 0), or beyond the range of float. By 1 nothing need be divided, and mostly that is
- * w: a third of the time of a walk. */
+/* Divides a homogeneous point by w. False for points at infinity (w = 0) or beyond the range of float. Most points have
+ * w = 1 and are not divided, which saves a third of the time of a walk over them. */
 static inline bool zr_place_of(zr_vec4 p, zr_dvec3 *out)
 {
     const double w = (double)p.w, most = (double)FLT_MAX;
@@ -51,12 +51,13 @@ static inline bool zr_place_of(zr_vec4 p, zr_dvec3 *out)
     return p.w != 0.0f && fabs(out->x) <= most && fabs(out->y) <= most && fabs(out->z) <= most;
 }
 
-/* A camera's place and its axes, of unit length, in world space. */
+/* Position and unit axes of a camera, in world space. */
 struct zr_axes {
     zr_dvec3 right, up, back, eye;
 };
 
-/* pose.c. Of any pose but ZR_POSE_MATRIX; the eye only of ZR_POSE_LOOK_AT. */
+/* pose.c. Finds the axes of any pose except ZR_POSE_MATRIX; sets the eye of ZR_POSE_LOOK_AT only, else 0. ZR_BAD_SCENE
+ * if the view has no direction or no up. */
 enum zr_status zr_axes_of(const struct zr_view *view, struct zr_axes *axes, struct zr_error *error);
 zr_mat4 zr_axes_to_matrix(const struct zr_axes *axes);
 
@@ -64,43 +65,43 @@ struct zr_extent {
     zr_dvec3 min, max;
 };
 
-/* extent.c. Bounds of the points in eye space, by the very matrix and in the very floats that
- * they are drawn with; all zero where there is no point. fitted_only: of the mesh that the
- * view is fitted to, where it names one. */
+/* extent.c. Returns the bounds of the points in eye space, in the same floats as drawing; all zero without points.
+ * fitted_only: points of the fitted mesh only, if the view names one. */
 struct zr_extent zr_extent_in_eye_space(const struct zr_points *points, const zr_mat4 *world_to_eye, bool fitted_only);
 
-/* What rounding may add to a place in eye space when projection and view become one matrix. */
+/* Returns a bound on the rounding error of an eye-space coordinate when projection and view become one matrix. `moved`:
+ * translation of the view. */
 double zr_rounding_of(const struct zr_bounds *bounds, zr_dvec3 moved);
 
-/* The diagonal of the bounds; 1 where they have none. */
+/* Returns the length of the diagonal; 1 if it is 0 or the bounds are empty. */
 double zr_size_of(const struct zr_bounds *bounds);
 
-/* The bounds of what the view is fitted to; `whole` are those of the scene. */
+/* Returns the world-space bounds of the fitted mesh, or `whole`, those of the scene, if the view names no mesh. */
 struct zr_bounds zr_fit_bounds(const struct zr_points *points, const struct zr_bounds *whole);
 
-/* fit.c. Puts the eye of a pose that leaves that to the geometry. `bounds` are those of what is
- * fitted to. */
+/* fit.c. Sets axes->eye of a fitted pose. `bounds`: result of zr_fit_bounds. ZR_BAD_SCENE if no distance shows a
+ * target. */
 enum zr_status zr_fit_eye(const struct zr_points *points, const struct zr_bounds *bounds, struct zr_axes *axes,
                           struct zr_error *error);
 
-/* What a perspective camera sees: (x - shear y) / depth from left to right, y / depth from bottom
- * to top, in eye space. The padding of a fit is taken off. */
+/* Visible range of a perspective camera, in eye space: left <= (x - shear y) / depth <= right and bottom <= y / depth
+ * <= top. Smaller than the window by the fit padding. */
 struct zr_opening {
     double left, right, bottom, top, shear;
 };
 
-/* What extent.c and fit.c measure of points, as kernels: false, and nothing raised, where points are fewer than a
- * vector's lanes, or one is not finite or has a w that is not 1. */
+/* Kernels that measure points for extent.c and fit.c. They return false and change nothing if there are fewer points
+ * than lanes, or if a point is not finite or has w other than 1. */
 
-/* Raises most[0], [1], [2] to x, y, z, and [3], [4], [5] to -x, -y, -z. */
+/* Raises most[0], [1], [2] to the largest x, y, z, and [3], [4], [5] to the largest -x, -y, -z. */
 typedef bool zr_fit_extent_fn(const zr_vec4 *points, uint32_t count, double most[ZR_MEASURES]);
 
 ZR_KERNEL_TABLE(zr_fit_extent_fn, zr_fit_extent)
 
 enum zr_slope { ZR_SLOPE_RIGHT, ZR_SLOPE_LEFT, ZR_SLOPE_TOP, ZR_SLOPE_BOTTOM, ZR_SLOPE_NEAR };
 
-/* How far points reach across an opening's sides, x, y, z being along the axes from the eye, and x sheared: raises
- * most[ZR_SLOPE_RIGHT] to x + right z, [ZR_SLOPE_LEFT] to -(x + left z), [ZR_SLOPE_TOP] to y + top z,
+/* Measures points against the sides of an opening, in coordinates along the axes from the eye, with shear y subtracted
+ * from x. Raises most[ZR_SLOPE_RIGHT] to x + right z, [ZR_SLOPE_LEFT] to -(x + left z), [ZR_SLOPE_TOP] to y + top z,
  * [ZR_SLOPE_BOTTOM] to -(y + bottom z), [ZR_SLOPE_NEAR] to z. */
 typedef bool zr_fit_slopes_fn(const struct zr_axes *axes, const struct zr_opening *opening, const zr_vec4 *points,
                               uint32_t count, double most[ZR_MEASURES]);

@@ -1,9 +1,9 @@
-/* colormap.h - scene: a number of 0..1 -> a colour, by maps that others have published.
+/* colormap.h - scene: published colour maps, from a number of 0..1 to a colour.
  *
  * Source: viridis: N. Smith and S. van der Walt, matplotlib (CC0). turbo: A. Mikhailov, Google. coolwarm: K. Moreland,
- *         "Diverging Color Maps for Scientific Visualization" (2009), from (59, 76, 192) to (180, 4, 38). Each is 129
- *         colours of 8 bits a channel here, equally far apart, and linear between them: within 0.8 of 255 of what its
- *         authors define. gray is linear from black to white.
+ *         "Diverging Color Maps for Scientific Visualization" (2009), from (59, 76, 192) to (180, 4, 38).
+ * Exact:  each is a table of 129 equidistant colours of 8 bits per channel, interpolated linearly: within 0.8 of 255 of
+ *         its authors' definition. gray is linear from black to white.
  */
 #ifndef ZR_COLORMAP_H
 #define ZR_COLORMAP_H
@@ -14,15 +14,15 @@
 
 enum zr_colormap { ZR_COLORMAP_VIRIDIS, ZR_COLORMAP_TURBO, ZR_COLORMAP_GRAY, ZR_COLORMAP_COOLWARM, ZR_COLORMAP_COUNT };
 
-/* 0 <= at <= 1. An opaque colour, encoded as sRGB, as those of scenes are. */
+/* Returns the opaque, sRGB-encoded colour at `at`, 0 <= at <= 1. */
 zr_vec4 zr_colormap_color(enum zr_colormap map, float at);
 
-/* What colours of a mesh stand for: numbers from `low`, which has the first colour of the map, to `high`, which has the
- * last one. Both are finite, low <= high; where they are equal, that number has the colour of the middle. */
+/* Scale of a mesh's scalars: `low` has the first colour of the map, `high` the last one. Both are finite, low <= high;
+ * if they are equal, that number has the middle colour. */
 struct zr_color_scale {
     enum zr_colormap map;
     float low, high;
-    bool is_asked; /* these ends were asked for; else they are those of the numbers that there are */
+    bool is_asked; /* the scene gives low and high; else they are the least and the largest scalar */
 };
 
 #endif

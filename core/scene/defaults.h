@@ -1,4 +1,4 @@
-/* defaults.h - scene: the values of a scene that gives none of its own. */
+/* defaults.h - scene: default values of a scene. */
 #ifndef ZR_DEFAULTS_H
 #define ZR_DEFAULTS_H
 
@@ -6,19 +6,20 @@
 
 #include "scene/looks.h"
 
-#define ZR_YFOV 0.78539816f /* of perspective views that scenes ask for, radians: 45 degrees */
+#define ZR_YFOV 0.78539816f /* default yfov of a scene's perspective view, radians: 45 degrees */
 
-/* Window 640x480, a colour image as the one output, no geometry, and the look textbook. */
+/* Sets a scene without geometry: window 640 x 480, one output, color as PNG, and the look textbook. */
 void zr_scene_defaults(struct zr_scene *scene);
 
-/* The ambient light of a scene that says which lights it has. */
+/* Returns the ambient light of a scene that gives `lights` but no `ambient`. */
 zr_vec3 zr_default_ambient_of_own_lights(void);
 
-/* The colour of what has no material: the look's, or, where it has colours of its own, white, which leaves them as they
- * are. */
+/* Returns the base colour of a mesh without a material: white, which leaves colours unchanged, if it is `coloured`,
+ * else the look's. */
 zr_vec4 zr_default_base_color(const struct zr_look *look, bool coloured);
 
-/* The look's; by the textbook smooth where normals or vertex colours ask for it. */
+/* Returns the look's shading. A look that shades_by_mesh uses gouraud if `smooth` (normals or vertex colours), else
+ * flat. */
 enum zr_shading zr_default_shading(const struct zr_look *look, bool smooth);
 
 #endif

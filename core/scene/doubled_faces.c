@@ -5,7 +5,8 @@
 
 #include "scene/mesh_label.h"
 
-/* Source: FNV-1a, by words, and a last mix, so that sums of such numbers are 0 by their terms alone. */
+/* Hashes corners from `first` on, by steps of `step` modulo `count`. Source: FNV-1a, by words. The final mix keeps sums
+ * of unrelated hashes from being 0. */
 static uint64_t hash_corners(const uint32_t *corners, uint32_t count, uint32_t first, uint32_t step)
 {
     uint64_t hash = UINT64_C(14695981039346656037);
@@ -15,8 +16,8 @@ static uint64_t hash_corners(const uint32_t *corners, uint32_t count, uint32_t f
     return hash ^ hash >> 29;
 }
 
-/* A face and the one that goes the other way around have numbers that add up to 0: from the corner `least` on, which is
- * the least, in the direction of the lesser of its neighbours. */
+/* Returns hashes that add up to 0 for a face and its reverse. The hash starts at the least corner, number `least`, and
+ * runs towards the lesser of its neighbours; its sign is the direction. */
 static uint64_t signed_hash(const uint32_t *corners, uint32_t count, uint32_t least)
 {
     const uint32_t next = corners[(least + 1) % count], last = corners[(least + count - 1) % count];
@@ -33,7 +34,7 @@ static uint64_t hash_of_face(const struct zr_mesh *mesh, uint32_t face)
     return signed_hash(corners, count, least);
 }
 
-/* The face that has the slot. */
+/* Finds the face of an entry of `indices`, by bisection. */
 static uint32_t face_at(const struct zr_mesh *mesh, uint32_t slot)
 {
     uint32_t low = 0, high = mesh->face_count;
@@ -44,8 +45,8 @@ static uint32_t face_at(const struct zr_mesh *mesh, uint32_t slot)
     return low;
 }
 
-/* Whether the first face is there the other way around, too: most meshes are told by it. Its first corner is looked
- * for, so many corners at a time that compilers compare several at once. */
+/* True if the mesh contains the reverse of its first face; most meshes do not, and need no further test. Searches the
+ * first corner in blocks that compilers vectorise. */
 static bool first_is_doubled(const struct zr_mesh *mesh)
 {
     enum { AT_ONCE = 64 };
@@ -71,7 +72,7 @@ bool zr_faces_are_doubled(const struct zr_mesh *mesh)
     return sum == 0;
 }
 
-/* Its normals are sums: by the shading's choice, and since none are given. */
+/* True if the mesh has no normals and a shading that sums face normals. */
 static bool sums_normals(const struct zr_scene *scene, const struct zr_mesh *mesh)
 {
     if (mesh->face_count == 0 || mesh->normal_count > 0) return false;

@@ -1,6 +1,6 @@
-/* doubled_faces.h - scene: meshes that have each face twice, once with each winding.
+/* doubled_faces.h - scene: detection of meshes that contain each face twice, once with each winding.
  *
- * Why:    the normals of the two add up to 0 at each vertex, so that smooth shading has none.
+ * Why:    the normals of the two faces add up to 0 at each vertex, which leaves smooth shading without normals.
  */
 #ifndef ZR_DOUBLED_FACES_H
 #define ZR_DOUBLED_FACES_H
@@ -8,11 +8,11 @@
 #include "base/warning_list.h"
 #include "scene/scene.h"
 
-/* Whether for each face with the corners a, b, ..., z there is one with z, ..., b, a, whichever comes first. False where
+/* True if each face with the corners a, b, ..., z has a partner z, ..., b, a; both may start at any corner. False if
  * faces have holes. */
 bool zr_faces_are_doubled(const struct zr_mesh *mesh);
 
-/* Warns of the first such mesh among those whose shading adds up the normals of faces. */
+/* Adds one warning if such meshes use a shading that sums face normals; it names the first and counts the others. */
 void zr_doubled_faces_warn(struct zr_arena *arena, const struct zr_scene *scene, struct zr_warning_list *warnings);
 
 #endif

@@ -1,9 +1,9 @@
-/* How far the geometry reaches: in the world, and in eye space. */
+/* Bounds of the geometry in world and eye space. */
 #include <float.h>
 
 #include "scene/camera_parts.h"
 
-/* As the kernel, one by one where that cannot. */
+/* Runs the kernel, or measures point by point if it refuses. */
 static void measure_extent(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
                            double most[ZR_MEASURES])
 {
@@ -12,13 +12,13 @@ static void measure_extent(const void *context, enum zr_isa isa, const zr_vec4 *
     for (uint32_t i = 0; i < count; i++) {
         zr_dvec3 p;
         if (!zr_place_of(points[i], &p)) continue;
-        const double reached[ZR_MEASURES] = {p.x, p.y, p.z, -p.x, -p.y, -p.z};
+        const double values[ZR_MEASURES] = {p.x, p.y, p.z, -p.x, -p.y, -p.z};
         for (int k = 0; k < ZR_MEASURES; k++)
-            zr_raise(&most[k], reached[k]);
+            zr_raise(&most[k], values[k]);
     }
 }
 
-/* False where no point has a place. */
+/* False without finite points. */
 static bool find_extent(const struct zr_points *points, struct zr_extent *e)
 {
     double most[ZR_MEASURES];
@@ -27,8 +27,7 @@ static bool find_extent(const struct zr_points *points, struct zr_extent *e)
     return e->min.x <= e->max.x;
 }
 
-/* Far from the origin rounding moves points, and the view must hold them where they are,
- * not where they should be. */
+/* Far from the origin, rounding moves points, and the view must hold the rounded positions. */
 struct zr_extent zr_extent_in_eye_space(const struct zr_points *points, const zr_mat4 *world_to_eye, bool fitted_only)
 {
     struct zr_points placed = *points;
@@ -65,8 +64,8 @@ double zr_size_of(const struct zr_bounds *bounds)
     return size > 0.0 ? size : 1.0;
 }
 
-/* Some operations on the largest numbers there are, `moved` among them, each off by half an
- * ulp at most. Sixteen are ample. */
+/* Each operation on a coordinate is off by at most half an ulp of the largest magnitude, `moved` included. Sixteen
+ * epsilons cover them all. */
 double zr_rounding_of(const struct zr_bounds *bounds, zr_dvec3 moved)
 {
     const zr_vec3 low = bounds->min, high = bounds->max;

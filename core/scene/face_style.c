@@ -2,13 +2,13 @@
 
 #include "scene/defaults.h"
 
-/* As in glTF. */
+/* Default of glTF. */
 #define ALPHA_CUTOFF 0.5f
 
 const struct zr_face_style zr_face_style_unset = {ZR_UNSET,     ZR_UNSET, ZR_UNSET, ZR_UNSET,
                                                   {0, 0, 0, 1}, ZR_UNSET, ZR_UNSET};
 
-static int said(int first, int second)
+static int first_set(int first, int second)
 {
     return first != ZR_UNSET ? first : second;
 }
@@ -16,17 +16,17 @@ static int said(int first, int second)
 struct zr_face_style zr_face_style_merge(const struct zr_face_style *first, const struct zr_face_style *second)
 {
     const struct zr_face_style *outlined = first->outline != ZR_UNSET ? first : second;
-    return (struct zr_face_style){.shading = said(first->shading, second->shading),
-                                  .double_sided = said(first->double_sided, second->double_sided),
-                                  .fill = said(first->fill, second->fill),
+    return (struct zr_face_style){.shading = first_set(first->shading, second->shading),
+                                  .double_sided = first_set(first->double_sided, second->double_sided),
+                                  .fill = first_set(first->fill, second->fill),
                                   .outline = outlined->outline,
                                   .outline_color = outlined->outline_color,
-                                  .alpha_mode = said(first->alpha_mode, second->alpha_mode),
+                                  .alpha_mode = first_set(first->alpha_mode, second->alpha_mode),
                                   .alpha_cutoff =
                                       first->alpha_cutoff >= 0.0f ? first->alpha_cutoff : second->alpha_cutoff};
 }
 
-/* Outlines on faces would not be seen in the faces' own colours: they are black unless told otherwise. */
+/* Outlines of filled faces are black unless the style has a colour: in the faces' colours they would not show. */
 struct zr_material zr_face_style_material(const struct zr_face_style *faces, const struct zr_look *look,
                                           zr_vec4 base_color, bool smooth)
 {

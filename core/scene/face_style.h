@@ -1,4 +1,4 @@
-/* face_style.h - scene: the style of faces, as any part of a scene or a query may give it. */
+/* face_style.h - scene: style keys of faces, as a scene, a mesh, a material or a query may give them. */
 #ifndef ZR_FACE_STYLE_H
 #define ZR_FACE_STYLE_H
 
@@ -8,21 +8,22 @@ enum { ZR_UNSET = -1 };
 
 enum zr_outline_setting { ZR_OUTLINE_SET_OFF, ZR_OUTLINE_SET_ON, ZR_OUTLINE_SET_COLOR };
 
-/* ZR_UNSET where it is not. */
+/* ZR_UNSET marks a key that is not given. */
 struct zr_face_style {
-    int shading, double_sided, fill;
-    int outline; /* enum zr_outline_setting */
-    zr_vec4 outline_color;
-    int alpha_mode;
-    float alpha_cutoff;
+    int shading;            /* enum zr_shading */
+    int double_sided, fill; /* 0 or 1 */
+    int outline;            /* enum zr_outline_setting */
+    zr_vec4 outline_color;  /* of ZR_OUTLINE_SET_COLOR */
+    int alpha_mode;         /* enum zr_alpha_mode */
+    float alpha_cutoff;     /* below 0: unset */
 };
 
 extern const struct zr_face_style zr_face_style_unset;
 
-/* What `first` leaves unset is as `second` says. */
+/* Returns `first` with its unset keys from `second`. */
 struct zr_face_style zr_face_style_merge(const struct zr_face_style *first, const struct zr_face_style *second);
 
-/* The material that faces of this style have; the rest of it is the look's. */
+/* Returns the look's material with this style and base colour. smooth: the mesh has normals or vertex colours. */
 struct zr_material zr_face_style_material(const struct zr_face_style *faces, const struct zr_look *look,
                                           zr_vec4 base_color, bool smooth);
 

@@ -1,16 +1,16 @@
-/* Where the eye must stand so that the window holds the geometry. */
+/* Position of the eye at which the window holds the geometry. */
 #include <float.h>
 
 #include "scene/camera_parts.h"
 
-/* What a fit is measured with. */
+/* Inputs of a perspective fit. `size`: diagonal of the bounds; `rounding`: error of a coordinate, zr_rounding_of. */
 struct fitting {
     const struct zr_points *points;
     struct zr_opening opening;
     double size, rounding;
 };
 
-/* A place from the eye, along the axes. */
+/* Returns a point in coordinates along the axes, from the eye. */
 static zr_dvec3 along(const struct zr_axes *axes, zr_dvec3 p)
 {
     zr_dvec3 q = zr_dvec3_sub(p, axes->eye);
@@ -22,7 +22,7 @@ struct slopes {
     const struct zr_opening *opening;
 };
 
-/* As the kernel, one by one where that cannot. */
+/* Runs the kernel, or measures point by point if it refuses. */
 static void measure_slopes(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
                            double most[ZR_MEASURES])
 {
@@ -50,10 +50,9 @@ static void find_slopes(const struct zr_points *points, const struct zr_opening 
 
 /* Moves the eye sideways and back until the opening just holds every point.
  *
- * From a point at x along the axis, z towards the camera, it takes a distance of d with
- * left (d - z) <= x - e <= right (d - z) to see the point from e: so e is from the largest
- * x + right z - right d to the smallest x + left z - left d, and the least distance is where
- * the two meet. (The smallest is found as the most of what is negated.) */
+ * An eye at e and distance d sees a point at x, with z towards the camera, if left (d - z) <= x - e <= right (d - z).
+ * So e lies between the largest x + right z - right d and the smallest x + left z - left d. At the least distance the
+ * two are equal. (The smallest is the negated maximum of negated values.) */
 static void fit_freely(const struct fitting *fitting, struct zr_axes *axes)
 {
     const struct zr_opening *o = &fitting->opening;
@@ -75,12 +74,13 @@ static void fit_freely(const struct fitting *fitting, struct zr_axes *axes)
     axes->eye = zr_dvec3_add_scaled(axes->eye, axes->back, distance);
 }
 
-/* How far back from where it is the eye sees points, without moving sideways. */
+/* Context of measure_retreat. */
 struct retreat {
     const struct fitting *fitting;
     const struct zr_axes *axes;
 };
 
+/* Raises most[0] to the distance by which the eye must move back to see the points, without moving sideways. */
 static void measure_retreat(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
                             double most[ZR_MEASURES])
 {
@@ -99,7 +99,7 @@ static void measure_retreat(const void *context, enum zr_isa isa, const zr_vec4 
     }
 }
 
-/* Moves the eye back only: what it turns around stays on its axis. */
+/* Moves the eye straight back, so that the target stays on the view axis. */
 static enum zr_status fit_on_axis(const struct fitting *fitting, struct zr_axes *axes, struct zr_error *error)
 {
     const struct zr_opening *o = &fitting->opening;
@@ -113,7 +113,7 @@ static enum zr_status fit_on_axis(const struct fitting *fitting, struct zr_axes 
     return ZR_OK;
 }
 
-/* Extents along the axes, all zero where no point has a place. */
+/* Measures extents along the axes; all zero without finite points. */
 static void find_extent_along(const struct zr_points *points, const struct zr_axes *axes, double most[ZR_MEASURES])
 {
     static const struct zr_opening no_slopes = {0};
@@ -122,8 +122,8 @@ static void find_extent_along(const struct zr_points *points, const struct zr_ax
         if (most[k] == -HUGE_VAL) most[k] = 0.0;
 }
 
-/* Without perspective only the middle matters: the camera stands one diagonal of the bounds
- * in front of the nearest point of the whole scene. */
+/* Without perspective, the distance does not change the picture: the eye is one diagonal of the bounds in front of the
+ * nearest point of the whole scene. free: centres the eye on the fitted points. */
 static void fit_parallel(const struct zr_points *fitted, double size, bool free, struct zr_axes *axes)
 {
     double most[ZR_MEASURES], of_all[ZR_MEASURES];

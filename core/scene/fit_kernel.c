@@ -1,8 +1,8 @@
 #include "base/simd.h"
 #include "scene/camera_parts.h"
 
-/* Points are taken by lanes; where too few are left for that, from the last of them back: to look at some of them twice
- * changes nothing. */
+/* Returns the next first point of a vector. The last vector ends at the last point: its overlap with the one before
+ * does not change a maximum. */
 static inline uint32_t next_of(uint32_t i, uint32_t count)
 {
     return i + 2 * ZR_LANES <= count || i + ZR_LANES == count ? i + ZR_LANES : count - ZR_LANES;
@@ -17,7 +17,7 @@ struct lanes {
     zr_vf x, y, z;
 };
 
-/* Of ZR_LANES points; of `plain` those lanes stay whose points are. */
+/* Loads ZR_LANES points, and clears the lanes of `plain` whose points are not finite or have w other than 1. */
 static inline struct lanes load_lanes(const zr_vec4 *points, zr_vm *plain)
 {
     struct lanes p;
@@ -40,7 +40,7 @@ static double most_of(zr_vf v, bool negated)
     return most;
 }
 
-/* The most of floats is that of the doubles that they become. */
+/* Compares floats: their maximum, widened, is the maximum of the widened values. */
 bool ZR_KERNEL(zr_fit_extent)(const zr_vec4 *points, uint32_t count, double most[ZR_MEASURES])
 {
     if (count < ZR_LANES) return false;
@@ -71,7 +71,7 @@ static inline struct doubles spread(zr_dvec3 v)
     return (struct doubles){zr_vd_set(v.x), zr_vd_set(v.y), zr_vd_set(v.z)};
 }
 
-/* As zr_dvec3_dot. */
+/* zr_dvec3_dot of lanes, in the same order. */
 static inline zr_vd dot(struct doubles a, zr_dvec3 axis)
 {
     const struct doubles b = spread(axis);
@@ -84,7 +84,7 @@ static inline void raise_slopes(const struct zr_axes *axes, const struct zr_open
     const struct doubles eye = spread(axes->eye), q = {p.x - eye.x, p.y - eye.y, p.z - eye.z};
     const zr_vd y = dot(q, axes->up), z = dot(q, axes->back);
     const zr_vd x = dot(q, axes->right) - zr_vd_set(opening->shear) * y, zero = zr_vd_set(0.0);
-    const zr_vd reached[SLOPES] = {
+    const zr_vd values[SLOPES] = {
         [ZR_SLOPE_RIGHT] = x + zr_vd_set(opening->right) * z,
         [ZR_SLOPE_LEFT] = zero - (x + zr_vd_set(opening->left) * z),
         [ZR_SLOPE_TOP] = y + zr_vd_set(opening->top) * z,
@@ -92,7 +92,7 @@ static inline void raise_slopes(const struct zr_axes *axes, const struct zr_open
         [ZR_SLOPE_NEAR] = z,
     };
     for (int k = 0; k < SLOPES; k++)
-        most[k] = zr_vd_max(reached[k], most[k]);
+        most[k] = zr_vd_max(values[k], most[k]);
 }
 
 bool ZR_KERNEL(zr_fit_slopes)(const struct zr_axes *axes, const struct zr_opening *opening, const zr_vec4 *points,

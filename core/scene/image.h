@@ -1,4 +1,4 @@
-/* image.h - scene: a picture that textures take their texels from, decoded. */
+/* image.h - scene: decoded image of a texture. */
 #ifndef ZR_IMAGE_H
 #define ZR_IMAGE_H
 
@@ -6,8 +6,8 @@
 
 struct zr_image {
     uint32_t width, height;
-    uint32_t bits;      /* 8 or 16 a channel */
-    const void *texels; /* RGBA, row 0 on top: uint8_t or uint16_t, four a texel */
+    uint32_t bits;      /* per channel: 8 or 16 */
+    const void *texels; /* RGBA, row 0 on top: four uint8_t or uint16_t per texel */
 };
 
 #endif

@@ -14,10 +14,10 @@
 
 /* ---- lamps ---- */
 
-/* A key in front, from the left, and a weaker light from above. Both stand beside the camera's axis: a light on it
- * makes one grey hexagon of a cube that is seen isometrically. Of the lights whose directions are of unit length as
- * they stand, by which no face has less than a third of its colour and no normal more than all of it, the faces of a
- * cube seen from ten sides differ most by these:
+/* A key light in front, from the left, and a weaker light from above. Both are off the camera's axis, since a light on
+ * the axis gives the three visible faces of an isometric cube one grey. Candidates had directions of exactly unit
+ * length, left each face at least a third of its colour, and gave no normal more than all of it. With these two, the
+ * faces of a cube differ most over ten views:
  *
  *     azimuth, elevation    left    right   top        azimuth, elevation    left    right   top
  *     isometric             0.663   0.341   0.965      30, 35                0.627   0.376   0.965
@@ -32,8 +32,8 @@ static const struct zr_light textbook_lights[] = {
     {.direction = {-4.0f / 13, -12.0f / 13, -3.0f / 13}, .color = {0.37f, 0.37f, 0.37f}, .camera_frame = true},
 };
 
-/* The environment studio for flat, gouraud and phong: a least-squares fit. The key comes along
- * -normalize(-0.55, 0.70, 0.46): of ten directions tried that one keeps the faces of a cube apart best. */
+/* Least-squares fit of the environment studio, for flat, gouraud and phong. The key light travels along
+ * -normalize(-0.55, 0.70, 0.46), which separates the faces of a cube best among ten tried directions. */
 #define CLASSIC_LIGHTS                                                                                                 \
     {.type = ZR_LIGHT_HEMISPHERE,                                                                                      \
      .direction = {0, 1, 0},                                                                                           \
@@ -48,7 +48,7 @@ static const struct zr_light textbook_lights[] = {
 
 static const struct zr_light studio_lights[] = {CLASSIC_LIGHTS};
 
-/* The sun stands where the sky of the environment is brightest: it comes along -normalize(-0.48, 0.67, 0.57). */
+/* The sun is at the brightest part of the environment's sky: it travels along -normalize(-0.48, 0.67, 0.57). */
 static const struct zr_light outdoor_lights[] = {
     CLASSIC_LIGHTS,
     {.type = ZR_LIGHT_DIRECTIONAL,
@@ -61,9 +61,9 @@ static const struct zr_light outdoor_lights[] = {
 
 #define LIGHTS(array) .light_count = sizeof(array) / sizeof(array)[0], .lights = (array)
 
-/* ---- what most rows have ---- */
+/* ---- shared values of rows ---- */
 
-/* 16 samples, and normals that leave chamfers of 45 degrees sharp and make cylinders of 12 sides round. */
+/* 16 samples per pixel. The crease angle keeps chamfers of 45 degrees sharp and makes cylinders of 12 sides round. */
 #define LINEAR                .is_linear = true, .side = 4, .line_width = 1, .crease_degrees = 35
 #define NEUTRAL(factor)       .tone = ZR_TONE_NEUTRAL, .exposure = (factor)
 #define NO_TONE               .tone = ZR_TONE_NONE, .exposure = 1
@@ -77,7 +77,7 @@ static const struct zr_light outdoor_lights[] = {
 
 #define GROUNDED OCCLUSION(true, 2), .has_ground = true, EDGES(false, INK)
 
-/* Phong's highlights are weak ones, as plastic has them. */
+/* Phong highlights are weak, as on plastic. */
 #define MATERIAL(model, hex, metal, rough)                                                                             \
     .material = {.shading = (model),                                                                                   \
                  .base_color = OPAQUE(hex),                                                                            \
@@ -87,8 +87,8 @@ static const struct zr_light outdoor_lights[] = {
                  .roughness = (rough),                                                                                 \
                  .cool = RGB(COOL)}
 
-/* Isometric views look down on cars and animals; from below 25 degrees plates become slivers. 45 degrees of view bulge,
- * and 20 are flat. The margin has room for the ground's shadow. */
+/* Elevation: isometric views show cars and animals from too high, and below 25 degrees plates become slivers. Angle of
+ * view: 45 degrees distort, and 20 look flat. The padding leaves room for the ground's shadow. */
 #define FROM_ASIDE                                                                                                     \
     .view = {.pose = ZR_POSE_ORBIT,                                                                                    \
              .preset = ZR_PRESET_ISOMETRIC,                                                                            \
@@ -105,7 +105,7 @@ static const struct zr_light outdoor_lights[] = {
 
 /* ---- the rows ---- */
 
-/* The base of studio: greys melt into a grey background, tints do not. */
+/* studio's base colour is tinted, since a grey model blends into a grey background. */
 const struct zr_look zr_looks[] = {
     {.name = "studio",
      .version = 1,

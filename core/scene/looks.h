@@ -1,21 +1,21 @@
-/* looks.h - scene: looks: what a scene has where neither it nor a query says otherwise, a row of values each.
+/* looks.h - scene: looks, rows of default values for the keys of a scene.
  *
- * A look is no code: it is the values that a scene could say key by key. A row that was released never changes again;
- * what is to look better gets a row of the same name and the next version, behind it, so that a scene that says "NAME"
- * gets the newest one and a scene that says "NAME@1" keeps its pixels.
+ * A look contains values only, which a scene or a query overrides key by key. A released row never changes. An improved
+ * look is a new row behind it, with the same name and the next version: "NAME" selects the newest version, and "NAME@1"
+ * keeps its pixels.
  */
 #ifndef ZR_LOOKS_H
 #define ZR_LOOKS_H
 
 #include "scene/scene.h"
 
-/* Where a scene is seen from that has no view of its own; all of it is shown. */
+/* Default view of a scene; it fits all geometry. */
 struct zr_look_view {
     enum zr_pose pose; /* ZR_POSE_PRESET or ZR_POSE_ORBIT */
     enum zr_preset preset;
     double azimuth_degrees, elevation_degrees;
     enum zr_projection projection; /* ZR_PROJECTION_PERSPECTIVE or ZR_PROJECTION_ORTHOGRAPHIC */
-    float fov_radians;             /* of perspective views, over the smaller side of the window */
+    float fov_radians;             /* perspective: full angle over the smaller side of the window */
     float padding;                 /* share of the window left free on each side */
 };
 
@@ -23,14 +23,14 @@ struct zr_look {
     const char *name;
     uint32_t version;
     struct zr_picture picture;
-    zr_vec4 background; /* opaque; not seen where the picture has a gradient */
+    zr_vec4 background; /* opaque; unused if the picture has a gradient */
 
-    /* What faces have. The colour is that of what has neither a material nor colours of its own. */
+    /* Default material of faces; its base colour is for meshes without a material and without colours. */
     struct zr_material material;
-    bool shades_by_mesh; /* gouraud where there are normals or vertex colours, else flat; else as the material says */
+    bool shades_by_mesh; /* gouraud for meshes with normals or vertex colours, else flat; false: material.shading */
 
-    /* Lamps, where the scene names none. ZR_LIT_CLASSIC ones stand in for the environment in shadings that it does not
-     * light. */
+    /* Lights of scenes without `lights`. ZR_LIT_CLASSIC lights replace the environment in shadings that do not use it.
+     * */
     zr_vec3 ambient;
     uint32_t light_count;
     const struct zr_light *lights;
@@ -38,37 +38,37 @@ struct zr_look {
     struct zr_look_view view;
 };
 
-/* All looks. Those of one name stand together, the oldest version first. */
+/* All looks. Versions of one name are adjacent, the oldest first. */
 extern const struct zr_look zr_looks[];
 extern const int zr_look_count;
 
-/* The look of a scene in JSON that names none: drawn as GL 2.1 would, with values that go to pixels as they are. */
+/* Returns the default look of scenes in JSON. It draws as GL 2.1 does, without linear light. */
 const struct zr_look *zr_look_textbook(void);
 
-/* "studio": its newest version; "studio@2": that one, the number without leading zeros. NULL: there is none. */
+/* Finds a look: "studio" is its newest version, "studio@2" version 2 (no leading zeros). NULL if none matches. */
 const struct zr_look *zr_look_find(const char *text);
 
-/* "studio@1": the row for ever. */
+/* Name with version, such as "studio@1", which always selects the same row. */
 struct zr_look_pin {
     char text[48];
 };
 
 struct zr_look_pin zr_look_pin_of(const struct zr_look *look);
 
-/* "studio, technical, ...": each name once. */
+/* "studio, technical, ...": each name once, in the order of the rows. */
 struct zr_look_names {
     char text[256];
 };
 
 struct zr_look_names zr_looks_join(void);
 
-/* The scene gets all that the look has: picture, background, lamps, ambient light; of views nothing. */
+/* Sets the scene's look, picture, background, ambient light and lights. Does not change its view. */
 void zr_look_apply(const struct zr_look *look, struct zr_scene *scene);
 
-/* Pose and projection of a look, in a window whose size is known; y is up. */
+/* Sets pose, projection and padding from the look; y is up. Needs the view's width and height. */
 void zr_look_set_view(const struct zr_look *look, struct zr_view *view);
 
-/* An angle of view over the smaller side of the window. */
+/* Sets the full angle of view over the smaller side of the window. */
 void zr_view_set_fov(struct zr_view *view, float radians);
 
 #endif

@@ -5,8 +5,8 @@
 
 enum { NAME_BYTES = 32 };
 
-/* Where a character of UTF-8 goes on. */
-static int goes_on(char byte)
+/* True for a continuation byte of UTF-8. */
+static int is_continuation(char byte)
 {
     return (byte & 0xC0) == 0x80;
 }
@@ -18,7 +18,7 @@ struct zr_mesh_label zr_mesh_label_of(uint64_t number, const char *name)
     int length = 0;
     for (; length < NAME_BYTES && name[length]; length++)
         cut[length] = (unsigned char)name[length] < ' ' || name[length] == 0x7F ? '?' : name[length];
-    while (length > 0 && goes_on(name[length]))
+    while (length > 0 && is_continuation(name[length]))
         length--;
     cut[length] = '\0';
     snprintf(label.text, sizeof label.text, length ? "mesh %" PRIu64 " '%s'" : "mesh %" PRIu64, number, cut);

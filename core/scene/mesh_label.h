@@ -1,11 +1,11 @@
-/* mesh_label.h - scene: what a mesh is called in what is said to people: "mesh 3 'bunny'", by its number in the scene,
- * counted from 0, and its name, if it has one. All polygons together are 'polygons'. */
+/* mesh_label.h - scene: label of a mesh in messages, such as "mesh 3 'bunny'": its number in the scene, from 0, and its
+ * name, if it has one. The mesh of the key `polygons` is named 'polygons'. */
 #ifndef ZR_MESH_LABEL_H
 #define ZR_MESH_LABEL_H
 
 #include <stdint.h>
 
-/* A name that is too long is cut at a whole character; what is not printable in ASCII terms is a '?'. */
+/* Names are cut to 32 bytes at a whole UTF-8 character; ASCII control characters become '?'. */
 struct zr_mesh_label {
     char text[64];
 };

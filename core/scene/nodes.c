@@ -5,12 +5,12 @@
 /* About 0.1 ms of work. */
 enum { VISITS_A_CANCEL_CHECK = 4096 };
 
-/* What is known of a node once all that is below it is. */
+/* Counts of a node and the nodes below it, valid once DONE. */
 struct tally {
-    uint64_t instances; /* that one visit leads to, this node's own included; saturates */
-    uint64_t visits;    /* of this node and of nodes below it, that one visit takes; saturates */
-    uint32_t height;    /* levels from here down, this one included */
-    uint32_t useful;    /* children that lead to a mesh, the first so many of its part of placing.children */
+    uint64_t instances; /* per visit, this node's own included; saturates */
+    uint64_t visits;    /* of this node and nodes below it, per visit of this node; saturates */
+    uint32_t height;    /* levels down from this node, itself included */
+    uint32_t useful;    /* children with instances; they are the first entries of its part of placing.children */
     enum { UNSEEN, OPEN, DONE } state;
     bool is_child;
 };
@@ -18,9 +18,9 @@ struct tally {
 struct placing {
     const struct zr_nodes *nodes;
     const struct zr_cancel *cancel;
-    uint32_t steps; /* visits, and child entries that were counted */
+    uint32_t steps; /* visits and counted child entries */
     struct tally *tallies;
-    uint32_t *children; /* as in nodes, but only those that lead to a mesh */
+    uint32_t *children; /* laid out as nodes->children, but only children with instances */
     struct zr_placement *out;
 };
 
@@ -45,7 +45,7 @@ static uint64_t add_saturating(uint64_t a, uint64_t b)
 
 /* ---- counting ---- */
 
-/* Sums up a node whose children are all done. */
+/* Sums the counts of a node whose children are all DONE. False: too deep. */
 static bool tally_up(struct placing *placing, uint32_t number)
 {
     const struct zr_node *node = &placing->nodes->nodes[number];
@@ -67,13 +67,13 @@ static bool tally_up(struct placing *placing, uint32_t number)
     return tally->height <= ZR_NODES_DEPTH_MAX || fail(placing, ZR_NODES_TOO_DEEP, number, 0);
 }
 
-/* A node whose children are being looked at. */
+/* An open node on the path, and its next child to count. */
 struct link {
     uint32_t node, next_child;
 };
 
-/* Everything below `start`, children before parents. A child that is still open is an
- * ancestor. `path` has room for every node. */
+/* Counts `start` and all nodes below it, children before parents. A child that is OPEN is an ancestor, which makes a
+ * cycle. `path` has room for every node. */
 static bool tally_below(struct placing *placing, uint32_t start, struct link *path)
 {
     size_t depth = 0;
@@ -98,7 +98,7 @@ static bool tally_below(struct placing *placing, uint32_t start, struct link *pa
     return true;
 }
 
-/* From every node, not only from roots: in a circle there are none. */
+/* Counts from every node, not only from roots, since a cycle has no root. */
 static bool tally_all(struct placing *placing, struct link *path, uint64_t *instances)
 {
     const struct zr_nodes *nodes = placing->nodes;
@@ -117,13 +117,13 @@ static bool tally_all(struct placing *placing, struct link *path, uint64_t *inst
 
 /* ---- placing ---- */
 
-/* A node on the way from a root, and where it is in this visit. */
+/* A node on the path from a root, and its matrix in this visit. */
 struct step {
     uint32_t node, next_child;
     zr_mat4 world;
 };
 
-/* Goes one step down, and places the mesh that is there. */
+/* Appends a node to the path and places its mesh, if it has one. */
 static bool enter(struct placing *placing, struct step *path, size_t depth, uint32_t number)
 {
     const struct zr_node *node = &placing->nodes->nodes[number];

@@ -6,13 +6,14 @@
 
 static const double DEGREES = 180.0 / 3.14159265358979323846;
 
-/* Without -0. The last bits of libm are not the same everywhere, and of matrices in floats no more is to be had. */
+/* Rounds to 0.001, without -0: the last bits of libm differ between systems, and float matrices hold no more digits. */
 static double rounded(double degrees)
 {
     return round(degrees * 1000.0) / 1000.0 + 0.0;
 }
 
-/* `back`: towards the camera, in the world. Level with it: `front` is the way at azimuth 0, `right` at 90. */
+/* Sets the angles of `back`, the world-space direction towards the camera. Its horizontal parts are `front` (azimuth 0)
+ * and `right` (azimuth 90). */
 static void set_angles(struct zr_orbit *orbit, const double back[4], bool z_is_up)
 {
     const double right = back[0], front = z_is_up ? -back[1] : back[2], up = z_is_up ? back[2] : back[1];

@@ -1,7 +1,6 @@
-/* orbit.h - scene: where a camera stands, as a view's angles say it.
+/* orbit.h - scene: azimuth, elevation and position of a resolved camera.
  *
- * Why:    what the default view of a look is, and what a matrix leads to, is for people to read; no pixel depends on
- * it.
+ * Why:    the channel info reports them for default views and matrices; no pixel depends on them.
  */
 #ifndef ZR_ORBIT_H
 #define ZR_ORBIT_H
@@ -9,14 +8,15 @@
 #include "scene/camera.h"
 
 struct zr_orbit {
-    bool has_angles; /* false where worldToCamera has no inverse in floats */
-    /* Of the way from what is seen to the camera: as azimuthDegrees and elevationDegrees of a view with that up, to
-     * 0.001; -180 < azimuth <= 180, and 0 straight above and below. */
+    bool has_angles; /* false if worldToCamera has no inverse */
+    /* Direction from the target to the camera, as azimuthDegrees and elevationDegrees of a view, rounded to 0.001;
+     * -180 < azimuth <= 180, and 0 straight above and below. */
     double azimuth_degrees, elevation_degrees;
-    bool has_eye; /* false where rays are parallel */
-    zr_vec3 eye;  /* in the world */
+    bool has_eye; /* false if rays are parallel */
+    zr_vec3 eye;  /* world space */
 };
 
+/* Computes them from the matrices. z_is_up: angles relative to the z axis, else to y. */
 struct zr_orbit zr_orbit_of(const struct zr_camera *camera, bool z_is_up);
 
 #endif

@@ -1,4 +1,4 @@
-/* parsed_picture.h - scene: the keys of the picture that a scene or a query gives. They override the look. */
+/* parsed_picture.h - scene: picture keys that a scene or a query gives. They override the look. */
 #ifndef ZR_PARSED_PICTURE_H
 #define ZR_PARSED_PICTURE_H
 
@@ -14,7 +14,7 @@ enum zr_picture_key {
 };
 
 struct zr_parsed_picture {
-    uint64_t keys; /* those that are given: 1 << enum zr_picture_key */
+    uint64_t keys; /* set of given keys: bits 1 << enum zr_picture_key */
     struct zr_picture picture;
 };
 
@@ -28,21 +28,22 @@ static inline bool zr_picture_gives(const struct zr_parsed_picture *given, enum 
     return given->keys >> key & 1u;
 }
 
-/* Notes that the key of this object is given; ignores keys that have no row. */
+/* Marks the key of this object as given; ignores keys without a row. */
 void zr_picture_give_key(struct zr_parsed_picture *given, const char *object, const char *key);
 
-/* What is said, and the rest from the look, is_linear included. An environment that is named has its own frame where
- * none is said. */
+/* Returns the given values over the look's; is_linear is the look's. If an environment is given without a frame, the
+ * frame is its own: world for outdoor, else camera. */
 struct zr_picture zr_picture_merge(const struct zr_parsed_picture *given, const struct zr_look *look);
 
-/* The key of the contract that needs linear light, of those that are said; NULL: none does. `merged`: what came of it.
- * What is switched off needs nothing. */
+/* Returns the first given key that needs linear light, as the scene names it (`edges` for a key of that object); NULL:
+ * none. `merged`: result of zr_picture_merge. An effect that is off needs none. */
 const char *zr_picture_linear_key(const struct zr_parsed_picture *given, const struct zr_picture *merged);
 
-/* The most samples a pixel, up to `side` squared, that a window of these sides can have: their side. */
+/* Returns the side of the sample grid that fits in a window: `side`, halved until side times the larger window side is
+ * at most ZR_WINDOW_SAMPLES_MAX, or 1. */
 uint32_t zr_picture_side_in(uint32_t side, uint32_t width, uint32_t height);
 
-/* Where nobody said how many, a look's samples are as many as the window can have. */
+/* Adds a warning that the look's samples, side x side per pixel, are reduced to fits x fits. */
 void zr_warn_of_fewer_samples(struct zr_scene_builder *builder, uint32_t side, uint32_t fits);
 
 #endif

@@ -1,7 +1,7 @@
-/* picture.h - scene: what the channel color is beyond the textbook's way: samples, linear light, effects.
+/* picture.h - scene: settings of the channel color: samples, linear light, tone mapping, effects.
  *
- * A look (scene/looks.h) is a row of these values; what a scene or a query says wins over its look.
- * Effects are of the picture only: no data channel knows of them.
+ * A look (scene/looks.h) is a row of these values; keys of a scene or a query override it. Effects change the channel
+ * color only, no data channel.
  */
 #ifndef ZR_PICTURE_H
 #define ZR_PICTURE_H
@@ -13,15 +13,15 @@
 
 enum zr_environment_name { ZR_ENVIRONMENT_NONE, ZR_ENVIRONMENT_STUDIO, ZR_ENVIRONMENT_OUTDOOR, ZR_ENVIRONMENT_COUNT };
 
-/* Light from all around; it lights ZR_SHADING_PBR. */
+/* Environment light for ZR_SHADING_PBR. */
 struct zr_environment {
     enum zr_environment_name name;
     float intensity;
-    double rotation_degrees; /* around its up, counter-clockwise seen from above */
-    bool camera_frame; /* it goes with the camera; else its up is the scene's, and its z leads towards the camera */
+    double rotation_degrees; /* around its up axis, counter-clockwise seen from above */
+    bool camera_frame; /* it moves with the camera; else its up is the scene's, and its z points towards the camera */
 };
 
-/* How what is brighter than white is brought into 0..1. */
+/* Tone mapping: brings linear light brighter than white into 0..1. */
 enum zr_tone {
     ZR_TONE_NONE,    /* clamped */
     ZR_TONE_KHRONOS, /* Khronos PBR neutral */
@@ -29,39 +29,38 @@ enum zr_tone {
     ZR_TONE_COUNT
 };
 
-/* What lies in creases and holes gets less of the light from all around. */
+/* Ambient occlusion: creases and holes get less of the light from all around. */
 struct zr_occlusion {
     bool is_on;
-    float radius;   /* how far what occludes may be, as a share of the diagonal of the bounds */
-    float strength; /* of the darkening: 2 is a look's usual one, 0 none */
+    float radius;   /* largest distance of an occluder, as a share of the diagonal of the bounds */
+    float strength; /* of the darkening: 0 is none, 2 the usual one of looks */
 };
 
 /* Silhouettes and creases, drawn over the picture. */
 struct zr_edges {
     bool is_on;
-    zr_vec3 color; /* as in the scene: sRGB-encoded */
+    zr_vec3 color; /* sRGB-encoded */
     float width;   /* pixels */
     float crease_degrees;
 };
 
-/* Of samples, those of a window's larger side at most. */
+/* Largest side of the sample grid of a pixel, and most samples along the larger side of a window. */
 enum { ZR_SAMPLE_SIDE_MAX = 8, ZR_WINDOW_SAMPLES_MAX = 16384 };
 
 struct zr_picture {
-    bool is_linear;      /* lit in linear light and encoded as sRGB; else values go to pixels as they are, and there are
-                            no effects */
-    uint32_t side;       /* samples a pixel are side x side: 1, 2, 4 or 8 */
-    float line_width;    /* of lines and outlines, pixels */
-    bool has_gradient;   /* the background runs from top to bottom in linear light; else it is the scene's */
-    zr_vec3 top, bottom; /* sRGB-encoded */
+    bool is_linear;    /* lit in linear light and encoded as sRGB; else values are stored unchanged, without effects */
+    uint32_t side;     /* side x side samples per pixel: 1, 2, 4 or 8 */
+    float line_width;  /* of lines and outlines, pixels */
+    bool has_gradient; /* background from top to bottom, mixed in linear light; else the scene's background */
+    zr_vec3 top, bottom; /* of the gradient, sRGB-encoded */
     struct zr_environment environment;
     enum zr_tone tone;
-    float exposure; /* factor on light, before the tone mapping */
+    float exposure; /* factor on light before tone mapping */
     struct zr_occlusion occlusion;
-    bool has_ground; /* a shadow on the plane under the scene, where the camera is above it */
+    bool has_ground; /* shadow on the plane under the scene, if the camera is above it */
     struct zr_edges edges;
-    float crease_degrees; /* between faces that normals are averaged over; 180: all of a vertex */
-    bool z_is_up;         /* else y: of environment and ground */
+    float crease_degrees; /* normals are averaged over faces up to this angle apart; 180: over all faces of a vertex */
+    bool z_is_up;         /* up axis of environment and ground: z, else y */
 };
 
 #endif

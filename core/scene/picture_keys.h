@@ -1,14 +1,13 @@
 /* picture_keys.h - scene: the keys of a scene that set values of struct zr_picture, one row each.
  *
- * Merging with the look, the search for a key that needs linear light, and which keys are given follow from the rows.
+ * Merging with the look, the set of given keys and the search for a key that needs linear light follow from the rows.
  * A new key is a row here and a row in the table of its object (input/json_scene_fields.c, or input/json_picture.c).
  */
 #ifndef ZR_PICTURE_KEYS_H
 #define ZR_PICTURE_KEYS_H
 
-/* ROW(ID, object that the key belongs to, "" being the scene, key, member of struct zr_picture,
- *     whether the key needs linear light, `p` being the picture after merging). An effect that is off does not need it.
- */
+/* ROW(ID, object of the key ("" is the scene), key, member of struct zr_picture,
+ *     true if the key needs linear light, where `p` is the merged picture; an effect that is off does not need it) */
 #define ZR_PICTURE_KEYS(ROW)                                                                                           \
     ROW(SIDE, "", "samples", side, false)                                                                              \
     ROW(LINE_WIDTH, "", "lineWidth", line_width, false)                                                                \

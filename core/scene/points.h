@@ -1,7 +1,7 @@
-/* points.h - scene: the most of what its points reach, such as the largest x of all: all threads look for it.
+/* points.h - scene: maxima of measures over all points of a scene, such as the largest x, found on all threads.
  *
- * Space:    world or eye space.
- * Exact:    the most is the same in whatever order points are looked at; of zeros none has a sign.
+ * Space:  world or eye space.
+ * Exact:  a maximum does not depend on the order of points; zeros are positive.
  */
 #ifndef ZR_POINTS_H
 #define ZR_POINTS_H
@@ -12,24 +12,23 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* Which points are looked at, and by whom. */
+/* Selects points, their space and the threads. */
 struct zr_points {
     const struct zr_scene *scene;
-    const struct zr_view *view;     /* that is fitted; may be NULL without fitted_only */
-    struct zr_team *team;           /* may be NULL: one thread */
-    const struct zr_cancel *cancel; /* may be NULL; cancelled, all below return early, with what they have */
-    bool fitted_only;               /* those of the mesh that the view is fitted to, where it names one */
-    const zr_mat4 *world_to_eye;    /* into eye space, in the floats that are drawn; NULL: in world space */
+    const struct zr_view *view;     /* fitted view; may be NULL without fitted_only */
+    struct zr_team *team;           /* NULL: one thread */
+    const struct zr_cancel *cancel; /* may be NULL; if cancelled, the search returns its maxima so far */
+    bool fitted_only;               /* points of the fitted mesh only, if the view names one */
+    const zr_mat4 *world_to_eye;    /* points in eye space, in the same floats as drawing; NULL: in world space */
 };
 
 enum { ZR_MEASURES = 6 };
 
-/* Raises each of most[] to what any of the points reaches; no matter how often, and in which order, a point is looked
- * at. */
+/* Raises each of most[] to the largest measure of the points. Points may come in any order, and more than once. */
 typedef void zr_points_measure_fn(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
                                   double most[ZR_MEASURES]);
 
-/* Where no point has a place, or `measure` never writes, -HUGE_VAL. */
+/* Finds the maxima; -HUGE_VAL for measures that no point raises. */
 void zr_points_most(const struct zr_points *points, zr_points_measure_fn *measure, const void *context,
                     double most[ZR_MEASURES]);
 

@@ -1,8 +1,8 @@
-/* A pose -> the axes of the camera. */
+/* Axes of the camera from a pose. */
 #include "base/trig.h"
 #include "scene/camera_parts.h"
 
-/* False where `v` is shorter than `least`: too short to be a direction. */
+/* Scales `v` to unit length. False if its length is at most `least`. */
 static bool normalize(zr_dvec3 *v, double least)
 {
     double length = sqrt(zr_dvec3_dot(*v, *v));
@@ -27,7 +27,7 @@ static void preset_axes(enum zr_preset preset, struct zr_axes *axes)
     axes->up = zr_dvec3_cross(axes->back, axes->right);
 }
 
-/* From `back`, of unit length, and the view's up. */
+/* Completes the axes from `back`, of unit length, and the view's up. */
 static enum zr_status upright_axes(const struct zr_view *view, struct zr_axes *axes, struct zr_error *error)
 {
     zr_dvec3 up = zr_dvec3_of(view->up);
@@ -56,12 +56,12 @@ static enum zr_status direction_axes(const struct zr_view *view, struct zr_axes 
     return upright_axes(view, axes, error);
 }
 
-/* The shortest turn that carries +y to a unit vector: v + a x v + (a x (a x v)) / (1 + cosine)
- * with a = y x up, whose length is the sine (Rodrigues' formula). */
+/* Shortest rotation of +y to a unit vector: v + a x v + (a x (a x v)) / (1 + cosine) with a = y x up, whose length is
+ * the sine (Rodrigues' formula). */
 struct turn {
     zr_dvec3 axis;
     double factor;
-    bool half; /* up is -y: about x, any axis would do */
+    bool half; /* up is -y: half a turn about x */
 };
 
 static struct turn turn_to(zr_dvec3 up)
@@ -69,7 +69,7 @@ static struct turn turn_to(zr_dvec3 up)
     struct turn turn = {.axis = {up.z, 0.0, 0.0 - up.x}};
     double square = zr_dvec3_dot(turn.axis, turn.axis);
     turn.half = up.y < 0.0 && square == 0.0;
-    /* 1 / (1 + cosine), which near a half turn has no digits left, is (1 - cosine) / sine^2. */
+    /* 1 / (1 + cosine) cancels near a half turn, so it is computed as (1 - cosine) / sine^2 there. */
     turn.factor = up.y < 0.0 && square > 0.0 ? (1.0 - up.y) / square : 1.0 / (1.0 + fabs(up.y));
     return turn;
 }
@@ -81,7 +81,7 @@ static zr_dvec3 turned(const struct turn *turn, zr_dvec3 v)
     return zr_dvec3_add_scaled(zr_dvec3_add_scaled(v, once, 1.0), twice, turn->factor);
 }
 
-/* Written out from the angles, so that straight from above is a place like any other. */
+/* Computes all axes from the angles, so that views from straight above need no special case. */
 static enum zr_status orbit_axes(const struct zr_view *view, struct zr_axes *axes, struct zr_error *error)
 {
     zr_dvec3 up = zr_dvec3_of(view->up);

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* Of lengths and of cosines. */
+/* Tolerance of lengths and cosines. */
 static const double TOLERANCE = 1e-3;
 
 static double row_product(const zr_mat4 *m, int a, int b)
@@ -25,7 +25,7 @@ double zr_pose_matrix_scale(const zr_mat4 *m)
     return fabs(scale - 1.0) <= TOLERANCE ? 1.0 : scale;
 }
 
-/* Outputs that hold distances in eye space. */
+/* True if an output holds eye-space lengths or positions. */
 static bool measures_in_eye_space(const struct zr_view *view)
 {
     return zr_view_wants(view, ZR_CHANNEL_DEPTH) || zr_view_wants(view, ZR_CHANNEL_DISTANCE) ||

@@ -10,12 +10,12 @@
 #include "base/warning_list.h"
 #include "scene/scene.h"
 
-/* The one factor by which the upper 3x3 scales all lengths: 1 within 0.001, which is what rounding does to a rotation.
- * 0 where lengths depend on their direction. */
+/* Returns the factor by which the upper 3x3 scales lengths; 1 if it is within 0.001 of 1, since rounding moves that of
+ * a rotation. 0 if the factor depends on the direction. */
 double zr_pose_matrix_scale(const zr_mat4 *world_to_eye);
 
-/* Adds a warning for a reflection, and one for outputs whose distances such a matrix leaves in units that are not the
- * scene's. */
+/* Adds a warning for a reflection, and one for a scaling matrix if outputs hold eye-space lengths, which are then not
+ * in scene units. */
 void zr_pose_matrix_warn(struct zr_arena *arena, const struct zr_view *view, struct zr_warning_list *warnings);
 
 #endif

@@ -1,11 +1,11 @@
-/* A projection, with near and far plane -> its matrix. */
+/* Projection matrix, with near and far plane, of a view. */
 #include "base/trig.h"
 #include "scene/camera_parts.h"
 
-/* ---- what a projection sees ---- */
+/* ---- visible range ---- */
 
 struct tangents {
-    double x, y; /* of half the angles of view */
+    double x, y; /* of half the angle of view */
 };
 
 static struct tangents tangents_of(const struct zr_view *view)
@@ -19,7 +19,7 @@ static struct tangents tangents_of(const struct zr_view *view)
     return (struct tangents){width / height * y, y};
 }
 
-/* With the principal point filled in. */
+/* Returns the view's intrinsics with the principal point filled in. */
 static struct zr_intrinsics intrinsics_of(const struct zr_view *view)
 {
     struct zr_intrinsics k = view->intrinsics;
@@ -45,7 +45,7 @@ struct zr_opening zr_opening_of(const struct zr_view *view)
                                .shear = k.skew / k.fx};
 }
 
-/* Half sizes of the window that holds half sizes x and y, with room around. */
+/* Finds the half sizes of a window, in its aspect and with padding, that holds the half sizes x and y. */
 static void grow_to_window(const struct zr_view *view, double x, double y, double *xmag, double *ymag)
 {
     double aspect = (double)view->width / (double)view->height;
@@ -56,16 +56,16 @@ static void grow_to_window(const struct zr_view *view, double x, double y, doubl
 
 /* ---- depth range ---- */
 
-/* The nearest that a near plane of a perspective camera may be: some way before the far plane,
- * so that depths can be told apart, but not beyond the one mesh that the camera has gone up to. */
+/* Returns the least near distance of a perspective camera: 1e-4 of the far distance, to keep depth precision. A view
+ * fitted to one mesh may go nearer, to half that mesh's nearest depth. */
 static double least_znear(const struct zr_view *view, const struct zr_extent *fitted, double zfar)
 {
     double least = zfar * 1e-4, nearest = -fitted->max.z;
     return view->fit_to_mesh && nearest > 0.0 ? fmin(least, 0.5 * nearest) : least;
 }
 
-/* From the nearest and the farthest point, a little wider, so that geometry on
- * the very border is not cut by rounding. */
+/* Sets near and far from the nearest and the farthest point, with a margin so that rounding does not clip the geometry.
+ * */
 static enum zr_status depth_range(const struct zr_view *view, const struct zr_extent *e, const struct zr_extent *fitted,
                                   double rounding, struct zr_camera *camera, struct zr_error *error)
 {
@@ -76,7 +76,7 @@ static enum zr_status depth_range(const struct zr_view *view, const struct zr_ex
     double zfar = view->has_zfar ? (double)view->zfar : farthest + margin;
     double znear = view->has_znear ? (double)view->znear : nearest - margin;
     if (zr_view_is_perspective(view)) {
-        if (!(zfar > 0.0)) zfar = view->has_znear ? 2.0 * znear : 1.0; /* all is behind the eye */
+        if (!(zfar > 0.0)) zfar = view->has_znear ? 2.0 * znear : 1.0; /* all points are behind the eye */
         if (!view->has_znear) znear = fmax(znear, least_znear(view, fitted, zfar));
     }
     if (!(znear < zfar) && !view->has_zfar) zfar = znear + fmax(fabs(znear), 1.0);
@@ -99,7 +99,7 @@ static zr_mat4 perspective(const struct zr_view *view, double n, double f)
                       0, (float)(2.0 * f * n / (n - f)), 0}};
 }
 
-/* The pixel of zr_intrinsics, 0..width and 0..height, brought to -1..1 with y up. */
+/* Maps the pixels of zr_intrinsics, 0..width and 0..height, to -1..1 with y up. */
 static zr_mat4 pinhole(const struct zr_view *view, double n, double f)
 {
     struct zr_intrinsics k = intrinsics_of(view);
@@ -119,7 +119,7 @@ enum zr_status zr_camera_project(const struct zr_points *points, const struct zr
                                  const struct zr_bounds *fitted, struct zr_camera *camera, struct zr_error *error)
 {
     const struct zr_view *view = points->view;
-    if (view->projection == ZR_PROJECTION_MATRIX) { /* nothing is left to the geometry */
+    if (view->projection == ZR_PROJECTION_MATRIX) { /* independent of the geometry */
         camera->projection = view->projection_matrix;
         return ZR_OK;
     }

@@ -19,7 +19,8 @@ static zr_vec3 vec3_of(const double v[3])
     return (zr_vec3){(float)v[0], (float)v[1], (float)v[2]};
 }
 
-/* Where an affine function of the window is at its lower left, and how it changes from pixel to pixel. */
+/* Finds an affine function of the window from its values at the lower left, lower right and upper left corner: the
+ * first value and its changes per pixel. */
 static void spread(const double at[3], const double right[3], const double top[3], double width, double height,
                    zr_vec3 *value, zr_vec3 *along_x, zr_vec3 *along_y)
 {
@@ -33,7 +34,8 @@ static void spread(const double at[3], const double right[3], const double top[3
     *along_y = vec3_of(y);
 }
 
-/* The way from the eye, times w: that is linear over the window. Parallel rays: a point of the near plane. */
+/* Finds the ray of a corner: its direction times w, which is linear over the window, or for parallel rays its point on
+ * the near plane. */
 static void corner_of(const struct zr_matrix *clip_to_eye, zr_vec4 eye, double x, double y, double out[3])
 {
     const struct homogeneous p = eye_point(clip_to_eye, x, y, eye.w != 0.0f ? 1.0 : -1.0);

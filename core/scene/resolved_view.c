@@ -12,9 +12,8 @@ static enum zr_status check_range(const struct zr_camera *camera, struct zr_erro
     return zr_error_add(error, ZR_BAD_SCENE, "/view", "the view leads beyond the range of numbers");
 }
 
-/* Small things far from the origin shrink in a fitted view, since what rounding may do to them grows with their
- * distance.
- */
+/* Returns zr_camera.fit_margin. Small geometry far from the origin gets a large margin, since rounding errors grow with
+ * the distance. */
 static float fit_margin_of(const struct zr_view *view, const struct zr_bounds *fitted, const zr_mat4 *world_to_eye)
 {
     const bool fits_pose = view->pose == ZR_POSE_PRESET || view->pose == ZR_POSE_DIRECTION ||
@@ -44,7 +43,7 @@ static enum zr_status resolve(const struct zr_points *points, const struct zr_bo
     return zr_camera_project(points, bounds, &fitted, camera, error);
 }
 
-/* A share of the geometry's size that is seen. */
+/* Share of the geometry's size from which a margin is visible and reported. */
 static const float MARGIN_SEEN = 0.01f;
 
 bool zr_view_warns(const struct zr_camera *camera, char text[ZR_VIEW_WARNING_SIZE])
@@ -57,7 +56,7 @@ bool zr_view_warns(const struct zr_camera *camera, char text[ZR_VIEW_WARNING_SIZ
     return true;
 }
 
-/* Of what is strict. */
+/* Refuses a warning if the scene is strict. */
 static enum zr_status refuse_odd(const struct zr_scene *scene, const struct zr_camera *camera, struct zr_error *error)
 {
     char text[ZR_VIEW_WARNING_SIZE];

@@ -1,7 +1,7 @@
-/* resolved_view.h - scene, last step: a view (pose, projection, fit) -> a camera.
+/* resolved_view.h - scene, last step: resolves a view (pose, projection, fit) into a camera.
  *
- * Fits:   a pose that names no eye shows all of the geometry, or of one mesh of it; near
- *         and far plane hold all of it in any case.
+ * Fit:    a pose without an eye shows the whole geometry, or one mesh. Near and far plane always hold the whole
+ *         geometry, unless given.
  */
 #ifndef ZR_RESOLVED_VIEW_H
 #define ZR_RESOLVED_VIEW_H
@@ -11,21 +11,21 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* What zr_resolved_view_find finds. */
+/* Result of zr_resolved_view_find (zraster.h). */
 struct zr_resolved_view {
     const struct zr_view *view;
-    struct zr_bounds bounds; /* of the geometry; not valid where neither the view nor an output needs them */
+    struct zr_bounds bounds; /* of the geometry; not valid if neither the view, the picture nor an output needs them */
     struct zr_camera camera;
 };
 
-/* `bounds` need not be defined where the view does not need them. Fails with ZR_BAD_SCENE where the view has no
- * solution (an eye on its target, an up along the view, a target that a fitted distance cannot show), where an entry
- * of a matrix is beyond ZR_MATRIX_MAX, or where zr_view_warns and the scene is strict. */
+/* Computes the camera of a view. `bounds` are used only if zr_view_needs_bounds. ZR_BAD_SCENE if the view has no
+ * solution (the eye is at the target, up is along the view, no distance shows the target), if a matrix entry is beyond
+ * ZR_MATRIX_MAX, or if the scene is strict and zr_view_warns. ZR_CANCELLED by `cancel`. */
 enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_view *view,
                                  const struct zr_bounds *bounds, struct zr_team *team, const struct zr_cancel *cancel,
                                  struct zr_camera *camera, struct zr_error *error);
 
-/* What is odd about the view, into `text`. False: nothing is. */
+/* Writes a warning about the view into `text`. False: no warning. */
 enum { ZR_VIEW_WARNING_SIZE = 160 };
 bool zr_view_warns(const struct zr_camera *camera, char text[ZR_VIEW_WARNING_SIZE]);
 

@@ -1,11 +1,10 @@
-/* scene.h - the types that a scene is made of: the vocabulary of every floor.
+/* scene.h - scene: types of a scene, used by all rooms of core/.
  *
- * Made by input/, checked by scene/, read by all others and never changed
- * afterwards. Everything points into the request's arena. Units are the
- * scene's own; angles are radians, unless a name says degrees; colours are 0..1, as they go to pixels.
- * Once a scene is made, these hold: every coordinate is finite and at most
- * zr_limits.coordinate_max in magnitude, every index is in range, every face has
- * 3..polygon_vertices_max corners, the window is within its limits.
+ * Life:   input/ builds a scene, scene/ checks it, and all later stages only read it. All pointers lead into the
+ *         request's arena.
+ * Units:  the scene's own. Angles are in radians unless a name says degrees. Colours are 0..1, as stored in pixels.
+ * Valid:  every coordinate is finite and at most zr_limits.coordinate_max in magnitude. Every index is in range. Every
+ *         face has 3..polygon_vertices_max corners. The window is within its limits.
  */
 #ifndef ZR_SCENE_H
 #define ZR_SCENE_H
@@ -21,39 +20,39 @@
 #include "scene/shadings.h"
 #include "scene/texture.h"
 
-/* How the edges of faces are drawn, as lines one pixel wide. */
+/* Colour of the edges of faces, drawn as lines. */
 enum zr_outline {
     ZR_OUTLINE_NONE,
     ZR_OUTLINE_OWN,    /* in the colours of the face */
-    ZR_OUTLINE_COLORED /* all in outline_color */
+    ZR_OUTLINE_COLORED /* in outline_color */
 };
 
-/* What a surface's opacity is for, as in glTF. */
+/* Use of a surface's alpha, as in glTF. */
 enum zr_alpha_mode {
-    ZR_ALPHA_OPAQUE, /* nothing */
-    ZR_ALPHA_MASK,   /* where it is below the cutoff, nothing is there; else the surface is opaque */
-    ZR_ALPHA_BLEND,  /* what is behind shows through */
+    ZR_ALPHA_OPAQUE, /* alpha is ignored */
+    ZR_ALPHA_MASK,   /* samples with alpha below the cutoff are not covered, all others are opaque */
+    ZR_ALPHA_BLEND,  /* the surface is blended over those behind it */
     ZR_ALPHA_COUNT
 };
 
 struct zr_material {
     zr_vec4 base_color; /* multiplies the colours of faces and vertices */
     enum zr_alpha_mode alpha_mode;
-    float alpha_cutoff; /* of ZR_ALPHA_MASK */
-    zr_vec3 specular;   /* of ZR_SHADING_PHONG */
+    float alpha_cutoff; /* ZR_ALPHA_MASK */
+    zr_vec3 specular;   /* ZR_SHADING_PHONG */
     float shininess;
-    float metallic, roughness; /* of ZR_SHADING_PBR, 0..1 */
-    zr_vec3 emissive;          /* likewise: light of its own, linear */
-    zr_vec3 cool;              /* of ZR_SHADING_GOOCH */
+    float metallic, roughness; /* ZR_SHADING_PBR, 0..1 */
+    zr_vec3 emissive;          /* ZR_SHADING_PBR: emitted light, linear */
+    zr_vec3 cool;              /* ZR_SHADING_GOOCH: colour of the side away from the light */
     enum zr_shading shading;
-    bool double_sided;  /* false: polygons that turn away are not drawn */
-    bool uniform_color; /* unlit: its faces have one colour each, though others of their mesh have one a vertex */
-    bool unfilled;      /* faces are not filled: a wireframe, where there is an outline */
+    bool double_sided;  /* false: back faces are culled */
+    bool uniform_color; /* unlit: one colour per face, even if the mesh has vertex colours */
+    bool unfilled;      /* faces are not filled; with an outline, a wireframe */
     enum zr_outline outline;
     zr_vec4 outline_color;
-    uint32_t textures[ZR_TEXTURE_SLOTS]; /* 1 + their numbers in the scene; 0: none. Faces alone have textures */
-    float normal_scale;                  /* of ZR_TEXTURE_NORMAL, */
-    float occlusion_strength;            /* of ZR_TEXTURE_OCCLUSION, 0..1 */
+    uint32_t textures[ZR_TEXTURE_SLOTS]; /* 1 + number in the scene, or 0: none; on faces only */
+    float normal_scale;                  /* ZR_TEXTURE_NORMAL: factor on x and y */
+    float occlusion_strength;            /* ZR_TEXTURE_OCCLUSION, 0..1 */
 };
 
 static inline bool zr_material_has_textures(const struct zr_material *material)
@@ -63,19 +62,18 @@ static inline bool zr_material_has_textures(const struct zr_material *material)
     return false;
 }
 
-/* Indexed polygons, lines and points. Face f has the corners indices[face_offsets[f]] to
- * indices[face_offsets[f + 1] - 1], counter-clockwise seen from its front; what is
- * inside is decided by the odd-even rule over all of its rings. */
+/* Indexed polygons, lines and points. Face f has the corners indices[face_offsets[f]] to indices[face_offsets[f + 1] -
+ * 1], counter-clockwise seen from its front. Its interior follows from the odd-even rule over all of its rings. */
 struct zr_mesh {
-    const char *name; /* UTF-8, "" where it has none */
+    const char *name; /* UTF-8, "" if unnamed */
 
     uint32_t position_count;
-    const zr_vec4 *positions; /* object space; w = 1 where three were given */
+    const zr_vec4 *positions; /* object space; w = 1 if three numbers were given */
 
     uint32_t face_count;
     const uint32_t *face_offsets; /* face_count + 1, never NULL */
-    const uint32_t *indices;      /* into positions, one a corner */
-    bool faces_are_fans;          /* cut as fans whatever their shape: cells of a grid have no dents */
+    const uint32_t *indices;      /* into positions, one per corner */
+    bool faces_are_fans;          /* all faces are cut as fans, without a test for convexity: cells of a grid */
 
     /* Faces with holes. NULL: every face is one ring. Face f has the rings face_rings[f] to
      * face_rings[f + 1] - 1, the outer one first; ring r has the corners indices[ring_offsets[r]] to
@@ -84,34 +82,34 @@ struct zr_mesh {
     const uint32_t *ring_offsets; /* face_rings[face_count] + 1 */
 
     uint32_t line_count;
-    const uint32_t *lines; /* into positions, two a line */
+    const uint32_t *lines; /* into positions, two per line */
 
     uint32_t point_count;
     const uint32_t *points; /* into positions */
     float point_size;       /* pixels; below 1 it is 1 */
 
     uint32_t normal_count;          /* 0: normals are computed */
-    const zr_vec3 *normals;         /* any length; a zero normal is computed instead */
-    const uint32_t *normal_indices; /* one a corner; NULL: the corner's position index */
+    const zr_vec3 *normals;         /* of any length; zero normals are replaced by computed ones */
+    const uint32_t *normal_indices; /* one per corner; NULL: the corner's position index */
 
-    const zr_vec4 *texcoords; /* position_count, or NULL: u, v of texcoord 0 and of 1, which is 0 where not given */
+    const zr_vec4 *texcoords; /* position_count, or NULL: u, v of texcoord 0, then u, v of texcoord 1, or 0 */
     const zr_vec4 *tangents;  /* position_count, or NULL: xyz along u, of any length, and the sign of the bitangent */
 
     const zr_vec4 *colors;              /* position_count, or NULL */
     const zr_vec4 *face_colors;         /* face_count, or NULL */
-    const struct zr_color_scale *scale; /* by which these stand for numbers; NULL: they are just colours */
+    const struct zr_color_scale *scale; /* of colours made from scalars; NULL: colours were given */
 
-    const uint32_t *face_materials; /* face_count, or NULL: all have `material` */
+    const uint32_t *face_materials; /* face_count, or NULL: all faces have `material` */
     uint32_t material;
 };
 
-/* Then it is computed instead. */
+/* True for a given normal that is replaced by a computed one. */
 static inline bool zr_normal_is_zero(zr_vec3 normal)
 {
     return normal.x == 0.0f && normal.y == 0.0f && normal.z == 0.0f;
 }
 
-/* The rings of a face: ring r of `count` has the corners offsets[r] .. offsets[r + 1] - 1. */
+/* Rings of a face: ring r of `count` has the corners offsets[r] .. offsets[r + 1] - 1. */
 struct zr_rings {
     uint32_t count;
     const uint32_t *offsets; /* count + 1 */
@@ -124,60 +122,61 @@ static inline struct zr_rings zr_mesh_rings(const struct zr_mesh *mesh, uint32_t
     return (struct zr_rings){mesh->face_rings[face + 1] - first, mesh->ring_offsets + first};
 }
 
-/* What pixels are owned by: faces, after them lines, and after these points, one id each. */
+/* Returns the number of owner ids of a mesh: one per face, then one per line, then one per point. */
 static inline uint64_t zr_mesh_ids(const struct zr_mesh *mesh)
 {
     return (uint64_t)mesh->face_count + mesh->line_count + mesh->point_count;
 }
 
-/* What drawing looks up, one by one: corners of faces, ends of lines, points. */
+/* Returns the number of vertices to draw: corners of faces, ends of lines, points. */
 static inline uint64_t zr_mesh_corners(const struct zr_mesh *mesh)
 {
     return mesh->face_offsets[mesh->face_count] + 2 * (uint64_t)mesh->line_count + mesh->point_count;
 }
 
-/* A mesh, placed. */
+/* A mesh with its place in the world. */
 struct zr_instance {
     uint32_t mesh;
     zr_mat4 object_to_world;
-    const char *node; /* the name of the node that placed it, UTF-8; NULL where there is none */
+    const char *node; /* name of the node that placed it, UTF-8; NULL: none */
 };
 
 enum { ZR_LIGHTS_MAX = 1024 };
 
-/* Entries of matrices, given or resolved, stay below this in magnitude, so that two of
- * them and a coordinate multiply to a float. Three may not: geometry drops what infinities
- * and NaN come of that. */
+/* Largest magnitude of an entry of a given or resolved matrix. The product of two entries and a coordinate then fits a
+ * float. With three entries it may not: geometry/ drops primitives with infinities and NaN. */
 #define ZR_MATRIX_MAX 1e15f
 
 enum zr_light_type {
-    ZR_LIGHT_DIRECTIONAL, /* from one direction, as from the sun */
-    ZR_LIGHT_HEMISPHERE,  /* from all around: from the sky above to the ground below */
-    ZR_LIGHT_POINT,       /* from a place, in all directions */
-    ZR_LIGHT_SPOT         /* from a place, within a cone */
+    ZR_LIGHT_DIRECTIONAL, /* parallel, like the sun */
+    ZR_LIGHT_HEMISPHERE,  /* from all around, from a sky colour above to a ground colour below */
+    ZR_LIGHT_POINT,       /* from a position, in all directions */
+    ZR_LIGHT_SPOT         /* from a position, within a cone */
 };
 
-/* Which shadings a lamp lights. A look's lamps stand in for its environment where that is not seen. */
+/* Shadings that a light affects. A look's ZR_LIT_CLASSIC lights replace its environment in shadings that do not use it.
+ * */
 enum zr_lit { ZR_LIT_ALL, ZR_LIT_CLASSIC /* flat, gouraud, phong */, ZR_LIT_PBR };
 
 struct zr_light {
-    zr_vec3 direction; /* the way the light travels, of a spot along its axis; of a hemisphere, to the sky; unit */
-    zr_vec3 color;     /* times intensity; of a hemisphere, of the sky */
-    bool camera_frame; /* direction and position are in eye space (it goes with the camera), else in world space */
+    zr_vec3 direction; /* unit vector along which light travels; spot: its axis; hemisphere: towards the sky */
+    zr_vec3 color;     /* times intensity; hemisphere: colour of the sky */
+    bool camera_frame; /* direction and position are in eye space and move with the camera; else in world space */
     enum zr_light_type type;
-    zr_vec3 ground; /* times intensity, of a hemisphere */
+    zr_vec3 ground; /* hemisphere: colour of the ground, times intensity */
     bool has_shadows;
     enum zr_lit lit;
-    bool environment_frame; /* direction is in the frame of picture.environment, named or not, and turns with it */
+    bool environment_frame; /* direction is in the frame of picture.environment and turns with it, even if that is none
+                             */
 
-    /* Of point and spot lamps. `color` is what arrives at a distance of 1, in scene units; it falls off by the square
-     * of the distance. */
+    /* Point and spot lights. `color` is the light at a distance of 1 scene unit; it falls off by the square of the
+     * distance. */
     zr_vec3 position;
-    float range;                         /* at this distance nothing arrives any more; 0: there is no such distance */
-    double inner_degrees, outer_degrees; /* of a spot: from its axis, 0 <= inner < outer <= 90 */
+    float range;                         /* distance from which on there is no light, scene units; 0: no limit */
+    double inner_degrees, outer_degrees; /* spot: angles from its axis, 0 <= inner < outer <= 90 */
 };
 
-/* Has a map for it. */
+/* True if the light needs a shadow map. */
 static inline bool zr_light_casts_shadows(const struct zr_light *light)
 {
     return light->has_shadows && (light->type == ZR_LIGHT_DIRECTIONAL || light->type == ZR_LIGHT_SPOT);
@@ -188,8 +187,8 @@ static inline bool zr_light_has_place(const struct zr_light *light)
     return light->type == ZR_LIGHT_POINT || light->type == ZR_LIGHT_SPOT;
 }
 
-/* Depth cueing: what is seen up to `near` has its own colour, from `far` on that of the fog, and in between more and
- * more of it; both are depths along the view axis. What is behind all geometry is not in the fog. */
+/* Depth cueing: the share of the fog's colour rises from 0 at depth `near` to 1 at depth `far`. Both are depths along
+ * the view axis, in scene units. The background has no fog. */
 struct zr_fog {
     bool is_on;
     zr_vec3 color;
@@ -205,7 +204,7 @@ enum zr_pose {
 };
 
 enum zr_preset {
-    ZR_PRESET_FRONT, /* the camera on +z, looks along -z; y is up */
+    ZR_PRESET_FRONT, /* the camera on +z looks along -z; y is up */
     ZR_PRESET_BACK,
     ZR_PRESET_LEFT, /* the camera on -x */
     ZR_PRESET_RIGHT,
@@ -222,17 +221,17 @@ enum zr_projection {
     ZR_PROJECTION_MATRIX
 };
 
-/* A pinhole camera in pixels of the window; (0, 0) is the top left corner of the picture. A point
- * x to the right, y down and z in front is seen at ((fx x + skew y) / z + cx, fy y / z + cy). */
+/* Pinhole camera in pixels of the window; (0, 0) is the top left corner of the picture. A point at x to the right, y
+ * down and z in front projects to ((fx x + skew y) / z + cx, fy y / z + cy). */
 struct zr_intrinsics {
     double fx, fy, skew;
-    bool has_cx, has_cy; /* else the middle of the window */
+    bool has_cx, has_cy; /* false: the middle of the window */
     double cx, cy;
 };
 
-/* Hidden-surface algorithms (raster/): all give the same pixels. */
+/* Hidden-surface algorithms (raster/): all produce the same pixels. */
 enum zr_algorithm {
-    ZR_ALGORITHM_HALFSPACE, /* production: edge functions, tile by tile */
+    ZR_ALGORITHM_HALFSPACE, /* default: edge functions, tile by tile */
     ZR_ALGORITHM_EDGELIST,
     ZR_ALGORITHM_TRAPEZOID,
     ZR_ALGORITHM_SCANLINE,
@@ -240,19 +239,18 @@ enum zr_algorithm {
     ZR_ALGORITHM_COUNT
 };
 
-/* How PNGs are compressed: fast, or into fewer bytes for much more time (output/png.h). */
+/* Compression of PNGs: fast, or smaller files for much more time (output/png.h). */
 enum zr_compress { ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL, ZR_COMPRESS_COUNT };
 
 struct zr_output {
     enum zr_channel channel;
     enum zr_encoding encoding;
-    float scale;         /* png16: scene units a step; 0: the far plane is 65535 */
-    enum zr_space space; /* of channels that have some; all outputs of one channel have the same */
-    uint32_t x, y;       /* fragments: the pixel, counted from the top left corner */
+    float scale;         /* png16: scene units per step; 0: the far plane is 65535 */
+    enum zr_space space; /* of channels with a choice; the same for all outputs of one channel */
+    uint32_t x, y;       /* fragments: the pixel, from the top left corner */
 };
 
-/* A picture of the scene: one window, pose and projection, as asked for (resolved by scene/camera.h), and what is to be
- * had of it. */
+/* A view of the scene as requested: window, outputs, pose and projection (resolved by scene/resolved_view.h). */
 struct zr_view {
     uint32_t width, height; /* of the window, pixels */
     uint32_t output_count;
@@ -261,61 +259,60 @@ struct zr_view {
     enum zr_pose pose;
     enum zr_preset preset;
     zr_vec3 eye, target, up;
-    zr_vec3 direction;                         /* the way the camera looks; any length */
-    double azimuth_degrees, elevation_degrees; /* of the camera, seen from the target: 0, 0 is the preset front */
-    bool has_target;                           /* orbit: else the centre of what is fitted to */
-    float distance;                            /* orbit: from the target; 0: fitted */
-    zr_mat4 world_to_camera;                   /* eye space: the camera looks along -z, y is up */
+    zr_vec3 direction; /* viewing direction, of any length */
+    double azimuth_degrees,
+        elevation_degrees;   /* orbit: of the camera, seen from the target; 0, 0 is the preset front */
+    bool has_target;         /* orbit; false: the centre of the fitted bounds */
+    float distance;          /* orbit: from the target; 0: fitted */
+    zr_mat4 world_to_camera; /* eye space: the camera looks along -z, y is up */
 
     enum zr_projection projection;
-    float yfov_radians, xfov_radians; /* full angles; the one that is not given is 0 */
+    float yfov_radians, xfov_radians; /* full angles; one of them is 0: not given */
     float xmag, ymag;                 /* half sizes; both 0: fitted to the geometry */
     struct zr_intrinsics intrinsics;
     zr_mat4 projection_matrix;
 
-    bool has_znear, has_zfar; /* else taken from the bounds */
+    bool has_znear, has_zfar; /* false: taken from the bounds */
     float znear, zfar;        /* distances in front of the camera */
     float fit_padding;        /* share of the window left free on each side */
-    bool fit_to_mesh;         /* what is fitted is to hold only the instances of the mesh fit_mesh */
+    bool fit_to_mesh;         /* the view is fitted to the instances of fit_mesh only */
     uint32_t fit_mesh;
 };
 
-/* What was drawn before, here or elsewhere, and new geometry is drawn into: arrays of
- * width * height, row 0 on top. What is NULL is as if nothing were there; readers see to
- * it that no channel that the outputs ask for is. */
+/* An existing picture, from zraster or elsewhere, that the scene is drawn into: arrays of width * height, row 0 on top.
+ * NULL stands for an uncovered array; zr_scene_validate refuses it if an output needs that channel. */
 struct zr_base {
-    const uint8_t *color;      /* RGBA, 4 bytes a pixel */
-    const float *window_depth; /* the z-buffer, 0..1, 1 where nothing is; NULL: made from depth */
-    const float *depth;        /* eye space, +inf where nothing is */
-    const uint32_t *face_id;   /* 0 where nothing is */
-    bool scene_wins_ties;      /* at equal depth the new geometry is seen, else the base is */
-    uint32_t first_face_id;    /* of the new geometry; at least 1 */
-    uint64_t
-        clamped_depths; /* of window_depth, where it was made from depth: before the near plane, or behind the far */
+    const uint8_t *color;      /* RGBA, 4 bytes per pixel */
+    const float *window_depth; /* the z-buffer, 0..1, 1 if uncovered; NULL: made from depth (scene/base_depth.h) */
+    const float *depth;        /* eye-space depth, scene units, +inf if uncovered */
+    const uint32_t *face_id;   /* 0 if uncovered */
+    bool scene_wins_ties;      /* at equal depth the scene is visible, else the base */
+    uint32_t first_face_id;    /* of the scene's geometry; at least 1 */
+    uint64_t clamped_depths;   /* values of a window_depth made from depth that were in front of near or beyond far */
 };
 
 enum { ZR_VIEWS_MOST = 1 };
 
-/* A scale of colours, drawn over the output color with numbers beside it (overlay/color_bar.h). */
+/* A colour scale with numbers, drawn over the output color (overlay/color_bar.h). */
 struct zr_color_bar {
     bool is_on;
-    bool is_left;      /* at the left edge, else at the right one */
-    bool has_mesh;     /* it shows the scale of `mesh`, else of the first mesh drawn that has one */
-    uint32_t mesh;     /* number of it */
+    bool is_left;      /* at the left edge, else at the right edge */
+    bool has_mesh;     /* scale of `mesh`, else of the first drawn mesh with a scale */
+    uint32_t mesh;     /* number in the scene */
     const char *title; /* above the bar, UTF-8; NULL: none */
 };
 
 struct zr_look; /* scene/looks.h */
 
-/* What readers left out or replaced. */
+/* Counts of input that readers left out or replaced. */
 struct zr_read_counts {
-    uint64_t normals, zero_normals; /* given, and of these: computed instead */
-    uint32_t zero_normals_mesh;     /* the first that has some */
-    uint64_t left_out_cells;        /* of grids of heights, for their holes */
+    uint64_t normals, zero_normals; /* given normals, and zero ones among them, which are computed instead */
+    uint32_t zero_normals_mesh;     /* the first mesh with a zero normal */
+    uint64_t left_out_cells;        /* cells of height grids beside a hole */
 };
 
 struct zr_scene {
-    const struct zr_look *look; /* which one it has; what else is here is that of the scene, over the look's */
+    const struct zr_look *look; /* its values are already merged into the other members */
     zr_vec4 background;
     zr_vec3 ambient;
     struct zr_fog fog;
@@ -327,14 +324,14 @@ struct zr_scene {
     const struct zr_mesh *meshes;
     const struct zr_instance *instances;
     const struct zr_light *lights;
-    enum zr_compress compress;   /* of all outputs that are PNGs */
-    const char *const *warnings; /* what input/ and scene/ found odd but drawable */
-    bool is_strict;              /* what is warned of is refused instead */
+    enum zr_compress compress;   /* of all PNG outputs */
+    const char *const *warnings; /* of input/ and scene/ */
+    bool is_strict;              /* warnings are errors */
     struct zr_read_counts counts;
     struct zr_view views[ZR_VIEWS_MOST];
-    const struct zr_base *base; /* NULL: the geometry is all there is */
+    const struct zr_base *base; /* NULL: none */
     uint32_t image_count;
-    const struct zr_image *images; /* no two of the same bytes */
+    const struct zr_image *images; /* no two have the same bytes */
     uint32_t texture_count;
     const struct zr_texture *textures;
 };
@@ -345,7 +342,7 @@ static inline const struct zr_material *zr_material_of_face(const struct zr_scen
     return &scene->materials[mesh->face_materials ? mesh->face_materials[face] : mesh->material];
 }
 
-/* Whether pictures show what is behind it. */
+/* True if the channel color may show surfaces behind it. */
 static inline bool zr_material_is_layered(const struct zr_material *material)
 {
     return material->alpha_mode != ZR_ALPHA_OPAQUE || zr_shading_is_layered(material->shading);
@@ -365,7 +362,7 @@ static inline bool zr_any_is_see_through(const struct zr_material *materials, ui
     return false;
 }
 
-/* What of these is seen, their opacity tells. */
+/* True if the coverage of a material depends on its alpha. */
 static inline bool zr_any_is_masked(const struct zr_material *materials, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++)
@@ -373,7 +370,7 @@ static inline bool zr_any_is_masked(const struct zr_material *materials, uint32_
     return false;
 }
 
-/* The first of the outputs that shows the channel; NULL: none does. */
+/* Returns the view's first output of the channel; NULL: none. */
 static inline const struct zr_output *zr_view_output(const struct zr_view *view, enum zr_channel channel)
 {
     for (uint32_t i = 0; i < view->output_count; i++)
@@ -386,7 +383,7 @@ static inline bool zr_view_wants(const struct zr_view *view, enum zr_channel cha
     return zr_view_output(view, channel) != NULL;
 }
 
-/* True where it is wanted, or what reports in words is made from it. */
+/* True if an output has the channel, or if `info` or `fragments` is computed from it. */
 static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel channel)
 {
     const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS);
@@ -394,7 +391,7 @@ static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel cha
            (channel == ZR_CHANNEL_FACE_ID && (lists || zr_view_wants(view, ZR_CHANNEL_INFO)));
 }
 
-/* The space of a channel that is wanted. */
+/* Returns the space of the view's outputs of a channel. */
 static inline enum zr_space zr_view_space(const struct zr_view *view, enum zr_channel channel)
 {
     for (uint32_t i = 0; i < view->output_count; i++)

@@ -47,7 +47,7 @@ static bool is_same(const struct zr_material *a, const struct zr_material *b)
            a->occlusion_strength == b->occlusion_strength && memcmp(a->textures, b->textures, sizeof a->textures) == 0;
 }
 
-/* Equal materials have equal ones; most others, others. Source: FNV-1a, by words. */
+/* Returns equal values for equal materials. Source: FNV-1a, by words. */
 static uint32_t hash(const struct zr_material *m)
 {
     const float numbers[] = {m->base_color.x,    m->base_color.y,    m->base_color.z,    m->base_color.w,
@@ -69,7 +69,7 @@ static uint32_t hash(const struct zr_material *m)
     return (value ^ word) * 16777619u;
 }
 
-/* Where the number of the material is, or would be. */
+/* Finds the slot of an equal material, or the empty slot for a new one. */
 static uint32_t *find_slot(const struct zr_scene_builder *builder, const struct zr_material *material)
 {
     const size_t mask = 2 * builder->material_room - 1;
@@ -160,7 +160,7 @@ void zr_scene_builder_note_normals(struct zr_scene_builder *builder, uint32_t me
         if (zr_normal_is_zero(normals[i]) && counts->zero_normals++ == 0) counts->zero_normals_mesh = mesh;
 }
 
-/* ---- what is open ---- */
+/* ---- missing arrays ---- */
 
 struct counting {
     uint32_t *numbers, step;
@@ -173,7 +173,7 @@ static void count_range(void *context, size_t begin, size_t end)
         counting->numbers[i] = (uint32_t)i * counting->step;
 }
 
-/* 0, step, 2 step, ... */
+/* Allocates the numbers 0, step, 2 step, ... */
 static const uint32_t *count_up(struct zr_scene_builder *builder, size_t count, uint32_t step)
 {
     struct counting counting = {zr_arena_alloc(builder->arena, count, sizeof(uint32_t)), step};

@@ -1,14 +1,14 @@
-/* shadings.h - scene: the ways to shade a surface, one row each.
+/* shadings.h - scene: table of shadings, one row each.
  *
- * The enum, the words and every question about a shading follow from the rows. A new shading is a row here and a file
- * in shade/models/. The questions are masks known at compile time: in kernels each is one shift.
+ * The enum, the words and all predicates follow from the rows. A new shading is a row here and a file in shade/models/.
+ * Predicates test masks known at compile time: in kernels each is one shift.
  */
 #ifndef ZR_SHADINGS_H
 #define ZR_SHADINGS_H
 
 #include <stdbool.h>
 
-/* At which rate a surface is shaded. */
+/* Rate at which a surface is shaded. */
 enum zr_shading_rate {
     ZR_SHADED_NEVER,      /* colours as given, interpolated where given per vertex */
     ZR_SHADED_PER_FACE,   /* one lit colour per polygon; its first vertex gives the colour */
@@ -16,21 +16,21 @@ enum zr_shading_rate {
     ZR_SHADED_PER_PIXEL
 };
 
-/* What light a shading takes. */
+/* Lights that a shading uses. */
 enum zr_shading_light {
     ZR_SHADED_BY_NOTHING,
-    ZR_SHADED_BY_LAMPS,   /* those of the scene */
-    ZR_SHADED_PHYSICALLY, /* lamps and environment on metals and plastics, as in glTF 2.0 */
+    ZR_SHADED_BY_LAMPS,   /* the scene's lights */
+    ZR_SHADED_PHYSICALLY, /* the scene's lights and environment, by the metallic-roughness model of glTF 2.0 */
     ZR_SHADED_BY_OWN_LAMP,
-    ZR_SHADED_BY_NORMALS /* the normals are shown as colours */
+    ZR_SHADED_BY_NORMALS /* none: normals are shown as colours */
 };
 
-/* ROW(ID, word, rate, light, needs smooth normals: those of vertices are computed if none are given,
- *     has the keys specular and shininess, needs linear light, is see-through in pictures,
- *     model: zr_shade_by_MODEL, per pixel and in values as they are (shade/models/models_simd.h))
+/* ROW(ID, word, rate, light, needs smooth normals: vertex normals are computed if none are given,
+ *     has the keys specular and shininess, needs linear light, is translucent in the channel color,
+ *     model: zr_shade_by_MODEL, per pixel, without linear light (shade/models/models_simd.h))
  * unlit   colours as given
  * phong   normals interpolated, lit at each pixel
- * gooch   from a cool colour to the surface's own, by the side that faces a lamp of the camera's
+ * gooch   from a cool colour to the surface's own, by the angle to a light that moves with the camera
  * xray    two-sided and translucent; opacity rises towards grazing angles */
 #define ZR_SHADINGS(ROW)                                                                                               \
     ROW(UNLIT, "unlit", NEVER, BY_NOTHING, false, false, false, false, colors)                                         \
@@ -49,11 +49,11 @@ enum zr_shading {
         ZR_SHADING_COUNT
 };
 
-/* "unlit, flat, ..., xray, ": for texts that the compiler puts together. */
+/* "unlit, flat, ..., xray, ", for concatenated string literals. */
 #define ZR_SHADING_LISTED(ID, word, ...) word ", "
 #define ZR_SHADING_LIST                  ZR_SHADINGS(ZR_SHADING_LISTED)
 
-/* ---- sets of shadings: a bit each ---- */
+/* ---- sets of shadings, one bit each ---- */
 
 #define ZR_SHADING_ALL ((1u << ZR_SHADING_COUNT) - 1)
 
@@ -86,7 +86,7 @@ enum {
 #undef ZR_SHADING_BIT_LINEAR
 #undef ZR_SHADING_BIT_LAYERED
 
-/* ---- questions ---- */
+/* ---- predicates ---- */
 
 static inline bool zr_shading_is_in(enum zr_shading shading, unsigned set)
 {
@@ -98,7 +98,7 @@ static inline bool zr_shading_is_at(enum zr_shading shading, enum zr_shading_rat
     return zr_shading_is_in(shading, zr_shadings_at(rate));
 }
 
-/* Its colour varies over a face, whatever colours it is given. */
+/* True if its colour can vary over a face of one given colour. */
 static inline bool zr_shading_varies(enum zr_shading shading)
 {
     return zr_shading_is_in(shading, zr_shadings_at(ZR_SHADED_PER_VERTEX) | zr_shadings_at(ZR_SHADED_PER_PIXEL));

@@ -3,15 +3,15 @@
 #include <stdatomic.h>
 #include <string.h>
 
-/* A fifth of a millisecond, which is more than it takes to wake a thread. */
+/* A fifth of a millisecond of work, more than the time to wake a thread. */
 enum { INDICES_A_RANGE = 1 << 18 };
 
 struct marking {
     const uint32_t *indices;
-    _Atomic uint8_t *used; /* of each position: 1 or 0 */
+    _Atomic uint8_t *used; /* per position: 1 or 0 */
 };
 
-/* A byte a position, and not a bit: nothing need be read before it is written. */
+/* Marks used positions by bytes: a bit would have to be read before it is written. */
 static void mark_range(void *context, size_t begin, size_t end)
 {
     const struct marking *marking = context;

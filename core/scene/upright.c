@@ -22,6 +22,6 @@ void zr_view_put_z_up(struct zr_view *view, bool says_up)
     }
     if (says_up) return;
     view->up = (zr_vec3){0, 0, 1};
-    /* Straight down and up, as the presets top and bottom have it. */
+    /* Straight down and up: y as in the presets top and bottom. */
     if (d.x == 0.0f && d.y == 0.0f && d.z != 0.0f) view->up = (zr_vec3){0, d.z < 0.0f ? 1.0f : -1.0f, 0};
 }

@@ -14,7 +14,7 @@ static void check_view(const struct zr_view *view, const struct zr_limits *limit
     size_t before = error->count;
     check_side("/window/width", view->width, limits, error);
     check_side("/window/height", view->height, limits, error);
-    if (error->count > before) return; /* so that the product below cannot overflow */
+    if (error->count > before) return; /* else the product below could overflow */
     uint64_t images = 0, pixels = (uint64_t)view->width * view->height;
     for (uint32_t i = 0; i < view->output_count; i++)
         images += zr_channel_rows[view->outputs[i].channel].words;
@@ -40,7 +40,8 @@ static void check_geometry(const struct zr_scene *scene, struct zr_error *error)
                      ZR_SCENE_CORNERS_MAX);
 }
 
-/* Points that are seen are known up to their w, which is enough for all but distances (shade/draw_attributes.h). */
+/* Point and spot lights need w = 1: positions are interpolated up to their w, which does not give distances
+ * (shade/draw_attributes.h). */
 static void check_lamps(const struct zr_scene *scene, struct zr_error *error)
 {
     uint32_t lamp = 0;
@@ -59,7 +60,7 @@ static void check_lamps(const struct zr_scene *scene, struct zr_error *error)
     }
 }
 
-/* Where the base is seen, every channel that is asked for must come from it. */
+/* Pixels of the base need values in every requested channel. */
 static void check_base(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
     const struct zr_base *base = scene->base;
@@ -93,7 +94,7 @@ static void check_layers(const struct zr_scene *scene, const struct zr_view *vie
                          zr_channel_rows[channels[i]].name);
 }
 
-/* A query's output has no place in the scene. */
+/* Checks the pixel of outputs `fragments`. There is no pointer, since the output may come from the query. */
 static void check_pixels(const struct zr_view *view, struct zr_error *error)
 {
     for (uint32_t i = 0; i < view->output_count; i++) {

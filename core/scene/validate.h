@@ -1,9 +1,7 @@
-/* validate.h - scene, first step: what concerns a scene as a whole, whatever
- * format it came in.
+/* validate.h - scene, first step: checks of a scene as a whole, for all input formats.
  *
- * Readers have checked each value by itself; here are the window against its
- * limits, that there is something to draw, that counts fit their types in
- * every later stage, and that a base has what the outputs ask for.
+ * Readers check single values. This step checks the window against its limits, the presence of geometry, counts against
+ * the types of later stages, and the channels of a base against the outputs.
  */
 #ifndef ZR_VALIDATE_H
 #define ZR_VALIDATE_H
@@ -12,11 +10,11 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* Corners over all instances. Triangles are fewer, but for faces with holes, which have less than 5/3 as many
- * (triangulate.h): both fit 32 bits. */
+/* Most corners over all instances. Faces have fewer triangles than corners, and faces with holes less than 5/3 as many
+ * (geometry/triangulate.h), so that both counts fit 32 bits. */
 #define ZR_SCENE_CORNERS_MAX (UINT64_C(1) << 31)
 
-/* ZR_OK, or ZR_BAD_SCENE with every fault found. */
+/* Returns ZR_OK, or ZR_BAD_SCENE with all faults in `error`. */
 enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error);
 
 #endif
