@@ -16,33 +16,34 @@
 
 /* ---- a sample of faces, lines and points ---- */
 
-/* SAMPLES: faces, lines and points in the sample. SAMPLED_CORNERS: their corners at most, about. */
+/* SAMPLES: most faces, lines and points in the sample. SAMPLED_CORNERS: approximate limit of their corners. */
 enum { SAMPLES = 1024, SAMPLED_CORNERS = 1 << 16 };
 
-/* Sums over the sample, of pixels of the window. */
+/* Sums over the sample, in pixels of the window. */
 struct tally {
     const struct zr_scene *scene;
     double width, height, line_width, side;
     zr_mat4 world_to_clip, object_to_clip;
     bool is_mirrored;
     double faces, fragments, line_fragments, layered;
-    double outlines;                          /* edges that are drawn as lines */
-    double shape_corners, shape_samples;      /* squared corners; pixels times corners */
-    double kept, kept_squares;                /* see-through fragments that are kept for sure, for memory */
-    double lit, lamps, placed_lamps, shadows; /* fragments that are lit, times lamps of their material */
+    double outlines;                          /* edges drawn as lines */
+    double shape_corners, shape_samples;      /* faces that are not convex: squared corners; pixels times corners */
+    double kept, kept_squares;                /* lower bound of translucent fragments, for memory; sum of squares */
+    double lit, lamps, placed_lamps, shadows; /* lit fragments; the others times lights of their material */
     double textures;                          /* fragments times textures */
-    double vertex_lamps, vertex_placed_lamps; /* lit vertices and faces, times lamps */
-    double boxes_width, boxes_height;         /* of faces' boxes */
+    double vertex_lamps, vertex_placed_lamps; /* lit vertices and faces, times lights */
+    double boxes_width, boxes_height;         /* sums over the boxes of faces, pixels */
 };
 
-/* Where something lies in the window. */
+/* Projection of a face, line or point to the window. */
 struct footprint {
-    double low[2], high[2];    /* its box, pixels */
-    double area, net;          /* |shoelace|, and with its sign: counter-clockwise is above 0 */
-    double perimeter;          /* along each edge the larger of its extents in x and y */
-    uint32_t in_front, behind; /* corners before the eye, and others */
+    double low[2], high[2];    /* bounding box, pixels */
+    double area, net;          /* sums over rings of the absolute and the signed area; counter-clockwise is positive */
+    double perimeter;          /* sum over edges of the larger extent in x or y */
+    uint32_t in_front, behind; /* corners in front of the eye, and others */
 };
 
+/* Projects a corner to `at` and extends the box; at = 0, 0 behind the eye. */
 static void include(const struct tally *tally, struct footprint *print, zr_vec4 position, double at[2])
 {
     const zr_vec4 clip = zr_mat4_apply(&tally->object_to_clip, position);
@@ -82,14 +83,15 @@ static struct footprint footprint_of(const struct tally *tally, const struct zr_
     return print;
 }
 
-/* The share of an extent that is in the window; a pixel is the least extent. */
+/* Returns the share of an extent inside 0..size; extents count as at least one pixel. */
 static double share_within(double low, double high, double size)
 {
     const double within = fmin(high, size) - fmax(low, 0.0);
     return within < 0.0 ? 0.0 : fmin(fmax(within, 1.0) / fmax(high - low, 1.0), 1.0);
 }
 
-/* A face with a corner behind the eye counts as the whole window. */
+/* Estimates the pixels of a face in the window; a face with corners on both sides of the eye counts as the whole
+ * window. */
 static double pixels_in_window(const struct tally *tally, const struct footprint *print)
 {
     const double window = tally->width * tally->height;
@@ -100,6 +102,7 @@ static double pixels_in_window(const struct tally *tally, const struct footprint
     return pixels < window ? pixels : window; /* NaN: all of it */
 }
 
+/* Estimates the length of a face's edges in the window, pixels. */
 static double length_in_window(const struct tally *tally, const struct footprint *print)
 {
     if (print->in_front == 0) return 0.0;
@@ -119,10 +122,10 @@ static void add_layers(struct tally *tally, const struct zr_material *material, 
     tally->kept_squares += kept * kept;
 }
 
-/* Cost of a lamp per pixel by the textbook, relative to linear light. */
+/* Cost of a light per pixel without linear light, relative to linear light. */
 static const double TEXTBOOK_LAMP_TIMES = 0.2;
 
-/* Lamps that light a material, and how many of these have a place, and shadows. */
+/* Counts the lights of a material; `placed`: point and spot lights, `shadows`: lights with shadow maps. */
 static void count_lamps(const struct zr_scene *scene, const struct zr_material *material, double *all, double *placed,
                         double *shadows)
 {
@@ -193,16 +196,16 @@ static void add_line(struct tally *tally, const struct zr_mesh *mesh, const uint
     struct zr_mesh line = *mesh;
     line.indices = ends;
     struct footprint print = footprint_of(tally, &line, (struct zr_rings){1, offsets});
-    print.perimeter *= 0.5; /* there and back */
+    print.perimeter *= 0.5; /* footprint_of adds the line twice, as a closed ring */
     const double pixels = tally->line_width * length_in_window(tally, &print);
     tally->line_fragments += pixels;
     add_layers(tally, &tally->scene->materials[mesh->material], pixels, 0.0);
 }
 
-/* Cost of a see-through pixel of a point, relative to a pixel of a face. */
+/* Cost of a translucent pixel of a point, relative to a pixel of a face. */
 static const double POINT_LAYER_TIMES = 3.0;
 
-/* A square around its middle. */
+/* Counts the part of the point's square inside the window. */
 static void add_point(struct tally *tally, const struct zr_mesh *mesh, uint32_t position)
 {
     struct footprint print = {.low = {HUGE_VAL, HUGE_VAL}, .high = {-HUGE_VAL, -HUGE_VAL}};
@@ -227,7 +230,7 @@ static void add_thing(struct tally *tally, const struct zr_mesh *mesh, uint32_t 
         add_point(tally, mesh, mesh->points[number - mesh->face_count - mesh->line_count]);
 }
 
-/* Scattered numbers, the same on every machine (Steele's splitmix64). */
+/* Returns pseudo-random numbers, the same on every machine (Steele's splitmix64). */
 static uint64_t scatter(uint64_t n)
 {
     n = (n + 1) * 0x9e3779b97f4a7c15u;
@@ -236,11 +239,12 @@ static uint64_t scatter(uint64_t n)
     return n ^ (n >> 31);
 }
 
-/* One thing out of each stretch of them, at a place that no regular pattern in the scene can keep to. */
+/* Adds one primitive from each of `samples` equal ranges, at a pseudo-random place, so that regular patterns in the
+ * scene do not bias the sample. */
 static void walk(struct tally *tally, uint64_t things, uint64_t samples)
 {
     const struct zr_mesh *mesh = NULL;
-    uint64_t first = 0, end = 0; /* the things of `mesh`, counted over all instances */
+    uint64_t first = 0, end = 0; /* range of `mesh` in the numbers of things over all instances */
     uint32_t next_instance = 0;
     for (uint64_t k = 0; k < samples; k++) {
         const uint64_t begin = k * things / samples, size = (k + 1) * things / samples - begin;
@@ -262,14 +266,14 @@ static void walk(struct tally *tally, uint64_t things, uint64_t samples)
 
 /* ---- passes ---- */
 
-/* How often the scene is drawn, and where. */
+/* Number of passes by kind. */
 struct passes {
-    double centres; /* pixels' centres: for channels and, in linear light, for occlusion */
-    double samples; /* a window of `side` times the size: 0 or 1 */
+    double centres; /* at pixel centres: for channels and, in linear light, for occlusion */
+    double samples; /* at side x side samples per pixel: 0 or 1 */
     double side;
-    double maps, map_texels; /* for shadows */
-    uint32_t lamp_maps;
-    bool makes_normals; /* averages them over faces */
+    double maps, map_texels; /* shadow maps, that of the ground included, and their texels */
+    uint32_t lamp_maps;      /* shadow maps of lights */
+    bool makes_normals;      /* averages normals over faces */
 };
 
 static bool wants_channels(const struct zr_view *view)
@@ -313,7 +317,7 @@ static struct passes passes_of(const struct zr_scene *scene, const struct zr_res
 
 /* ---- memory ---- */
 
-/* Bytes of a pixel or a sample. EDGE_BYTES: of a tile, whose sides are kept. */
+/* Bytes per pixel or sample. EDGE_BYTES: per tile, for its borders. */
 enum {
     WORD_BYTES = 4,
     SAMPLE_BYTES = 8,
@@ -332,7 +336,7 @@ static double bytes_of_channels(const struct zr_view *view)
     return WORD_BYTES * words;
 }
 
-/* Opaque surfaces hide layers, which are not kept then. */
+/* True if opaque surfaces may hide layers; hidden layers take no memory. */
 static bool may_hide_layers(const struct zr_scene *scene)
 {
     for (uint32_t i = 0; i < scene->material_count; i++)
@@ -340,7 +344,7 @@ static bool may_hide_layers(const struct zr_scene *scene)
     return scene->base != NULL;
 }
 
-/* Fragments of one tile, as many as tiles have on the average; of the other algorithms, those of the window. */
+/* Bytes of the fragments of an average tile; algorithms other than halfspace keep the fragments of the whole window. */
 static double bytes_of_layers(const struct zr_scene *scene, double samples, double kept)
 {
     const double tiles = fmax(samples / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
@@ -349,7 +353,7 @@ static double bytes_of_layers(const struct zr_scene *scene, double samples, doub
     return (double)sizeof(struct zr_layers) + kept / tiles * FRAGMENT_BYTES;
 }
 
-/* Each as it is drawn and with a border, which are blocks of their own. */
+/* Bytes of shadow maps: each is held twice, as drawn and with a border, in separate blocks. */
 static double bytes_of_lamp_maps(uint32_t maps)
 {
     const size_t drawn = ZR_SHADOW_SIDE, bordered = ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER;
@@ -364,7 +368,7 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
     const double pixels = (double)view->width * (double)view->height, samples = pixels * passes->side * passes->side;
     double sum = pixels * bytes_of_channels(view) + bytes_of_layers(scene, samples, kept);
     if (zr_view_wants(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
-    if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* each of them has the whole window at once */
+    if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* these keep a z-buffer of the whole window */
         sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
     if (passes->samples == 0.0 || !picture->is_linear) return sum;
     sum += pixels * LINEAR_BYTES + bytes_of_lamp_maps(passes->lamp_maps);
@@ -376,7 +380,7 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
 
 /* ---- counts ---- */
 
-/* Time per triangle and per fragment, relative to production. */
+/* Time per triangle and per fragment, relative to halfspace. */
 static const struct {
     double triangle, fragment;
 } TIMES[ZR_ALGORITHM_COUNT] = {[ZR_ALGORITHM_HALFSPACE] = {1.0, 1.0},
@@ -385,8 +389,8 @@ static const struct {
                                [ZR_ALGORITHM_SCANLINE] = {6.0, 16.0},
                                [ZR_ALGORITHM_PAINTER] = {12.0, 80.0}};
 
-/* Lower bound of the see-through fragments that rendering keeps: the mean of the sample less six standard deviations of
- * that mean. */
+/* Returns a lower bound of the translucent fragments that rendering keeps: the mean of the sample less six standard
+ * deviations of that mean, for all primitives. */
 static double kept_at_least(const struct tally *tally, double samples, double scale)
 {
     if (scale <= 1.0) return tally->kept;
@@ -430,7 +434,7 @@ static void count_outputs(const struct zr_scene *scene, double *counts)
     }
 }
 
-/* How often channels of layers draw all faces. Thickness draws both sides. */
+/* Returns how often the channels of layers draw all faces; thickness draws both sides. */
 static double layer_walks(const struct zr_view *view)
 {
     return (zr_view_wants(view, ZR_CHANNEL_LAYERS) ? 1.0 : 0.0) +
@@ -463,7 +467,7 @@ static void count_fragments(const struct tally *tally, const struct passes *pass
             0.5 * faces * faces * meets_x * meets_y * (1.0 + 0.25 * tally->fragments / tally->faces) * drawn;
     }
     if (!zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR)) return;
-    /* Of the fragments at one place the nearest is shaded, and each that is see-through. */
+    /* Shading runs once per covered sample, and once per translucent fragment. */
     const double side_squared = passes->samples > 0.0 ? passes->side * passes->side : 1.0;
     const double shaded = fmin(scale * tally->fragments, pixels) + scale * tally->layered;
     const double share = tally->fragments > 0.0 ? side_squared * shaded / tally->fragments : 0.0;

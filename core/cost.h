@@ -1,19 +1,19 @@
-/* cost.h - the core: how long a scene takes to draw and to encode, and how much memory at least, before either begins.
+/* cost.h - core: predicted time of rendering and encoding a scene, and a lower bound of its memory.
  *
- * How:    ms = 1e-6 * sum over all kinds of counts[kind] * ns. Most counts follow from sizes. How much of the window
- *         faces cover follows from a sample of them.
+ * How:    ms = 1e-6 * sum over all kinds of counts[kind] * ns. Most counts follow from sizes. The window area that
+ *         faces cover is estimated from a sample of faces.
  * Unit:   processor time of one thread of the reference machine, with AVX-512. The daemon multiplies the sum by the
  *         factor of its own machine (server/slowness.h).
- * Why:    the sum decides whether a request is small, large, or refused. The weights of the rows were fitted
- *         together, so that the sum is right to a factor of three. No single weight is the price of one thing.
+ * Why:    the daemon classes requests by the sum as small, large or refused. The weights were fitted together, so that
+ *         the sum is right within a factor of three. A single weight is not the time of its quantity.
  */
 #ifndef ZR_COST_H
 #define ZR_COST_H
 
 #include <stdint.h>
 
-/* ROW(ID, ns, words: the quantity, for messages). A pass is one drawing of the scene: of pixels' centres, of
- * samples, or of a depth map. */
+/* ROW(ID, ns, words: the quantity, for messages). A pass draws the scene once: at pixel centres, at samples, or into a
+ * depth map. */
 #define ZR_COST_ROWS(ROW)                                                                                              \
     ROW(REQUEST, 35e3, "what any request takes")                                                                       \
     ROW(INSTANCE, 1600.0, "instances")                                                                                 \
@@ -58,15 +58,15 @@ enum zr_cost_kind {
 struct zr_cost {
     double ms; /* of rendering and encoding */
     double counts[ZR_COST_KINDS];
-    double window_bytes;   /* arrays of the window's size that rendering holds at once: it holds these at least */
-    double lamp_map_bytes; /* of these, depth maps of lamps with shadows, */
-    uint32_t lamp_maps;    /* of which there are so many */
+    double window_bytes;   /* lower bound of the bytes that rendering holds at once, in arrays of the window's size */
+    double lamp_map_bytes; /* share of window_bytes for shadow maps of lights */
+    uint32_t lamp_maps;    /* number of these maps */
 };
 
-/* The row that most of `ms` is for. */
+/* The row with the largest share of zr_cost.ms. */
 struct zr_cost_most {
-    double ms, count;
-    const char *words; /* of the row */
+    double ms, count; /* of this row alone */
+    const char *words;
 };
 struct zr_cost_most zr_cost_most(const struct zr_cost *cost);
 

@@ -1,4 +1,4 @@
-/* encode.c - a frame -> the answer's bytes: each output for itself, then one archive. */
+/* encode.c - core: encodes each output of a frame, and puts several into one archive. */
 #include "zraster.h"
 
 #include <stdio.h>
@@ -22,15 +22,15 @@ static const struct {
                                    [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
                                    [ZR_ENCODING_JSON] = {"json", "application/json"}};
 
-/* What outputs leave for one another to report. */
+/* Inputs of encoding, and results of some outputs that others report. */
 struct encoding {
     struct zr_arena *arena;
     struct zr_team *team;
     const struct zr_scene *scene;
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
-    float depth_scale; /* 0: no 16-bit depth */
-    uint64_t misfits;
+    float depth_scale; /* scene units per step of 16-bit depth; 0: no such output */
+    uint64_t misfits;  /* pixels whose depth does not fit 16 bits */
     struct zr_warning_list warnings;
     struct zr_error *error;
 };
@@ -46,7 +46,7 @@ static enum zr_status encode_color(const struct encoding *e, struct zr_buffer *o
     return zr_png_write(&png, e->team, e->cancel, out);
 }
 
-/* -1 .. 1 becomes 0 .. 255, and 0, 0, 0 where nothing is. */
+/* Maps -1 .. 1 to 0 .. 255; uncovered pixels are black. */
 static enum zr_status encode_normals(const struct encoding *e, struct zr_buffer *out)
 {
     const struct zr_frame *frame = e->frame;
@@ -111,7 +111,7 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     return ZR_INTERNAL;
 }
 
-/* channel.extension, in an archive. */
+/* Returns the name of an output in an archive, channel.extension; NULL without memory. */
 static const char *file_name(struct zr_arena *arena, const struct zr_output *output)
 {
     enum { LONGEST = 64 };
@@ -121,7 +121,7 @@ static const char *file_name(struct zr_arena *arena, const struct zr_output *out
     return name;
 }
 
-/* All that is known of by now. */
+/* Collects the warnings of scene and frame, and of outputs encoded so far. */
 static enum zr_status find_warnings(struct encoding *e)
 {
     e->warnings = zr_warnings_make(e->arena, e->scene, e->frame, e->misfits);
@@ -129,7 +129,7 @@ static enum zr_status find_warnings(struct encoding *e)
     return zr_strict_check(e->scene, e->warnings.texts, e->warnings.count, e->error);
 }
 
-/* Pictures first, then the warnings that they gave rise to, then what reports them. */
+/* Encodes all outputs except info, then collects warnings, then encodes info, which reports them. */
 static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entries)
 {
     const struct zr_view *view = e->frame->view;
@@ -188,7 +188,7 @@ enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const str
 {
     struct encoding encoding = {
         .arena = arena, .team = team, .scene = scene, .frame = frame, .cancel = cancel, .error = error};
-    enum zr_status status = scene->is_strict ? find_warnings(&encoding) : ZR_OK; /* before any picture is packed */
+    enum zr_status status = scene->is_strict ? find_warnings(&encoding) : ZR_OK; /* before images are compressed */
     if (status == ZR_OK) status = make_answer(&encoding, answer);
     if (status == ZR_NO_MEMORY)
         zr_error_add(error, status, NULL, "encoding needs more than the %zu bytes a request may use", arena->ceiling);

@@ -1,31 +1,31 @@
-/* parameter_rows.h - core: the parameters of a query, one row each, for programs that send and take queries.
+/* parameter_rows.h - core: parameters of a query, one row each, for clients and the daemon.
  *
- * A parameter is a key of a scene, by its JSON Pointer, and its value is read by the reader of that key. The rows of
- * one object stand side by side. /query has the keys that no scene has (input/parameters.c).
+ * A parameter sets the key of a scene at its JSON Pointer, and the reader of that key reads the value. Rows of one
+ * object are adjacent. Pointers under /query are keys that only queries have (input/parameters.c).
  */
 #ifndef ZR_PARAMETER_ROWS_H
 #define ZR_PARAMETER_ROWS_H
 
-/* KIND(ID, placeholder of a value in help): how a text becomes a value of JSON. In brackets: the value may be left out
- * on a command line, which means true. */
+/* KIND(ID, placeholder of a value in help): conversion of a text to a JSON value. Brackets: a command line may omit the
+ * value, which means true. */
 #define ZR_PARAMETER_KINDS(KIND)                                                                                       \
     KIND(NAME, "NAME")                                                                                                 \
     KIND(NAME_OR_FALSE, "NAME")                                                                                        \
     KIND(BOOL, "[BOOL]")                                                                                               \
-    KIND(COUNT, "COUNT")     /* one of the words of the key, as a number */                                            \
+    KIND(COUNT, "COUNT")     /* a number among the values of the key */                                                \
     KIND(NUMBER, "NUMBER")   /* within the range of the key */                                                         \
     KIND(DEGREES, "DEGREES") /* likewise */                                                                            \
     KIND(PIXELS, "PIXELS")   /* likewise */                                                                            \
     KIND(UNITS, "UNITS")     /* greater than 0 */                                                                      \
-    KIND(SIDE, "PIXELS")     /* of the window, whole */                                                                \
-    KIND(PIXEL, "PIXELS")    /* whole, from 0 */                                                                       \
+    KIND(SIDE, "PIXELS")     /* integer, side of the window */                                                         \
+    KIND(PIXEL, "PIXELS")    /* integer, from 0 */                                                                     \
     KIND(VECTOR, "X,Y,Z")                                                                                              \
     KIND(COLOR, "COLOR") /* opaque */                                                                                  \
     KIND(BACKGROUND, "COLOR")                                                                                          \
     KIND(OUTLINE, "COLOR") /* true, false, or opaque */
 
-/* ROW(name, pointer, ANY: of all bodies, or MESH: of bare meshes, kind, help: where it is used, scene/shadings.h is
- * included; that of looks stands behind their names) */
+/* ROW(name, pointer, ANY: for all bodies, or MESH: for meshes without a scene, kind, help). Users of help include
+ * scene/shadings.h. The help of `look` follows the names of the looks. */
 #define ZR_PARAMETER_ROWS(ROW)                                                                                         \
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
         "one output instead of the scene's: color, depth, normals and others")                                         \

@@ -1,4 +1,4 @@
-/* A request -> a scene: the query, the body by the reader of its format, and the checks of the whole scene. */
+/* read.c - core: reads the query, then the body by the reader of its format, and checks the whole scene. */
 #include "geometry/geometry.h"
 #include "input/formats.h"
 #include "input/parameters.h"
@@ -9,8 +9,8 @@
 #include "scene/validate.h"
 #include "strict.h"
 
-/* Nodes can place a large mesh so often that to walk over its points would take minutes. What
- * drawing will keep of each placed point must fit, and so it never comes to that. */
+/* False if the arena cannot hold the vertices that drawing keeps. Nodes can place a large mesh so often that a walk
+ * over its points would take minutes; this check refuses such scenes first. */
 static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
 {
     uint64_t points = 0;
@@ -29,24 +29,24 @@ static void skip_byte_order_mark(struct zr_request *request)
     request->size -= mark;
 }
 
-/* Bytes that cannot be read, since they are something else than their type says. */
+/* Adds an item in front if a body with a syntax error looks like another format than its type. */
 static enum zr_status name_bytes(const struct zr_request *request, enum zr_status status, struct zr_error *error)
 {
-    const struct zr_format_row *said = &zr_format_rows[request->format];
-    if (status != ZR_BAD_SYNTAX || said->looks_so(request->bytes, request->size) ||
+    const struct zr_format_row *row = &zr_format_rows[request->format];
+    if (status != ZR_BAD_SYNTAX || row->looks_so(request->bytes, request->size) ||
         zr_format_of_bytes(request->bytes, request->size) == request->format)
         return status;
     const char *words = zr_bytes_in_words(request->bytes, request->size);
     if (!words) return status;
     const struct zr_error all = *error;
     *error = (struct zr_error){0};
-    zr_error_add(error, status, NULL, "the body is said to be %s, and looks like %s", said->name, words);
+    zr_error_add(error, status, NULL, "the body is said to be %s, and looks like %s", row->name, words);
     for (size_t i = 0; i < zr_error_held(&all); i++)
         zr_error_add(error, status, all.items[i].pointer, "%s", all.items[i].detail);
     return status;
 }
 
-/* What no type tells, the bytes do. */
+/* Detects the format from the bytes if the request has no type. ZR_BAD_TYPE if none fits. */
 static enum zr_status find_format(struct zr_request *request, struct zr_error *error)
 {
     if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
@@ -91,7 +91,7 @@ enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const
     if (status == ZR_OK) status = read_scene(arena, team, &body, limits, made, error);
     arena->cancel = NULL;
     if (zr_is_cancelled(request->cancel)) {
-        *error = (struct zr_error){0}; /* of what was not read to its end */
+        *error = (struct zr_error){0}; /* faults of a partly read body */
         return zr_error_add(error, ZR_CANCELLED, NULL, "reading was stopped before it was done");
     }
     if ((status == ZR_OK && !zr_arena_ok(arena)) || (status == ZR_NO_MEMORY && error->count == 0))

@@ -1,11 +1,11 @@
-/* version.h - the one place that says which version this is. */
+/* version.h - core: version of the program and of the rules. */
 #ifndef ZR_VERSION_H
 #define ZR_VERSION_H
 
 #define ZR_VERSION "0.1.0"
 
-/* Counts the sets of rules by which a scene becomes pixels; `rules` of the output info. Raised by what moves a pixel of
- * a scene that was right before: 1 drew lines as Mesa 22.3 does, 2 as Mesa 25.0 does. */
+/* Version of the rules that turn a scene into pixels; `rules` of the output info. A change that moves a pixel of a
+ * correct scene raises it: 1 drew lines as Mesa 22.3, 2 draws them as Mesa 25.0. */
 #define ZR_RULES 2
 
 #endif

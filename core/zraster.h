@@ -1,14 +1,14 @@
-/* zraster.h - the renderer, whole: bytes of a scene in, bytes of images out.
+/* zraster.h - core: the public interface of the renderer: bytes of a scene in, bytes of images out.
  *
  *     zr_scene_read          bytes                -> scene
  *     zr_resolved_view_find  scene                -> resolved view
- *     zr_render              scene, resolved view -> frame      (core/render.c is the pipeline)
+ *     zr_render              scene, resolved view -> frame      (render/render.c)
  *     zr_encode              frame                -> answer
  *
- * Nothing here reads a file, a clock or the environment, keeps state between
- * calls, or exits; the program must leave LC_NUMERIC as "C", as it is at start. Results
- * live in the arena that was handed in, until its reset.
- * Any number of threads may work at once, each with an arena of its own.
+ * State:   none between calls. The functions read no file, clock or environment, and never exit. LC_NUMERIC must be
+ *          "C", as at program start.
+ * Memory:  results live in the arena of the call, until its reset.
+ * Threads: any number of threads may call at once, each with its own arena.
  */
 #ifndef ZRASTER_H
 #define ZRASTER_H
@@ -25,49 +25,49 @@
 #include "parameter_rows.h"
 #include "version.h"
 
-/* ---- limits: what one request may ask for ---- */
+/* ---- limits of a request ---- */
 
 struct zr_limits {
     uint32_t json_depth_max;    /* nesting of arrays and objects */
     uint32_t window_side_max;   /* pixels */
     uint64_t window_pixels_max; /* pixels, summed over all outputs */
     uint32_t polygon_vertices_max;
-    uint32_t instances_max;    /* of meshes, that nodes may place */
+    uint32_t instances_max;    /* meshes that nodes place */
     uint64_t image_pixels_max; /* pixels, summed over all images of textures */
-    float coordinate_max;      /* magnitude of every number that is a place */
+    float coordinate_max;      /* largest magnitude of a coordinate */
 };
 
 struct zr_limits zr_limits_default(void);
 
-/* ---- a request: bytes, and what its URL says ---- */
+/* ---- a request: its body, its query and its assets ---- */
 
 enum zr_format {
 #define ZR_FORMAT_ENUM(ID, ...) ZR_FORMAT_##ID,
     ZR_FORMAT_ROWS(ZR_FORMAT_ENUM)
 #undef ZR_FORMAT_ENUM
         ZR_FORMAT_COUNT,
-    ZR_FORMAT_UNKNOWN = ZR_FORMAT_COUNT /* its bytes say what it is */
+    ZR_FORMAT_UNKNOWN = ZR_FORMAT_COUNT /* detected from the bytes */
 };
 
-/* Bytes that came beside a scene, which it asks for by {"asset": name}. */
+/* A file sent with the scene; the scene refers to it by {"asset": name}. */
 struct zr_asset {
     const char *name;
     const void *bytes;
     size_t size;
 };
 
-/* Bytes that are kept somewhere under their SHA-256, which a scene asks for by {"asset":
- * "sha256:..."}. `read` is given 64 lower-case hexadecimal digits and a final zero, and puts the bytes into the arena.
- * It fails with ZR_BAD_SCENE where none are kept, ZR_NO_MEMORY of the arena, ZR_INTERNAL where they cannot be read, and
- * ZR_CANCELLED. */
+/* Store of assets by their SHA-256; the scene refers to one by {"asset": "sha256:..."}. `read` takes 64 lower-case
+ * hexadecimal digits and a final zero, and returns the bytes in the arena. Errors: ZR_BAD_SCENE if the store has no
+ * such asset, ZR_NO_MEMORY of the arena, ZR_INTERNAL if the asset cannot be read, ZR_CANCELLED. */
 struct zr_stored {
     enum zr_status (*read)(void *context, const char *sha256, struct zr_arena *arena, const void **bytes, size_t *size);
     void *context;
 };
 
-/* Limits for who has a few milliseconds alone. Beyond one of them reading ends with ZR_CANCELLED, and is_exceeded. */
+/* Limits for a caller that can spend only a few milliseconds on reading. Beyond one of them, reading returns
+ * ZR_CANCELLED and sets is_exceeded. */
 struct zr_quick {
-    uint64_t image_pixels_max; /* of each image of a base, and of all images of textures together */
+    uint64_t image_pixels_max; /* per image of a base, and for all images of textures together */
     uint64_t node_visits_max;  /* scene/nodes.h */
     bool is_exceeded;
 };
@@ -76,63 +76,64 @@ struct zr_request {
     enum zr_format format;
     const char *bytes;
     size_t size;
-    const struct zr_asset *assets; /* no two of one name; formats other than JSON have none */
+    const struct zr_asset *assets; /* names are unique; none for formats other than JSON */
     size_t asset_count;
-    struct zr_stored stored; /* read may be NULL: nothing is kept */
-    /* What the query says: NULL, not given; parameter_rows.h says what it is. */
+    struct zr_stored stored; /* read may be NULL: no store */
+    /* Parameters of the query (parameter_rows.h), as text; NULL: not given. */
 #define ZR_PARAMETER_FIELD(name, ...) const char *name;
     ZR_PARAMETER_ROWS(ZR_PARAMETER_FIELD)
 #undef ZR_PARAMETER_FIELD
-    const struct zr_cancel *cancel; /* of reading; may be NULL: never */
-    struct zr_quick *quick;         /* may be NULL: reading may take as long as it takes */
+    const struct zr_cancel *cancel; /* cancels reading; NULL: never */
+    struct zr_quick *quick;         /* NULL: no limit of time */
 };
 
-/* ---- the four steps, and a look ahead ---- */
+/* ---- the four steps, and the cost of the last two ---- */
 
 struct zr_scene;         /* scene/scene.h */
 struct zr_resolved_view; /* scene/resolved_view.h */
 struct zr_frame;         /* shade/frame.h */
 struct zr_cost;          /* cost.h */
 
-enum { ZR_WARNINGS_SIZE = 2048 }; /* of a line of warnings and the zero behind it: a header that proxies let pass */
+enum { ZR_WARNINGS_SIZE = 2048 }; /* bytes of a line of warnings with its final zero; fits a header that proxies pass */
 
 struct zr_answer {
     const char *content_type;
     const void *bytes;
     size_t size;
-    const char *look;     /* that the scene has, pinned: "studio@1" */
-    const char *warnings; /* one line of whole warnings; "; and 3 more" at its end where not all have room; "": none */
+    const char *look;     /* the scene's look with its version: "studio@1" */
+    const char *warnings; /* one line of whole warnings, with "; and 3 more" at its end if not all fit; "": none */
 };
 
-/* Keeps pointers into request->bytes and the assets. `team` may be NULL (one thread). On failure, which may be any
- * status, *error says what and where, and *scene is left alone. Scene and error are the same for every team. Cancelled,
- * it ends soon; but what of an OBJ or STL file cannot be cut, such as a line of megabytes, is read to its end. */
+/* Reads and checks the scene of a request. The scene keeps pointers into request->bytes and the assets. `team` may be
+ * NULL (one thread). On failure, with any status, *error holds faults and places, and *scene is unchanged. Scene and
+ * error are the same for every team. If cancelled, returns soon; indivisible parts of OBJ and STL files, such as a line
+ * of megabytes, are read to their end first. */
 enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                              const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error);
 
-/* Where the scene is seen from. A view that shows all of the geometry, or whose depth is fitted to it, takes some walks
- * over all placed points. `team` may be NULL (one thread) and `cancel` may be NULL (never). Fails with ZR_BAD_SCENE,
- * which *error explains; with ZR_NO_MEMORY, *resolved being NULL, or ZR_CANCELLED, *resolved being what was found until
- * then, nothing is added to *error. */
+/* Resolves the scene's view into a camera. A view or depth range that is fitted to the geometry takes some walks over
+ * the points of all instances. `team` may be NULL (one thread) and `cancel` may be NULL (never).
+ * Errors: ZR_BAD_SCENE, explained by *error. ZR_NO_MEMORY, with *resolved NULL, and ZR_CANCELLED, with an incomplete
+ *         *resolved, add nothing to *error. */
 enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                      const struct zr_cancel *cancel, const struct zr_resolved_view **resolved,
                                      struct zr_error *error);
 
-/* What rendering and encoding will take (cost.h). Takes a millisecond or two at most, beside a walk over all instances.
- */
+/* Predicts the cost of rendering and encoding (cost.h). Takes at most a millisecond or two, plus a walk over all
+ * instances. */
 struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved);
 
-/* `resolved` may be NULL: it is found first. `team` may be NULL (one thread) and `cancel` may be NULL (never). The
- * frame is the same, byte for byte, for every team. Fails with ZR_BAD_SCENE, ZR_NO_MEMORY, ZR_CANCELLED or ZR_INTERNAL,
- * which *error explains; *frame is then not to be read. */
+/* Renders a frame. If `resolved` is NULL, the view is resolved first. `team` may be NULL (one thread) and `cancel` may
+ * be NULL (never). The frame is the same, byte for byte, for every team. Fails with ZR_BAD_SCENE, ZR_NO_MEMORY,
+ * ZR_CANCELLED or ZR_INTERNAL, explained by *error; *frame is then undefined. */
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
                          const struct zr_frame **frame, struct zr_error *error);
 
-/* The outputs of the view that the frame shows. One: its bytes. Several: a ZIP of channel.extension. `team` may be NULL
- * (one thread). The same frame gives the same bytes for every team, wherever in memory it is encoded
- * (output/deflate.h). Fails with ZR_BAD_SCENE where something is warned of and the request is strict, ZR_NO_MEMORY,
- * ZR_CANCELLED or ZR_INTERNAL, which *error explains; *answer is then not to be read. */
+/* Encodes the outputs of the frame's view: a single output as its file, several as a ZIP of files channel.extension.
+ * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address (output/deflate.h).
+ * Fails with ZR_BAD_SCENE if a strict request has warnings, or if a ZIP would have 4 GiB or more; with ZR_NO_MEMORY,
+ * ZR_CANCELLED or ZR_INTERNAL. *error explains each; *answer is then undefined. */
 enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
                          struct zr_error *error);

@@ -41,7 +41,7 @@
     row(bytes_rounded_down)         /* 9 */                                                                           \
     row(fans_from_the_first)        /* 10 */                                                                          \
     row(culls_fronts)               /* 11 */                                                                          \
-    row(older_lines)                /* 12, 28, of Mesa 22.3: what lines and points are compared with by it */          \
+    row(older_lines)                /* 12, 28, lines and points of Mesa 22.3, the version of its references */         \
     row(no_diamonds)                /* 12, ends that do not move */                                                   \
     row(line_depth_along)           /* 12, planes */                                                                  \
     row(line_ends_clipped_apart)    /* 13 */                                                                          \
@@ -55,38 +55,38 @@
     row(holes_filled)               /* odd-even rule */                                                               \
     row(last_triangle_decides)      /* odd-even rule: depth */                                                        \
     row(corners_behind_divided)     /* which faces are convex */                                                      \
-    row(ids_of_the_first_instance)  /* who owns a pixel */                                                            \
+    row(ids_of_the_first_instance)  /* owner of a pixel */                                                            \
     row(lit_beyond_1)               /* 16, vertices' colours not clamped before they are cut */                       \
-    row(lit_from_behind)            /* 16, whatever faces away from a light, too */                                   \
-    row(half_not_unit)              /* highlights: the way between light and eye is not made unit */                  \
-    row(backs_keep_normals)         /* what is shaded late: backs have the normals of fronts */                       \
+    row(lit_from_behind)            /* 16, surfaces that face away from a light are lit, too */                       \
+    row(half_not_unit)              /* highlights: the half vector is not normalised */                               \
+    row(backs_keep_normals)         /* shading per pixel: backs have the normals of fronts */                         \
     row(falls_off_by_distance)      /* 29, not by its square */                                                       \
     row(range_of_2nd_power)         /* 29, the window of a range */                                                   \
     row(cone_not_squared)           /* 29, of spots */                                                                \
     row(fog_turned)                 /* 21: far is clear, and near is not */                                           \
     row(distance_is_depth)          /* channels: not the length of the ray */                                         \
-    row(positions_of_the_camera)    /* channels: whatever space is asked for */                                       \
-    row(shares_of_turned_corners)   /* channels: the two that rule 6 exchanges are not changed back */                \
-    row(instances_from_0)           /* channels: the first one has the number of nobody */                            \
+    row(positions_of_the_camera)    /* channels: camera space, for every requested space */                           \
+    row(shares_of_turned_corners)   /* channels: the corners that rule 6 exchanges are not exchanged back */          \
+    row(instances_from_0)           /* channels: the first instance has the clear value */                            \
     row(samples_rounded_down)       /* samples, not half up */                                                        \
-    row(samples_not_by_opacity)     /* samples: what is hardly there counts as much */                                \
+    row(samples_not_by_opacity)     /* samples: transparent ones weigh as much as opaque ones */                      \
     row(wide_lines_off_middle)      /* 12, their first side is as far from the middle as that of a line of width 1 */ \
-    row(line_width_rounded_early)   /* 22, before it is made as much larger as the window */                          \
+    row(line_width_rounded_early)   /* 22, before the scaling to samples */                                           \
     row(point_sizes_half_up)        /* 28 */                                                                          \
     row(even_points_lean)           /* 28, to the corner below them on the left */                                    \
     row(points_cut_by_depth_alone)  /* 28, whose middle is beside the window */                                       \
-    row(colors_not_decoded)         /* 23, what is lit is not linear */                                               \
+    row(colors_not_decoded)         /* 23, colours are lit without decoding to linear light */                        \
     row(gradient_turned)            /* 23, backgrounds */                                                             \
     row(hemisphere_turned)          /* 24, the sky is below */                                                        \
     row(gooch_linear)               /* 24, no power of 1.5 */                                                         \
-    row(bounces_once)               /* 25, what rough metals reflect more than once is lost */                        \
-    row(open_beyond_1)              /* 25, where nothing occludes, white gets 1.0001 of the light from all around */  \
+    row(bounces_once)               /* 25, without the multiple reflections of rough metals */                        \
+    row(open_beyond_1)              /* 25, unoccluded white gets 1.0001 of the light from all around */               \
     row(fresnel_of_4th_power)       /* 25, of lamps */                                                                \
     row(environment_not_blurred)    /* 26, as mirrors show it */                                                      \
-    row(environment_not_turned)     /* 26, it goes with the camera */                                                 \
-    row(texels_from_corners)        /* 31, places between texels count from their corners, not their middles */       \
+    row(environment_not_turned)     /* 26, it moves with the camera */                                                \
+    row(texels_from_corners)        /* 31, interpolation between the corners of texels, not between their centres */  \
     row(levels_half_off)            /* 31, which level */                                                             \
-    row(tone_keeps_hue)             /* 27, what is too bright does not fade to white */                               \
+    row(tone_keeps_hue)             /* 27, bright colours do not fade to white */                                     \
     row(upside_down)                /* the picture */                                                                  \
     row(ggx_from_behind)            /* 25, a highlight where N.H is not above 0 */                                     \
     row(fog_z_from_first)           /* 21, z is summed from the first term on */
