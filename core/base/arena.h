@@ -27,12 +27,12 @@ struct zr_arena {
     size_t held;    /* `used`, plus the free bytes of all blocks except the current one */
     size_t peak;    /* maximum of `used` since the last reset */
     bool failed;
-    size_t wanted; /* what `held` would have been, where the first failure was the ceiling's; SIZE_MAX: more than can be
-                      counted; 0: it was the system that had no more */
-    bool is_within;                        /* bytes of somebody else's */
-    const struct zr_cancel *cancel;        /* of the step under way, for who has no more than its arena; NULL: never */
-    struct zr_arena_block *first, *spares; /* those with allocations, and those that a reset kept */
-    struct zr_arena_block *current;        /* with the newest allocation */
+    size_t wanted;  /* first failure: the value of `held` that exceeded the ceiling, SIZE_MAX after an overflow; 0: the
+                       system had no memory */
+    bool is_within; /* in the caller's memory */
+    const struct zr_cancel *cancel; /* of the current step, for functions that take the arena only; NULL: never */
+    struct zr_arena_block *first, *spares; /* blocks with allocations, and empty blocks kept by a reset */
+    struct zr_arena_block *current;        /* block with the newest allocation */
     size_t spare_bytes;
     struct zr_arena *lender; /* for a scratch arena: its parent */
 };
@@ -60,14 +60,14 @@ void zr_arena_reset(struct zr_arena *arena, size_t keep);
  * failed, or if count * size overflows. A count of 0 gives a pointer that must not be read. */
 void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size);
 
-/* The same of zeros. To touch large memory for the first time takes long: once `cancel` is raised, the arena fails. */
+/* The same, zeroed. The first access to large memory takes long: the arena fails once its `cancel` is raised. */
 void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size);
 
-/* Zeros in memory that was allocated before. False where `cancel` was raised meanwhile. */
+/* Zeroes allocated memory. False if the arena's `cancel` is raised meanwhile. */
 bool zr_arena_clear(const struct zr_arena *arena, void *bytes, size_t size);
 
-/* A larger array with the first `count` objects of `old` (which may be NULL).
- * In place where `old` was the newest allocation and its block has room. */
+/* Returns a larger array with the first `count` objects of `old`, which may be NULL. It grows in place if `old` is the
+ * newest allocation and its block has room. */
 void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size);
 
 /* Shrinks an array of `count` objects to `new_count` if it is the newest allocation; otherwise does nothing. */

@@ -9,7 +9,7 @@ struct zr_column_span {
     uint32_t begin, end;
 };
 
-/* The smallest span that contains both. */
+/* Returns the smallest span that contains both. */
 static inline struct zr_column_span zr_column_span_join(struct zr_column_span a, struct zr_column_span b)
 {
     if (a.begin >= a.end) return b;
@@ -17,7 +17,7 @@ static inline struct zr_column_span zr_column_span_join(struct zr_column_span a,
     return (struct zr_column_span){a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
 }
 
-/* The span of rows y - 1 and y. `reaches`: one span per row, or NULL: every span is the whole width. */
+/* Returns the span of rows y - 1 and y. `reaches`: one span per row, or NULL: every span is the whole width. */
 static inline struct zr_column_span zr_column_span_of_rows(const struct zr_column_span *reaches, uint32_t y,
                                                            uint32_t width)
 {

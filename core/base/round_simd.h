@@ -4,8 +4,8 @@
 
 #include "base/simd.h"
 
-/* To the nearest, ties to even. Adding 2^23 to a smaller magnitude rounds it to an integer; every float from 2^23 on is
- * one. */
+/* Rounds to the nearest, ties to even. Adding 2^23 to a smaller magnitude rounds it to an integer; all floats from 2^23
+ * on are integers. */
 static inline zr_vf zr_nearest_v(zr_vf v)
 {
     const zr_vf whole = zr_vf_set(8388608.0f), size = zr_vf_abs(v), zero = zr_vf_set(0.0f);
@@ -13,7 +13,7 @@ static inline zr_vf zr_nearest_v(zr_vf v)
     return zr_vf_select(zr_vf_lt(v, zero), zero - near, near);
 }
 
-/* Downwards. */
+/* Rounds down. */
 static inline zr_vf zr_floor_v(zr_vf v)
 {
     const zr_vf near = zr_nearest_v(v);

@@ -1,4 +1,4 @@
-/* vec3_simd.h - base: vectors, or colours, one a lane; for kernels. */
+/* vec3_simd.h - base: vectors or colours, one per lane; for kernels. */
 #ifndef ZR_VEC3_SIMD_H
 #define ZR_VEC3_SIMD_H
 
@@ -19,7 +19,7 @@ static inline struct zr_vec3_v zr_add_v(struct zr_vec3_v a, struct zr_vec3_v b)
     return (struct zr_vec3_v){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-/* Colour by colour. */
+/* Products of components. */
 static inline struct zr_vec3_v zr_mul_v(struct zr_vec3_v a, struct zr_vec3_v b)
 {
     return (struct zr_vec3_v){a.x * b.x, a.y * b.y, a.z * b.z};
@@ -41,13 +41,13 @@ static inline struct zr_vec3_v zr_choose_v(zr_vm where, struct zr_vec3_v a, stru
                               zr_vf_select(where, a.z, b.z)};
 }
 
-/* As zr_vec3_cross. */
+/* zr_vec3_cross of each lane. */
 static inline struct zr_vec3_v zr_cross_v(struct zr_vec3_v a, struct zr_vec3_v b)
 {
     return (struct zr_vec3_v){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/* As zr_vec3_dot. */
+/* zr_vec3_dot of each lane. */
 static inline zr_vf zr_dot_v(struct zr_vec3_v a, struct zr_vec3_v b)
 {
     return (a.z * b.z + a.y * b.y) + a.x * b.x;
@@ -58,7 +58,7 @@ static inline struct zr_vec3_v zr_to_unit_v(struct zr_vec3_v v, zr_vf square)
     return zr_scale_v(v, zr_vf_set(1.0f) / zr_vf_sqrt(square));
 }
 
-/* As zr_vec3_normalize. */
+/* zr_vec3_normalize of each lane. */
 static inline struct zr_vec3_v zr_normalize_v(struct zr_vec3_v v)
 {
     const zr_vf square = zr_dot_v(v, v);

@@ -2,10 +2,10 @@
 
 #include "shade/lights/lamps.h"
 
-/* The plane through the lowest point of the bounds: where its middle is, and its axes, x, y and up, in the world. */
+/* Plane through the lowest point of the bounds: its middle and its axes, in world space. */
 struct plane {
     zr_vec3 middle, x, y, up;
-    float half_size, height; /* of the map, and of the scene over the plane */
+    float half_size, height; /* half the side of the map; height of the scene over the plane */
 };
 
 static struct plane plane_under(const struct zr_scene *scene, const struct zr_bounds *bounds)
@@ -26,7 +26,7 @@ static struct plane plane_under(const struct zr_scene *scene, const struct zr_bo
     return plane;
 }
 
-/* An axis by which what is that long in the world has the coordinate 1. */
+/* Returns a world-space unit vector in eye space, scaled so that its dot product measures scene units. */
 static zr_vec3 axis_in(const zr_mat4 *m, zr_vec3 axis, float scale)
 {
     const zr_vec3 v = zr_mat4_direction(m, axis);
@@ -44,6 +44,7 @@ static struct zr_ground_frame frame_of(const struct plane *plane, const struct z
                                     .z_axis = zr_mat4_direction(m, plane->up)};
 }
 
+/* True if the eye, or the direction towards it, is above the plane. */
 static bool is_above(const struct zr_camera *camera, const struct zr_ground_frame *frame)
 {
     const zr_vec4 eye = zr_camera_eye(camera);
@@ -52,7 +53,7 @@ static bool is_above(const struct zr_camera *camera, const struct zr_ground_fram
     return zr_vec3_dot(place, frame->z_axis) > 0.0f;
 }
 
-/* Seen from below, the map's rows from the top on go along the plane's y. */
+/* The camera below has the up direction -y, so that rows of the map, from the top, run along the plane's y. */
 bool zr_ground_view_find(const struct zr_scene *scene, const struct zr_camera *camera, const struct zr_bounds *bounds,
                          struct zr_ground_view *view)
 {

@@ -89,7 +89,7 @@ const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, con
 
 /* ---- pixels ---- */
 
-/* Points of the G-buffer are counted from the eye. */
+/* Points of the G-buffer are relative to the eye, so the offset includes the eye's position. */
 struct zr_pixel_scale zr_pixel_scale_of(const struct zr_camera *camera, uint32_t height)
 {
     const float *p = camera->projection.m;

@@ -27,11 +27,11 @@ struct zr_pixel_scale {
     float slope[3], offset;
 };
 
-/* In a window of that height. */
+/* Returns the scale for a window of `height` pixels. */
 struct zr_pixel_scale zr_pixel_scale_of(const struct zr_camera *camera, uint32_t height);
 
-/* `diagonal` is that of the scene's bounds. NULL where the arena has failed. Cancelled, it returns early, with numbers
- * that mean nothing. */
+/* Computes the occlusion of all pixels. `diagonal`: that of the scene's bounds, scene units. NULL if the arena failed.
+ * If cancelled, returns early with undefined values. */
 const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                const struct zr_gbuffer *pixels, const struct zr_occlusion *occlusion,
                                const struct zr_pixel_scale *scale, float diagonal);

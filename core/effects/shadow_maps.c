@@ -5,7 +5,7 @@
 
 /* ---- cameras along the light ---- */
 
-/* Two axes across a unit vector. */
+/* Finds two unit axes perpendicular to a unit vector. */
 static void axes_across(zr_vec3 back, zr_vec3 *right, zr_vec3 *up)
 {
     const zr_vec3 helper = fabsf(back.y) < 0.9f ? (zr_vec3){0, 1, 0} : (zr_vec3){1, 0, 0};
@@ -13,7 +13,7 @@ static void axes_across(zr_vec3 back, zr_vec3 *right, zr_vec3 *up)
     *up = zr_vec3_cross(back, *right);
 }
 
-/* The way against the light, in the world: unit length. */
+/* Returns the unit vector against the light's direction, in world space. */
 static zr_vec3 back_of(const struct zr_scene *scene, const struct zr_light *light, const struct zr_camera *camera,
                        const zr_mat4 *eye_to_world)
 {
@@ -21,7 +21,7 @@ static zr_vec3 back_of(const struct zr_scene *scene, const struct zr_light *ligh
     return zr_vec3_normalize(zr_vec3_scale(zr_mat4_direction(eye_to_world, along), -1.0f));
 }
 
-/* The half size of the map of a directional lamp. */
+/* Returns half the side of a directional light's map, scene units. */
 static float radius_of(const struct zr_bounds *bounds)
 {
     return 0.51f * zr_diagonal_of(bounds);
@@ -36,7 +36,7 @@ static struct zr_camera directional_camera(zr_vec3 back, const struct zr_bounds 
     return zr_camera_orthographic(right, up, back, middle, radius, -radius, radius);
 }
 
-/* The half width of a spot's map at a depth of 1: its cone, and the texels around places at the cone's border. */
+/* Returns half the side of a spot's map at depth 1: the cone's, plus the texels filtered at its border. */
 static float half_width_of(const struct zr_light *light)
 {
     double sine, cosine;
@@ -44,7 +44,7 @@ static float half_width_of(const struct zr_light *light)
     return (float)(sine / cosine * (1.0 + 8.0 / ZR_SHADOW_SIDE));
 }
 
-/* How deep the bounds' corners lie along an axis from a place. */
+/* Finds the least and the largest depth of the bounds' corners along an axis. */
 static void depths_of(const struct zr_bounds *bounds, zr_vec3 from, zr_vec3 axis, float *least, float *most)
 {
     for (int i = 0; i < 8; i++) {
@@ -56,7 +56,8 @@ static void depths_of(const struct zr_bounds *bounds, zr_vec3 from, zr_vec3 axis
     }
 }
 
-/* Surfaces nearer to the lamp than a directional lamp's bias cast no shadow: they may enclose the lamp. */
+/* Makes the camera of a spot at `at`. Surfaces nearer than the bias of directional lights cast no shadow, since they
+ * may enclose the light. */
 static bool find_spot_camera(const struct zr_light *light, zr_vec3 at, zr_vec3 back, const struct zr_bounds *bounds,
                              struct zr_camera *out)
 {
@@ -90,7 +91,7 @@ bool zr_light_camera(const struct zr_scene *scene, const struct zr_light *light,
 
 /* ---- maps from depths ---- */
 
-/* The row of an affine function of world space, as one of points counted from the eye in eye space. */
+/* Converts an affine function of world space to one of eye-space points relative to `eye`. */
 static zr_vec3 row_of_eye(const zr_mat4 *eye_to_world, zr_vec3 eye, const float row[4], float *offset)
 {
     const zr_vec3 in_world = {row[0], row[1], row[2]};
@@ -104,7 +105,7 @@ static zr_vec3 row_of_eye(const zr_mat4 *eye_to_world, zr_vec3 eye, const float 
     return out;
 }
 
-/* With a border in which nothing is. The frame's row 0 is on top, the map's the lowest. */
+/* Copies depths into a map with an uncovered border. Row 0 of the depths is on top, row 0 of the map is the lowest. */
 static const float *bordered(struct zr_arena *arena, const float *depths, int32_t stride)
 {
     float *out = zr_arena_alloc(arena, (size_t)stride * (size_t)stride, sizeof *out);
@@ -118,7 +119,8 @@ static const float *bordered(struct zr_arena *arena, const float *depths, int32_
     return out;
 }
 
-/* Affine functions of world space: u and v in texels, and the depth along the light. */
+/* Affine functions of world space: u and v in texels, and the depth along the light. For spots, u and v are multiplied
+ * by the depth. */
 struct map_rows {
     float u[4], v[4], depth[4];
 };
@@ -131,7 +133,6 @@ static struct map_rows directional_rows(const float *m, const struct zr_bounds *
                              .depth = {-m[2], -m[6], -m[10], -m[14]}};
 }
 
-/* u and v times the depth. */
 static struct map_rows spot_rows(const float *m, float to_texels)
 {
     const float middle = 0.5f * ZR_SHADOW_SIDE;

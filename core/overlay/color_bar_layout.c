@@ -2,7 +2,7 @@
 
 #include "overlay/glyphs.h"
 
-/* ---- which one ---- */
+/* ---- scale ---- */
 
 const struct zr_color_scale *zr_color_bar_scale(const struct zr_scene *scene)
 {
@@ -19,7 +19,7 @@ static bool is_same(const struct zr_color_scale *a, const struct zr_color_scale 
     return a->map == b->map && a->low == b->low && a->high == b->high;
 }
 
-/* Instances whose numbers the bar is not the scale of. */
+/* Counts instances with a scale other than the bar's. */
 static uint32_t count_others(const struct zr_scene *scene, const struct zr_color_scale *shown)
 {
     uint32_t count = 0;
@@ -30,24 +30,26 @@ static uint32_t count_others(const struct zr_scene *scene, const struct zr_color
     return count;
 }
 
-/* ---- where ---- */
+/* ---- layout ---- */
 
-/* In dots of glyphs. */
+/* Sizes in dots of glyphs. */
 enum {
     TICK = 2,
     GAP = 4, /* between a tick and its label */
     BAR_WIDTH = 6,
-    MARGIN = 4, /* to the window's edge */
+    MARGIN = 4, /* least distance from the window's edge */
     TITLE_GAP = 5,
-    LABELS_APART = 12 /* from middle to middle */
+    LABELS_APART = 12 /* least distance of labels, from middle to middle */
 };
 
+/* Sizes that grow with the window: rows per dot; margins and bar widths per side of the window. */
 enum { HEIGHT_A_DOT = 320, MARGINS_A_SIDE = 32, BAR_WIDTHS_A_SIDE = 20 };
 
-/* Of the range. */
+/* Least distance of ticks, and its largest value that fits, as shares of the range. */
 #define TICKS_APART     0.125
 #define TICKS_APART_MAX 0.2
 
+/* Returns the width of the widest label, in dots. */
 static int32_t label_width(const struct zr_ticks *ticks)
 {
     int32_t most = 0;
@@ -59,7 +61,8 @@ static int32_t label_width(const struct zr_ticks *ticks)
     return most;
 }
 
-/* Above the bar, as large as there is room for. `begin` and `end`: of what is below. */
+/* Places the title above the bar, with the largest dots that fit, at most l->dot. `begin` and `end`: columns of the
+ * block below. */
 static void place_title(struct zr_color_bar_layout *l, const char *title, bool is_left, int32_t begin, int32_t end,
                         int32_t width)
 {
@@ -74,7 +77,7 @@ static void place_title(struct zr_color_bar_layout *l, const char *title, bool i
     l->all = zr_box_join(l->all, (struct zr_box){l->title_x, l->title_y, taken, ZR_GLYPH_ROWS * l->title_dot});
 }
 
-/* By dots of this size. False: there is no room. */
+/* Places all parts for a size of dots. False: no room. */
 static bool lay_out(const struct zr_color_bar *bar, const struct zr_color_scale *scale, int32_t width, int32_t height,
                     int32_t dot, struct zr_color_bar_layout *l)
 {
@@ -105,7 +108,7 @@ static bool lay_out(const struct zr_color_bar *bar, const struct zr_color_scale 
 bool zr_color_bar_lay_out(const struct zr_color_bar *bar, const struct zr_color_scale *scale, uint32_t width,
                           uint32_t height, struct zr_color_bar_layout *out)
 {
-    enum { SIDE_MAX = 1 << 16 }; /* what is larger is refused, but later than this is asked */
+    enum { SIDE_MAX = 1 << 16 }; /* larger windows are refused, but after this call */
     const int32_t columns = (int32_t)(width < SIDE_MAX ? width : SIDE_MAX);
     const int32_t rows = (int32_t)(height < SIDE_MAX ? height : SIDE_MAX);
     for (int32_t dot = zr_greater((rows + HEIGHT_A_DOT / 2) / HEIGHT_A_DOT, 1); dot >= 1; dot--)

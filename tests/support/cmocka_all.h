@@ -1,4 +1,4 @@
-/* cmocka_all.h - support: cmocka.h and the headers that it wants in front of it. */
+/* cmocka_all.h - support: cmocka.h and the headers that it requires. */
 #ifndef ZR_TEST_CMOCKA_ALL_H
 #define ZR_TEST_CMOCKA_ALL_H
 
@@ -9,7 +9,8 @@
 
 #include <cmocka.h>
 
-/* Version 2 deprecates the one for what version 1 lacks, and takes a word of ours. */
+/* cmocka 2 deprecates assert_in_range, and cmocka 1 lacks its successor. The macro `stop` of cmocka 2 hides our names.
+ * */
 #ifdef assert_int_in_range
 #undef assert_in_range
 #define assert_in_range(value, low, high) assert_int_in_range((intmax_t)(value), (intmax_t)(low), (intmax_t)(high))

@@ -1,5 +1,5 @@
-/* failing_malloc.h - support: which allocations fail. A test and its daemon share one such page (tests/server/preload).
- */
+/* failing_malloc.h - support: selects allocations that fail, in memory that a test and its daemon share
+ * (tests/server/preload). */
 #ifndef TEST_FAILING_MALLOC_H
 #define TEST_FAILING_MALLOC_H
 
@@ -8,13 +8,13 @@
 #include <stdbool.h>
 
 struct failing_malloc {
-    atomic_uint first; /* the number of the first that fails, from 1; 0: none does, and none is counted */
-    atomic_uint every; /* and each so many behind it; 0: that one alone */
+    atomic_uint first; /* number of the first failing allocation, from 1; 0: none fails or is counted */
+    atomic_uint every; /* period of later failures; 0: only the first fails */
     atomic_uint count, failed;
 };
 
-/* Whether the allocation that is asked for now fails. The dynamic linker allocates before the address sanitizer is
- * ready, so this is not checked by it. */
+/* Counts an allocation and returns true if it fails. AddressSanitizer must not check this function: the dynamic linker
+ * allocates before the sanitizer is ready. */
 __attribute__((no_sanitize("address"))) static inline bool failing_malloc_fails(struct failing_malloc *control)
 {
     const unsigned first = atomic_load(&control->first), every = atomic_load(&control->every);
@@ -26,7 +26,7 @@ __attribute__((no_sanitize("address"))) static inline bool failing_malloc_fails(
     return true;
 }
 
-/* From now on, counted anew. */
+/* Restarts the counts, then selects the failures. */
 static inline void failing_malloc_arm(struct failing_malloc *control, unsigned first, unsigned every)
 {
     atomic_store(&control->count, 0);

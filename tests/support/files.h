@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-/* All of a file, with a zero behind it, to be freed; NULL where it cannot be read: errno says why. */
+/* Reads a whole file and appends a zero; free it. NULL with errno if it cannot be read. */
 char *file_read(const char *path, size_t *size);
 
 #endif

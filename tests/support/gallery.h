@@ -1,7 +1,7 @@
-/* gallery.h - support: scenes made in memory that between them reach every part of the kernels.
+/* gallery.h - support: scenes made in memory that together run every part of the kernels.
  *
- * The same floats on every machine: nothing here uses libm but sqrtf, which IEEE 754 says to the bit. Needs no
- * library either, so that it can be built for a machine that has none (tests/cross).
+ * Exact:  the same floats on every machine: sqrtf, which IEEE 754 defines to the bit, is the only function of libm.
+ * Needs:  no library, so that other targets can build it (tests/cross).
  */
 #ifndef ZR_TEST_GALLERY_H
 #define ZR_TEST_GALLERY_H
@@ -17,10 +17,10 @@ extern const char *const gallery_names[GALLERY_SCENES];
 extern const uint32_t gallery_windows[GALLERY_WINDOWS][2]; /* width, height */
 extern const char *const gallery_channels[GALLERY_CHANNELS];
 
-/* Lives in the arena. NULL where that has no memory. */
+/* Makes a scene in the arena. NULL without memory. */
 const struct zr_scene *gallery_scene(struct zr_arena *arena, int number, uint32_t width, uint32_t height);
 
-/* A channel of a frame, four bytes a pixel. */
+/* Returns a channel of a frame, four bytes per pixel. */
 const void *gallery_channel(const struct zr_frame *frame, int channel);
 
 #endif

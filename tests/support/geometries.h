@@ -1,4 +1,4 @@
-/* geometries.h - support: what the rasterizer takes, made by hand, and drawn by each algorithm.
+/* geometries.h - support: input of the rasterizer, made by hand, and drawn by each algorithm.
  *
  * Space:  snapped coordinates: 1/256 pixel, from the centre of pixel 0, 0.
  */
@@ -10,7 +10,7 @@
 
 enum { TEST_RECORDS_MAX = 4096, TEST_SHAPES_MAX = 512, TEST_EDGES_MAX = 16384 };
 
-/* Points into itself: do not copy. */
+/* Contains pointers to itself: do not copy. */
 struct test_geometry {
     struct zr_geometry geometry;
     struct zr_window_vertex vertices[3 * TEST_RECORDS_MAX];
@@ -19,7 +19,7 @@ struct test_geometry {
     struct zr_shape shapes[TEST_SHAPES_MAX];
     struct zr_grid_edge edges[TEST_EDGES_MAX];
     bool in_shape;
-    uint32_t first_of_shape; /* triangle, of the shape under way */
+    uint32_t first_of_shape; /* first triangle of the open shape */
 };
 
 struct test_corner {
@@ -29,27 +29,26 @@ struct test_corner {
 
 void geometry_clear(struct test_geometry *test);
 
-/* Adds a triangle, turned the way that the rasterizer wants it. False where it has no area. */
+/* Adds a triangle with the winding that the rasterizer requires. False if it has no area. */
 bool geometry_add_triangle(struct test_geometry *test, const struct test_corner corners[3]);
 
-/* Begins a shape: rings and records that are added then belong to it, until it is ended. */
+/* Begins a shape: rings and triangles added before its end belong to it. */
 void geometry_begin_shape(struct test_geometry *test);
 void geometry_add_ring(struct test_geometry *test, const struct test_corner *corners, uint32_t count);
-/* True where it has a record; else it is taken away again. */
+/* Ends the shape. False if it has no triangle: it is then removed. */
 bool geometry_end_shape(struct test_geometry *test);
 
-/* A draw of `count` primitives of one kind, by their vertices, three each. */
+/* Returns a draw of `count` primitives of one kind, by three vertices each. */
 struct zr_draw draw_of(enum zr_draw_kind kind, const uint32_t *corners, uint32_t count);
 
-/* Draws by any algorithm, production's too, into samples that start at depth 1. Fails the running test
- * where that does not work. */
+/* Draws by any algorithm, halfspace included, into samples of depth 1. Fails the running test on an error. */
 struct zr_samples geometry_draw(struct zr_arena *arena, const struct test_geometry *test, enum zr_algorithm algorithm,
                                 uint32_t width, uint32_t height);
 
-/* Whether the sample is inside of the edges by the odd-even rule, counted edge by edge. */
+/* True if the sample is inside the edges by the odd-even rule; counts edge by edge. */
 bool edges_hold(const struct zr_grid_edge *edges, uint32_t count, int32_t x, int32_t y);
 
-/* The first sample where two differ in depth (bit by bit) or owner; width * height: none. */
+/* Returns the first sample that differs in depth (bit by bit) or owner; width * height: none. */
 size_t samples_differ_at(const struct zr_samples *a, const struct zr_samples *b);
 
 extern const char *const algorithm_words[ZR_ALGORITHM_COUNT];

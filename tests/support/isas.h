@@ -1,9 +1,9 @@
-/* isas.h - support: a test that is run for each instruction set of the target, under a name of its own.
+/* isas.h - support: runs a test once for each instruction set of the target, under separate names.
  *
  *     TEST_EACH_ISA(f)               in the list of tests
  *     isa_under_test(state)          in f
  *
- * Where the machine lacks one the test is skipped, aloud: it did not pass.
+ * If the machine lacks an instruction set, the test is reported as skipped, not as passed.
  */
 #ifndef ZR_TEST_ISAS_H
 #define ZR_TEST_ISAS_H

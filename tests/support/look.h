@@ -1,10 +1,10 @@
-/* look.h - support: a scene seen from another place. */
+/* look.h - support: replaces the view of a scene. */
 #ifndef ZR_TEST_LOOK_H
 #define ZR_TEST_LOOK_H
 
 #include "scene/scene.h"
 
-/* Window and outputs stay as they are. */
+/* Sets pose and projection; keeps window and outputs. */
 static inline void scene_look(struct zr_scene *scene, struct zr_view look)
 {
     struct zr_view *view = &scene->views[0];

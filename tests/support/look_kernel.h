@@ -1,4 +1,5 @@
-/* look_kernel.h - support: sRGB and tone mapping (core/look/..._simd.h) on arrays, for each instruction set. */
+/* look_kernel.h - support: sRGB (base/srgb_simd.h) and tone mapping (shade/tone_simd.h) on arrays, for each instruction
+ * set. */
 #ifndef ZR_TEST_LOOK_KERNEL_H
 #define ZR_TEST_LOOK_KERNEL_H
 

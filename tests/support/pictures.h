@@ -1,5 +1,4 @@
-/* pictures.h - support: scenes in JSON, drawn by several teams, which must give the same bytes.
- */
+/* pictures.h - support: draws scenes in JSON by several teams, which must give the same bytes. */
 #ifndef ZR_TEST_PICTURES_H
 #define ZR_TEST_PICTURES_H
 
@@ -12,12 +11,12 @@ struct drawn_picture {
     const struct zr_frame *frame;
 };
 
-/* Reads the scene and draws it; both live in the arena. The running test fails where that does not work, where the cost
- * that is predicted is no number, or where memory is predicted that it did not take. */
+/* Reads the scene and draws it; both live in the arena. Fails the running test on an error, if the predicted cost is
+ * not finite, or if the predicted memory exceeds the used memory. */
 struct drawn_picture picture_draw(struct zr_arena *arena, struct zr_team *team, const char *text);
 
-/* Draws it in plain C on one thread, which is what it returns, and by each team. Where one has other bytes the running
- * test fails, and the scene is left in build/test-pictures. */
+/* Draws it in plain C on one thread, and by each team; returns the first. If bytes differ, fails the running test and
+ * leaves the scene in build/test-pictures. */
 struct drawn_picture picture_assert_same(struct zr_arena *arena, struct zr_team *const *teams, int count,
                                          const char *text);
 

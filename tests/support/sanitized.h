@@ -1,4 +1,4 @@
-/* sanitized.h - support: whether a sanitizer watches memory or threads, by whichever compiler's word. */
+/* sanitized.h - support: detects AddressSanitizer and ThreadSanitizer, for gcc and clang. */
 #ifndef TEST_SANITIZED_H
 #define TEST_SANITIZED_H
 

@@ -8,9 +8,8 @@
 #include "support/look.h"
 #include "zraster.h"
 
-/* One mesh of triangles in clip space (all matrices are the identity), drawn unlit
- * and from both sides. Points into itself: do not copy. Change what a test is about
- * after scene_of_triangles. */
+/* One mesh of triangles in clip space (all matrices are the identity), unlit and double-sided. Contains pointers to
+ * itself: do not copy. Tests change members after scene_of_triangles. */
 struct test_scene {
     struct zr_scene scene;
     struct zr_mesh mesh;
@@ -22,17 +21,17 @@ struct test_scene {
 
 enum { TEST_TRIANGLES_MAX = 4096 };
 
-/* 3 positions a triangle; `positions` must outlive the scene. */
+/* Makes the scene from 3 positions per triangle; `positions` must outlive it. */
 void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height, const zr_vec4 *positions,
                         uint32_t triangles);
 
-/* Renders, and fails the running test where that does not work. */
+/* Renders the scene; fails the running test on an error. */
 const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene);
 
 /* The same, and encodes all outputs of the scene. */
 struct zr_answer scene_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene);
 
-/* As zr_scene_cost; fails the running test where the scene cannot be seen. */
+/* Returns zr_scene_cost; fails the running test if the view cannot be resolved. */
 struct zr_cost scene_cost(const struct zr_scene *scene);
 
 #endif

@@ -1,8 +1,8 @@
-/* simd_check.h - support: base/simd.h for one instruction set, held against plain C, lane by lane.
+/* simd_check.h - support: compares base/simd.h for one instruction set with plain C, lane by lane.
  *
- * Operands are all pairs of awkward numbers (NaN, infinities, -0, denormals, halfway cases, INT32_MIN ...) and
- * random bits. Every bit counts, but for the sign and the payload of a NaN that arithmetic makes: those are the
- * processor's own affair, and no pixel shows them.
+ * Operands are all pairs of special numbers (NaN, infinities, -0, denormals, halfway cases, INT32_MIN ...) and random
+ * bits. Results must be equal bit by bit, except for the sign and payload of a NaN from arithmetic: these depend on the
+ * processor and affect no pixel.
  */
 #ifndef ZR_TEST_SIMD_CHECK_H
 #define ZR_TEST_SIMD_CHECK_H
@@ -12,7 +12,7 @@
 
 #include "base/isa.h"
 
-/* False, with a message that names the operation and its operands, where a lane differs. `isa` must be available. */
+/* If a lane differs, returns false and a message with the operation and its operands. `isa` must be available. */
 bool simd_check(enum zr_isa isa, uint64_t seed, char *message, size_t size);
 
 #endif

@@ -1,6 +1,6 @@
 /* simd_kernel.h - support: every operation of base/simd.h on arrays, compiled for each instruction set as kernels are.
  *
- * Lane k of each result is what the operation makes of lane k of its operands.
+ * Element k of each result is the operation on element k of its operands.
  */
 #ifndef ZR_TEST_SIMD_KERNEL_H
 #define ZR_TEST_SIMD_KERNEL_H
@@ -11,22 +11,22 @@
 
 enum { SIMD_COUNT = 2048, SIMD_APART = 5, SIMD_HALF = SIMD_COUNT / 2, SIMD_STRIDE = 19 };
 
-/* Vectors need not be aligned: the first word sees to it that none is. */
+/* The first word misaligns all arrays, since operations must not need alignment. */
 struct simd_inputs {
     _Alignas(64) uint32_t out_of_line;
     float a[SIMD_COUNT], b[SIMD_COUNT];
     float small[SIMD_COUNT]; /* below 2^22 in magnitude */
     int32_t i[SIMD_COUNT], j[SIMD_COUNT];
-    int32_t m[SIMD_COUNT], n[SIMD_COUNT]; /* truths: 0 or 1 */
-    uint32_t order[SIMD_COUNT];           /* 0 .. SIMD_COUNT - 1, of places */
-    uint32_t first[SIMD_COUNT];           /* 0 .. 16: that of its vector's lane 0 counts, cut to ZR_LANES */
+    int32_t m[SIMD_COUNT], n[SIMD_COUNT]; /* masks: 0 or 1 */
+    uint32_t order[SIMD_COUNT];           /* 0 .. SIMD_COUNT - 1, indices of places */
+    uint32_t first[SIMD_COUNT];           /* 0 .. 16: lane 0 of a vector holds its value, cut to ZR_LANES */
     float places[SIMD_COUNT * SIMD_APART];
-    uint32_t corners[3 * SIMD_COUNT];     /* 0 .. SIMD_COUNT - 1, of fours of places */
+    uint32_t corners[3 * SIMD_COUNT];     /* 0 .. SIMD_COUNT - 1, indices of fours of places */
     int32_t p[SIMD_COUNT], q[SIMD_COUNT]; /* pairs; no half is -32768 */
     double doubles[SIMD_COUNT];
 };
 
-/* Four bytes each: simd_check.c has a table of them. */
+/* Results of four bytes each, listed in a table of simd_check.c. */
 struct simd_results {
     _Alignas(64) uint32_t out_of_line;
     float vf_set[SIMD_COUNT], vf_load[SIMD_COUNT], vf_ramp[SIMD_COUNT]; /* set: lane 0 of a, all over its vector */

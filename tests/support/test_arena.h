@@ -1,4 +1,4 @@
-/* test_arena.h - support: an arena of `bytes` at most for each test of a file, and what begins and ends it.
+/* test_arena.h - support: an arena of at most `bytes` for each test of a file, with its setup and teardown.
  *
  *     TEST_ARENA(1 << 24)                                                      defines `arena`
  *     cmocka_unit_test_setup_teardown(f, open_arena, close_arena)              in the list of tests
