@@ -8,7 +8,7 @@
 
 /* Makes a camera along a light, with a square window: orthographic around the bounds for a directional light,
  * perspective from the position of a spot, slightly wider than its cone. `camera` is the scene's. False: the bounds are
- * out of the light's range of depth, or the view has no inverse. */
+ * behind the spot, or the view has no inverse. */
 bool zr_light_camera(const struct zr_scene *scene, const struct zr_light *light, const struct zr_camera *camera,
                      const struct zr_bounds *bounds, struct zr_camera *out);
 

@@ -37,7 +37,7 @@ const void *gallery_channel(const struct zr_frame *frame, int channel)
     return all[channel];
 }
 
-/* What a scene is made of. */
+/* Parts of a scene. */
 struct set {
     struct zr_arena *arena;
     struct random random;
@@ -181,7 +181,8 @@ static zr_vec4 ball_point(int side, uint32_t u, uint32_t v, uint32_t cells)
     return side < 4 ? (zr_vec4){c, a, b, 1} : (zr_vec4){b, c, a, 1};
 }
 
-/* Of quadrilaterals, on `sides` sides of the cube: what is missing lets the inside be seen. */
+/* Adds a ball of quadrilaterals: a subdivided cube, rounded, with `sides` of its sides. Missing sides show its inside.
+ * */
 static bool make_ball(struct set *s, uint32_t cells, int sides)
 {
     uint32_t row = cells + 1, each = row * row, faces = cells * cells;
@@ -303,7 +304,7 @@ static bool make_wires(struct set *s)
     return true;
 }
 
-/* Of 3 to 12 corners, in planes that lean, dented and crossing themselves; with smooth colours. */
+/* Adds polygons of 3 to 12 corners in inclined planes, concave and self-intersecting, with smooth colours. */
 static bool make_polygons(struct set *s)
 {
     enum { FACES = 250, MOST = 12 };

@@ -6,7 +6,7 @@
 
 #include <jpeglib.h>
 
-/* What is behind libjpeg's back, in memory when it jumps. */
+/* State that must stay in memory when libjpeg jumps out on an error. */
 struct errors {
     struct jpeg_error_mgr manager;
     jmp_buf jump;

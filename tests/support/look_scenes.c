@@ -16,7 +16,7 @@ enum {
     CORNERS = 30 + 4 * BALL_FACES
 };
 
-/* What every scene has beside its mesh. */
+/* Storage of a scene beside its mesh. */
 struct stage {
     struct zr_scene scene;
     struct zr_material material;
@@ -200,7 +200,7 @@ static void make_pipe(struct open_set *s)
     end_face(s);
 }
 
-/* Of a sphere, open, its hollow towards the camera. */
+/* Adds an open patch of a sphere, with its concave side towards the camera. */
 static void make_patch(struct open_set *s)
 {
     for (uint32_t i = 0; i < PATCH_POINTS; i++) {

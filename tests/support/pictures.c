@@ -15,7 +15,8 @@ static const size_t ceiling = (size_t)1 << 28;
 static void check_cost(const struct zr_cost *cost, size_t taken, const char *text)
 {
     if (!isfinite(cost->ms) || cost->ms < 0.0) fail_msg("a cost of %g ms: %s", cost->ms, text);
-    if (cost->window_bytes > (double)taken) fail_msg("%.0f bytes told, %zu taken: %s", cost->window_bytes, taken, text);
+    if (cost->window_bytes > (double)taken)
+        fail_msg("%.0f bytes predicted, %zu used: %s", cost->window_bytes, taken, text);
 }
 
 struct drawn_picture picture_draw(struct zr_arena *arena, struct zr_team *team, const char *text)

@@ -163,7 +163,7 @@ static const char *shading(void)
     return zr_shading_names.words[picked];
 }
 
-/* What looks say, now and then said by the scene. */
+/* Keys of looks, which some scenes override. */
 static void add_keys(void)
 {
     static const char *const ups[] = {"y", "z"};
@@ -235,7 +235,7 @@ static void add_lamps(void)
     add("]");
 }
 
-/* ---- what is seen ---- */
+/* ---- materials and meshes ---- */
 
 static double share(void)
 {

@@ -34,7 +34,7 @@ static uint32_t random_bits(struct random *random)
     return (uint32_t)(random_next(random) >> 32);
 }
 
-/* Of halves that are not -32768. */
+/* Makes pairs without a half of -32768. */
 static int32_t random_pair(struct random *random)
 {
     static const int16_t odd_halves[] = {0, 1, -1, 255, -256, 32767, -32767};

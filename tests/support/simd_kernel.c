@@ -83,7 +83,7 @@ static void run_masks(const struct simd_inputs *in, struct simd_results *out, in
     keep(zr_vm_any(m) ? ZR_ALL_LANES : zr_vm_of(0), out->vm_any + k);
 }
 
-/* Into the middle of three vectors, which hold what is to stay. */
+/* Stores into the middle of three vectors; the others must not change. */
 static void run_store_first(const struct simd_inputs *in, struct simd_results *out, int k)
 {
     enum { BYTES = 4 * ZR_LANES };

@@ -1,5 +1,5 @@
-# verdict.sh - support, for tests that are shell scripts: counts and prints them as TAP. What a test wrote is in $said and
-# $complained, shown where it fails. Ends with `verdicts`.
+# verdict.sh - support, for tests that are shell scripts: counts and prints them as TAP. A test writes its output to the
+# files $said and $complained, which a failure prints. Ends with `verdicts`.
 count=0
 failed=0
 
