@@ -3,7 +3,7 @@
 #ifndef ZR_FORMAT_ROWS_H
 #define ZR_FORMAT_ROWS_H
 
-/* ROW(ID, extension of files, media types, the preferred one first, has a scene with its own view,
+/* ROW(ID, extension of files, media types (the preferred one first), true if it describes a whole scene,
  *     may be binary, triangles share no corners, z is up unless the query has `up`) */
 #define ZR_FORMAT_ROWS(ROW)                                                                                            \
     ROW(JSON, "json", "application/json", true, false, false, false)                                                   \

@@ -20,7 +20,7 @@
 /* Percent: additional time without it, on a Zen 5 with AVX-512, all others on. */
 /* clang-format off */
 #define ZR_EACH_FAST(row)                                                                                             \
-    /* geometry: a mesh inside the view volume is one draw, without a look at its faces: bunny 512x512 +2..11 % */    \
+    /* geometry: a mesh inside the view volume is one draw, without tests of its faces: bunny 512x512 +2..11 % */    \
     row(whole_meshes)                                                                                                 \
     /* raster: tiny triangles are drawn while they are binned: 1.1 M triangles +60..88 % */                           \
     row(tiny_fragments)                                                                                               \
@@ -36,7 +36,7 @@
     row(early_words)                                                                                                  \
     /* shade: given vertex colours are not copied: 16 bytes per vertex, no time */                                    \
     row(given_colors)                                                                                                 \
-    /* shade: meshes of one colour are lit without a look at each face: lit million +16 % */                          \
+    /* shade: meshes of one colour are lit without tests of each face: lit million +16 % */                          \
     row(alike_points)                                                                                                 \
     /* shade: flat colours are converted to bytes once per face: lit flat bunny 1080p +77 % */                        \
     row(packed_colors)                                                                                                \

@@ -1,7 +1,7 @@
 /* rgba.h - base: colours as four bytes.
  *
  * Exact:  0..1 -> 0..255, rounded to the nearest, ties to even (tests/reference/RULES.md, rule 9). Values outside are
- *         clamped; NaN gives 0. Bytes survive the way to floats and back.
+ *         clamped; NaN gives 0. Converting bytes to floats and back keeps them.
  */
 #ifndef ZR_RGBA_H
 #define ZR_RGBA_H

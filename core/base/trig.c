@@ -42,7 +42,7 @@ static double tan_kernel(double x)
 }
 
 /* Uses the complement beyond pi/4. pi/2 is split in two parts; the subtraction of the first is exact (Sterbenz), so
- * that the result is precise where the tangent is steepest. */
+ * that the result is precise near pi/2, the pole of the tangent. */
 double zr_tan(double radians)
 {
     if (radians <= 0.78539816339744830962) return tan_kernel(radians);

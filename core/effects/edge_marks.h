@@ -20,7 +20,7 @@ _Static_assert(ZR_TILE_SIZE == 64, "a row of a tile is a word");
 
 /* ---- comparison of neighbours: edges_kernel.c ---- */
 
-/* The triangles themselves: shading normals do not tell their planes. The pointers must stay valid until
+/* The triangles themselves: shading normals do not define their planes. The pointers must stay valid until
  * zr_edges_finish returns. */
 struct zr_edge_faces {
     const struct zr_geometry *geometry;

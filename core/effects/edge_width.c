@@ -1,6 +1,6 @@
 /* Marks are widened by a disc, word by word. A row grows sideways in steps, from the disc's top to its middle. At each
- * height of the disc, it is added to the rows that far above and below. Then samples are counted per pixel, for all
- * pixels of a word at once. */
+ * height of the disc, the row is added to the rows at that distance above and below. Then samples are counted per
+ * pixel, for all pixels of a word at once. */
 #include "effects/edge_marks.h"
 
 /* Opacity of creases, if no silhouette covers them. */

@@ -29,7 +29,7 @@ struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width,
                                          const struct zr_edges *edges, const struct zr_pixel_scale *scale);
 
 /* Sets the triangles that owner ids refer to, before the first tile: parts of one surface then have no silhouette
- * between them, whatever their normals are. Both pointers must stay valid until zr_edges_finish returns. */
+ * between them, for any normals. Both pointers must stay valid until zr_edges_finish returns. */
 void zr_edges_know_faces(struct zr_edge_marks *marks, const struct zr_geometry *geometry,
                          const struct zr_scene_attributes *surfaces);
 

@@ -41,8 +41,8 @@ struct zr_ground_frame {
                                      * the plane's normal, up */
 };
 
-/* T where the rays through the centres of a row's first `width` pixels meet the plane, from above or from below; 1
- * where they do not, or behind their start. A kernel. */
+/* Computes T for a row's first `width` pixels, at the points in which the rays through their centres meet the plane,
+ * from above or from below. T is 1 for rays that miss the plane or meet it behind their start. A kernel. */
 typedef void zr_ground_row_fn(const struct zr_ground *ground, const struct zr_ground_frame *frame,
                               const struct zr_rays *rays, int32_t y, int32_t width, float *out);
 

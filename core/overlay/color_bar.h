@@ -14,6 +14,7 @@
 #include "overlay/color_bar_layout.h"
 #include "shade/frame.h"
 
+/* Draws a bar that is laid out. */
 void zr_color_bar_paint(const struct zr_color_bar_layout *layout, const struct zr_canvas *canvas);
 
 /* Draws the bar of a scene over frame->color, if the scene has one and the window has room for it. */

@@ -59,6 +59,7 @@ struct zr_axes {
 /* pose.c. Finds the axes of any pose except ZR_POSE_MATRIX; sets the eye of ZR_POSE_LOOK_AT only, else 0. ZR_BAD_SCENE
  * if the view has no direction or no up. */
 enum zr_status zr_axes_of(const struct zr_view *view, struct zr_axes *axes, struct zr_error *error);
+/* Returns the matrix from world to eye space. */
 zr_mat4 zr_axes_to_matrix(const struct zr_axes *axes);
 
 struct zr_extent {
@@ -113,7 +114,10 @@ static inline bool zr_view_is_perspective(const struct zr_view *view)
 {
     return view->projection == ZR_PROJECTION_PERSPECTIVE || view->projection == ZR_PROJECTION_INTRINSICS;
 }
+/* Returns the opening of a perspective view. */
 struct zr_opening zr_opening_of(const struct zr_view *view);
+/* Sets the projection, near and far plane of a camera whose world_to_eye is set. `bounds`: the scene's; `fitted`:
+ * result of zr_fit_bounds. ZR_BAD_SCENE if near is not in front of far. */
 enum zr_status zr_camera_project(const struct zr_points *points, const struct zr_bounds *bounds,
                                  const struct zr_bounds *fitted, struct zr_camera *camera, struct zr_error *error);
 

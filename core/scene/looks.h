@@ -29,8 +29,7 @@ struct zr_look {
     struct zr_material material;
     bool shades_by_mesh; /* gouraud for meshes with normals or vertex colours, else flat; false: material.shading */
 
-    /* Lights of scenes without `lights`. ZR_LIT_CLASSIC lights replace the environment in shadings that do not use it.
-     * */
+    /* Lights of scenes without `lights`. ZR_LIT_CLASSIC ones replace the environment in shadings that do not use it. */
     zr_vec3 ambient;
     uint32_t light_count;
     const struct zr_light *lights;

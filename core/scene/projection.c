@@ -64,8 +64,7 @@ static double least_znear(const struct zr_view *view, const struct zr_extent *fi
     return view->fit_to_mesh && nearest > 0.0 ? fmin(least, 0.5 * nearest) : least;
 }
 
-/* Sets near and far from the nearest and the farthest point, with a margin so that rounding does not clip the geometry.
- * */
+/* Sets near and far from the nearest and the farthest point, with a margin for rounding. ZR_BAD_SCENE: near >= far. */
 static enum zr_status depth_range(const struct zr_view *view, const struct zr_extent *e, const struct zr_extent *fitted,
                                   double rounding, struct zr_camera *camera, struct zr_error *error)
 {

@@ -63,7 +63,7 @@ static inline bool zr_material_has_textures(const struct zr_material *material)
 }
 
 /* Indexed polygons, lines and points. Face f has the corners indices[face_offsets[f]] to indices[face_offsets[f + 1] -
- * 1], counter-clockwise seen from its front. Its interior follows from the odd-even rule over all of its rings. */
+ * 1], counter-clockwise seen from its front. * The odd-even rule over all of its rings defines its interior. */
 struct zr_mesh {
     const char *name; /* UTF-8, "" if unnamed */
 
@@ -154,8 +154,7 @@ enum zr_light_type {
     ZR_LIGHT_SPOT         /* from a position, within a cone */
 };
 
-/* Shadings that a light affects. A look's ZR_LIT_CLASSIC lights replace its environment in shadings that do not use it.
- * */
+/* Shadings that a light affects. A look's ZR_LIT_CLASSIC lights replace its environment in flat, gouraud and phong. */
 enum zr_lit { ZR_LIT_ALL, ZR_LIT_CLASSIC /* flat, gouraud, phong */, ZR_LIT_PBR };
 
 struct zr_light {

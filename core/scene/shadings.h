@@ -10,7 +10,7 @@
 
 /* Rate at which a surface is shaded. */
 enum zr_shading_rate {
-    ZR_SHADED_NEVER,      /* colours as given, interpolated where given per vertex */
+    ZR_SHADED_NEVER,      /* colours as given; vertex colours are interpolated */
     ZR_SHADED_PER_FACE,   /* one lit colour per polygon; its first vertex gives the colour */
     ZR_SHADED_PER_VERTEX, /* lit at each vertex, interpolated */
     ZR_SHADED_PER_PIXEL

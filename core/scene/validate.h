@@ -1,7 +1,7 @@
 /* validate.h - scene, first step: checks of a scene as a whole, for all input formats.
  *
- * Readers check single values. This step checks the window against its limits, the presence of geometry, counts against
- * the types of later stages, and the channels of a base against the outputs.
+ * Readers check single values. This step checks the window and its limits, that there is geometry, that counts fit the
+ * types of later stages, and that a base has the requested channels.
  */
 #ifndef ZR_VALIDATE_H
 #define ZR_VALIDATE_H

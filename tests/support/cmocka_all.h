@@ -9,8 +9,7 @@
 
 #include <cmocka.h>
 
-/* cmocka 2 deprecates assert_in_range, and cmocka 1 lacks its successor. The macro `stop` of cmocka 2 hides our names.
- * */
+/* cmocka 2 deprecates assert_in_range, and cmocka 1 lacks its successor. cmocka 2 defines a macro `stop`. */
 #ifdef assert_int_in_range
 #undef assert_in_range
 #define assert_in_range(value, low, high) assert_int_in_range((intmax_t)(value), (intmax_t)(low), (intmax_t)(high))

@@ -181,8 +181,7 @@ static zr_vec4 ball_point(int side, uint32_t u, uint32_t v, uint32_t cells)
     return side < 4 ? (zr_vec4){c, a, b, 1} : (zr_vec4){b, c, a, 1};
 }
 
-/* Adds a ball of quadrilaterals: a subdivided cube, rounded, with `sides` of its sides. Missing sides show its inside.
- * */
+/* Adds a ball of quadrilaterals, made from `sides` sides of a cube. Missing sides show its inside. */
 static bool make_ball(struct set *s, uint32_t cells, int sides)
 {
     uint32_t row = cells + 1, each = row * row, faces = cells * cells;

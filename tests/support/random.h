@@ -1,7 +1,6 @@
 /* random.h - support: reproducible random numbers for tests.
  *
- * The same seed gives the same numbers on every machine; nothing here uses
- * libm. Not for anything that must be secret.
+ * The same seed gives the same numbers on every machine, without libm. Not for secrets.
  * Source: Blackman & Vigna, "Scrambled linear pseudorandom number generators"
  * (xoshiro256**), seeded by Steele's splitmix64 as its authors advise.
  */
