@@ -230,7 +230,7 @@ static void add_thing(struct tally *tally, const struct zr_mesh *mesh, uint32_t 
         add_point(tally, mesh, mesh->points[number - mesh->face_count - mesh->line_count]);
 }
 
-/* Returns pseudo-random numbers, the same on every machine (Steele's splitmix64). */
+/* Returns the n-th pseudo-random number, the same on every machine (Steele's splitmix64). */
 static uint64_t scatter(uint64_t n)
 {
     n = (n + 1) * 0x9e3779b97f4a7c15u;

@@ -29,7 +29,7 @@ static void skip_byte_order_mark(struct zr_request *request)
     request->size -= mark;
 }
 
-/* Adds an item in front if a body with a syntax error looks like another format than its type. */
+/* Adds a first item to *error if a body with a syntax error looks like another format than its content type. */
 static enum zr_status name_bytes(const struct zr_request *request, enum zr_status status, struct zr_error *error)
 {
     const struct zr_format_row *row = &zr_format_rows[request->format];

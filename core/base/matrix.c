@@ -36,8 +36,7 @@ static void swap_rows(double rows[4][8], int i, int k)
     memcpy(rows[k], row, sizeof row);
 }
 
-/* Gauss-Jordan elimination of the matrix with the identity beside it, with the largest entry of each column as the
- * pivot. */
+/* Inverts by Gauss-Jordan elimination beside the identity; the pivot is the largest entry of each column. */
 bool zr_matrix_invert(const struct zr_matrix *m, struct zr_matrix *out)
 {
     double rows[4][8];

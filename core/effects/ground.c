@@ -41,8 +41,8 @@ static struct box make_box(float half_width, float texel)
     return (struct box){whole, end, 1.0 / ((double)(2 * whole + 1) + 2.0 * end)};
 }
 
-/* Blurs a strip once along its columns. Sums are kept in double, so that adding and removing a texel leaves no error
- * that shows in a float: T is exactly 1 without anything near. */
+/* Blurs a strip once along its columns. Sums are in double, so that adding and removing a texel leaves no error
+ * in a float: T is exactly 1 far from the scene. */
 static void blur_pass(const struct box *box, float in[SIDE][STRIP], float out[SIDE][STRIP])
 {
     static const float nothing[STRIP];
@@ -137,8 +137,7 @@ static float texel(const struct zr_ground *ground, int32_t x, int32_t y)
     return x >= 0 && x < SIDE && y >= 0 && y < SIDE ? ground->light[y * SIDE + x] : 1.0f;
 }
 
-/* Converts to texels from the centre of the first. Positions off the map, and NaN, are clamped to a texel with T =
- * 1. */
+/* Converts to texels from the centre of the first. Clamps positions off the map, and NaN, to a texel with T = 1. */
 static float texel_place(float at, float half_size)
 {
     const float place = (at / half_size + 1.0f) * (0.5f * (float)SIDE) - 0.5f;

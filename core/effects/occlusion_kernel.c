@@ -12,7 +12,7 @@ static inline struct zr_vec3_v gather3(float *const planes[3], zr_vm where, zr_v
                               zr_vf_bits(zr_vi_gather(where, planes[2], at))};
 }
 
-/* Returns the lanes covered from column x on; `at` is the index of the first. */
+/* Returns the covered ones of ZR_LANES pixels from column x on; `at` is the index of the first. */
 static inline zr_vm covered_at(const struct zr_gbuffer *pixels, int32_t x, ptrdiff_t at)
 {
     const zr_vm uncovered = zr_vi_eq(zr_vi_load(pixels->owner + at), zr_vi_set(0));

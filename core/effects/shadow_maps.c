@@ -91,7 +91,8 @@ bool zr_light_camera(const struct zr_scene *scene, const struct zr_light *light,
 
 /* ---- maps from depths ---- */
 
-/* Converts an affine function of world space to one of eye-space points relative to `eye`. */
+/* Converts `row`, an affine function of world space, to one of eye-space points relative to `eye`: returns its slope,
+ * and sets *offset. */
 static zr_vec3 row_of_eye(const zr_mat4 *eye_to_world, zr_vec3 eye, const float row[4], float *offset)
 {
     const zr_vec3 in_world = {row[0], row[1], row[2]};

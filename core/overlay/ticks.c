@@ -97,8 +97,8 @@ struct zr_ticks zr_ticks_make(float low, float high, double apart, bool ends)
     return ticks;
 }
 
-/* The first and last tick are exactly at the ends: their few digits may be another number, far away in a range of a few
- * floats. */
+/* Puts the first and the last tick exactly at the ends: in a range of a few floats, the value of their few digits may
+ * be far from the end. */
 double zr_tick_share(const struct zr_ticks *ticks, int i, float low, float high)
 {
     if (!(low < high)) return 0.5;

@@ -43,7 +43,7 @@ float zr_diagonal_of(const struct zr_bounds *bounds);
  * point of every instance; if cancelled, returns the bounds so far. `team` and `cancel` may be NULL. */
 struct zr_bounds zr_bounds_of(const struct zr_scene *scene, struct zr_team *team, const struct zr_cancel *cancel);
 
-/* False if pose and projection are both matrices, which do not depend on the geometry. */
+/* False if pose and projection are both matrices: the view then does not depend on the geometry. */
 static inline bool zr_view_needs_bounds(const struct zr_view *view)
 {
     return view->pose != ZR_POSE_MATRIX || view->projection != ZR_PROJECTION_MATRIX;

@@ -40,7 +40,7 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT
     ROW(WINDOW_DEPTH, "windowDepth", FLOAT32, 1, ONE, false, 0, ZR_ENCODING_NPY)                                       \
     /* 1 + number of the face, line or point, counted over all instances in order */                                   \
     ROW(FACE_ID, "faceId", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                                 \
-    /* JSON: what was drawn and how */                                                                                 \
+    /* JSON: camera, counts and warnings */                                                                            \
     ROW(INFO, "info", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)                                                       \
     /* length of the ray from the eye; depth if rays are parallel */                                                   \
     ROW(DISTANCE, "distance", FLOAT32, 1, INFINITY, true, 0, ZR_ENCODING_NPY)                                          \

@@ -99,7 +99,7 @@ static void measure_retreat(const void *context, enum zr_isa isa, const zr_vec4 
     }
 }
 
-/* Moves the eye straight back, so that the target stays on the view axis. */
+/* Moves the eye straight back: the target stays on the view axis. ZR_BAD_SCENE if the axis is outside the window. */
 static enum zr_status fit_on_axis(const struct fitting *fitting, struct zr_axes *axes, struct zr_error *error)
 {
     const struct zr_opening *o = &fitting->opening;

@@ -35,8 +35,8 @@ void zr_picture_give_key(struct zr_parsed_picture *given, const char *object, co
  * frame is its own: world for outdoor, else camera. */
 struct zr_picture zr_picture_merge(const struct zr_parsed_picture *given, const struct zr_look *look);
 
-/* Returns the first given key that needs linear light, as the scene names it (`edges` for a key of that object); NULL:
- * none. `merged`: result of zr_picture_merge. An effect that is off needs none. */
+/* Returns the first given key that needs linear light; for a key inside an object, the object's key, such as `edges`.
+ * NULL: none. `merged`: result of zr_picture_merge. An effect that is off needs none. */
 const char *zr_picture_linear_key(const struct zr_parsed_picture *given, const struct zr_picture *merged);
 
 /* Returns the side of the sample grid that fits in a window: `side`, halved until side times the larger window side is

@@ -10,8 +10,8 @@
 #include "base/warning_list.h"
 #include "scene/scene.h"
 
-/* Returns the factor by which the upper 3x3 scales lengths; 1 if it is within 0.001 of 1, since rounding moves that of
- * a rotation. 0 if the factor depends on the direction. */
+/* Returns the factor by which the upper 3x3 scales lengths; 0 if it depends on the direction. Factors within 0.001 of 1
+ * come from rounding and give 1. */
 double zr_pose_matrix_scale(const zr_mat4 *world_to_eye);
 
 /* Adds a warning for a reflection, and one for a scaling matrix if outputs hold eye-space lengths, which are then not

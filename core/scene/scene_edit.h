@@ -1,4 +1,4 @@
-/* scene_edit.h - scene: the same scene with other materials, for a pass that draws it in another way. */
+/* scene_edit.h - scene: copies a scene with changed materials, for passes that draw it differently. */
 #ifndef ZR_SCENE_EDIT_H
 #define ZR_SCENE_EDIT_H
 

@@ -1,4 +1,4 @@
-/* unused_positions.h - scene: removes positions that no face, line or point uses from the bounds.
+/* unused_positions.h - scene: moves positions that no face, line or point uses onto a used one.
  *
  * Why:    exporters leave such positions behind, and they would enlarge bounds and fitted views.
  */
