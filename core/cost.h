@@ -59,7 +59,7 @@ struct zr_cost {
     double ms; /* of rendering and encoding */
     double counts[ZR_COST_KINDS];
     double window_bytes;   /* lower bound of the bytes that rendering holds at once, in arrays of the window's size */
-    double lamp_map_bytes; /* share of window_bytes for shadow maps of lights */
+    double lamp_map_bytes; /* part of window_bytes for shadow maps of lights */
     uint32_t lamp_maps;    /* number of these maps */
 };
 

@@ -1,5 +1,4 @@
-/* inlined.h - base: functions that must be inlined because a call per item (a digit, a vector, a row) costs too much
- * and compilers do not inline them by themselves. */
+/* inlined.h - base: forces inlining of functions called per item (a digit, a vector, a row): their calls cost too much. */
 #ifndef ZR_INLINED_H
 #define ZR_INLINED_H
 

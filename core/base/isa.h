@@ -1,4 +1,4 @@
-/* isa.h - base: the instruction sets that kernels are compiled for, and those that this machine has.
+/* isa.h - base: instruction sets of kernels, and their availability on this machine.
  *
  * A kernel is one source file, *_kernel.c, written with base/simd.h. The Makefile compiles it once for each instruction
  * set of the target; all of them give the same bytes. A team (base/team.h) selects one when it is created.
@@ -18,11 +18,11 @@ enum zr_isa {
     ZR_ISA_COUNT
 };
 
-/* ZR_KERNEL_TABLE(type, name), in the header of a kernel, declares it for each instruction set that the Makefile
- * compiles kernels for, as name_avx2 and so on, and defines their lookup: `type *name_of(enum zr_isa isa)`, where isa
- * must be available. `type` is the function's type, or `const struct x` of functions. The source file of the kernel
- * defines ZR_KERNEL(name) (base/simd.h). ZR_EACH_ISA(entry, name), from the Makefile, is entry(AVX2, avx2, name) of
- * each instruction set. */
+/* ZR_KERNEL_TABLE(type, name), in the header of a kernel, declares the kernel for each compiled instruction set, as
+ * name_avx2 and so on. It also defines their lookup, `type *name_of(enum zr_isa isa)`; isa must be available. `type` is
+ * the type of a function, or `const struct x` of functions. The kernel's source file defines ZR_KERNEL(name)
+ * (base/simd.h). ZR_EACH_ISA(entry, name), from the Makefile, expands to entry(AVX2, avx2, name) for each instruction
+ * set. */
 #define ZR_KERNEL_TABLE(type, name)                                                                                    \
     typedef type name##_kernel;                                                                                        \
     ZR_EACH_ISA(ZR_KERNEL_DECLARATION, name)                                                                           \
@@ -34,16 +34,16 @@ enum zr_isa {
 #define ZR_KERNEL_DECLARATION(upper, lower, name) extern name##_kernel name##_##lower;
 #define ZR_KERNEL_ENTRY(upper, lower, name)       [ZR_ISA_##upper] = &name##_##lower,
 
-/* "scalar", "sse2", "avx2", "avx512", "neon". */
+/* Returns "scalar", "sse2", "avx2", "avx512" or "neon". */
 const char *zr_isa_name(enum zr_isa isa);
 
-/* False if no instruction set has that name. */
+/* Finds an instruction set by name. False if none has that name. */
 bool zr_isa_find(const char *name, enum zr_isa *isa);
 
 /* True if kernels are compiled for it, and the processor and the system support it. */
 bool zr_isa_is_available(enum zr_isa isa);
 
-/* The available one with the widest vectors. */
+/* Returns the available instruction set with the widest vectors. */
 enum zr_isa zr_isa_best(void);
 
 /* Finds an available instruction set by name; "auto" is the best one. False if there is none; *isa is then undefined.

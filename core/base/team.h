@@ -1,10 +1,11 @@
 /* team.h - base: threads that share the work of requests.
  *
  * A team is shared: several callers may run jobs at once. Each caller works on its own job, and idle helpers join any
- * open job. So a single request uses every core, and many requests share them, without configuration. Invariant:
- * threads claim ranges from an atomic counter of the job, many at first and one by one at the end. The number of
- * helpers and the time at which they join therefore do not matter. Threads wait on a condition variable; before that,
- * they poll for the next job for at most some hundred microseconds and yield the processor. */
+ * open job. So a single request uses every core, and many requests share them, without configuration.
+ * Exact:   threads claim ranges from an atomic counter of the job, many at first and one by one at the end. Results do
+ *          not depend on the number of helpers or on the time at which they join.
+ * Waiting: threads poll for the next job for at most some hundred microseconds and yield the processor, then wait on a
+ *          condition variable. */
 #ifndef ZR_TEAM_H
 #define ZR_TEAM_H
 

@@ -1,7 +1,7 @@
 /* vec.h - base: small vectors and matrices, passed by value.
  *
  * Sums are evaluated in the order written. Each function states its order, since the reference's order (llvmpipe)
- * affects the last bit of every result that reaches a pixel. */
+ * affects the last bit of every pixel. */
 #ifndef ZR_VEC_H
 #define ZR_VEC_H
 
