@@ -12,7 +12,7 @@ static void edit_material(struct zr_material *material)
     material->outline = ZR_OUTLINE_NONE;
 }
 
-/* Depths along the camera's axis in a square window, INFINITY where nothing is; row 0 on top. */
+/* Draws depths along the camera's axis in a square window. Uncovered pixels are INFINITY; row 0 is on top. */
 static enum zr_status draw_depths(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                   const struct zr_camera *camera, uint32_t side, const struct zr_cancel *cancel,
                                   const float **depths)

@@ -11,7 +11,8 @@ struct rows {
     const struct zr_cancel *cancel;
 };
 
-/* Of the row that is y rows above the lowest: linear between the middles of the first and the last row. */
+/* Computes the background of row y above the lowest: linear from the centre of the lowest row to that of the
+ * highest. */
 static void background_of(const struct rows *rows, uint32_t y, float out[4])
 {
     const struct zr_scene *scene = rows->of->scene;

@@ -1,8 +1,8 @@
-/* finish.h - render, last step: averages of samples in linear light -> the bytes of the channel color.
+/* finish.h - render, last step: converts averaged samples in linear light to the bytes of the channel color.
  *
- * Each pixel: over the background, darkened by the ground's shadow; then ink of edges over that; then encoded as sRGB.
- * Where the background is transparent, the ground's shadow is black of opacity 1 - T^(1/2.2), since viewers blend
- * encoded values.
+ * Each pixel is laid over the background, which the ground's shadow darkens. The ink of edges is laid over the result,
+ * which is then encoded as sRGB. Over a transparent background, the shadow is black with opacity 1 - T^(1/2.2), since
+ * viewers blend encoded values.
  */
 #ifndef ZR_FINISH_H
 #define ZR_FINISH_H
@@ -14,17 +14,17 @@
 struct zr_post_desc {
     const struct zr_scene *scene;
     const struct zr_linear_frame *light;
-    const struct zr_ground *ground; /* NULL, or without light: none */
+    const struct zr_ground *ground; /* NULL or without light: no ground */
     struct zr_ground_frame ground_frame;
     struct zr_rays rays;
-    const float *ink; /* opacity of edges, rows of light->width, row 0 the lowest; NULL: none */
+    const float *ink; /* opacity of edges, rows of light->width, row 0 the lowest; NULL: no edges */
     uint8_t *out;     /* RGBA, row 0 on top */
 };
 
 void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *finishing, const struct zr_cancel *cancel);
 
-/* One row. `background`: linear red, green and blue, and opacity; `share`: the ground's T of each pixel, or NULL; `ink`
- * opacities, or NULL, in linear `ink_color`. Of all arrays up to 15 more values are looked at. A kernel. */
+/* Input of one row. `background`: linear red, green and blue, and opacity. `share`: the ground's T per pixel, or NULL.
+ * `ink`: opacities of the linear `ink_color`, or NULL. The kernel reads up to 15 values past the end of each array. */
 struct zr_finish_row {
     const float *color[3], *cover, *share, *ink;
     float background[4], ink_color[3];
@@ -35,7 +35,7 @@ typedef void zr_finish_row_fn(const struct zr_finish_row *row, uint32_t *out);
 
 ZR_KERNEL_TABLE(zr_finish_row_fn, zr_finish_row)
 
-/* Linear light of sRGB-encoded values, three of them. A kernel. */
+/* Converts three sRGB-encoded values to linear light. */
 typedef void zr_decode_fn(const float encoded[3], float linear[3]);
 
 ZR_KERNEL_TABLE(zr_decode_fn, zr_decode)

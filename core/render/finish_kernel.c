@@ -4,19 +4,19 @@
 #include "base/simd.h"
 #include "shade/srgb_color_simd.h"
 
-/* Of ZR_LANES pixels, premultiplied. */
+/* ZR_LANES pixels, premultiplied. */
 struct pixels {
     zr_vf color[3], opacity;
 };
 
-/* How opaque the ground's shadow is over what is transparent: 1 - T^(1/2.2). */
+/* Returns the opacity of the ground's shadow over a transparent background: 1 - T^(1/2.2). */
 static inline zr_vf shadow_opacity(zr_vf share)
 {
     const zr_vf one = zr_vf_set(1.0f);
     return one - zr_vf_select(zr_vf_lt(share, one), zr_pow_v(share, zr_vf_set(1.0f / 2.2f)), one);
 }
 
-/* What is behind what is covered. */
+/* Returns the background, darkened by the ground's shadow. */
 static inline struct pixels behind_of(const struct zr_finish_row *row, uint32_t x)
 {
     const zr_vf one = zr_vf_set(1.0f), own = zr_vf_set(row->background[3]);
@@ -44,7 +44,7 @@ static inline struct pixels pixels_of(const struct zr_finish_row *row, uint32_t 
     return out;
 }
 
-/* As straight alpha. What cannot be seen is black. */
+/* Encodes as bytes with straight alpha. Pixels of opacity 0 are black. */
 static inline zr_vi bytes_of(const struct pixels *p)
 {
     const zr_vm seen = zr_vf_lt(zr_vf_set(0.0f), p->opacity);
@@ -60,7 +60,7 @@ static inline zr_vi bytes_of(const struct pixels *p)
 #endif
 }
 
-/* Nothing is drawn there, and no shadow falls. */
+/* Returns true if the lanes show neither surface nor shadow nor ink. */
 static inline bool shows_background_alone(const struct zr_finish_row *row, uint32_t x)
 {
     const zr_vf zero = zr_vf_set(0.0f);
@@ -70,7 +70,7 @@ static inline bool shows_background_alone(const struct zr_finish_row *row, uint3
     return !zr_vm_any(zr_vm_and(others, zr_vm_first(row->count - x)));
 }
 
-/* A row's background is one colour, and encoded once (an eighth of a picture's time, where half of it is empty). */
+/* A row has one background colour, encoded once (saves an eighth of a picture's time if half of it is empty). */
 void ZR_KERNEL(zr_finish_row)(const struct zr_finish_row *row, uint32_t *out)
 {
     zr_vi background = zr_vi_set(0);

@@ -36,7 +36,7 @@ static void count_layers(const struct drawing *d, const struct zr_layers *layers
 
 /* ---- thickness ---- */
 
-/* Along each ray of a tile, from behind. */
+/* State of each ray of a tile, walked from behind. */
 struct walk {
     int32_t winding[ZR_LAYER_FLOATS];
     double last[ZR_LAYER_FLOATS]; /* depth */
@@ -53,7 +53,7 @@ static void pass_surface(struct walk *walk, int32_t place, double depth, bool ba
     walk->open[place] = 0.0;
 }
 
-/* Depths of the layer become those of the channel depth. */
+/* Adds one layer to the walk. Converts the layer's depths to those of the channel depth. */
 static void walk_layer(const struct drawing *d, struct zr_tile *layer, struct walk *walk)
 {
     const struct zr_geometry *geometry = &d->pass->pass.geometry;
@@ -70,7 +70,7 @@ static void walk_layer(const struct drawing *d, struct zr_tile *layer, struct wa
         }
 }
 
-/* The length of the ray through a pixel's centre for each unit of depth. */
+/* Returns the length of the ray through a pixel's centre per unit of depth. */
 static double length_of(const struct zr_rays *rays, int32_t x, int32_t y)
 {
     const double u = (double)x + 0.5, v = (double)y + 0.5;
@@ -121,7 +121,7 @@ static void draw_range(void *context, size_t begin, size_t end)
         draw_tile(context, (uint32_t)number, &tile);
 }
 
-/* Of one of the channels. */
+/* Draws the channel thickness if `solid`, else layers. */
 static enum zr_status draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene, bool solid,
                            const struct zr_cancel *cancel, struct zr_frame *frame)
 {

@@ -2,7 +2,7 @@
 
 #include "scene/scene_edit.h"
 
-/* All meshes without their lines and points. */
+/* Copies the meshes without their lines and points. */
 static const struct zr_mesh *faces_alone(struct zr_arena *arena, const struct zr_scene *scene)
 {
     struct zr_mesh *meshes = zr_arena_alloc(arena, scene->mesh_count, sizeof *meshes);
@@ -18,7 +18,7 @@ static void make_see_through(struct zr_material *material)
     material->alpha_mode = ZR_ALPHA_BLEND;
 }
 
-/* Faces are filled, and both of their sides are drawn. */
+/* Makes faces filled and double-sided. */
 static void make_solid(struct zr_material *material)
 {
     make_see_through(material);

@@ -73,7 +73,7 @@ bool zr_layers_find(const struct zr_tile_source *tiles, uint32_t number, enum zr
     return true;
 }
 
-/* The fragment with `at` others in front of it, of pixels that have so many. */
+/* Writes one fragment to the layer; `any` false: an uncovered sample. */
 static void show(struct zr_layers *layers, uint32_t place, bool any, uint64_t key)
 {
     layers->tile.owner[place] = any ? zr_fragment_owner(key) : 0;
@@ -101,14 +101,14 @@ bool zr_layers_has_blended(const struct zr_tile_source *tiles, uint32_t number)
     return tiles->any_blended && has_any(tiles, number, ZR_ALPHA_BLEND);
 }
 
-/* Of an opacity, compared as GL compares it with RGBA of 8 bits: both are rounded first. */
+/* Compares an opacity with the cutoff as GL does in 8-bit RGBA: both are rounded first. */
 static bool passes(const struct zr_tile_source *tiles, uint32_t owner, float opacity)
 {
     const struct zr_draw *draw = zr_draw_of(tiles->geometry, owner - 1);
     return zr_rgba_byte(opacity) >= zr_rgba_byte(draw->material->alpha_cutoff);
 }
 
-/* Where nothing nearer has passed. */
+/* Moves fragments that pass to the tile, unless a nearer one has passed. */
 static void pass_layer(const struct zr_tile_source *tiles, const struct zr_layers *layers, uint8_t *done,
                        struct zr_tile *tile)
 {
@@ -122,7 +122,7 @@ static void pass_layer(const struct zr_tile_source *tiles, const struct zr_layer
     }
 }
 
-/* Layers from the front on. False where none of the fragments over some pixel has passed. */
+/* Tests layers from front to back. Returns false if some pixel has fragments but none passed. */
 static bool pass_all(const struct zr_tile_source *tiles, struct zr_layers *layers, const struct zr_cancel *cancel,
                      struct zr_tile *tile)
 {
@@ -174,7 +174,7 @@ bool zr_layers_mask(const struct zr_tile_source *tiles, uint32_t number, const s
 
 /* ---- blending ---- */
 
-/* What is behind all layers: the tile's colours, or the background's, times their opacity. */
+/* Starts the sum with the tile's colours, or the background's times its opacity. */
 static void begin_sum(const struct zr_tile_source *tiles, const struct zr_tile *tile, struct zr_layers *layers)
 {
     const zr_vec4 nothing = tiles->scene->background;
@@ -184,7 +184,7 @@ static void begin_sum(const struct zr_tile_source *tiles, const struct zr_tile *
     for (int32_t y = 0; y < tile->height; y++)
         for (int32_t x = 0; x < tile->width; x++) {
             const uint32_t i = place_of(x, y);
-            const bool owned = tile->owner[i] > 0; /* beside the tile nobody has written owners */
+            const bool owned = tile->owner[i] > 0; /* beyond width and height, owners are unwritten */
             for (int k = 0; k < 3; k++)
                 sum[k][i] = owned ? sum[k][i] : background[k];
             sum[3][i] = owned ? 1.0f : background[3];
@@ -222,7 +222,7 @@ bool zr_layers_blend(const struct zr_tile_source *tiles, uint32_t number, const 
     return found && !zr_is_cancelled(cancel);
 }
 
-/* Over an opaque background the sum is the colour, whatever rounding makes of opacities. */
+/* Over an opaque background the opacity is 1, without the rounding of the sum. */
 uint32_t zr_layers_put(const struct zr_tile_source *tiles, struct zr_layers *blended, const struct zr_tile *tile,
                        const struct zr_pixel_rows *out)
 {

@@ -1,9 +1,9 @@
-/* layers.h - render: what see-through primitives show in a tile, a layer at a time.
+/* layers.h - render: masked and blended primitives of a tile, one layer at a time.
  *
- * The fragments of each pixel are sorted (raster/fragments.h); layer k has the k-th of every pixel that has so many. A
- * layer is a tile like any other, and is shaded as opaque ones are, so every model, attribute and channel works here.
- * Masked surfaces come first: the nearest fragment whose opacity reaches the cutoff belongs to the tile from then on,
- * as an opaque one's would. Then what is blended is laid over that, from the farthest to the nearest.
+ * The fragments of each pixel are sorted (raster/fragments.h). Layer k holds the k-th fragment of every pixel that has
+ * so many. A layer is a tile and is shaded like one, so every model, attribute and channel works.
+ * Masked surfaces come first: the nearest fragment whose opacity is at least the cutoff replaces the tile's sample, as
+ * an opaque one would. Blended layers are then laid over it, from the farthest to the nearest.
  * Exact:  blending is GL's, in floats: color * opacity + behind * (1 - opacity), each operation rounded.
  */
 #ifndef ZR_LAYERS_H
@@ -14,49 +14,50 @@
 
 enum { ZR_LAYER_FLOATS = ZR_TILE_STRIDE * ZR_TILE_SIZE };
 
-/* What one thread works with, on one tile. */
+/* Working memory of one thread for one tile. */
 struct zr_layers {
     struct zr_layers *next; /* in the pool */
     struct zr_fragments fragments;
-    uint32_t most; /* fragments that a pixel of the tile has */
+    uint32_t most; /* largest number of fragments in any pixel of the tile */
     struct zr_tile tile;
     _Alignas(64) float front[4][ZR_LAYER_FLOATS], sum[4][ZR_LAYER_FLOATS];
 };
 
-/* Room for as many threads as work at once, in the request's arena. */
+/* Pool of working memory, allocated in the request's arena: one for each thread at work. */
 struct zr_layers_pool {
     struct zr_arena *arena;
-    pthread_mutex_t lock; /* of all that follows, and of the arena meanwhile */
+    pthread_mutex_t lock; /* guards the arena and the members below */
     struct zr_layers *free;
-    uint64_t masked_tiles; /* see geometry/counts.h */
+    uint64_t masked_tiles; /* tiles for geometry/counts.h */
 };
 
-/* NULL where there is no memory: the arena has failed then. */
+/* Takes working memory from the pool. Returns NULL if out of memory; the arena has failed then. */
 struct zr_layers *zr_layers_take(struct zr_layers_pool *pool);
 void zr_layers_give(struct zr_layers_pool *pool, struct zr_layers *layers);
 
-/* Gives the tile, as opaque primitives left it, what masked ones show. All of it is written then where anything
- * see-through may be over it. False where it was cancelled or there is no memory. */
+/* Adds masked surfaces to a tile of opaque ones. Writes all samples of the tile if masked or blended fragments may
+ * cover it. Returns false if cancelled or out of memory. */
 bool zr_layers_mask(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
                     struct zr_tile *tile);
 
-/* Finds what is blended over a tile that zr_tile_find_visible gave: into layers->fragments and layers->most. */
+/* Lists the fragments of `mode` in a tile from zr_tile_find_visible, sorted, in layers->fragments and layers->most.
+ * Returns false if cancelled or out of memory. */
 bool zr_layers_find(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode,
                     const struct zr_cancel *cancel, struct zr_tile *tile, struct zr_layers *layers);
 
-/* The layer with `depth` others behind it, to layers->tile. */
+/* Writes to layers->tile the fragments that have `depth` others of their pixel behind them. */
 void zr_layers_show(struct zr_layers *layers, uint32_t depth);
 
-/* Whether anything may be blended over tile `number`. */
+/* Returns true if blended fragments may cover tile `number`. */
 bool zr_layers_has_blended(const struct zr_tile_source *tiles, uint32_t number);
 
-/* Finds what is to be over the colours of a tile, before its depths are used up: *blended is NULL where nothing is.
- * summed: blends it by the textbook, too. False as above. */
+/* Lists the blended fragments of a tile; call it before the tile's depths are overwritten. *blended is NULL if there
+ * are none. `summed`: also blends their colours. Returns false if cancelled or out of memory. */
 bool zr_layers_blend(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
                      struct zr_tile *tile, bool summed, struct zr_layers **blended);
 
-/* Writes the tile's colours, with that over them, and gives it back. No base may be behind. Returns how many pixels
- * show nothing but what is blended. */
+/* Writes the tile's blended colours and returns `blended` to the pool. The frame has no base. Returns the number of
+ * pixels that only blended fragments cover. */
 uint32_t zr_layers_put(const struct zr_tile_source *tiles, struct zr_layers *blended, const struct zr_tile *tile,
                        const struct zr_pixel_rows *out);
 

@@ -6,7 +6,7 @@
 #include "render/stage.h"
 #include "shade/paint.h"
 
-/* Whether there is a draw of such a material. */
+/* Returns true if a draw's material has this alpha mode. */
 static bool any_draw(const struct zr_geometry *geometry, enum zr_alpha_mode mode)
 {
     for (uint32_t i = 0; i < geometry->draw_count; i++)
@@ -22,7 +22,7 @@ struct zr_window zr_window_of(const struct zr_scene *scene, uint32_t width, uint
                               (float)side};
 }
 
-/* Fragments are listed of masked surfaces, and of blended ones if colours are wanted, or the lists themselves. */
+/* Decides the modes whose fragments are listed: masked, and blended if colours or the lists themselves are wanted. */
 static void find_listed(const struct zr_geometry *geometry, const struct zr_attribute_wants *wants,
                         bool listed[ZR_ALPHA_COUNT])
 {
@@ -36,7 +36,7 @@ static uint64_t samples_in(const struct zr_window *window)
     return (uint64_t)window->width * window->height;
 }
 
-/* Masks need the opacity of their textures in every pass. */
+/* Makes the textures of colours and samples. Masks need their opacity in every pass. */
 static enum zr_status make_textures(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *desc,
                                     const struct zr_cancel *cancel, struct zr_attribute_wants *wants)
 {

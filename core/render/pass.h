@@ -1,6 +1,6 @@
-/* pass.h - render: the scene drawn once, in a window of some size: all that tiles are made from.
+/* pass.h - render: everything that tiles are made from: the scene processed once for a window.
  *
- * A picture takes some of them: of pixels' centres, of samples, of maps from below or along a lamp's light.
+ * A picture needs several passes: pixel centres, samples, maps from below and along lights.
  */
 #ifndef ZR_PASS_H
 #define ZR_PASS_H
@@ -16,26 +16,26 @@ struct zr_pass {
     struct zr_tile_source tiles;
 };
 
-/* Describes a pass: a scene, the camera with its window, and the attributes of surfaces that it needs. */
+/* Input of a pass: a scene, the camera and window, and the attributes to make. */
 struct zr_pass_desc {
     const struct zr_scene *scene;
     const struct zr_camera *camera;
     struct zr_window window;
-    struct zr_attribute_wants wants; /* but its textures, which zr_pass_make makes */
-    bool untextured;                 /* else colours and G-buffers have their textures, and masks theirs */
+    struct zr_attribute_wants wants; /* without textures, which zr_pass_make adds */
+    bool untextured;                 /* makes no textures: colours, G-buffers and masks go without */
     const struct zr_base *base;      /* NULL: none */
 };
 
-/* The window of a picture of that size at side x side samples a pixel. Lines are as wide as the scene's are in pixels
- * of the picture, and points as large. */
+/* Returns the window of a picture of that size with side x side samples per pixel. Line widths and point sizes, in
+ * pixels of the picture, are scaled by side. */
 struct zr_window zr_window_of(const struct zr_scene *scene, uint32_t width, uint32_t height, uint32_t side);
 
-/* Decides what tiles hold. The pass points into the arena, to the scene and the camera, and into itself. ZR_OK,
- * ZR_CANCELLED, ZR_NO_MEMORY, or ZR_INTERNAL where an algorithm finds itself wrong. */
+/* Makes the pass, which points into the arena, to the scene and camera, and into itself. Returns ZR_OK, ZR_CANCELLED,
+ * ZR_NO_MEMORY, or ZR_INTERNAL if an algorithm fails its own checks. */
 enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *desc,
                             const struct zr_cancel *cancel, struct zr_pass *pass);
 
-/* What was clipped, turned away and so on. */
+/* Returns the counts of geometry, visibility and masked tiles. */
 struct zr_counts zr_pass_counts(const struct zr_pass *pass);
 
 #endif

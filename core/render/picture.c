@@ -26,7 +26,7 @@ static enum zr_status status_of(const struct drawing *d)
     return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-/* The scene at side x side samples a pixel. */
+/* Describes a pass with side x side samples per pixel. */
 static struct zr_pass_desc pass_at(const struct drawing *d, uint32_t side, bool linear)
 {
     return (struct zr_pass_desc){.scene = d->scene,
@@ -51,7 +51,7 @@ static enum zr_status draw_bytes(const struct drawing *d)
 
 /* ---- linear light ---- */
 
-/* Of meshes that have no normals of their own. */
+/* Makes crease normals for meshes without normals. */
 static enum zr_status make_creases(struct drawing *d)
 {
     const struct zr_scene *scene = d->scene;
@@ -69,7 +69,7 @@ static float *floats(const struct drawing *d, size_t count)
     return zr_arena_alloc(d->arena, count, sizeof(float));
 }
 
-/* Of points and normals. Rows have room for whole blocks of tiles. */
+/* Allocates a G-buffer of points and normals. Both sides are rounded up to whole blocks of tiles. */
 static enum zr_status make_gbuffer(const struct drawing *d, struct zr_gbuffer *out)
 {
     const size_t stride = ((size_t)d->frame->width + 15) / 16 * 16;
@@ -109,7 +109,7 @@ static void draw_gbuffer_range(void *context, size_t begin, size_t end)
     }
 }
 
-/* Of pixels' centres. */
+/* Draws the G-buffer at pixel centres. */
 static enum zr_status draw_gbuffer(const struct drawing *d, struct zr_gbuffer *pixels)
 {
     struct zr_pass_desc desc = pass_at(d, 1, true);
@@ -145,7 +145,7 @@ static enum zr_status make_light(const struct drawing *d, struct zr_linear_frame
     return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-/* Edges point into the pass until they are finished. */
+/* Draws all samples. Edges point into the pass until they are finished. */
 static enum zr_status draw_samples(const struct drawing *d, const struct zr_sample_stages *stages, struct zr_pass *pass)
 {
     const uint32_t side = d->scene->picture.side;
@@ -208,7 +208,7 @@ static enum zr_status draw_light(struct drawing *d)
     return status;
 }
 
-/* Surfaces of the shading xray are blended, and both of their sides are drawn. */
+/* Makes surfaces with the shading xray blended and double-sided. */
 static void blend_xrays(struct zr_material *material)
 {
     if (!zr_shading_is_layered(material->shading)) return;

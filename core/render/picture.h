@@ -1,6 +1,4 @@
-/* picture.h - render, the whole floor: the channel color of what is more than one sample a pixel in the textbook's way:
- * several samples, linear light, effects.
- */
+/* picture.h - render: the channel color with several samples per pixel, linear light or effects. */
 #ifndef ZR_LOOK_PICTURE_H
 #define ZR_LOOK_PICTURE_H
 
@@ -8,13 +6,13 @@
 #include "scene/scene.h"
 #include "shade/frame.h"
 
-/* True where the channel color takes these stages, and not the tiles of the data channels. */
+/* Returns true if the channel color is drawn in passes of its own, apart from the data channels. */
 static inline bool zr_picture_has_own_passes(const struct zr_picture *picture)
 {
     return picture->is_linear || picture->side > 1;
 }
 
-/* Draws frame->color. The frame has the camera and the bounds. ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY or ZR_INTERNAL. */
+/* Draws frame->color. The frame has its camera and bounds. Returns ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY or ZR_INTERNAL. */
 enum zr_status zr_picture_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                const struct zr_cancel *cancel, struct zr_frame *frame);
 

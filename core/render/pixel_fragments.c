@@ -3,7 +3,7 @@
 #include "render/layer_pass.h"
 #include "shade/visible_points.h"
 
-/* What the primitive is in the scene as it was given. */
+/* Describes a fragment by the ids and alpha mode of the original scene. */
 static struct zr_pixel_fragment fragment_of(const struct zr_layer_pass *pass, const struct zr_scene *scene,
                                             const struct zr_frame *frame, int32_t x, int32_t y, uint32_t owner)
 {
@@ -19,7 +19,7 @@ static struct zr_pixel_fragment fragment_of(const struct zr_layer_pass *pass, co
     return fragment;
 }
 
-/* What is opaque, or was not masked, hides what is blended at the same depth. */
+/* At equal depth, an opaque or masked fragment hides a blended one. */
 static bool is_shown(const struct zr_frame *frame, size_t pixel, const struct zr_pixel_fragment *fragment, float depth)
 {
     const uint32_t seen = frame->face_id[pixel];

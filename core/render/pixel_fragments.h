@@ -1,8 +1,7 @@
-/* pixel_fragments.h - render: all that lies over one pixel: the channel fragments, the base of picking.
+/* pixel_fragments.h - render: all fragments of one pixel: the channel fragments, on which picking is based.
  *
- * From the tile that the pixel lies in, in a pass in which everything is see-through (layer_pass.h). Which fragments
- * are shown, the pixel's own channels tell: the one that windowDepth and faceId are of, and what is blended in front of
- * it.
+ * Draws the pixel's tile with every surface transparent (layer_pass.h). A fragment is shown if windowDepth and faceId
+ * of the pixel are its own, or if it is blended in front of them.
  */
 #ifndef ZR_PIXEL_FRAGMENTS_H
 #define ZR_PIXEL_FRAGMENTS_H
@@ -11,8 +10,8 @@
 #include "scene/scene.h"
 #include "shade/frame.h"
 
-/* Finds frame->fragments, in the arena, of the pixel x, y of the window, once the frame has windowDepth and faceId.
- * ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY or ZR_INTERNAL. */
+/* Finds the fragments of pixel x, y of the window and writes frame->fragments, allocated in the arena. The frame has
+ * its windowDepth and faceId. Returns ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY or ZR_INTERNAL. */
 enum zr_status zr_pixel_fragments_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                        uint32_t x, uint32_t y, const struct zr_cancel *cancel, struct zr_frame *frame);
 

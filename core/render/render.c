@@ -1,4 +1,4 @@
-/* render.c - the pipeline, from top to bottom: each STAGE is one; those of a pass are in render/pass.c, those of
+/* render.c - the pipeline, from top to bottom: one STAGE per step. Those of a pass are in render/pass.c, those of
  * pictures in linear light in render/picture.c. */
 #include "zraster.h"
 
@@ -16,7 +16,7 @@
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
 
-/* Data channels at pixel centres; and colours, if they are the textbook's. */
+/* Draws the data channels at pixel centres, and the colours if they need no passes of their own. */
 static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                     const struct zr_cancel *cancel, struct zr_frame *frame)
 {
@@ -40,7 +40,7 @@ static bool has_channels(const struct zr_frame *frame)
     return false;
 }
 
-/* The picture has samples and effects, which no data channel has. */
+/* Draws the picture with its samples and effects, then the data channels in a pass without them. */
 static enum zr_status draw_picture_and_channels(struct zr_arena *arena, struct zr_team *team,
                                                 const struct zr_scene *scene, const struct zr_cancel *cancel,
                                                 struct zr_frame *frame)

@@ -10,8 +10,8 @@
 #include "shade/paint.h"
 #include "shade/visible_points.h"
 
-/* Where nothing is drawn, the base as it is; its depth in the tile is for the depth test only. Returns the deepest of
- * its depths. */
+/* Copies the base to uncovered pixels; the tile's own depth of the base serves only the depth test. Returns the
+ * greatest finite depth copied. */
 static float resolve_base(const struct zr_frame *frame, size_t pixel, int32_t count)
 {
     const struct zr_base *base = frame->base;
@@ -44,12 +44,12 @@ static float resolve_base_runs(const struct zr_paint *paint, const struct zr_til
     return deepest;
 }
 
-/* From here on a frame is larger than what caches have to spare: written past them, the bunny takes 0.4 ms less at
- * 512x512 and 0.5 ms at 1920x1080, a mesh of a million triangles 4 ms. Where frame
- * after frame is drawn to the same memory and read at once, it is 3 % slower so. */
+/* Frames of at least this size exceed the caches, so streaming stores bypass them. The bunny takes 0.4 ms less at
+ * 512x512 and 0.5 ms at 1920x1080, a mesh of a million triangles 4 ms. Frames drawn to the same memory and read at once
+ * get 3 % slower. */
 enum { STREAMED_PIXELS = 1 << 18 };
 
-/* Rows of the tile are whole lines of the caches. */
+/* Returns true if the tile's rows are whole cache lines and the frame is large. */
 static bool is_streamed(const struct zr_frame *frame, const struct zr_tile *tile)
 {
     const uint32_t line = 64 / 4;
@@ -58,7 +58,7 @@ static bool is_streamed(const struct zr_frame *frame, const struct zr_tile *tile
 }
 _Static_assert(ZR_ARENA_ALIGN == 64, "so are those of the first row");
 
-/* Where the tile's first pixel is in a channel. */
+/* Returns the index of the tile's lowest left pixel in a channel. */
 static size_t lowest_pixel_of(const struct zr_frame *frame, const struct zr_tile *tile)
 {
     /* Window space has y up, pictures have row 0 on top. */
@@ -66,7 +66,7 @@ static size_t lowest_pixel_of(const struct zr_frame *frame, const struct zr_tile
     return (size_t)row * frame->width + (size_t)tile->x;
 }
 
-/* Of an array with so many words a pixel; NULL: not wanted. */
+/* Returns the tile's rows in an array of `words` words per pixel. `array` NULL: `first` is NULL. */
 static struct zr_pixel_rows rows_in(const struct zr_frame *frame, const struct zr_tile *tile, void *array,
                                     uint32_t words)
 {
@@ -81,7 +81,7 @@ struct zr_pixel_rows zr_resolve_rows(const struct zr_frame *frame, const struct 
     return rows_in(frame, tile, frame->channels[channel], zr_channel_rows[channel].words);
 }
 
-/* All channels, with what they have where nothing is. */
+/* Fills the tile with the clear value of each channel. */
 static void fill_all(const struct zr_paint *paint, const struct zr_frame *frame, const struct zr_tile *tile,
                      uint32_t background)
 {
@@ -104,7 +104,8 @@ static float resolve_depth(const struct zr_geometry *geometry, enum zr_isa isa, 
     return deepest;
 }
 
-/* Rows that lead normals from eye space to another: those to the world are the columns of the way back. */
+/* Fills the rows of the matrix from eye space to `space`, for normals. For the world, they are the columns of
+ * world_to_eye. */
 static void normals_to_space(const zr_mat4 *world_to_eye, enum zr_space space, float rows[3][3])
 {
     for (int row = 0; row < 3; row++)
@@ -138,21 +139,21 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
     const struct zr_paint *paint = zr_paint_of(isa);
     const uint32_t nothing = zr_rgba_make(scene->background);
     struct zr_resolved resolved = {0, 0.0f};
-    /* What is known of tiles and blocks as wholes knows nothing of a base: neither what is behind, nor that ids are
-     * counted from its first_face_id. zr_tile_begin sees to it. */
+    /* Shortcuts for whole tiles and blocks ignore a base: its pixels and its first_face_id. zr_tile_begin disables
+     * them. */
     assert(!frame->base || (!tile->is_empty && !tile->knows_owners));
     if (tile->is_empty) {
         fill_all(paint, frame, tile, nothing);
         return resolved;
     }
-    /* Depths come last: they are streamed, and what is looked up right behind them waits (fills take 7 % longer). */
+    /* Depths come last: streaming stores delay the loads that follow (fills take 7 % longer). */
     shade(geometry, surfaces, paint, nothing, tile, frame);
     if (frame->window_depth) {
         const struct zr_pixel_rows rows = zr_resolve_rows(frame, tile, ZR_CHANNEL_WINDOW_DEPTH);
         paint->depths(tile, &rows);
     }
     const bool points = zr_visible_points_are_wanted(frame);
-    if (frame->depth || points) zr_halfspace_of(isa)->flush(tile); /* these look at every sample */
+    if (frame->depth || points) zr_halfspace_of(isa)->flush(tile); /* both read every sample */
     if (points)
         zr_visible_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_frame_space(frame, ZR_CHANNEL_POSITION),
                                tile, frame);

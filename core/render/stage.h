@@ -1,4 +1,4 @@
-/* stage.h - render: one step of a pipeline. Needs a local `enum zr_status status`. */
+/* stage.h - render: the macro that chains the steps of a pipeline. Needs a local `enum zr_status status`. */
 #ifndef ZR_STAGE_H
 #define ZR_STAGE_H
 

@@ -8,10 +8,10 @@
 #include "shade/models/xray.h"
 #include "shade/paint.h"
 
-/* As of tiles.c. */
+/* Tiles per claim, as in tiles.c. */
 enum { TILES_A_RANGE = 2 };
 
-/* What the threads share. */
+/* State shared by the threads. */
 struct drawing {
     const struct zr_pass *pass;
     const struct zr_sample_stages *stages;
@@ -19,13 +19,13 @@ struct drawing {
     const struct zr_averages *averages;
     enum zr_isa isa;
     uint32_t side;
-    uint32_t background; /* of bytes */
+    uint32_t background; /* RGBA; for bytes only */
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
     atomic_uint_fast64_t covered; /* samples */
 };
 
-/* Where a tile of samples lies in the picture. Rows run upwards; a tile's size is a multiple of side. */
+/* Pixels that a tile of samples covers. Row 0 is the lowest; a tile's size is a multiple of side. */
 struct place {
     uint32_t x, y, width, height; /* pixels */
 };
@@ -63,14 +63,14 @@ static void average_bytes(struct drawing *d, struct zr_tile *tile, struct zr_lay
 
 enum { TILE_WORDS = ZR_TILE_STRIDE * ZR_TILE_SIZE };
 
-/* A tile's G-buffer and what is made of it. */
+/* A tile's G-buffer, and its lighting. */
 struct lit_tile {
     _Alignas(64) float floats[9][TILE_WORDS];
     float occlusion[TILE_WORDS];
     float color[3][TILE_WORDS];
     uint32_t owner[TILE_WORDS], material[TILE_WORDS];
     struct zr_gbuffer_textures textures;
-    float texels[ZR_TEXTURE_VALUES][TILE_WORDS]; /* in their order */
+    float texels[ZR_TEXTURE_VALUES][TILE_WORDS]; /* in the order of struct zr_gbuffer_textures */
 };
 
 static void point_at_texels(struct lit_tile *lit)
@@ -123,7 +123,8 @@ static void clear_light(const struct drawing *d, const struct place *place)
             to->color[0][at] = to->color[1][at] = to->color[2][at] = to->cover[at] = 0.0f;
 }
 
-/* Layer by layer over what is lit: color[3] and cover. Lit as what is opaque, but nothing occludes it. */
+/* Blends the layers over the lit tile: color[3] and cover. Layers are lit like opaque surfaces, but without
+ * occlusion. */
 static void blend_light(const struct drawing *d, struct zr_layers *blended, struct lit_tile *lit)
 {
     const struct zr_tile *layer = &blended->tile;
@@ -141,7 +142,7 @@ static void blend_light(const struct drawing *d, struct zr_layers *blended, stru
     }
 }
 
-/* What is opaque is behind all layers. */
+/* Starts the sum with the opaque surfaces. */
 static void begin_blending(const struct zr_tile *tile, const struct lit_tile *lit, struct zr_layers *blended)
 {
     for (int k = 0; k < 3; k++)
@@ -150,7 +151,7 @@ static void begin_blending(const struct zr_tile *tile, const struct lit_tile *li
         blended->sum[3][i] = tile->owner[i] > 0 ? 1.0f : 0.0f;
 }
 
-/* Returns how many samples show nothing but what is blended. */
+/* Lights, blends and averages a tile with blended layers. Returns the number of samples that only those cover. */
 static uint32_t light_layers(const struct drawing *d, const struct zr_tile *tile, const struct place *place,
                              struct zr_layers *blended, struct lit_tile *lit)
 {
@@ -171,7 +172,7 @@ static uint32_t light_layers(const struct drawing *d, const struct zr_tile *tile
     return uncovered;
 }
 
-/* Returns as light_layers. */
+/* Lights and averages a tile. Returns as light_layers. */
 static uint32_t light_tile(const struct drawing *d, uint32_t number, const struct zr_tile *tile,
                            struct zr_layers *blended, struct lit_tile *lit)
 {

@@ -1,10 +1,10 @@
-/* supersample.h - render: the channel color of several samples a pixel: the same scene at `side` times the size,
+/* supersample.h - render: the channel color with several samples per pixel: the scene at `side` times the size,
  * averaged.
  *
- * Tile by tile: nothing of the larger picture is kept. Samples have a visibility of their own, for none but with side 1
- * lies at a pixel's centre.
- * Exact:  bytes are averaged as integers, half up, by opacity where the background is not opaque; so the reference can
- *         draw it, too.
+ * Works tile by tile and keeps nothing of the larger picture. Samples need a visibility of their own: with side 2, 4 or
+ * 8, none lies at a pixel's centre.
+ * Exact:  bytes are averaged as integers, rounded half up, and weighted by opacity if the background is not opaque. The
+ *         reference can therefore draw the same.
  */
 #ifndef ZR_SUPERSAMPLE_H
 #define ZR_SUPERSAMPLE_H
@@ -14,43 +14,44 @@
 #include "render/pass.h"
 #include "shade/lights/lighting.h"
 
-/* Colours in linear light of all pixels, for finish.h. Rows run upwards; a row has `stride` values. */
+/* Colours of all pixels in linear light, for finish.h. Row 0 is the lowest; a row has `stride` values. */
 struct zr_linear_frame {
     uint32_t width, height;
     size_t stride;
-    float *color[3]; /* the sum over what is covered, a share of all samples: premultiplied */
-    float *cover;    /* 0..1 */
+    float *color[3]; /* sum over covered samples, divided by the number of all samples: premultiplied */
+    float *cover;    /* covered share of the samples, 0..1 */
 };
 
-/* What a linear picture's samples are made with. */
+/* Input of the samples of a picture in linear light. */
 struct zr_sample_stages {
     const struct zr_linear_lighting *lighting;
     const struct zr_occlusion_map *occlusion; /* or NULL */
     struct zr_edge_marks *edges;              /* or NULL */
-    bool has_xrays;                           /* some material is of that shading */
+    bool has_xrays;                           /* true if a material has the shading xray */
     struct zr_linear_frame *out;
 };
 
-/* To frame->color, and what else is known of the frame then. The pass is of frame's size times side. ZR_OK,
- * ZR_CANCELLED or ZR_NO_MEMORY. */
+/* Writes frame->color and the sample counts. The pass has side times the frame's size. Returns ZR_OK, ZR_CANCELLED or
+ * ZR_NO_MEMORY. */
 enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *pass, uint32_t side,
                                     const struct zr_cancel *cancel, struct zr_frame *frame);
 
-/* The same, lit in linear light, to stages->out. */
+/* Lights the samples in linear light and writes their averages to stages->out. Otherwise as above. */
 enum zr_status zr_supersample_light(struct zr_team *team, const struct zr_pass *pass,
                                     const struct zr_sample_stages *stages, uint32_t side,
                                     const struct zr_cancel *cancel, struct zr_frame *frame);
 
-/* Averages of a tile's samples. A kernel. */
+/* Kernels that average a tile's samples. */
 struct zr_averages {
-    /* `pixels` pixels of a row: samples have rows of ZR_TILE_SIZE words. is_opaque: all of them are. */
+    /* Averages bytes for a row of `pixels` pixels. Rows of samples have ZR_TILE_SIZE words. is_opaque: every sample is
+     * opaque. */
     void (*bytes)(const uint32_t *samples, uint32_t side, uint32_t pixels, bool is_opaque, uint32_t *out);
 
-    /* Of samples in rows of ZR_TILE_STRIDE, row by row in one order. */
+    /* Averages light. Rows of samples have ZR_TILE_STRIDE values and are summed row by row, in one order. */
     void (*light)(const float *const color[3], const uint32_t *owner, uint32_t side, uint32_t pixels,
                   float *const out[4]);
 
-    /* The same where things are blended: of colours times opacity, and opacity. */
+    /* Averages blended light: colours times opacity, and opacity. */
     void (*blended)(const float *const sum[4], uint32_t side, uint32_t pixels, float *const out[4]);
 };
 

@@ -1,4 +1,4 @@
-/* tile_source.h - render: what the tiles of a window are made from. */
+/* tile_source.h - render: the input of a window's tiles. */
 #ifndef ZR_TILE_SOURCE_H
 #define ZR_TILE_SOURCE_H
 
@@ -7,7 +7,6 @@
 
 struct zr_layers_pool; /* layers.h */
 
-/* What tiles are made from. */
 struct zr_tile_source {
     const struct zr_scene *scene;
     const struct zr_geometry *geometry;
@@ -15,9 +14,9 @@ struct zr_tile_source {
     const struct zr_visibility *visibility;
     enum zr_isa isa;
 
-    /* Of what is see-through. */
-    struct zr_layers_pool *layers; /* NULL: nothing is */
-    bool any_masked, any_blended;  /* blended: and colours are wanted */
+    /* Masked and blended surfaces. */
+    struct zr_layers_pool *layers; /* NULL: none */
+    bool any_masked, any_blended;  /* any_blended: only if colours are drawn */
 };
 
 #endif

@@ -6,22 +6,22 @@
 #include "render/layers.h"
 #include "render/resolve.h"
 
-/* Each claim waits for all that was stored before to be written; of single tiles there are too many at the end (3 % of
- * the bunny at 512x512 on two threads). */
+/* Tiles per claim. A claim waits for all earlier stores, so claims of single tiles take longer (3 % of the bunny at
+ * 512x512 on two threads). */
 enum { TILES_A_RANGE = 2 };
 
-/* Up to so many tiles, waking a helper takes longer than it saves. */
+/* Up to this many tiles, one thread draws all: waking a helper takes longer than it saves. */
 enum { TILES_ALONE = 16 };
 
-/* What the threads share. */
+/* State shared by the threads. */
 struct drawing {
     const struct zr_tile_source *tiles;
     enum zr_isa isa;
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
-    uint8_t *occupied;            /* tiles that show anything */
+    uint8_t *occupied;            /* 1 per tile that has a covered pixel */
     atomic_uint_fast64_t covered; /* pixels */
-    atomic_uint deepest;          /* the bits of a float that is not negative, which are as great as it is */
+    atomic_uint deepest;          /* bits of a float >= 0, ordered like the float */
 };
 
 static void raise_to(atomic_uint *most, float value)
@@ -40,7 +40,7 @@ bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, c
     return zr_visibility_tile(tiles->visibility, number, cancel, tile) && zr_layers_mask(tiles, number, cancel, tile);
 }
 
-/* False where it was cancelled, or there was no memory. */
+/* Draws one tile. Returns false if cancelled or out of memory. */
 static bool draw_tile(const struct drawing *d, uint32_t number, struct zr_tile *tile, struct zr_resolved *resolved)
 {
     const struct zr_tile_source *from = d->tiles;
@@ -49,7 +49,7 @@ static bool draw_tile(const struct drawing *d, uint32_t number, struct zr_tile *
     if (!zr_tile_find_visible(from, number, d->cancel, tile) ||
         !zr_layers_blend(from, number, d->cancel, tile, true, &blended))
         return false;
-    if (blended) frame.color = NULL; /* it is made with what is blended, of the same values */
+    if (blended) frame.color = NULL; /* zr_layers_put writes it, from the same values */
     *resolved = zr_resolve_tile(from->geometry, from->surfaces, d->isa, from->scene, tile, &frame);
     if (!blended) return true;
     const struct zr_pixel_rows colors = zr_resolve_rows(d->frame, tile, ZR_CHANNEL_COLOR);

@@ -1,19 +1,17 @@
-/* tiles.h - render: all tiles of a window, one after the other by each thread: visibility in it, and its pixels in
- * every channel. Nothing of a tile is kept.
- */
+/* tiles.h - render: draws a window tile by tile, on all threads: visibility, then the pixels of every channel. */
 #ifndef ZR_TILES_H
 #define ZR_TILES_H
 
 #include "render/tile_source.h"
 #include "shade/frame.h"
 
-/* Tile `number`, ready to be shaded: opaque and masked surfaces. One thread a tile. False where it
- * was cancelled, or there was no memory. */
+/* Finds the opaque and masked surfaces of tile `number`, ready for shading. One thread per tile. Returns false if
+ * cancelled or out of memory. */
 bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
                           struct zr_tile *tile);
 
-/* Writes all channels of the frame, and what of it is known then: reaches, covered_pixels, deepest. ZR_OK, ZR_CANCELLED
- * or ZR_NO_MEMORY. */
+/* Writes all channels of the frame, and its reaches, covered_pixels and deepest. Returns ZR_OK, ZR_CANCELLED or
+ * ZR_NO_MEMORY. */
 enum zr_status zr_tiles_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_tile_source *tiles,
                              const struct zr_cancel *cancel, struct zr_frame *frame);
 
