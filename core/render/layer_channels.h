@@ -3,8 +3,9 @@
  * Each is drawn in a pass of its own, in which every surface is transparent (layer_pass.h).
  * layers:    number of fragments per pixel.
  * thickness: length of the ray inside closed meshes, in scene units. Both sides of faces are drawn. From behind, each
- * back face adds 1 to the winding number and each front face subtracts 1. The ray is inside where the number is not 0.
- * A span that never returns to 0 (an open surface) counts nothing. Lines, points and outlines have no inside.
+ *            back face adds 1 to the winding number and each front face subtracts 1. The ray is inside where the number
+ *            is not 0. A span that never returns to 0 (an open surface) counts nothing. Lines, points and outlines have
+ *            no inside.
  */
 #ifndef ZR_LAYER_CHANNELS_H
 #define ZR_LAYER_CHANNELS_H

@@ -1,5 +1,4 @@
-/* blocks_simd.h - shade: from parts to pixels of four bytes, a block of the tile at a time, for the kernel that shades.
- */
+/* blocks_simd.h - shade: converts parts to 4-byte pixels, one block of the tile at a time. For the shading kernel. */
 #ifndef ZR_BLOCKS_SIMD_H
 #define ZR_BLOCKS_SIMD_H
 
@@ -9,9 +8,10 @@
 
 /* ---- pixels ---- */
 
-/* What `count` parts from `first` on show in a patch. Some that follow are looked at with them, since the processor
- * cannot foretell how many there are (a twentieth of the flat bunny's time). They are other owners', or have the same
- * word, but for pixels whose words the tile knows, which are put over these. Behind the last part there is nobody. */
+/* Returns the words of a patch that has `count` parts starting at `first`. Parts are read ZR_PARTS_AT_ONCE at a time,
+ * which avoids branch mispredictions (a twentieth of the flat bunny's time). The parts read in excess have other owners
+ * or the same word, except at pixels with early colours, which replace these words. Behind the last part, owners match
+ * no pixel. */
 static inline zr_vi zr_words_at(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner)
 {
     zr_vi words = zr_vi_set((int32_t)s->words[0]);
@@ -23,7 +23,7 @@ static inline zr_vi zr_words_at(const struct zr_shader *s, uint32_t first, uint3
     return words;
 }
 
-/* Of samples whose parts have planes. */
+/* Returns the words of samples whose parts have planes. */
 ZR_INLINED zr_vi zr_planes_at(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask)
 {
     if (!(mask & ZR_VARY_LATE))
@@ -36,7 +36,7 @@ ZR_INLINED zr_vi zr_planes_at(const struct zr_shader *s, const struct zr_samples
     return zr_rgba_opaque_v(color.x, color.y, color.z);
 }
 
-/* What `count` parts from `first` on show in a patch. */
+/* Returns the words of a patch that has `count` parts starting at `first`. */
 ZR_INLINED zr_vi zr_shade_at(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner, zr_vf x, zr_vf y,
                              unsigned mask)
 {
@@ -56,13 +56,13 @@ ZR_INLINED zr_vi zr_shade_at(const struct zr_shader *s, uint32_t first, uint32_t
     return zr_vi_select(smooth, zr_planes_at(s, &in, mask), words);
 }
 
-/* ---- to the picture ---- */
+/* ---- stores ---- */
 
-/* Where pixels of a tile go. */
+/* Destination of a tile's pixels. */
 struct zr_store {
     const struct zr_tile *tile;
-    bool with_known;                    /* words that the tile knows come first */
-    const struct zr_pixel_rows *behind; /* where nobody is seen, what is behind; or NULL */
+    bool with_known;                    /* the tile's early colours replace these */
+    const struct zr_pixel_rows *behind; /* supplies uncovered pixels; or NULL */
     const struct zr_pixel_rows *out;
 };
 
@@ -80,7 +80,7 @@ static inline zr_vi zr_behind_or(const struct zr_tile *tile, int32_t at, const u
     return zr_vi_select(zr_vi_eq(zr_vi_load(tile->owner + at), zr_vi_set(0)), zr_vi_load(pixels), words);
 }
 
-/* ZR_LANES pixels of a row, from x, y of the tile on; what lies outside of the window is left out. */
+/* Stores ZR_LANES pixels of a row, starting at x, y of the tile. Pixels outside of the window are skipped. */
 static inline void zr_store_pixels(const struct zr_store *to, int32_t x, int32_t y, zr_vi words)
 {
     const int32_t columns = to->tile->width - x, at = y * ZR_TILE_STRIDE + x;
@@ -96,14 +96,14 @@ static inline void zr_store_pixels(const struct zr_store *to, int32_t x, int32_t
 
 /* ---- a block ---- */
 
-/* Whether its pixels go to the picture as they are. */
+/* Returns true if the block lies in the window and its pixels need no merging. */
 static inline bool zr_block_is_plain(const struct zr_store *to, int block)
 {
     return !to->with_known && !to->behind && zr_block_left(block) + ZR_BLOCK_WIDTH <= to->tile->width &&
            zr_block_low(block) + ZR_BLOCK_HEIGHT <= to->tile->height;
 }
 
-/* All pixels of a block. */
+/* Stores one word in all pixels of a block. */
 static inline void zr_store_alike(const struct zr_store *to, int block, zr_vi words)
 {
     const int32_t left = zr_block_left(block), low = zr_block_low(block);
@@ -117,7 +117,7 @@ static inline void zr_store_alike(const struct zr_store *to, int block, zr_vi wo
                 zr_store_pixels(to, left + x, low + y, words);
 }
 
-/* All pixels of a block, whose colour is planes of 1/w and of red, green and blue over that. */
+/* Stores a block whose colour is planes: 1/w, then red, green and blue, each times 1/w. */
 static inline void zr_store_smooth(const struct zr_store *to, int block, const float (*planes)[4])
 {
     const int32_t left = zr_block_left(block), low = zr_block_low(block);
@@ -141,7 +141,7 @@ static inline void zr_store_smooth(const struct zr_store *to, int block, const f
         }
 }
 
-/* All of one part's, who is shaded late. */
+/* Stores a block of one part that is shaded per pixel. */
 ZR_INLINED void zr_store_late(const struct zr_shader *s, int block, unsigned mask, const struct zr_store *to)
 {
     const uint32_t part = s->parts.blocks[block].first;
@@ -158,7 +158,7 @@ ZR_INLINED void zr_store_late(const struct zr_shader *s, int block, unsigned mas
         }
 }
 
-/* All of one part's. */
+/* Stores a block of one part. */
 ZR_INLINED void zr_store_whole_block(const struct zr_shader *s, int block, unsigned mask, const struct zr_store *to)
 {
     const uint32_t part = s->parts.blocks[block].first;
@@ -170,7 +170,7 @@ ZR_INLINED void zr_store_whole_block(const struct zr_shader *s, int block, unsig
         zr_store_smooth(to, block, &s->planes[part * (uint32_t)zr_plane_count(mask)]);
 }
 
-/* Patch by patch, as many side by side as make whole rows of ZR_LANES. */
+/* Stores a block patch by patch, as many side by side as make whole rows of ZR_LANES. */
 ZR_INLINED void zr_store_patches(const struct zr_shader *s, int number, unsigned mask, const struct zr_store *to)
 {
     const struct zr_block_parts *block = &s->parts.blocks[number];
@@ -193,7 +193,7 @@ ZR_INLINED void zr_store_patches(const struct zr_shader *s, int number, unsigned
     }
 }
 
-/* Blocks begin .. end - 1 of a channel, whose parts have been made. */
+/* Stores blocks begin .. end - 1 of a channel, whose parts have their words or planes. */
 ZR_INLINED void zr_store_blocks(const struct zr_shader *s, const struct zr_store *to, int begin, int end, unsigned mask)
 {
     const int across = (to->tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;

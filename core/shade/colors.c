@@ -6,20 +6,20 @@
 #include "mesh/face_normals.h"
 #include "mesh/vertex_normals.h"
 
-/* What every colour of one mesh is made from. */
+/* Inputs and outputs of one mesh's colours. */
 struct coloring {
     const struct zr_scene *scene;
     const struct zr_mesh *mesh;
     const struct zr_lights *lighting;
     struct zr_normal_matrix to_eye;
     const zr_mat4 *object_to_eye;
-    const zr_vec4 *computed; /* normals of vertices; NULL where nothing needs them */
+    const zr_vec4 *computed; /* vertex normals; NULL: not needed */
     enum zr_isa isa;
     zr_vec4 *front, *back;
-    uint32_t *packed; /* or these instead, */
-    uint32_t count;   /* so many of each side */
+    uint32_t *packed; /* instead of front and back */
+    uint32_t count;   /* colours per side, if packed */
     bool sided;
-    bool per_corner; /* else faces are flat, all of them */
+    bool per_corner; /* else per vertex, or per face */
     bool per_vertex;
     const struct zr_cancel *cancel;
 };
@@ -30,10 +30,10 @@ bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material 
            (zr_shading_is_at(material->shading, ZR_SHADED_NEVER) && mesh->colors && !material->uniform_color);
 }
 
-/* Light evaluations of a range, between two looks at the cancellation: less than a millisecond's worth. */
+/* Light evaluations per range, between two checks for cancellation: less than a millisecond. */
 enum { EVALUATIONS_A_RANGE = 1 << 14 };
 
-/* Of points or faces, each lit by all lights. */
+/* Returns the points or faces per range. Each is lit by all lights. */
 static uint32_t points_a_range(const struct coloring *coloring)
 {
     return EVALUATIONS_A_RANGE / (coloring->lighting->count + 1) + 1;
@@ -68,17 +68,17 @@ static bool is_lit(const struct coloring *coloring, const struct zr_material *ma
     return !coloring->lighting->is_per_pixel && zr_material_is_lit_before(material);
 }
 
-/* ---- many at once ---- */
+/* ---- lighting many points at a time ---- */
 
 enum { LIT_AT_ONCE = 64 };
 
-/* Points to be lit, whose slots follow one another. */
+/* Points to light, in consecutive slots. */
 struct points {
     uint32_t first, count;
     zr_vec4 normals[LIT_AT_ONCE], bases[LIT_AT_ONCE];
 };
 
-/* The vertex that a slot is lit at: a flat face, which has a slot, or that of its first corner, at its first one. */
+/* Returns the vertex at which a slot is lit: for a flat face, that of its first corner. */
 static inline uint32_t vertex_of_slot(const struct coloring *coloring, uint32_t slot)
 {
     const struct zr_mesh *mesh = coloring->mesh;
@@ -86,7 +86,7 @@ static inline uint32_t vertex_of_slot(const struct coloring *coloring, uint32_t 
     return mesh->indices[coloring->per_corner ? slot : mesh->face_offsets[slot]];
 }
 
-/* Where some light has a place. Up to LIT_AT_ONCE, whose slots follow one another. */
+/* Lights up to LIT_AT_ONCE points in consecutive slots. Some light has a position. */
 static void light_placed(const struct coloring *coloring, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
                          size_t count, zr_vec4 *front, zr_vec4 *back)
 {
@@ -110,7 +110,7 @@ static void light_some(const struct coloring *coloring, size_t first, const zr_v
         zr_light_of(coloring->isa)(coloring->lighting, &coloring->to_eye, normals, bases, count, front, back);
 }
 
-/* Up to LIT_AT_ONCE. */
+/* Lights up to LIT_AT_ONCE points, and packs their colours if wanted. */
 static void put_lit(const struct coloring *coloring, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
                     size_t count)
 {
@@ -194,7 +194,7 @@ static void color_smooth_face(const struct coloring *coloring, const struct zr_m
     }
 }
 
-/* Flat faces take the colour of their first vertex, and fill one slot only. */
+/* Colours faces. Flat faces take the colour of their first vertex and fill one slot. */
 static void color_faces(void *context, size_t begin, size_t end)
 {
     const struct coloring *coloring = context;
@@ -215,7 +215,8 @@ static void color_faces(void *context, size_t begin, size_t end)
     light_points(coloring, &points);
 }
 
-/* Most meshes that are posted by themselves are so: telling faces apart took a sixth of the time of a million. */
+/* Returns true if all faces have one material, shading and colour, as in most meshes posted alone. The general path
+ * took a sixth of the time of a million triangles. */
 static bool is_of_one_color(const struct coloring *coloring, enum zr_shading_rate rate)
 {
     const struct zr_mesh *mesh = coloring->mesh;
@@ -234,7 +235,7 @@ static bool are_alike_vertices(const struct coloring *coloring)
     return is_of_one_color(coloring, ZR_SHADED_PER_VERTEX) && coloring->mesh->normal_count == 0;
 }
 
-/* Vertices, whose normals are computed, or triangles, for which none are. */
+/* Colours vertices with computed normals, or triangles, whose normals are computed here. */
 static void color_alike(void *context, size_t begin, size_t end)
 {
     const struct coloring *coloring = context;

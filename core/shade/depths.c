@@ -4,9 +4,9 @@
 
 enum {
     BAND_MOST = ZR_EYE_BAND * ZR_TILE_SIZE,
-    DEPTHS = 2 * BAND_MOST, /* that are remembered */
+    DEPTHS = 2 * BAND_MOST, /* capacity of the cache */
     KEYS = 1024,
-    WAITING = 64 /* that are made together */
+    WAITING = 64 /* triangles made together */
 };
 
 struct depths {
@@ -16,12 +16,12 @@ struct depths {
 
     const struct zr_draw *draw; /* of the last primitive */
 
-    /* Depths that are made, and behind them those of triangles that wait: all of one instance. */
+    /* Cached depths, followed by those of the queued triangles, which all belong to one instance. */
     uint32_t count, waiting;
     const struct zr_source_instance *instance;
     uint32_t vertices[WAITING][3];
     const zr_vec4 *corners[WAITING + ZR_EYE_ROOM][3];
-    uint32_t owners[KEYS]; /* whose number is known */
+    uint32_t owners[KEYS]; /* hash table from owner to number */
     uint16_t numbers[KEYS];
     struct zr_eye_depth depths[DEPTHS];
 };
@@ -48,7 +48,7 @@ static void make_waiting(struct depths *d)
     d->waiting = 0;
 }
 
-/* One of an instance's triangles. What it is made of is asked for: a sixth of a million triangles' time. */
+/* Queues a triangle of an instance and prefetches its vertices (a sixth of a million triangles' time). */
 static void add_triangle(struct depths *d, const struct zr_source_instance *instance, const uint32_t vertices[3],
                          const zr_vec4 *const corners[3])
 {
@@ -63,7 +63,7 @@ static void add_triangle(struct depths *d, const struct zr_source_instance *inst
     d->waiting++;
 }
 
-/* The piece of a triangle that was cut, which nothing waits for. */
+/* Makes the depth of a clipped triangle's piece. The queue is empty. */
 static void make_piece(struct depths *d, const struct zr_triangle *piece, const struct zr_source *source)
 {
     struct zr_eye_depth *depth = &d->depths[d->count++];
@@ -72,7 +72,7 @@ static void make_piece(struct depths *d, const struct zr_triangle *piece, const 
         zr_eye_depth_take_piece(d->geometry, piece, depth);
 }
 
-/* One that may be a line, or a piece of a triangle. */
+/* Adds a primitive that may be a line or a clipped piece. */
 static void add_any(struct depths *d, uint32_t number)
 {
     const struct zr_triangle triangle = zr_triangle_of(d->geometry, d->draw, number);

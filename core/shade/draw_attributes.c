@@ -16,34 +16,34 @@ struct making {
     const struct zr_geometry *geometry;
     struct zr_scene_attributes *out;
     const struct zr_attribute_wants *wants;
-    bool colors, backs;             /* are wanted; backs: in colours of their own */
-    bool any_see_through;           /* which needs colours as floats */
-    const zr_vec4 *points;          /* one a window vertex; NULL: not wanted */
-    const zr_vec4 **vertex_normals; /* of each mesh's vertices, or NULL: not needed so far */
+    bool colors, backs;             /* wanted; backs: in colours of their own */
+    bool any_see_through;           /* some material is masked or blended: colours must be floats */
+    const zr_vec4 *points;          /* one per window vertex; NULL: not wanted */
+    const zr_vec4 **vertex_normals; /* per mesh; NULL: not needed so far */
 
-    /* of the instance under way */
+    /* of the current instance */
     const struct zr_source_instance *instance;
     const struct zr_mesh *mesh;
-    uint32_t made;               /* vertices that clipping made, */
-    uint32_t cut_begin, cut_end; /* and the cuts that they are of */
+    uint32_t made;               /* number of clipped vertices */
+    uint32_t cut_begin, cut_end; /* range of their cuts */
     bool has_colors;
     struct zr_colors mesh_colors;
     const zr_vec4 *line_colors;
     const zr_vec4 *normals[ZR_RATE_CORNER + 1];
-    const zr_vec4 *texcoords; /* as zr_texture texcoords_of has them */
+    const zr_vec4 *texcoords; /* transformed by texcoords_of; that NULL: as in the mesh */
     const struct zr_texture *texcoords_of;
     const zr_vec4 *tangents; /* in eye space; NULL: not made */
 };
 
-/* ---- what clipping made ---- */
+/* ---- clipped vertices ---- */
 
-/* How many values there are of the instance, with those of what clipping made. */
+/* Returns the number of the instance's values, with those of clipped vertices. */
 static size_t count_with_made(const struct making *m, enum zr_rate rate, uint32_t own)
 {
     return (size_t)own + (zr_rate_is_flat(rate) ? 0 : m->made);
 }
 
-/* Of the vertices that clipping made, behind the instance's `own` ones. */
+/* Writes the values of clipped vertices behind the instance's `own` ones. */
 static void extend(const struct making *m, enum zr_rate rate, uint32_t own, zr_vec4 *values)
 {
     if (zr_rate_is_flat(rate)) return;
@@ -78,7 +78,7 @@ static void begin_instance(struct making *m, uint32_t number)
 
 /* ---- colours ---- */
 
-/* The mesh's own, behind which there is no room. */
+/* Copies the mesh's own colours if clipped vertices need room behind them. */
 static bool copy_given(struct making *m)
 {
     struct zr_colors *colors = &m->mesh_colors;
@@ -117,7 +117,7 @@ static bool make_floats(struct making *m)
     return true;
 }
 
-/* The mesh's own where they will do, else made for this instance. */
+/* Finds the mesh's own colours if they serve, or makes them for this instance. */
 static bool find_mesh_colors(struct making *m)
 {
     if (m->has_colors) return true;
@@ -129,7 +129,7 @@ static bool find_mesh_colors(struct making *m)
                : make_floats(m);
 }
 
-/* Those of the vertices, times the material's. */
+/* Makes the vertex colours times the material's. */
 static bool find_line_colors(struct making *m)
 {
     const struct zr_mesh *mesh = m->mesh;
@@ -209,8 +209,8 @@ static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr
     return true;
 }
 
-/* How deep a vertex at `p` of eye space lies, for fog: its z is summed from the last term on, as by the fixed functions
- * of Mesa. */
+/* Returns the distance of a vertex along the view axis, for fog; `p` is the vertex in eye space. Its z is summed from
+ * the last term, as in Mesa's fixed functions. */
 static float fog_depth(const zr_mat4 *to_eye, zr_vec4 position, zr_vec4 p)
 {
     const float *m = to_eye->m;
@@ -219,14 +219,14 @@ static float fog_depth(const zr_mat4 *to_eye, zr_vec4 position, zr_vec4 p)
     return fabsf(p.w != 0.0f ? z / p.w : z);
 }
 
-/* Of all window vertices. */
+/* Makes the points of all window vertices. */
 static bool make_points(struct making *m)
 {
     const struct zr_geometry *g = m->geometry;
     const zr_vec4 eye = m->out->eye;
     zr_vec4 *points = zr_arena_alloc(m->arena, g->vertex_count, sizeof *points);
     if (!points) return false;
-    m->points = points; /* also where it is cancelled, and half done */
+    m->points = points; /* even if cancelled half-way */
     for (uint32_t number = 0; number < m->scene->instance_count; number++) {
         begin_instance(m, number);
         zr_vec4 *of_instance = points + m->instance->first_vertex;
@@ -254,7 +254,7 @@ static bool is_textured(const struct making *m, const struct zr_draw *draw)
                               : draw->material->textures[ZR_TEXTURE_BASE_COLOR] > 0);
 }
 
-/* In the image of `texture`; NULL: those of the mesh. */
+/* Writes texture coordinates, transformed for `texture`; NULL: as in the mesh. */
 static void put_texcoords(const struct zr_mesh *mesh, const struct zr_texture *texture, zr_vec4 *out)
 {
     for (uint32_t i = 0; i < mesh->position_count; i++) {
@@ -284,7 +284,7 @@ static bool find_texcoords(struct making *m, const struct zr_draw *draw, struct 
     return true;
 }
 
-/* In eye space; the sign of a mirrored bitangent is the other one. */
+/* Writes tangents in eye space. Mirroring flips the bitangent's sign. */
 static void put_tangents(const struct zr_mesh *mesh, const zr_mat4 *to_eye, zr_vec4 *out)
 {
     const float turn = zr_mat4_is_mirror(to_eye) ? -1.0f : 1.0f;
@@ -345,7 +345,7 @@ static void look_at_scene(struct making *m)
     }
 }
 
-/* Which samples masked surfaces have is told by their colours, whatever is wanted. */
+/* Masked surfaces always need their colours: alpha decides coverage. */
 static struct zr_attribute_wants with_masks(const struct zr_scene *scene, const struct zr_attribute_wants *wants,
                                             bool *any_see_through)
 {

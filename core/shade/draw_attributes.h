@@ -1,7 +1,7 @@
-/* draw_attributes.h - shade: what each draw shows: its colours, and whatever else its shading and the channels want.
+/* draw_attributes.h - shade: the vertex attributes of each draw: colours, and the inputs of its shading and channels.
  *
- * Values are made before it is known what is seen: vertices are lit once. Where clipping made vertices, what varies is
- * cut as they were (geometry/cut.h), after it was lit and kept within 0..1.
+ * All values are made before visibility, so vertices are lit once. Vertices that clipping made get interpolated values
+ * (geometry/cut.h), from colours that are lit and clamped to 0..1.
  */
 #ifndef ZR_DRAW_ATTRIBUTES_H
 #define ZR_DRAW_ATTRIBUTES_H
@@ -14,54 +14,54 @@
 
 enum {
     ZR_ATTRIBUTE_COLOR,
-    ZR_ATTRIBUTE_BACK_COLOR, /* at the same rate; where backs are not drawn in colours of their own, there are none */
-    ZR_ATTRIBUTE_NORMAL,     /* of fronts, in eye space (eye_normals.h) */
-    ZR_ATTRIBUTE_POINT,      /* xyz: the way from the eye, times w: that is linear over a face, as the quotient is not;
-                                w: how deep the vertex lies along the view axis, for fog */
-    ZR_ATTRIBUTE_TEXCOORD,   /* x, y: where the base colour's texture is looked at, transformed; of samples: those that
-                                the mesh has, 0 in x, y and 1 in z, w */
-    ZR_ATTRIBUTE_TANGENT,    /* of samples: of fronts, in eye space, unit, and the sign of the bitangent; or none */
+    ZR_ATTRIBUTE_BACK_COLOR, /* at the same rate; only if backs are drawn in colours of their own */
+    ZR_ATTRIBUTE_NORMAL,     /* of the front side, in eye space (eye_normals.h) */
+    ZR_ATTRIBUTE_POINT,      /* xyz: vector from the eye, times w, which is linear over a face; w: distance along the
+                              * view axis, for fog */
+    ZR_ATTRIBUTE_TEXCOORD,   /* x, y: transformed coordinates in the base colour's texture; with `samples`: the mesh's
+                              * own, set 0 in x, y and set 1 in z, w */
+    ZR_ATTRIBUTE_TANGENT,    /* with `samples`: of the front side, eye space, unit length, and the bitangent's sign; or
+                              * none */
     ZR_ATTRIBUTE_COUNT
 };
 
-/* Of one draw. */
+/* Attributes of one draw. */
 struct zr_draw_attributes {
     const struct zr_draw *draw;
     struct zr_attribute attributes[ZR_ATTRIBUTE_COUNT];
-    const uint32_t *packed; /* colours of faces, as zr_rgba_opaque, fronts and, where there are backs, those behind
-                               them: instead of values, or beside them; NULL: not made */
-    uint32_t color_count;   /* fronts, without those that clipping made */
-    uint32_t material;      /* its number in the scene */
-    bool sided;             /* backs are drawn, in colours of their own */
-    bool is_per_pixel;      /* zr_material_is_shaded_late, or in fog, or textured */
-    const uint32_t *backs;  /* those of its zr_prepaint (zr_paint_prepare), which sorting fills in; NULL: it has none */
+    const uint32_t *packed; /* face colours as zr_rgba_opaque, fronts, followed by backs if sided; instead of values, or
+                             * beside them; NULL: none */
+    uint32_t color_count;   /* front colours, without those of clipped vertices */
+    uint32_t material;      /* number in the scene */
+    bool sided;             /* backs are drawn in colours of their own */
+    bool is_per_pixel;      /* shaded per pixel: zr_material_is_shaded_late, fog or textures */
+    const uint32_t *backs;  /* bits of zr_prepaint.backs, which binning fills in (zr_paint_prepare); NULL: none */
 };
 
-/* What is wanted of surfaces. */
+/* Attributes to make. */
 struct zr_attribute_wants {
-    bool colors;  /* as pixels show them, lit where that is done before it is known what is seen */
-    bool normals; /* of all faces: the channel normals */
-    bool layers;  /* lists of what is blended, whether or not colours are wanted */
-    /* Of all draws, the surface's own colour, normals and points: what a G-buffer is made of (gbuffer.h). */
+    bool colors;  /* colours of pixels, lit per vertex or face where the shading is */
+    bool normals; /* normals of all faces, for the channel normals */
+    bool layers;  /* lists of blended fragments, even without colours */
+    /* Base colours, normals and points of all draws, for a G-buffer (gbuffer.h). */
     bool samples;
-    /* Then: of each mesh, one a corner, in object space (crease_normals.h), where it has none of its own; NULL: no mesh
-     * has any. */
+    /* With `samples`: per mesh without normals, one per corner in object space (crease_normals.h). NULL: none. */
     const zr_vec4 *const *crease_normals;
-    struct zr_texture_maps textures; /* of colours and samples; none: those are without */
+    struct zr_texture_maps textures; /* textures of colours and samples; empty: untextured */
 };
 
 struct zr_scene_attributes {
-    struct zr_draw_attributes *of_draw; /* one a draw */
+    struct zr_draw_attributes *of_draw; /* one per draw */
     bool any_late, any_textured;
-    bool texcoords_as_given; /* else they are places in the image of the base colour */
+    bool texcoords_as_given; /* G-buffer: texcoords are the mesh's own; else coordinates in the base colour's image */
     struct zr_texture_maps textures;
     struct zr_fog fog;
     zr_vec4 eye; /* zr_camera_eye */
     struct zr_lights lighting;
 };
 
-/* By the team's threads and instruction set. Everything points into the arena, to the scene and to the geometry. ZR_OK,
- * ZR_CANCELLED or ZR_NO_MEMORY. */
+/* Makes the attributes with the team's threads and instruction set. *surfaces points into the arena, to the scene and
+ * to the geometry. Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_scene_attributes_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                         const struct zr_camera *camera, const struct zr_geometry *geometry,
                                         const struct zr_attribute_wants *wants, const struct zr_cancel *cancel,

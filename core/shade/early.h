@@ -1,6 +1,5 @@
-/* early.h - shade: colours of smooth triangles for those who draw them (zr_prepaint_fn), while corners are at hand. A
- * kernel.
- */
+/* early.h - shade: colours of smooth triangles, computed at rasterization while their corners are in registers
+ * (zr_prepaint_fn). A kernel. */
 #ifndef ZR_EARLY_H
 #define ZR_EARLY_H
 

@@ -7,7 +7,7 @@ static inline void load_corner(const float *from, struct zr_corner_v *out)
     out->x = zr_vf_load(from);
     out->y = zr_vf_load(from + ZR_LANES);
     out->oow = zr_vf_load(from + 2 * ZR_LANES);
-    out->z = zr_vf_set(0.0f); /* nothing that is smooth depends on it */
+    out->z = zr_vf_set(0.0f); /* unused by smooth colours */
 }
 
 static inline zr_vi color_at(const struct zr_plane_v *oow, const struct zr_planes3_v *p, zr_vf x, zr_vf y)

@@ -14,7 +14,7 @@ static double most(const double v[3])
     return high > v[2] ? high : v[2];
 }
 
-/* Of a line, or of a piece: others have no eyes. */
+/* Computes the depths at the corners of a line or a clipped piece. Only those have an entry in geometry->eyes. */
 static void eye_depths(const struct zr_geometry *geometry, const struct zr_triangle *primitive, double out[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -25,7 +25,7 @@ static void eye_depths(const struct zr_geometry *geometry, const struct zr_trian
 
 /* ---- lines ---- */
 
-/* Values vary along the major axis alone (raster/line.h). */
+/* Makes the plane of a value that varies along the line's major axis alone (raster/line.h). */
 static struct zr_eye_plane line_plane(const struct zr_window_vertex *const v[2], double p0, double p1)
 {
     double x0 = (double)v[0]->x, y0 = (double)v[0]->y, dx = x0 - (double)v[1]->x, dy = y0 - (double)v[1]->y;

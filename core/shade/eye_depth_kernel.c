@@ -8,7 +8,7 @@
 
 enum { ROWS = ZR_SOURCE_ROWS };
 
-/* The corners of ZR_LANES triangles, in object space: [corner][x, y, z, w][triangle]. */
+/* Corners of ZR_LANES triangles, in object space: [corner][x, y, z, w][triangle]. */
 struct points {
     float at[3][4][ZR_LANES];
 };
@@ -27,7 +27,8 @@ static inline void load_points(const zr_vec4 *(*corners)[3], struct points *out)
 #undef CORNER
 }
 
-/* Of ZR_DOUBLES triangles, in the rows of zr_source_instance: one corner, and the ways from there to the others. */
+/* Values of ZR_DOUBLES triangles, in the rows of zr_source_instance: those of corner 0, and the differences of the
+ * others. */
 struct corners {
     zr_vd first[ROWS], d1[ROWS], d2[ROWS];
 };
@@ -44,8 +45,8 @@ static inline void place(const struct zr_source_instance *instance, const zr_vd 
                  p[3] * zr_vd_set(m[3][r]);
 }
 
-/* Ways are taken in object space, where differences are exact or nearly so: a triangle may be small and far from
- * everything's origin. */
+/* Computes the values of corners. Differences are taken in object space, where they are exact or nearly so: a triangle
+ * may be small and far from the origin. */
 static inline void place_corners(const struct zr_source_instance *instance, const struct points *points, int first,
                                  struct corners *c)
 {
@@ -68,10 +69,10 @@ static inline void cross(const zr_vd a[3], const zr_vd b[3], zr_vd out[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* The values in row `r` as planes over the window, times what is the same for all rows. With c the corners in x, y, w
- * of clip space, p their values, and s = (x, y, 1) the sample, -1 to 1 over the window, such a plane is the sum of p_i
- * (c_j x c_k), times s. That cancels where a triangle is small, and is written here by differences: p0 (d1 x d2) + c0 x
- * (p2 d1 - p1 d2). And it is multiplied by width and height, which makes s whole numbers. `normal` is d1 x d2. */
+/* Makes planes over the window of the values in row `r`, times a factor common to all rows. With c the corners in x, y,
+ * w of clip space, p their values, and s = (x, y, 1) the sample, -1 to 1 over the window, such a plane is the sum of
+ * p_i (c_j x c_k), times s. That cancels if a triangle is small, so it is computed by differences: p0 (d1 x d2) + c0 x
+ * (p2 d1 - p1 d2). It is multiplied by width and height, which makes s whole numbers. `normal` is d1 x d2. */
 static inline struct planes value_planes(const struct corners *c, const zr_vd normal[3], int r, double width,
                                          double height)
 {
@@ -85,7 +86,7 @@ static inline struct planes value_planes(const struct corners *c, const zr_vd no
     return (struct planes){(one + x * zr_vd_set(1.0 - width)) + y * zr_vd_set(1.0 - height), two * x, two * y};
 }
 
-/* Values in the rows of a corner. */
+/* Computes the values of row `r` at the three corners. */
 static inline void corner_values(const struct corners *c, int r, zr_vd out[3])
 {
     out[0] = c->first[r];
@@ -103,13 +104,13 @@ static inline zr_vd most(const zr_vd v[3])
     return zr_vd_max(zr_vd_max(v[0], v[1]), v[2]);
 }
 
-/* A zr_eye_depth is so many doubles. */
+/* Doubles in a zr_eye_depth. */
 enum { DEPTH_DOUBLES = 8 };
 _Static_assert(sizeof(struct zr_eye_depth) == DEPTH_DOUBLES * sizeof(double), "nothing but doubles");
 
-/* ZR_DOUBLES triangles. What a ray can meet is all of the mesh's triangle, and not only the piece of it that clipping
- * left, for a sample may lie a hair beyond that. `fronts`: where one of both is not positive, a corner is behind the
- * eye or at infinity, and gives no range. */
+/* Makes the depths of ZR_DOUBLES triangles of the mesh. Clipped triangles count as a whole, since a sample may lie
+ * slightly beyond the piece that is left. `fronts`: least w and eye w of the corners. If one is not positive, a corner
+ * is behind the eye or at infinity, and the range is invalid. */
 static inline void make_some(const struct zr_source_instance *instance, const struct points *points, int first,
                              double width, double height, double out[DEPTH_DOUBLES][ZR_DOUBLES],
                              double fronts[2][ZR_DOUBLES])
@@ -133,7 +134,7 @@ static inline void make_some(const struct zr_source_instance *instance, const st
     zr_vd_store(fronts[1], least(eye_w));
 }
 
-/* One triangle, its corners divided by their w, which changes no depth. */
+/* Makes the depth of one triangle from corners divided by their w, which changes no depth. */
 static void make_one_scaled(const struct zr_source_instance *instance, const zr_vec4 *const corners[3], double width,
                             double height, double each[DEPTH_DOUBLES], double fronts[2])
 {
@@ -153,7 +154,7 @@ static void make_one_scaled(const struct zr_source_instance *instance, const zr_
         fronts[i] = all_fronts[i][0];
 }
 
-/* Corners that have a place each, though differences of them lost a w that is tiny beside the others. */
+/* Returns true if all corners are finite points with w > 0, even if their differences lost a tiny w. */
 static bool have_places(const zr_vec4 *const corners[3])
 {
     bool all = true;
@@ -197,7 +198,7 @@ _Static_assert((int)ZR_LANES <= (int)ZR_EYE_ROOM, "a group has room");
 
 /* ---- many samples ---- */
 
-/* Value `k` of what a zr_eye_depth holds, of ZR_DOUBLES of them; all the same where `alone`. */
+/* Returns value `k` of ZR_DOUBLES depths; all lanes are the same if `alone`. */
 static inline zr_vd value_of(const struct zr_eye_depth *depths, const int32_t *places, int k, bool alone)
 {
     const double *values = (const double *)depths + k;
@@ -214,8 +215,8 @@ static inline void depths_at(const struct zr_eye_depth *depths, const int32_t *p
     zr_vd_narrow(out, zr_vd_min(zr_vd_max(above / below, v[6]), v[7]));
 }
 
-/* Where the values of each pixel's depth begin. A row is loaded long after it was stored: a load waits for stores that
- * are not the same whole vector. */
+/* Offset of each pixel's depth, in doubles. Rows are loaded long after their stores, which avoids store-forwarding
+ * stalls. */
 struct places {
     int32_t at[ZR_EYE_BAND][ZR_TILE_SIZE + ZR_LANES];
 };
@@ -241,7 +242,7 @@ static inline void fill_row(const struct zr_eye_depth *depths, const int32_t *pl
         const zr_vm same = zr_vi_eq(zr_vi_load(places + i), zr_vi_set(places[i]));
         const bool alone = zr_vm_bits(same) == ZR_ALL_BITS;
         float columns[ZR_LANES];
-        if (alone && places[i] == 0) { /* no division */
+        if (alone && places[i] == 0) { /* uncovered: no division */
             zr_vf_store(out + i, zr_vf_set(INFINITY));
             continue;
         }

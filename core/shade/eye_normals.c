@@ -4,13 +4,13 @@
 #include "mesh/vertex_normals.h"
 #include "shade/lights/light.h"
 
-/* Less than a millisecond's worth. */
+/* Normals per range: less than a millisecond. */
 enum { NORMALS_A_RANGE = 1 << 13 };
 
 struct making {
     const struct zr_mesh *mesh;
-    const zr_vec4 *computed; /* of vertices; NULL where none is needed */
-    const zr_vec4 *creases;  /* of corners, instead; or NULL */
+    const zr_vec4 *computed; /* vertex normals; NULL: not needed */
+    const zr_vec4 *creases;  /* corner normals, instead; or NULL */
     const struct zr_cancel *cancel;
     struct zr_normal_matrix to_eye;
     enum zr_rate rate;
@@ -26,7 +26,7 @@ enum zr_rate zr_eye_normals_rate(const struct zr_mesh *mesh, const struct zr_mat
     return mesh->normal_indices ? ZR_RATE_CORNER : ZR_RATE_VERTEX;
 }
 
-/* Of face, vertex or corner i. */
+/* Returns the normal of face, vertex or corner i. */
 static zr_vec3 normal_of(const struct making *m, uint32_t i)
 {
     if (m->rate == ZR_RATE_FACE) return zr_normal_of_face(m->mesh, i);

@@ -21,7 +21,7 @@ enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_vi
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-/* Of one row of tiles. */
+/* Returns the span of one row of tiles. */
 static struct zr_column_span reach_of(const uint8_t *occupied, uint32_t columns, uint32_t width)
 {
     uint32_t begin = 0, end = columns;

@@ -1,7 +1,6 @@
-/* frame.h - shade: what a rendering is, channel by channel.
+/* frame.h - shade: the result of a rendering, channel by channel.
  *
- * Row 0 is the top of the picture. Every channel is derived from the same
- * samples, so that they always agree.
+ * Row 0 is on top. All channels come from the same samples and therefore agree.
  */
 #ifndef ZR_FRAME_H
 #define ZR_FRAME_H
@@ -15,18 +14,18 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* What lies over a pixel's centre. */
+/* A fragment at a pixel's centre. */
 struct zr_pixel_fragment {
     float depth;       /* as in the channel depth, scene units */
     float position[3]; /* world space */
     uint32_t face_id;  /* as in the channel */
-    uint32_t instance; /* number of it, counted from 0 */
+    uint32_t instance; /* number, from 0 */
     enum zr_alpha_mode alpha_mode;
     int front_facing; /* as in the channel */
-    bool is_shown;    /* not hidden by what is opaque, nor masked: it is a part of the pixel's colour */
+    bool is_shown;    /* contributes to the pixel's colour: neither masked nor hidden by an opaque surface */
 };
 
-/* Nearest first; at equal depth the earlier in the scene. */
+/* The fragments of a pixel, nearest first; at equal depth in scene order. */
 struct zr_pixel_fragments {
     uint32_t x, y; /* the pixel */
     uint32_t count;
@@ -34,42 +33,43 @@ struct zr_pixel_fragments {
 };
 
 struct zr_frame {
-    const struct zr_view *view; /* that it shows, of the scene that was rendered; NULL: it is a depth map */
+    const struct zr_view *view; /* view of the rendered scene; NULL: this is a depth map */
     uint32_t width, height;
     union {
         void *channels[ZR_CHANNEL_COUNT]; /* scene/channels.h; NULL: not wanted */
-        struct {                          /* the first of them */
+        struct {                          /* names of the first ones */
             uint8_t *color;
             float *depth;
             float *window_depth;
             uint32_t *face_id;
         };
     };
-    struct zr_pixel_fragments fragments; /* of a pixel, where they are wanted */
-    const struct zr_base *base;          /* what is seen where no primitive is, its window_depth made; NULL: nothing */
+    struct zr_pixel_fragments fragments; /* only if wanted */
+    const struct zr_base *base;          /* background pixels, with window_depth filled in; NULL: none */
     struct zr_camera camera;
-    struct zr_bounds bounds; /* of the scene; looked for where the view needs them or info is asked for, else invalid */
+    struct zr_bounds bounds; /* of the scene; invalid unless the view or the info needs them */
     struct zr_counts counts;
-    uint64_t covered_pixels;  /* whose centres belong to a primitive, not to the base; 0 where `color` alone is
-                                 drawn, and has passes of its own */
-    uint64_t covered_samples; /* of `color`, where that has passes of its own, with so many a pixel; else 0 of 0 */
+    uint64_t covered_pixels;  /* pixels that a primitive covers, not the base; 0 if only `color` is drawn, in passes of
+                               * its own */
+    uint64_t covered_samples; /* samples of `color` that are covered, if it has passes of its own, and samples per
+                               * pixel; else 0 and 0 */
     uint32_t samples_a_pixel;
-    struct zr_column_span *reaches; /* of each row: outside of it nothing is, in no channel. NULL: not known */
-    float deepest;                  /* of `depth`, infinity left out; 0 where nothing is */
+    struct zr_column_span *reaches; /* per row: columns outside hold the clear value in all channels; NULL: unknown */
+    float deepest;                  /* greatest finite value of `depth`; 0: none */
 };
 
 struct zr_resolved_view;
 
-/* Room for the channels that the outputs are made of, and what is known of the view. ZR_OK or ZR_NO_MEMORY. */
+/* Allocates the channels that the outputs need and copies the view's data. Returns ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_view *resolved, struct zr_frame *frame);
 
-/* The space of a channel that the view asks for. */
+/* Returns the space of a channel, as set in the view. */
 static inline enum zr_space zr_frame_space(const struct zr_frame *frame, enum zr_channel channel)
 {
     return frame->view ? zr_view_space(frame->view, channel) : ZR_SPACE_CAMERA;
 }
 
-/* Fills in `reaches`, from which tiles show anything: tile 0 is at the window's lower left. */
+/* Fills in `reaches` from the tiles with covered pixels; tile 0 is at the window's lower left. */
 void zr_frame_find_reaches(const struct zr_frame *frame, const uint8_t *occupied);
 
 #endif

@@ -1,8 +1,8 @@
-/* gbuffer.h - shade: what is seen at each sample, as plain arrays: the G-buffer of deferred shading.
+/* gbuffer.h - shade: the G-buffer of deferred shading: values of the visible surface at each sample, as planar arrays.
  *
- * Space:  eye space; rows run upwards, row 0 is the lowest, sample x, y is at [y * stride + x]. A row has room for
- *         vectors behind its end: `stride` is a multiple of 16 and at least the width rounded up to 16.
- * Where nobody is seen, owner is 0, the point is ZR_FAR_POINT in all three coordinates, and the rest is 0.
+ * Space:  eye space; row 0 is the lowest, sample x, y is at [y * stride + x]. `stride` is a multiple of 16 and at least
+ *         the width rounded up to 16, so that vectors fit at the end of a row.
+ * Uncovered samples have owner 0, the point ZR_FAR_POINT in all three coordinates, and 0 elsewhere.
  */
 #ifndef ZR_GBUFFER_H
 #define ZR_GBUFFER_H
@@ -10,31 +10,29 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* So far that its distance squared is still a float. */
+/* Far, with a square that still fits a float. */
 #define ZR_FAR_POINT 1e18f
 
-/* What textures make of surfaces, at the same places; where the material has none of a kind: 1, and the surface's own
- * normal. */
+/* Values from textures, per sample. Without a texture of a kind: 1, and the surface's own normal. */
 struct zr_gbuffer_textures {
-    float *base[3];              /* factors of the surface's own colour, in linear light */
+    float *base[3];              /* factors of the base colour, in linear light */
     float *roughness, *metallic; /* factors */
-    float *occlusion;            /* the share of the light from all around that arrives */
+    float *occlusion;            /* share of the ambient light that arrives */
     float *emissive[3];          /* factors, linear */
-    float *normal[3];            /* unit, of the side that is seen */
+    float *normal[3];            /* unit, of the visible side */
 };
-enum { ZR_TEXTURE_VALUES = 12 }; /* of a sample, in this order */
+enum { ZR_TEXTURE_VALUES = 12 }; /* values per sample, in this order */
 
 struct zr_gbuffer {
     int32_t width, height;
     ptrdiff_t stride;
-    uint32_t *owner;    /* 1 + number of the primitive; lines have no normals: 0, 0, 0 */
-    uint32_t *material; /* of the scene; or NULL */
-    float *base[3];     /* the surface's own colour, sRGB-encoded as the scene has it; or NULL, all three */
-    float *normal[3];   /* unit, of the side that is seen */
-    float *point[3];    /* the point that is seen, counted from the eye (zr_camera_eye); of parallel rays, from the
-                           origin of eye space */
-    const struct zr_gbuffer_textures
-        *textures; /* NULL: of no interest. Else of samples whose materials have textures */
+    uint32_t *owner;    /* 1 + number of the primitive; lines have the normal 0, 0, 0 */
+    uint32_t *material; /* number in the scene; or NULL */
+    float *base[3];     /* base colour, sRGB-encoded as in the scene; or all three NULL */
+    float *normal[3];   /* unit, of the visible side */
+    float *point[3];    /* visible point, from the eye (zr_camera_eye); with parallel rays, from the origin of eye
+                         * space */
+    const struct zr_gbuffer_textures *textures; /* valid for samples of materials with textures; NULL: unused */
 };
 
 #endif

@@ -1,6 +1,5 @@
-/* late_simd.h - shade: colours and opacities of samples whose materials are shaded pixel by pixel: by a model, a
- * texture as GL 2.1 looks it up, and fog; for the kernel that shades.
- */
+/* late_simd.h - shade: colours and opacities of samples that are shaded per pixel: by a model, by a texture with GL
+ * 2.1's look-up, and by fog. For the shading kernel. */
 #ifndef ZR_LATE_SIMD_H
 #define ZR_LATE_SIMD_H
 
@@ -10,8 +9,8 @@
 
 /* ---- textures ---- */
 
-/* A sample's place in a texture. GL's fixed functions divide by the fourth coordinate, too, which is 1 at all corners
- * and, rounded, not always in between; programs, as phong's, do not. */
+/* Texture coordinates of a sample. GL's fixed functions also divide by the fourth coordinate, which is 1 at all corners
+ * and, after rounding, not always in between. Programs, as used for phong, do not. */
 struct zr_texture_place_v {
     zr_vf s, t;
 };
@@ -26,8 +25,8 @@ static inline struct zr_texture_place_v zr_texture_place_of(zr_vf (*planes)[3], 
     return (struct zr_texture_place_v){s * over_q, t * over_q};
 }
 
-/* How far the places of pixels are from one to the next, as the reference has it: in each quad of 2x2 from its lowest
- * row and its left column, for all four alike. */
+/* Returns rho squared from differences within quads of 2x2, as the reference does: from the lowest row and the left
+ * column, for all four pixels alike. */
 static inline zr_vf zr_rho_of_quads_v(const struct zr_texture_map *map, zr_vf (*planes)[3], int first,
                                       bool is_projected, zr_vf x, zr_vf y)
 {
@@ -39,7 +38,7 @@ static inline zr_vf zr_rho_of_quads_v(const struct zr_texture_map *map, zr_vf (*
     return zr_rho_squared_v(map, right.s - at.s, right.t - at.t, above.s - at.s, above.t - at.t);
 }
 
-/* Of the group PLACE, whose first plane is `first`. */
+/* Samples a texture at the group PLACE, whose first plane is `first`. */
 static inline struct zr_vec3_v zr_texel_at_place_v(const struct zr_texture_map *map, const struct zr_material *material,
                                                    zr_vf (*planes)[3], int first, zr_vf x, zr_vf y)
 {
@@ -52,7 +51,7 @@ static inline struct zr_vec3_v zr_texel_at_place_v(const struct zr_texture_map *
 
 /* ---- materials ---- */
 
-/* w, or 1 where a part's colours are constants. */
+/* Returns w, or 1 for parts whose colours are constants. */
 ZR_INLINED zr_vf zr_color_w(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask, zr_vf w)
 {
     zr_vf out = w;
@@ -62,22 +61,22 @@ ZR_INLINED zr_vf zr_color_w(const struct zr_shader *s, const struct zr_samples_v
     return out;
 }
 
-/* Samples of parts that are shaded late get their model's colour, and the opacity that their texture leaves; of others,
- * both stay. `color` is read and written with ZR_VARY_COLOR alone, `opacity` with ZR_VARY_OPACITY. */
+/* Shades samples of parts that are shaded per pixel: their model's colour, and their opacity times the texture's.
+ * Samples of other parts keep both. `color` is used only with ZR_VARY_COLOR, `opacity` only with ZR_VARY_OPACITY. */
 ZR_INLINED void zr_shade_late(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
                               struct zr_vec3_v *color, zr_vf *opacity)
 {
     const struct zr_texture_maps *maps = &s->surfaces->textures;
     const int place = zr_first_plane(mask, ZR_VARY_PLACE), depth = zr_first_plane(mask, ZR_VARY_DEPTH);
     const zr_vf w = zr_varying_w(in);
-    struct zr_model_inputs own; /* a material may come again, behind others */
+    struct zr_model_inputs own; /* inputs before shading: a material may recur after others */
     zr_vf own_opacity;
     if (mask & ZR_VARY_COLOR) {
         own = (struct zr_model_inputs){*color, zr_varying3(in, zr_first_plane(mask, ZR_VARY_NORMAL), w),
                                        zr_varying3(in, zr_first_plane(mask, ZR_VARY_POINT), w)};
     }
     if (mask & ZR_VARY_OPACITY) own_opacity = *opacity;
-    const struct zr_material *done = NULL; /* most often there is one */
+    const struct zr_material *done = NULL; /* usually there is one */
     for (uint32_t i = in->first; i < in->first + in->count; i++) {
         const struct zr_material *material = s->materials[i];
         if (!material || material == done) continue;

@@ -8,8 +8,7 @@
 
 /* ---- packed colours ---- */
 
-/* Where there are fewer pixels for each colour, packing takes longer than it saves (2 % of a million triangles at
- * 1920x1080). */
+/* With fewer pixels per colour, packing takes longer than it saves (2 % of a million triangles at 1920x1080). */
 enum { PIXELS_A_COLOR = 4, COLORS_A_RANGE = 4096 };
 
 struct packing {
@@ -24,11 +23,11 @@ static void pack_range(void *context, size_t begin, size_t end)
     p->pack(p->colors + begin, end - begin, p->out + begin);
 }
 
-/* Draws of one mesh follow one another, and share what is packed. */
+/* Packs the colours of flat draws. Consecutive draws of one mesh share them. */
 static bool pack_colors(struct zr_arena *arena, struct zr_team *team, struct zr_draw_attributes *surfaces,
                         uint32_t count, uint64_t pixels)
 {
-    const struct zr_draw_attributes *last = NULL; /* that was packed */
+    const struct zr_draw_attributes *last = NULL; /* last packed draw */
     for (uint32_t i = 0; i < count; i++) {
         struct zr_draw_attributes *surface = &surfaces[i];
         const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
@@ -52,7 +51,7 @@ static bool pack_colors(struct zr_arena *arena, struct zr_team *team, struct zr_
     return true;
 }
 
-/* ---- payloads ---- */
+/* ---- prepaint ---- */
 
 static size_t words_of_backs(const struct zr_draw_attributes *surface)
 {
@@ -65,7 +64,7 @@ static void look_first(const struct zr_draw_attributes *surface, struct zr_prepa
     const struct zr_draw *draw = surface->draw;
     const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
     const size_t word = sizeof(uint32_t);
-    payload->first = (uintptr_t)draw; /* which is at hand: nothing to ask for */
+    payload->first = (uintptr_t)draw; /* already in the cache: nothing to prefetch */
     if (!color->values && !surface->packed) return;
     if (zr_draw_is_smooth(surface) || (color->rate == ZR_RATE_FIRST_VERTEX && !draw->faces)) {
         payload->first = (uintptr_t)draw->corners;

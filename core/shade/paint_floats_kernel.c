@@ -1,5 +1,4 @@
-/* Colours as floats, with whatever textures there are: in a kernel of its own, so that others keep what compilers make
- * of them. */
+/* Colours as floats, textured or not. A separate kernel, so that the others' code stays as it is. */
 #include "shade/channels/floats_simd.h"
 
 enum {

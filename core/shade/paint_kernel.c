@@ -15,7 +15,8 @@ static void shade_parts(struct zr_shader *s, const struct zr_tile *tile, const s
     }
 }
 
-/* Where colours are known already, what is left of them has parts of its own. */
+/* Shades a tile. With early colours, the parts of color leave out their pixels, so other channels find parts of their
+ * own. */
 static void shade(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
                   const struct zr_tile *tile, const struct zr_tile_targets *to)
 {
@@ -86,7 +87,7 @@ static void clear_samples(const struct zr_gbuffer *to, int32_t rows, int32_t col
         }
 }
 
-/* Those of whole blocks need not be written in the tile. */
+/* Writes the owner of each sample. In whole blocks, the tile's own array may be unwritten. */
 static void owner_words(const struct zr_tile *tile, const struct zr_pixel_rows *out)
 {
     const struct zr_store to = {tile, false, NULL, out};
@@ -128,7 +129,7 @@ static void samples(const struct zr_geometry *geometry, const struct zr_scene_at
 
 /* ---- arrays ---- */
 
-/* A row has room behind its end, so that the last vector may look one owner farther. */
+/* Rows have padding, so the last vector may read one owner beyond. */
 static uint64_t ends(const uint32_t *owners, int32_t width)
 {
     uint64_t out = 0;

@@ -1,8 +1,8 @@
-/* parts_simd.h - shade: the owners of a tile as parts, for kernels.
+/* parts_simd.h - shade: splits the owners of a tile into parts, for kernels.
  *
- * A part is what one owner shows in one patch, which is as many pixels as there are lanes: 4x4 of them with 16; or in a
- * whole block, and those that follow it. What is the same for all pixels of an owner is found once a part, of many
- * parts at once, wherever they lie.
+ * A part is the set of pixels that one owner covers in a patch. A patch has as many pixels as there are lanes: 4x4 with
+ * 16. A block that one owner covers is one part, together with such blocks right behind it. Values common to an owner's
+ * pixels are computed once per part, for many parts at a time.
  */
 #ifndef ZR_PARTS_SIMD_H
 #define ZR_PARTS_SIMD_H
@@ -12,29 +12,29 @@
 
 enum {
     ZR_BLOCK_PATCHES = ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT / ZR_LANES,
-    ZR_PATCHES_ACROSS = ZR_BLOCK_WIDTH / ZR_PATCH_COLUMNS, /* of a block */
+    ZR_PATCHES_ACROSS = ZR_BLOCK_WIDTH / ZR_PATCH_COLUMNS, /* in a block */
     ZR_PARTS_A_ROW = ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT,
     ZR_PARTS_MOST = 2 * ZR_PARTS_A_ROW,
-    ZR_PARTS_AT_ONCE = ZR_LANES < 8 ? 1 : 4, /* are looked at, even where there are fewer in a patch */
-    ZR_PARTS_ROOM = ZR_PARTS_MOST + ZR_LANES + ZR_PARTS_AT_ONCE /* what follows the last may be written or looked at */
+    ZR_PARTS_AT_ONCE = ZR_LANES < 8 ? 1 : 4,                    /* read together, even if a patch has fewer */
+    ZR_PARTS_ROOM = ZR_PARTS_MOST + ZR_LANES + ZR_PARTS_AT_ONCE /* entries behind the last may be written and read */
 };
 
-/* What is seen in a block. */
+/* Parts of a block. */
 struct zr_block_parts {
     bool is_whole;
-    uint32_t first;                    /* part: of all its pixels, where it is whole */
-    uint8_t patches[ZR_BLOCK_PATCHES]; /* else how many parts each patch has, one after the other */
+    uint32_t first;                    /* part of the whole block, or first part of its patches */
+    uint8_t patches[ZR_BLOCK_PATCHES]; /* parts per patch, numbered in sequence; unless whole */
 };
 
 struct zr_parts {
     uint32_t count;
-    uint32_t owners[ZR_PARTS_ROOM]; /* the first is 0: of whole blocks that are nobody's */
+    uint32_t owners[ZR_PARTS_ROOM]; /* the first is 0: uncovered whole blocks */
     struct zr_block_parts blocks[ZR_BLOCKS];
 };
 
 /* ---- blocks and patches ---- */
 
-/* A block's first column and row, in the tile. */
+/* Return a block's first column and row in the tile. */
 static inline int32_t zr_block_left(int block)
 {
     return block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
@@ -45,7 +45,7 @@ static inline int32_t zr_block_low(int block)
     return block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
 }
 
-/* Where the patches of a block lie. */
+/* Coordinates of a block's patches. */
 struct zr_patch_place {
     zr_vi column, row; /* of each lane in its patch */
     int32_t left, low; /* of the block, in the window */
@@ -59,14 +59,14 @@ static inline struct zr_patch_place zr_patch_place_of(const struct zr_tile *tile
 }
 _Static_assert(ZR_PATCH_COLUMNS == 4 || ZR_LANES == 1, "rows are a shift");
 
-/* The first pixel of patch `p` of a block, in the tile's arrays. */
+/* Returns the index of the first pixel of patch `p` of a block in the tile's arrays. */
 static inline int32_t zr_patch_first(int block, int p)
 {
     return (int32_t)zr_block_first(block) + p / ZR_PATCHES_ACROSS * ZR_PATCH_ROWS * ZR_TILE_STRIDE +
            p % ZR_PATCHES_ACROSS * ZR_PATCH_COLUMNS;
 }
 
-/* Owners of a patch, but 0 where its color is known, if those are left out. */
+/* Returns the owners of a patch; without_known: 0 for pixels with an early colour. */
 static inline zr_vi zr_patch_owners(const struct zr_tile *tile, int32_t at, bool without_known)
 {
     const zr_vi owner = zr_vi_load_patch(tile->owner + at, ZR_TILE_STRIDE), none = zr_vi_set(0);
@@ -75,14 +75,15 @@ static inline zr_vi zr_patch_owners(const struct zr_tile *tile, int32_t at, bool
     return zr_vi_select(zr_vi_eq(color, none), owner, none);
 }
 
-/* Lanes whose owner is that of the lane n before, which `later` has. */
+/* Returns the lanes whose owner is that of the lane n before; `later`: owners shifted by n lanes. */
 static inline uint32_t zr_patch_again(zr_vi owner, zr_vi later, int n)
 {
     return zr_vm_bits(zr_vi_eq(owner, later)) & ~0u << n;
 }
 
-/* Lanes whose owner is not that of the lane before, of the one above or of the one next to that: a triangle has one
- * such lane in the patch, seldom more, and its first lane is always one. What is not owned must be 0. */
+/* Returns the lanes whose owner differs from that of the lane before, of the one above and of that one's neighbour. A
+ * triangle has one such lane in the patch, seldom more; its first lane is always one. Lanes without an owner must be
+ * 0. */
 static inline uint32_t zr_patch_firsts(zr_vi owner)
 {
     uint32_t again = zr_patch_again(owner, zr_vi_later(owner, 1), 1);
@@ -91,9 +92,9 @@ static inline uint32_t zr_patch_firsts(zr_vi owner)
     return ~again;
 }
 
-/* ---- finding ---- */
+/* ---- parts of blocks ---- */
 
-/* Whether one owner, or nobody, has all of the block. */
+/* Returns true if the block has one owner, or none. */
 static inline bool zr_block_is_whole(const struct zr_tile *tile, int block)
 {
     const uint32_t *owners = &tile->owner[zr_block_first(block)];
@@ -104,7 +105,7 @@ static inline bool zr_block_is_whole(const struct zr_tile *tile, int block)
     return true;
 }
 
-/* Returns how many parts there are now, as all that add some. */
+/* Adds the part of a whole block. Returns the new number of parts, as do the functions below. */
 static inline uint32_t zr_parts_add_whole(struct zr_parts *parts, uint32_t count, int block, uint32_t owner)
 {
     parts->owners[count] = owner;
@@ -131,7 +132,7 @@ static inline uint32_t zr_parts_add_patches(struct zr_parts *parts, uint32_t cou
     return count;
 }
 
-/* without_known: pixels whose colour the tile knows are nobody's. */
+/* Adds the parts of a block. without_known: pixels with an early colour count as uncovered. */
 static inline uint32_t zr_parts_find(struct zr_parts *parts, uint32_t count, const struct zr_tile *tile, int block,
                                      bool without_known)
 {

@@ -1,7 +1,6 @@
-/* planes_simd.h - shade: what varies over triangles, ZR_LANES of them at once, for kernels: where it stands, and its
- * planes.
+/* planes_simd.h - shade: loads the values at the corners of ZR_LANES triangles and makes their planes, for kernels.
  *
- * Exact:  the reference's rules 6 (which corners change places), 8 (planes) and 9 (values over w).
+ * Exact:  the reference's rules 6 (swapped corners), 8 (planes) and 9 (values over w).
  */
 #ifndef ZR_PLANES_SIMD_H
 #define ZR_PLANES_SIMD_H
@@ -13,9 +12,9 @@
 #include "shade/paint.h"
 #include "shade/varyings.h"
 
-/* ---- looking up ---- */
+/* ---- numbers and values ---- */
 
-/* As zr_flat_number, of primitives `numbers` of a draw. */
+/* Returns zr_flat_number of primitives `numbers` of a draw. */
 static inline zr_vi zr_flat_number_v(const struct zr_draw *draw, enum zr_rate rate, zr_vi numbers)
 {
     const zr_vm all = ZR_ALL_LANES;
@@ -28,7 +27,7 @@ static inline zr_vi zr_flat_number_v(const struct zr_draw *draw, enum zr_rate ra
     return rate == ZR_RATE_FIRST_CORNER ? slot : zr_vi_gather(all, draw->mesh->indices, slot);
 }
 
-/* As zr_smooth_number, of their corners k, whose vertices are given. */
+/* Returns zr_smooth_number of corner k of primitives `numbers`. `vertex`: that corner's vertex. */
 static inline zr_vi zr_smooth_number_v(const struct zr_draw *draw, enum zr_rate rate, zr_vi numbers, zr_vi vertex,
                                        int k)
 {
@@ -38,13 +37,13 @@ static inline zr_vi zr_smooth_number_v(const struct zr_draw *draw, enum zr_rate 
                        : word + zr_vi_set((int32_t)(3 * draw->first_face) + k);
 }
 
-/* Of the three corners of triangles: the numbers of their window vertices, and of their values. */
+/* Corners of ZR_LANES triangles: numbers of their window vertices and of their values. */
 struct zr_corner_numbers {
     int32_t vertex[3][ZR_LANES];
     int32_t value[3][ZR_LANES];
 };
 
-/* The same corners, with the numbers of values at `rate`. */
+/* Returns the same corners with value numbers at `rate`. */
 ZR_INLINED struct zr_corner_numbers zr_corners_at_rate(const struct zr_draw *draw, enum zr_rate rate, zr_vi numbers,
                                                        const struct zr_corner_numbers *corners)
 {
@@ -72,7 +71,7 @@ static inline struct zr_corner_numbers zr_corner_numbers_of(const struct zr_draw
     return out;
 }
 
-/* Which of them show their backs, of those that go counter-clockwise where `turned`. */
+/* Returns the lanes that show their backs. `turned`: counter-clockwise lanes. */
 static inline zr_vm zr_shown_backs(const struct zr_draw *draw, zr_vi numbers, zr_vm turned)
 {
     const zr_vi one = zr_vi_set(1);
@@ -80,7 +79,7 @@ static inline zr_vm zr_shown_backs(const struct zr_draw *draw, zr_vi numbers, zr
     return zr_vi_eq(zr_vi_gather(ZR_ALL_LANES, draw->traits, numbers) & one, one);
 }
 
-/* Lane i of c[k] and last[k] has the four floats that stand at AT_k(i), as ZR_LOAD4 has it. */
+/* Loads the four floats at AT_k(i) to lane i of c[k] and last[k], with ZR_LOAD4. */
 #define ZR_LOAD_FOURS(c, last, AT_0, AT_1, AT_2)                                                                       \
     do {                                                                                                               \
         ZR_LOAD4((c)[0].x, (c)[0].y, (c)[0].z, (last)[0], AT_0);                                                       \
@@ -88,7 +87,7 @@ static inline zr_vm zr_shown_backs(const struct zr_draw *draw, zr_vi numbers, zr
         ZR_LOAD4((c)[2].x, (c)[2].y, (c)[2].z, (last)[2], AT_2);                                                       \
     } while (0)
 
-/* Inlined, so that fourth values that nothing asks for are not worked out. */
+/* Loads values by their numbers. Inlined, so that unused fourth components are never computed. */
 ZR_INLINED void zr_values_load(const zr_vec4 *values, const int32_t (*numbers)[ZR_LANES], struct zr_vec3_v c[3],
                                zr_vf last[3])
 {
@@ -103,12 +102,12 @@ ZR_INLINED void zr_values_load(const zr_vec4 *values, const int32_t (*numbers)[Z
 
 /* ---- planes ---- */
 
-/* How values lead to planes: what all planes of a triangle share. */
+/* Values that all planes of a triangle share. */
 struct zr_triangle_setup_v {
-    zr_vm turned;                /* two corners change places */
-    zr_vf oow[3];                /* of the corners as they stand in the mesh */
-    struct zr_basis_v basis;     /* of the corners as rule 6 wants them */
-    struct zr_plane_v oow_plane; /* of 1/w itself */
+    zr_vm turned;                /* two corners are swapped (rule 6) */
+    zr_vf oow[3];                /* of the corners in mesh order */
+    struct zr_basis_v basis;     /* of the corners in the order of rule 6 */
+    struct zr_plane_v oow_plane; /* of 1/w */
 };
 
 ZR_INLINED struct zr_triangle_setup_v zr_way_make(zr_vm turned, const struct zr_corner_v corners[3])
@@ -124,12 +123,12 @@ ZR_INLINED struct zr_triangle_setup_v zr_way_make(zr_vm turned, const struct zr_
     return way;
 }
 
-/* Of x, y and z, each over w. */
+/* Planes of x, y and z, each times 1/w. */
 struct zr_planes3_v {
     struct zr_plane_v x, y, z;
 };
 
-/* `values` are those of the corners as they stand in the mesh. */
+/* Makes three planes. `values` are in mesh order. */
 ZR_INLINED struct zr_planes3_v zr_planes3_make(const struct zr_triangle_setup_v *way, const struct zr_vec3_v values[3])
 {
     struct zr_vec3_v v[3] = {zr_scale_v(values[0], way->oow[0]), zr_scale_v(values[1], way->oow[1]),
@@ -143,7 +142,7 @@ ZR_INLINED struct zr_planes3_v zr_planes3_make(const struct zr_triangle_setup_v 
                                  zr_plane_make_v(&way->basis, v[0].z, v[1].z, v[2].z)};
 }
 
-/* Of a value by itself, as the corners stand in the mesh. */
+/* Makes the plane of one value per corner, in mesh order. */
 ZR_INLINED struct zr_plane_v zr_plane1_make(const struct zr_triangle_setup_v *way, zr_vf v0, zr_vf v1, zr_vf v2)
 {
     zr_vf v[3] = {v0 * way->oow[0], v1 * way->oow[1], v2 * way->oow[2]};
@@ -151,7 +150,7 @@ ZR_INLINED struct zr_plane_v zr_plane1_make(const struct zr_triangle_setup_v *wa
     return zr_plane_make_v(&way->basis, v[0], v[1], v[2]);
 }
 
-/* Window vertices, by their numbers. */
+/* Loads window vertices by their numbers. */
 ZR_INLINED void zr_vertices_load(const struct zr_window_vertex *vertices, const int32_t (*numbers)[ZR_LANES],
                                  struct zr_corner_v v[3])
 {
@@ -164,7 +163,7 @@ ZR_INLINED void zr_vertices_load(const struct zr_window_vertex *vertices, const 
 #undef ZR_VERTEX_2
 }
 
-/* Which triangles go counter-clockwise. */
+/* Returns the lanes of counter-clockwise triangles. */
 static inline zr_vm zr_turned_of(const struct zr_window_vertex *vertices, const int32_t (*numbers)[ZR_LANES])
 {
     struct zr_corner_v v[3];
@@ -182,7 +181,7 @@ ZR_INLINED struct zr_triangle_setup_v zr_way_of(const struct zr_window_vertex *v
 
 /* ---- colours ---- */
 
-/* Colours of the sides that triangles show, a bit of `backs` each. */
+/* Loads the colours of the visible sides; a bit of `backs` per lane. */
 ZR_INLINED void zr_colors_load(const struct zr_draw_attributes *surface, const int32_t (*numbers)[ZR_LANES],
                                uint32_t backs, struct zr_vec3_v c[3], zr_vf opacity[3])
 {
@@ -200,7 +199,7 @@ ZR_INLINED void zr_colors_load(const struct zr_draw_attributes *surface, const i
 #undef ZR_COLOR
 }
 
-/* Of 1/w, and colours times that. */
+/* Packs colours that are given as 1/w and colours times 1/w. */
 static inline zr_vi zr_color_over_w(zr_vf oow, zr_vf red, zr_vf green, zr_vf blue)
 {
     const zr_vf one = zr_vf_set(1.0f), reciprocal = ZR_MUTANT(colors_over_no_w, one / oow, one);
@@ -209,7 +208,7 @@ static inline zr_vi zr_color_over_w(zr_vf oow, zr_vf red, zr_vf green, zr_vf blu
 
 /* ---- normals ---- */
 
-/* Of the sides that triangles of a draw show. */
+/* Loads the normals of the visible sides of a draw's triangles. */
 ZR_INLINED void zr_normals_load(const struct zr_draw_attributes *surface, zr_vi numbers, zr_vm turned,
                                 const struct zr_corner_numbers *corners, struct zr_vec3_v c[3])
 {

@@ -1,7 +1,7 @@
-/* shader_simd.h - shade: parts and what is known of them, for the kernel that shades.
+/* shader_simd.h - shade: state of the shading kernel: parts and their words or planes.
  *
- * A channel goes through the runs of parts and gives each part a word or planes (channels/); then, patch by patch, each
- * pixel takes its part's (blocks_simd.h).
+ * A channel walks the runs of parts and gives each part a word or planes (channels/). Then each pixel evaluates its
+ * part, patch by patch (blocks_simd.h).
  */
 #ifndef ZR_SHADER_SIMD_H
 #define ZR_SHADER_SIMD_H
@@ -10,37 +10,35 @@
 #include "shade/parts_simd.h"
 #include "shade/planes_simd.h"
 
-/* Parts that follow one another, up to ZR_LANES of them, all of one draw. */
+/* Up to ZR_LANES consecutive parts of one draw. */
 struct zr_run {
     const struct zr_draw *draw;
     const struct zr_draw_attributes *surface;
     uint32_t first, count;
 };
 
-/* What is known of parts. A part has a word, where it is flat, or planes: of lines
- * in fog, both. Part 0 is nobody's, and no run's. */
+/* State of the kernel. A flat part has a word, others have planes; lines in fog may have either. Part 0 stands for
+ * uncovered pixels and belongs to no run. */
 struct zr_shader {
     const struct zr_geometry *geometry;
     const struct zr_scene_attributes *surfaces;
-    const struct zr_draw *draw; /* of the last run: at first the first one */
+    const struct zr_draw *draw; /* of the last run; the first draw initially */
     struct zr_parts parts;
     uint32_t run_count;
     struct zr_run runs[ZR_PARTS_MOST];
     bool any_planes;
     bool has_planes[ZR_PARTS_ROOM];
-    bool is_constant[ZR_PARTS_ROOM]; /* in fog and with textures: the colour's planes are the same all over, and not
-                                        over w */
+    bool is_constant[ZR_PARTS_ROOM]; /* with fog or textures: the colour's planes are constants, not over w */
     uint32_t words[ZR_PARTS_ROOM];
-    const struct zr_material
-        *materials[ZR_PARTS_ROOM]; /* of those that are shaded late, else NULL; not set where no surface is */
+    const struct zr_material *materials[ZR_PARTS_ROOM]; /* of parts shaded per pixel, else NULL; unset if no part is */
     bool any_late;
     struct zr_model_context model;
-    /* Some for each part, one part after the other: of 1/w, and of each of its values. */
+    /* Planes of 1/w and of each value, part after part. */
     float planes[ZR_PARTS_ROOM * ZR_PLANES_MOST][4]; /* a0, dadx, dady */
 };
 
-/* Of a kernel of its own (paint_textured_kernel.c): beside these, compilers would make less of what has no textures.
- * The channel color of a scene that has textures, and what they make of samples. Blocks begin .. end - 1. */
+/* Compiled in a kernel of their own (paint_textured_kernel.c), since their code would slow down untextured shading: the
+ * channel color of textured scenes, and texture values of samples. Blocks begin .. end - 1. */
 void ZR_KERNEL(zr_paint_textured)(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
                                   const struct zr_tile_targets *to);
 void ZR_KERNEL(zr_sample_textures)(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
@@ -54,7 +52,7 @@ static inline const struct zr_draw_attributes *zr_attributes_of_draw(const struc
 
 /* ---- runs of parts ---- */
 
-/* Numbers of the run's triangles in its draw; lanes behind its end have the first one's. */
+/* Returns the numbers of the run's triangles in its draw. Lanes beyond its end repeat the first. */
 static inline zr_vi zr_run_numbers(const struct zr_shader *s, const struct zr_run *run)
 {
     const uint32_t *owners = s->parts.owners + run->first;
@@ -79,7 +77,7 @@ static inline void zr_find_runs(struct zr_shader *s)
     }
 }
 
-/* Finds what is seen from block `begin` on, as many rows of blocks as there is room for. Returns where it ended. */
+/* Finds the parts and runs of blocks from `begin` on, as many rows of blocks as fit. Returns the end. */
 static inline int zr_find_parts(struct zr_shader *s, const struct zr_tile *tile, int begin, bool without_known)
 {
     const int end = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
@@ -105,7 +103,7 @@ static inline void zr_put_words(struct zr_shader *s, const struct zr_run *run, z
 
 /* ---- planes of parts ---- */
 
-/* Plane k of ZR_LANES parts, which have `count` each. */
+/* Stores plane k of ZR_LANES parts, which have `count` planes each. */
 ZR_INLINED void zr_put_plane(struct zr_shader *s, uint32_t first, int k, int count, const struct zr_plane_v *plane)
 {
     float fours[4 * ZR_LANES];
@@ -114,7 +112,7 @@ ZR_INLINED void zr_put_plane(struct zr_shader *s, uint32_t first, int k, int cou
         memcpy(s->planes[(first + i) * (uint32_t)count + (uint32_t)k], fours + 4 * i, 4 * sizeof(float));
 }
 
-/* The planes of each lane, of the parts whose owners they are; of others anything. */
+/* Selects each lane's planes by its owner among `count` parts; lanes of other owners get any. */
 ZR_INLINED void zr_select_planes(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner, int planes,
                                  zr_vf (*out)[3])
 {
@@ -137,7 +135,7 @@ static inline zr_vf zr_shaded_value(zr_vf (*planes)[3], int k, zr_vf x, zr_vf y)
     return zr_plane_at_v(&plane, x, y);
 }
 
-/* Three values from plane k on, over w. */
+/* Returns values k, k + 1 and k + 2: planes times w. */
 static inline struct zr_vec3_v zr_shaded_three(zr_vf (*planes)[3], int k, zr_vf w, zr_vf x, zr_vf y)
 {
     return (struct zr_vec3_v){zr_shaded_value(planes, k, x, y) * w, zr_shaded_value(planes, k + 1, x, y) * w,

@@ -1,5 +1,4 @@
-/* srgb_color_simd.h - shade: between sRGB-encoded colours and linear light, for kernels.
- */
+/* srgb_color_simd.h - shade: decodes sRGB colours to linear light, for kernels. */
 #ifndef ZR_SRGB_COLOR_SIMD_H
 #define ZR_SRGB_COLOR_SIMD_H
 
@@ -7,7 +6,6 @@
 #include "base/srgb_simd.h"
 #include "base/vec3_simd.h"
 
-/* Of colours. */
 static inline struct zr_vec3_v zr_srgb_decode_color_v(struct zr_vec3_v c)
 {
     return (struct zr_vec3_v){zr_srgb_decode_v(c.x), zr_srgb_decode_v(c.y), zr_srgb_decode_v(c.z)};

@@ -7,7 +7,7 @@
 
 #include "shade/shader_simd.h"
 
-/* Both texture coordinates, u and v of each, in the image of a texture. As zr_texture_transform. */
+/* Transforms texture coordinates to a texture's image, as zr_texture_transform does. given: u and v of both sets. */
 static inline void zr_texture_transform_v(const struct zr_texture *texture, const zr_vf given[4], zr_vf out[2])
 {
     const zr_vf *uv = &given[texture->texcoord == 0 ? 0 : 2];
@@ -16,7 +16,7 @@ static inline void zr_texture_transform_v(const struct zr_texture *texture, cons
                  zr_vf_set(texture->rows[k][2]);
 }
 
-/* Both, of the corners of a run's triangles; 0 if the mesh has none. */
+/* Loads both coordinate sets at the corners of a run's triangles; 0 if the mesh has none. */
 static inline void zr_texcoords_load(const struct zr_run *run, const int32_t (*vertices)[ZR_LANES], zr_vf (*out)[4])
 {
     const zr_vec4 *values = run->surface->attributes[ZR_ATTRIBUTE_TEXCOORD].values;
@@ -32,13 +32,13 @@ static inline void zr_texcoords_load(const struct zr_run *run, const int32_t (*v
     }
 }
 
-/* Of the sides that triangles show. */
+/* Tangents of the visible sides. */
 struct zr_tangents_v {
-    struct zr_vec3_v along[3]; /* u, at each corner; of any length, 0 if there is none */
-    zr_vf sign;                /* of the bitangent, which goes against v */
+    struct zr_vec3_v along[3]; /* along u, per corner; any length; 0: none */
+    zr_vf sign;                /* of the bitangent, which points against v */
 };
 
-/* Of whole triangles, from their corners: P_u = (e1 v2 - e2 v1) / (u1 v2 - u2 v1). */
+/* Computes one tangent per triangle from its corners: P_u = (e1 v2 - e2 v1) / (u1 v2 - u2 v1). */
 static inline struct zr_tangents_v zr_tangents_of(const struct zr_vec3_v points[3], zr_vf (*places)[2], bool is_mirror)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f), turn = zr_vf_set(is_mirror ? -1.0f : 1.0f);
@@ -51,7 +51,7 @@ static inline struct zr_tangents_v zr_tangents_of(const struct zr_vec3_v points[
     return (struct zr_tangents_v){{along, along, along}, (zero - sign) * turn};
 }
 
-/* The mesh's own, else those of its normal map's coordinates. */
+/* Returns the mesh's own tangents, or those of its normal map's coordinates. */
 static inline struct zr_tangents_v zr_tangents_find(const struct zr_shader *s, const struct zr_run *run, zr_vm turned,
                                                     const int32_t (*vertices)[ZR_LANES], zr_vf (*texcoords)[4])
 {

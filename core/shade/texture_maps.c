@@ -4,24 +4,24 @@
 
 #include "base/srgb.h"
 
-/* Some hundred microseconds' worth of texels. */
+/* Texels per range: some hundred microseconds. */
 enum { TEXELS_A_RANGE = 1 << 14 };
 
-/* An image in one way: as it is, or what it is in linear light. */
+/* Levels of an image, averaged either as they are or in linear light. */
 struct chain {
     uint32_t level_count;
     struct zr_texture_level levels[ZR_TEXTURE_LEVELS_MAX];
 };
 
-/* Of light from 0 to 1. A step is narrower than what lies between two thresholds of 8 bits, at least a 3294th: it has
- * one threshold at most. */
+/* Steps of the table from light, 0..1, to codes. A step is narrower than the least distance of 8-bit thresholds,
+ * 1/3294, and therefore contains at most one. */
 enum { CODE_STEPS = 4096 };
 
-/* Of colours of so many bits. */
+/* Tables for colours of 8 or 16 bits. */
 struct decoding {
-    const float *values;     /* each one's light */
-    const float *thresholds; /* the light that lies between it and the next one, as they are encoded */
-    const uint8_t *codes;    /* of 8 bits: how many thresholds are not above n / CODE_STEPS; else NULL */
+    const float *values;     /* light of each code */
+    const float *thresholds; /* light midway between a code and the next, in encoded values */
+    const uint8_t *codes;    /* 8 bits: number of thresholds at or below n / CODE_STEPS; else NULL */
 };
 
 struct making {
@@ -30,9 +30,9 @@ struct making {
     const struct zr_scene *scene;
     const struct zr_cancel *cancel;
     bool decode;
-    struct decoding decodings[2]; /* of 8 bits, of 16; NULL: not needed so far */
+    struct decoding decodings[2]; /* of 8 and of 16 bits; values NULL: not needed so far */
     uint8_t codes[CODE_STEPS + 1];
-    struct chain *chains; /* two an image: not decoded, decoded */
+    struct chain *chains; /* two per image: not decoded, decoded */
 };
 
 /* ---- tables ---- */
@@ -41,7 +41,7 @@ enum { ROOM_BEHIND = 16 };
 
 static const uint8_t *make_codes(const float *thresholds, uint8_t *codes)
 {
-    uint8_t code = 0; /* the last threshold is above all */
+    uint8_t code = 0; /* the last threshold exceeds every light */
     for (int n = 0; n <= CODE_STEPS; n++) {
         while (thresholds[code] * (float)CODE_STEPS <= (float)n)
             code++;
@@ -66,14 +66,14 @@ static bool make_decoding(struct making *m, uint32_t bits, struct decoding *out)
     return true;
 }
 
-/* NULL where memory is short. */
+/* Returns the tables, or NULL if out of memory. */
 static const struct decoding *find_decoding(struct making *m, uint32_t bits)
 {
     struct decoding *decoding = &m->decodings[bits == 16];
     return decoding->values || make_decoding(m, bits, decoding) ? decoding : NULL;
 }
 
-/* How many thresholds are not above it. */
+/* Returns the code of a light: the number of thresholds at or below it. */
 static uint32_t encode(const struct decoding *decoding, uint32_t bits, double light)
 {
     uint32_t code = 0;
@@ -84,7 +84,7 @@ static uint32_t encode(const struct decoding *decoding, uint32_t bits, double li
 
 /* ---- levels ---- */
 
-/* The texels of one axis that texel i of the next level covers, and shares of them. */
+/* Texels of one axis that texel i of the next level covers, and their shares. */
 struct span {
     uint32_t first, count, shares[3], all;
 };
@@ -99,9 +99,9 @@ static struct span span_of(uint32_t side, uint32_t i)
 
 struct halving {
     const struct zr_texture_level *from, *to;
-    void *texels; /* of `to` */
+    void *texels; /* those of `to` */
     uint32_t bits;
-    const struct decoding *decoding; /* or NULL */
+    const struct decoding *decoding; /* NULL: values are averaged as they are */
     const struct zr_cancel *cancel;
 };
 
@@ -129,7 +129,7 @@ static uint32_t mean_of(const struct halving *h, const struct span *x, const str
     return (uint32_t)((2 * sum + all) / (2 * all));
 }
 
-/* ---- of 8 bits, where both sides are even: the same, for most images have such levels ---- */
+/* ---- 8 bits, both sides even: the frequent case, with the same result ---- */
 
 static uint8_t encode_quick(const struct decoding *decoding, double light)
 {
@@ -144,7 +144,7 @@ static uint32_t load_word(const uint8_t *texel)
     return word;
 }
 
-/* The mean of each byte, half up: of every other one in 16 bits, then of those between. */
+/* Returns the mean of each byte, rounded half up. Sums of bytes 0 and 2, and of 1 and 3, fit in 16 bits. */
 static uint32_t mean_of_words(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {
     const uint32_t every_other = 0x00ff00ff, half = 0x00020002;
@@ -181,7 +181,7 @@ static bool is_quick(const struct halving *h)
     return h->bits == 8 && h->from->width % 2 == 0 && h->from->height % 2 == 0;
 }
 
-/* Rows of the smaller level. */
+/* Computes rows of the smaller level. */
 static void halve_rows(void *context, size_t begin, size_t end)
 {
     const struct halving *h = context;
@@ -240,7 +240,7 @@ static bool is_see_through(const struct zr_scene *scene, uint32_t texture)
     return false;
 }
 
-/* Alpha four times for each texel. */
+/* Returns texels whose four components are the image's alpha. */
 static const void *spread_alpha(struct zr_arena *arena, const struct zr_image *image)
 {
     const size_t texels = (size_t)image->width * image->height;
@@ -327,13 +327,13 @@ struct zr_texture_maps_size zr_texture_maps_measure(const struct zr_scene *scene
             sum.bytes += 4.0 * sizeof(float) * (double)((size_t)1 << image->bits);
         }
         if (!zr_filter_has_levels(texture->minify)) continue;
-        bool is_made = false; /* for one before */
+        bool is_made = false; /* for an earlier texture */
         for (uint32_t k = 0; k < i && !is_made; k++) {
             const struct zr_texture *other = &scene->textures[k];
             is_made = other->image == texture->image && zr_filter_has_levels(other->minify) &&
                       (!decode || other->is_color == texture->is_color);
         }
-        /* No level has more than half of the one before, and most a quarter. */
+        /* A level has at most half the texels of the one before, and usually a quarter. */
         const double texels = (double)image->width * (double)image->height;
         const double made = image->width == 1 || image->height == 1 ? texels : texels / 3.0;
         if (is_made) continue;

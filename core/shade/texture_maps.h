@@ -1,8 +1,8 @@
-/* texture_maps.h - shade: the textures of a scene, ready to be sampled: images with the levels that they need.
+/* texture_maps.h - shade: the textures of a scene, ready for sampling: images with their mipmap levels.
  *
- * Levels: level n + 1 has half the width and height of level n, rounded down, and at least 1; its texels are the means
- *         of those that they cover, by the area covered, rounded half up to the image's own bits. What is sRGB-encoded
- *         is averaged in linear light where `decode`.
+ * Levels: level n + 1 has half the width and height of level n, rounded down, and at least 1. Its texels are the means
+ *         of the texels that they cover, weighted by area and rounded half up to the image's bits. sRGB-encoded values
+ *         are averaged in linear light if `decode`.
  */
 #ifndef ZR_TEXTURE_MAPS_H
 #define ZR_TEXTURE_MAPS_H
@@ -13,7 +13,7 @@
 #include "base/team.h"
 #include "scene/scene.h"
 
-enum { ZR_TEXTURE_LEVELS_MAX = 17 }; /* of ZR_TEXTURE_SIDE_MAX */
+enum { ZR_TEXTURE_LEVELS_MAX = 17 }; /* levels of ZR_TEXTURE_SIDE_MAX */
 
 struct zr_texture_level {
     uint32_t width, height;
@@ -24,30 +24,30 @@ struct zr_texture_level {
 struct zr_texture_map {
     const struct zr_texture *texture;
     uint32_t bits;
-    const float *decoded; /* what each value of `bits` bits means; NULL: its share of the largest one */
+    const float *decoded; /* linear value of each code of `bits` bits; NULL: code / largest code */
     uint32_t level_count;
     struct zr_texture_level levels[ZR_TEXTURE_LEVELS_MAX];
 };
 
 struct zr_texture_maps {
-    const struct zr_texture_map *of; /* one a texture of the scene; NULL: there are none */
-    /* Likewise, with the alpha of their images as all of their colours: of base colours of what is see-through; of
-     * others nothing is filled in, and level_count is 0. */
+    const struct zr_texture_map *of; /* one per texture of the scene; NULL: none */
+    /* One per texture, with the image's alpha in all colour components, for base colours of masked and blended
+     * materials. For others, level_count is 0. */
     const struct zr_texture_map *opacity;
 };
 
-/* decode: colours are to be had in linear light; else all values are as they are. Points to the scene. ZR_OK,
- * ZR_CANCELLED or ZR_NO_MEMORY. */
+/* Makes the maps, which point to the scene. decode: colours are converted to linear light; else values stay as they
+ * are. Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_texture_maps_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                     bool decode, const struct zr_cancel *cancel, struct zr_texture_maps *maps);
 
-/* What that takes at most: texels that are made, and bytes of them and of tables. */
+/* Upper bounds of its cost: texels made, and bytes of texels and tables. */
 struct zr_texture_maps_size {
     double texels, bytes;
 };
 struct zr_texture_maps_size zr_texture_maps_measure(const struct zr_scene *scene, bool decode);
 
-/* The texture of a material, by its place; NULL: it has none. */
+/* Returns the texture of a material's slot; NULL: none. */
 static inline const struct zr_texture_map *
 zr_texture_map_of(const struct zr_texture_maps *maps, const struct zr_material *material, enum zr_texture_slot slot)
 {
@@ -55,7 +55,7 @@ zr_texture_map_of(const struct zr_texture_maps *maps, const struct zr_material *
     return number && maps->of ? &maps->of[number - 1] : NULL;
 }
 
-/* How opaque the base colour of a material is; NULL: all over. */
+/* Returns the opacity map of a material's base colour; NULL: opaque. */
 static inline const struct zr_texture_map *zr_opacity_map_of(const struct zr_texture_maps *maps,
                                                              const struct zr_material *material)
 {

@@ -1,6 +1,6 @@
-/* texture_simd.h - shade: what textures show at ZR_LANES points, for kernels.
+/* texture_simd.h - shade: samples textures at ZR_LANES points, for kernels.
  *
- * Exact:  of images of 8 bits to the last bit what Mesa's llvmpipe has where it samples in floats
+ * Exact:  for 8-bit images, equal to the last bit to Mesa's llvmpipe when it samples in floats
  *         (tests/reference/RULES.md, rule 28): coordinates times the size of the level, then wrapped; a + t (b - a),
  *         along u first.
  */
@@ -16,13 +16,13 @@
 
 /* ---- one axis ---- */
 
-/* Two texels side by side, and how far the place is from the middle of the first one to that of the other. */
+/* Two neighbouring texels, and the weight of the second: 0 at the first one's centre, 1 at its own. */
 struct zr_taps_v {
     zr_vi low, high;
     zr_vf share;
 };
 
-/* A whole float as a texel's number, which is one whatever it is. */
+/* Converts a whole float to a texel number, clamped to 0..last. */
 static inline zr_vi zr_texel_number_v(zr_vf whole, float last)
 {
     return zr_vi_round(zr_vf_min(zr_vf_max(whole, zr_vf_set(0.0f)), zr_vf_set(last)));
@@ -33,13 +33,13 @@ static inline bool zr_is_power_of_2(uint32_t size)
     return (size & (size - 1)) == 0;
 }
 
-/* A whole float modulo a power of 2. */
+/* Returns a whole float modulo a power of 2. */
 static inline zr_vf zr_modulo_v(zr_vf whole, float size)
 {
     return whole - zr_floor_v(whole * zr_vf_set(1.0f / size)) * zr_vf_set(size);
 }
 
-/* Every other unit turned around: 0 .. 1. */
+/* Returns s with every other unit mirrored: 0 .. 1. */
 static inline zr_vf zr_mirrored_v(zr_vf s)
 {
     const zr_vf half = s * zr_vf_set(0.5f), rest = half - zr_nearest_v(half);
@@ -61,7 +61,7 @@ static inline zr_vi zr_nearest_texel_v(enum zr_wrap wrap, uint32_t size, zr_vf s
     return zr_texel_number_v(zr_floor_v(zr_vf_min(zr_fraction_v(s), below_1) * length), last);
 }
 
-/* From the corner of a texel to its middle. */
+/* Returns the distance from a texel's corner to its centre. */
 static inline zr_vf zr_half_texel_v(void)
 {
     return zr_vf_set(ZR_MUTANT(texels_from_corners, 0.5f, 0.0f));
@@ -99,7 +99,7 @@ static inline zr_vf zr_texel_value_v(const struct zr_texture_map *map, zr_vi val
     return zr_vf_of(value) * zr_vf_set(map->bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f);
 }
 
-/* Byte k of words in memory, or half k. */
+/* Returns byte k or 16-bit half k of words, in memory order. */
 static inline zr_vi zr_word_part_v(zr_vi word, int k, int bits)
 {
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
@@ -151,7 +151,7 @@ static inline struct zr_vec3_v zr_sample_level_v(const struct zr_texture_map *ma
     return zr_lerp3_v(above, below, y.share);
 }
 
-/* Each lane at its own level: most often there is one, or there are two. */
+/* Samples each lane at its own level. Usually the lanes have one or two. */
 static inline struct zr_vec3_v zr_sample_levels_v(const struct zr_texture_map *map, zr_vi numbers, bool linear, zr_vf s,
                                                   zr_vf t)
 {
@@ -170,7 +170,8 @@ static inline struct zr_vec3_v zr_sample_levels_v(const struct zr_texture_map *m
 
 /* ---- filters ---- */
 
-/* How many texels of the largest level a pixel's step is long, squared: the longer one of the steps along x and y. */
+/* Returns the squared length of a pixel's step in texels of the largest level: the longer of the steps along x and
+ * y. */
 static inline zr_vf zr_rho_squared_v(const struct zr_texture_map *map, zr_vf s_x, zr_vf t_x, zr_vf s_y, zr_vf t_y)
 {
     const zr_vf width = zr_vf_set((float)map->levels[0].width), height = zr_vf_set((float)map->levels[0].height);
@@ -178,13 +179,13 @@ static inline zr_vf zr_rho_squared_v(const struct zr_texture_map *map, zr_vf s_x
     return zr_vf_max(u_x * u_x + v_x * v_x, u_y * u_y + v_y * v_y);
 }
 
-/* Whether anybody asks for it. */
+/* Returns true if sampling depends on rho. */
 static inline bool zr_texture_needs_rho(const struct zr_texture_map *map)
 {
     return map->texture->minify != map->texture->magnify;
 }
 
-/* The logarithm of rho, kept to what levels there may be. Mesa's own is a line from each power of 2 to the next. */
+/* Returns log2 of rho, clamped to a range beyond all levels. as_mesa: Mesa's piecewise linear logarithm. */
 static inline zr_vf zr_lod_v(zr_vf rho_squared, bool as_mesa)
 {
     const zr_vf square = zr_vf_min(zr_vf_max(rho_squared, zr_vf_set(1e-9f)), zr_vf_set(1e18f));
@@ -211,7 +212,7 @@ static inline struct zr_vec3_v zr_sample_minified_v(const struct zr_texture_map 
     return zr_lerp3_v(fine, zr_sample_levels_v(map, high, linear, s, t), share);
 }
 
-/* rho_squared is looked at where zr_texture_needs_rho. as_mesa: how levels are told. */
+/* Samples a texture at s, t. rho_squared is used only if zr_texture_needs_rho. as_mesa: as in zr_lod_v. */
 static inline struct zr_vec3_v zr_texture_color_v(const struct zr_texture_map *map, zr_vf s, zr_vf t, zr_vf rho_squared,
                                                   bool as_mesa)
 {

@@ -1,7 +1,7 @@
-/* tone_simd.h - shade: tone mapping: what is brighter than white is brought into 0..1, for kernels.
+/* tone_simd.h - shade: tone mapping: compresses colours to 0..1, for kernels.
  *
- * Source: Khronos PBR neutral tone mapper, whose constant F90 is a parameter here, the toe: so much of what a surface
- *         reflects without colour is taken away again. Khronos has 0.04.
+ * Source: Khronos PBR neutral tone mapper, with its constant F90 as the parameter `toe`: the amount of colourless
+ *         reflection that is subtracted. Khronos uses 0.04.
  */
 #ifndef ZR_TONE_SIMD_H
 #define ZR_TONE_SIMD_H
@@ -40,7 +40,7 @@ static inline struct zr_vec3_v zr_tone_neutral_v(struct zr_vec3_v c, float toe)
                        c);
 }
 
-/* To 0..1. */
+/* Maps a colour to 0..1. */
 static inline struct zr_vec3_v zr_tone_v(struct zr_vec3_v c, enum zr_tone tone)
 {
     if (tone == ZR_TONE_KHRONOS) c = zr_tone_neutral_v(c, 0.04f);

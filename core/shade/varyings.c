@@ -5,7 +5,7 @@
 #include "base/rgba.h"
 #include "raster/line.h"
 
-/* Where the colours of a line stand. */
+/* Colours at the ends of a line: values[ends[k]]. */
 struct line_colors {
     struct zr_triangle line;
     bool back;

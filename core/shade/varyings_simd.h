@@ -77,8 +77,7 @@ ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_run *run, uns
     if (mask & ZR_VARY_DEPTH) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_DEPTH), way, depth, false);
 }
 
-/* Makes the group PLACE. Surfaces of a G-buffer have texture coordinates as the mesh has them, and only their opacity
- * needs places. */
+/* Makes the group PLACE. In a G-buffer, texture coordinates are the mesh's own, and only opacity needs places. */
 ZR_INLINED void zr_put_places(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
 {
@@ -115,7 +114,7 @@ static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *ru
     zr_put_value(s, run, mask, tangent + 3, way, sign, true);
 }
 
-/* The rate of the values that zr_corner_numbers.value numbers for a set. */
+/* Returns the rate of the values that zr_corner_numbers.value numbers for a set. */
 static inline enum zr_rate zr_rate_of(const struct zr_draw_attributes *surface, unsigned mask)
 {
     if (mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY)) return surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
@@ -149,7 +148,7 @@ static inline void zr_put_line(struct zr_shader *s, const struct zr_run *run, un
         memcpy(s->planes[i * count + k], &planes[k], sizeof *planes);
 }
 
-/* Notes the material that shades a run's pixels, NULL if they are not shaded late. Lines are unlit. */
+/* Stores the material of each part of a run, NULL if it is not shaded per pixel. Lines are unlit. */
 ZR_INLINED void zr_put_material(struct zr_shader *s, const struct zr_run *run, bool is_per_pixel)
 {
     static const struct zr_material unlit = {.shading = ZR_SHADING_UNLIT};
@@ -181,23 +180,23 @@ ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_run *run, unsign
 
 /* ZR_LANES samples and the parts that cover them. */
 struct zr_samples_v {
-    uint32_t first, count; /* parts; none: nothing else is set, but `at` */
+    uint32_t first, count; /* parts; 0: only the position in the rows is set */
     zr_vi owner;
-    zr_vm seen; /* where there is an owner */
+    zr_vm seen; /* lanes with an owner */
     zr_vf x, y;
     zr_vf (*planes)[3];
-    /* Where the first one lies in rows, and whether they are a patch, or else side by side. */
+    /* Index of the first sample in rows. is_patch: the lanes form a patch; else they lie side by side. */
     ptrdiff_t at, stride;
     bool is_patch;
 };
 
-/* Plane k of a sample by itself, over w. */
+/* Returns value k of the samples: plane k times w. */
 ZR_INLINED zr_vf zr_varying(const struct zr_samples_v *in, int k, zr_vf w)
 {
     return zr_shaded_value(in->planes, k, in->x, in->y) * w;
 }
 
-/* Planes k, k + 1 and k + 2. */
+/* Returns values k, k + 1 and k + 2. */
 ZR_INLINED struct zr_vec3_v zr_varying3(const struct zr_samples_v *in, int k, zr_vf w)
 {
     return (struct zr_vec3_v){zr_varying(in, k, w), zr_varying(in, k + 1, w), zr_varying(in, k + 2, w)};
@@ -208,7 +207,7 @@ ZR_INLINED zr_vf zr_varying_w(const struct zr_samples_v *in)
     return zr_vf_set(1.0f) / zr_shaded_value(in->planes, 0, in->x, in->y);
 }
 
-/* Samples of part i, and of those behind it that have its material. */
+/* Returns the samples of part i and of later parts with its material. */
 ZR_INLINED zr_vm zr_samples_of_material(const struct zr_shader *s, const struct zr_samples_v *in, uint32_t i)
 {
     zr_vm out = zr_vi_lt(zr_vi_set(0), zr_vi_set(0));
@@ -218,15 +217,14 @@ ZR_INLINED zr_vm zr_samples_of_material(const struct zr_shader *s, const struct 
     return out;
 }
 
-/* What an array that lies as the rows do has there. */
+/* Loads from an array that is laid out like the rows. */
 ZR_INLINED zr_vf zr_samples_load(const struct zr_samples_v *in, const float *array)
 {
     if (!in->is_patch) return zr_vf_load(array + in->at);
     return zr_vf_bits(zr_vi_load_patch((const uint32_t *)(const void *)(array + in->at), (size_t)in->stride));
 }
 
-/* Where the samples of a tile go, one after the other for each value that a maker gives; the tile's first sample is at
- * the first of each. */
+/* Output rows, one array per value of a maker. The tile's first sample is at the first of each. */
 enum { ZR_ROWS_MOST = 12 };
 struct zr_varying_rows {
     float *of[ZR_ROWS_MOST];
@@ -304,7 +302,7 @@ ZR_INLINED void zr_fill_patches(const struct zr_shader *s, const struct zr_tile 
                 zr_select_planes(s, part, in.count, in.owner, zr_plane_count(mask), planes);
                 make(s, &in, mask, context, values);
             } else {
-                in.count = 0; /* known now */
+                in.count = 0; /* a constant for the inlined maker */
                 make(s, &in, mask, context, values);
             }
             for (int v = 0; v < count; v++)
@@ -319,7 +317,7 @@ ZR_INLINED void zr_fill_patches(const struct zr_shader *s, const struct zr_tile 
     }
 }
 
-/* Whether any part of a block has textures. */
+/* Returns true if a part of the block has textures. */
 static inline bool zr_block_is_textured(const struct zr_shader *s, int number)
 {
     const struct zr_block_parts *block = &s->parts.blocks[number];

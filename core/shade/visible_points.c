@@ -5,29 +5,29 @@
 #include "base/matrix.h"
 #include "geometry/geometry.h"
 
-/* What is the same for all samples of a primitive. */
+/* Values that all samples of a primitive share. */
 struct shown {
     uint32_t owner; /* 0: none */
     struct zr_eye_depth depth;
     const struct zr_source_instance *instance;
-    const zr_vec4 *corners[3];         /* as given; NULL: of a line, or nothing needs them */
-    struct zr_eye_plane parts[2], one; /* of corners 1 and 2, and 1, all times the same; of lines 0 */
-    double w[3];                       /* of the corners in eye space */
+    const zr_vec4 *corners[3];         /* as given; NULL: a line, or not needed */
+    struct zr_eye_plane parts[2], one; /* shares of corners 1 and 2, and 1, all times one common factor; 0 for lines */
+    double w[3];                       /* eye-space w of the corners */
 };
 
-/* They come back row by row: the last ones are remembered. */
+/* Primitives recur in the next row, so the last ones are cached. */
 enum { REMEMBERED = 64 };
 
 struct points {
     const struct zr_geometry *geometry;
     const struct zr_eye_depths *kernel;
     const struct zr_frame *frame;
-    const struct zr_draw *draw; /* of the last one */
+    const struct zr_draw *draw; /* of the last primitive */
     enum zr_space space;
     bool wants_shares;
     zr_vec4 eye; /* zr_camera_eye */
     struct zr_matrix projection, to_world;
-    const struct zr_source_instance *last; /* to_object is of */
+    const struct zr_source_instance *last; /* instance of to_object */
     struct zr_matrix to_object;
     struct shown shown[REMEMBERED];
 };
@@ -41,7 +41,8 @@ static void cross(const double *a, const double *b, double *out)
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* As value_planes of eye_depth_kernel.c has it: p0 the value at corner 0, p1 and p2 how much the others have more. */
+/* Makes a plane as value_planes in eye_depth_kernel.c does. p0: value at corner 0; p1, p2: differences at the
+ * others. */
 static struct zr_eye_plane value_plane(double (*c)[3], double p0, double p1, double p2, double width, double height)
 {
     double normal[3], u[3], a[3];
@@ -65,7 +66,7 @@ static void find_planes(const struct points *points, const struct zr_source *sou
 {
     static const int rows[3] = {ZR_SOURCE_X, ZR_SOURCE_Y, ZR_SOURCE_W};
     const double width = (double)points->frame->width, height = (double)points->frame->height;
-    double c[3][3]; /* corner 0, and the ways from there to the others */
+    double c[3][3]; /* corner 0, and the vectors from it to the others */
     for (int i = 0; i < 3; i++) {
         zr_vec4 p = *source->corners[i];
         if (i > 0) {
@@ -108,7 +109,7 @@ static struct shown shown_make(struct points *points, uint32_t owner)
     if (!points->wants_shares) return shown;
     struct zr_source given = source;
     const bool is_turned = ZR_MUTANT(shares_of_turned_corners, triangle.turned, false);
-    if (is_turned && !source.is_cut) { /* as rule 6 wants it: shares are of the corners as given */
+    if (is_turned && !source.is_cut) { /* undo rule 6's swap: shares refer to the corners as given */
         given.corners[0] = source.corners[zr_swapped_corner()];
         given.corners[zr_swapped_corner()] = source.corners[0];
     }
@@ -136,7 +137,8 @@ static double kept_within(double value, double least, double most)
     return value > least ? value < most ? value : most : least; /* NaN gives the least */
 }
 
-/* Where the ray of a sample is at a depth: both of its first two equations are linear in x and y. */
+/* Computes the point of a sample's ray at a depth. Window x and y give two equations that are linear in the point's x
+ * and y. */
 static void eye_point(const struct points *points, double x, double y, double depth, double out[4])
 {
     const double *m = points->projection.m, z = -depth;
@@ -155,8 +157,8 @@ static void eye_point(const struct points *points, double x, double y, double de
     out[3] = 1.0;
 }
 
-/* How much of each corner as given is in the sample, as homogeneous points: what is seen of a triangle lies between its
- * corners then, wherever these are, while their shares of the place are beyond 0..1 where some have a w below 0. */
+/* Computes each corner's share of the sample, as homogeneous points. These shares lie within 0..1 wherever the corners
+ * are. Shares of positions do not if some w is negative. */
 static void find_parts(const struct shown *shown, double x, double y, double out[3])
 {
     const double one = plane_at(&shown->one, x, y);
@@ -172,7 +174,8 @@ static void put_shares(const struct shown *shown, const double parts[3], float *
         out[k] = shown->corners[0] && all != 0.0 ? (float)(parts[k] * shown->w[k] / all) : 0.0f;
 }
 
-/* Of a triangle, from its corners, since an instance may be flattened: there is no way back then, and lines have 0. */
+/* Computes the point in object space. Triangles use their corners, since a flattened instance has no inverse; lines get
+ * 0 then. */
 static void find_in_object(struct points *points, const struct shown *shown, const double eye[4], const double parts[3],
                            double out[4])
 {
@@ -209,7 +212,7 @@ static double length_from(zr_vec4 eye, const double point[4])
     return sqrt((x * x + y * y) + z * z);
 }
 
-/* As corners have them, whatever a texture makes of them: linear over their homogeneous points. */
+/* Writes the mesh's own texture coordinates, linear over the corners' homogeneous points. */
 static void put_texcoord(const struct shown *shown, const double parts[3], float *out)
 {
     const struct zr_mesh *mesh = shown->instance->mesh;

@@ -1,6 +1,5 @@
-/* words_simd.h - shade: what is the same for all pixels of a primitive, ZR_LANES of them at once, for kernels: the
- * colours of flat ones, which side is seen.
- */
+/* words_simd.h - shade: values that all pixels of a primitive share: flat colours and the visible side. ZR_LANES
+ * primitives at a time, for kernels. */
 #ifndef ZR_WORDS_SIMD_H
 #define ZR_WORDS_SIMD_H
 
@@ -9,7 +8,7 @@
 
 /* ---- colours ---- */
 
-/* Which of primitives t show their backs, of any draw. Those that were noted are the same. */
+/* Returns which of primitives t of any draw show their backs. surface->backs, if present, gives the same result. */
 static inline zr_vm zr_flat_backs(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, zr_vi t)
 {
     const zr_vi one = zr_vi_set(1);
@@ -19,7 +18,7 @@ static inline zr_vm zr_flat_backs(const struct zr_geometry *geometry, const stru
     return zr_shown_backs(surface->draw, t, zr_turned_of(geometry->vertices, corners.vertex));
 }
 
-/* Of primitives t: the number of the colour, backs being numbered behind all fronts. */
+/* Returns the colour numbers of primitives t. Backs are numbered behind all fronts. */
 static inline zr_vi zr_sided_number(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
                                     zr_vi t)
 {
@@ -29,7 +28,7 @@ static inline zr_vi zr_sided_number(const struct zr_geometry *geometry, const st
     return number + zr_vi_select(zr_flat_backs(geometry, surface, t), behind, zr_vi_set(0));
 }
 
-/* Where a colour that is not packed stands. */
+/* Returns the address of a colour that is not packed. */
 static inline const float *zr_flat_at(const struct zr_draw_attributes *surface, int32_t number)
 {
     const struct zr_attribute *attributes = surface->attributes;
@@ -38,7 +37,7 @@ static inline const float *zr_flat_at(const struct zr_draw_attributes *surface, 
                      : &attributes[ZR_ATTRIBUTE_BACK_COLOR].values[n - count].x;
 }
 
-/* Colours of sided draws, where they are not packed, stand in two arrays. */
+/* Looks up colours of two-sided draws that are not packed: they lie in two arrays. */
 static inline zr_vi zr_flat_look_up_sided(const struct zr_draw_attributes *surface, zr_vi number)
 {
     int32_t numbers[ZR_LANES];

@@ -1,7 +1,7 @@
-/* channels_simd.h - shade: who makes the values of channels from owners, a row each; for the kernel that shades.
+/* channels_simd.h - shade: table of the functions that make channels from owners. For the shading kernel.
  *
- * Most are a word for each pixel, given by a function that gets up to ZR_LANES primitives of one draw. Others go by
- * parts (shader_simd.h). What is where nobody is seen, and all names, are in scene/channels.h.
+ * Most channels have a word per pixel, from a function of up to ZR_LANES primitives of one draw. Others are made from
+ * parts (shader_simd.h). Clear values and names are in scene/channels.h.
  */
 #ifndef ZR_CHANNELS_SIMD_H
 #define ZR_CHANNELS_SIMD_H
@@ -13,20 +13,18 @@
 #include "shade/channels/normals_simd.h"
 
 /* WORDS(channel, function)
- * PARTS(channel, function): of blocks begin .. end - 1 of the tile, whose parts have been found */
+ * PARTS(channel, function): for blocks begin .. end - 1 of the tile, whose parts have been found */
 #define ZR_CHANNEL_MAKERS(WORDS, PARTS)                                                                                \
     WORDS(FACE_ID, zr_face_id_words)                                                                                   \
     WORDS(INSTANCE_ID, zr_instance_id_words)                                                                           \
     WORDS(FRONT_FACING, zr_front_facing_words)                                                                         \
     PARTS(NORMALS, zr_shade_normals)
 
-/* Of primitives `numbers` of the surface's draw. */
+/* Returns the words of primitives `numbers` of the surface's draw. */
 typedef zr_vi zr_words_fn(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, zr_vi numbers);
 
-/* Of pixels whose owners they are: draw by draw, of which s->draw is the last that was met. What is left is a mask, and
- * no word with the mask's bits: of such a word gcc 12 stores 16 bits by kmovw, and loads 32, so that the loop had no
- * end.
- */
+/* Returns the words of pixels with these owners, draw by draw. s->draw is the last draw found. The lanes left are kept
+ * as a mask, not as its bits: gcc 12 stored 16 of these bits by kmovw and loaded 32, and the loop never ended. */
 ZR_INLINED zr_vi zr_words_of(struct zr_shader *s, zr_words_fn *words, zr_vi owners, zr_vi nothing)
 {
     zr_vm left = zr_vi_lt(zr_vi_set(0), owners);
@@ -70,7 +68,7 @@ ZR_INLINED void zr_shade_words(struct zr_shader *s, const struct zr_tile *tile, 
 
 #define ZR_SKIP(...)
 
-/* Whether parts are wanted for others than colours. */
+/* Returns true if channels other than color need parts. */
 static inline bool zr_wants_parts(const struct zr_tile_targets *to)
 {
 #define ZR_WANTS(channel, ...)                                                                                         \

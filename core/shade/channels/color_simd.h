@@ -1,20 +1,20 @@
-/* color_simd.h - shade: the channel color. Flat parts have a word, smooth ones and those that are shaded late planes.
- */
+/* color_simd.h - shade: the channel color. Flat parts have a word; smooth parts and those shaded per pixel have
+ * planes. */
 #ifndef ZR_COLOR_SIMD_H
 #define ZR_COLOR_SIMD_H
 
 #include "shade/blocks_simd.h"
 #include "shade/words_simd.h"
 
-/* ---- looking up ---- */
+/* ---- look-up ---- */
 
-/* Where the colours of a run stand: of flat ones, each one's, backs behind all fronts. */
+/* Numbers of a run's colours. Flat: one per lane, backs behind all fronts. */
 struct zr_color_places {
     struct zr_corner_numbers smooth;
     int32_t flat[ZR_LANES];
 };
 
-/* So many runs are looked up before the first of them is made: by then it has come from memory. */
+/* Number of runs between look-up and use: by then, prefetched values have arrived. */
 enum { ZR_RUNS_AHEAD = 8 };
 
 static inline bool zr_run_has_planes(const struct zr_run *run)
@@ -92,7 +92,7 @@ enum {
     ZR_COLOR_TEXTURED_VARYINGS = ZR_COLOR_FOG_VARYINGS | ZR_VARY_PLACE
 };
 
-/* The set is known when this is compiled: else planes would not stay in registers. */
+/* Inlined for each set: a constant set keeps planes in registers. */
 ZR_INLINED void zr_shade_colors_by(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
                                    const struct zr_tile_targets *to, unsigned mask)
 {

@@ -1,6 +1,6 @@
-/* floats_simd.h - shade: colours of the samples of a tile as floats, with their opacity; for the kernel that shades.
+/* floats_simd.h - shade: colours and opacity of a tile's samples, as floats. For the shading kernel.
  *
- * Exact:  as color_simd.h before colours become bytes, clamped to 0..1.
+ * Exact:  as in color_simd.h before colours become bytes, clamped to 0..1.
  */
 #ifndef ZR_FLOATS_SIMD_H
 #define ZR_FLOATS_SIMD_H
@@ -12,7 +12,7 @@ static inline zr_vf zr_within_1(zr_vf v)
     return zr_vf_min(zr_vf_max(v, zr_vf_set(0.0f)), zr_vf_set(1.0f));
 }
 
-/* Red, green and blue, if the set has ZR_VARY_COLOR, then opacity; 0 for uncovered samples. */
+/* Makes red, green and blue, if the set has ZR_VARY_COLOR, then opacity; 0 for uncovered samples. */
 ZR_INLINED void zr_make_floats(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
                                const void *context, zr_vf values[ZR_ROWS_MOST])
 {

@@ -1,10 +1,11 @@
-/* front_facing_simd.h - shade: the channel frontFacing: a word for each pixel. */
+/* front_facing_simd.h - shade: the channel frontFacing: a word per pixel. */
 #ifndef ZR_FRONT_FACING_SIMD_H
 #define ZR_FRONT_FACING_SIMD_H
 
 #include "shade/words_simd.h"
 
-/* Lines have no sides, though those that are edges of a face know which of its sides is seen: colours are of that. */
+/* Returns 1 for fronts, 2 for backs and 0 for lines. Edges of faces get 0, too, though their colour depends on the
+ * visible side of their face. */
 static inline zr_vi zr_front_facing_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
                                           zr_vi numbers)
 {

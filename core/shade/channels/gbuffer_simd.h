@@ -1,5 +1,4 @@
-/* gbuffer_simd.h - shade: what is seen at the samples of a tile, as a G-buffer (gbuffer.h), for the kernel that shades.
- */
+/* gbuffer_simd.h - shade: writes the samples of a tile to a G-buffer (gbuffer.h). For the shading kernel. */
 #ifndef ZR_GBUFFER_SIMD_H
 #define ZR_GBUFFER_SIMD_H
 
@@ -8,7 +7,7 @@
 
 enum { ZR_SAMPLE_VARYINGS = ZR_VARY_NORMAL | ZR_VARY_POINT | ZR_VARY_OVER_W };
 
-/* In the order of the planes, whose first one is 1/w. */
+/* Returns the number of values. They are in the order of the planes behind 1/w. */
 static inline int zr_sample_values(unsigned mask)
 {
     return zr_plane_count(mask) - 1;
@@ -32,7 +31,7 @@ ZR_INLINED void zr_make_samples(const struct zr_shader *s, const struct zr_sampl
     }
 }
 
-/* The rows of a G-buffer: as many as a set with ZR_VARY_COLOR has, or one without. */
+/* Returns the rows of a G-buffer, with those of base colours if it has any. */
 static inline struct zr_varying_rows zr_sample_rows_of(const struct zr_gbuffer *to)
 {
     struct zr_varying_rows out = {.stride = to->stride};

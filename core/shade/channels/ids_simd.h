@@ -1,4 +1,4 @@
-/* ids_simd.h - shade: the channels faceId and instanceId: a word for each pixel. */
+/* ids_simd.h - shade: the channels faceId and instanceId: a word per pixel. */
 #ifndef ZR_IDS_SIMD_H
 #define ZR_IDS_SIMD_H
 

@@ -1,10 +1,10 @@
-/* normals_simd.h - shade: the channel normals: three floats a pixel, unit length, of the side that is seen. */
+/* normals_simd.h - shade: the channel normals: three floats per pixel, unit length, of the visible side. */
 #ifndef ZR_CHANNEL_NORMALS_SIMD_H
 #define ZR_CHANNEL_NORMALS_SIMD_H
 
 #include "shade/varyings_simd.h"
 
-/* context: float[3][3], from eye space to the channel's. */
+/* Makes normals. context: float[3][3], from eye space to the channel's. */
 ZR_INLINED void zr_make_normals(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
                                 const void *context, zr_vf values[ZR_ROWS_MOST])
 {

@@ -1,8 +1,8 @@
-/* textures_simd.h - shade: what textures make of the samples of a tile, for a G-buffer (gbuffer.h) whose other values
- * are there, for the kernel that shades.
+/* textures_simd.h - shade: texture values of a tile's samples, for a G-buffer (gbuffer.h) whose other values are
+ * written. For the shading kernel.
  *
- * Levels follow from the derivatives of the coordinates along the window's axes. Planes give them per sample, at every
- * edge, too.
+ * Levels follow from the derivatives of the coordinates along the window's axes. Planes give these per sample, even at
+ * edges.
  * Source: glTF 2.0, 3.9.3; Heckbert, "Survey of Texture Mapping", 1986.
  */
 #ifndef ZR_TEXTURES_SIMD_H
@@ -14,12 +14,12 @@
 
 /* ---- samples ---- */
 
-/* Of samples: both coordinates, and how they change along x and along y. */
+/* Both coordinate sets of samples, and their derivatives along x and y. */
 struct zr_texcoords_v {
     zr_vf at[4], along_x[4], along_y[4];
 };
 
-/* Planes `first` to first + 3 are theirs. */
+/* Computes them from planes `first` to first + 3. */
 static inline struct zr_texcoords_v zr_texcoords_of(const struct zr_samples_v *in, int first, zr_vf w)
 {
     zr_vf(*planes)[3] = in->planes;
@@ -32,7 +32,7 @@ static inline struct zr_texcoords_v zr_texcoords_of(const struct zr_samples_v *i
     return out;
 }
 
-/* A step in the image of a texture. */
+/* Transforms a step to a texture's image. */
 static inline void zr_texture_step_v(const struct zr_texture *texture, const zr_vf step[4], zr_vf out[2])
 {
     const zr_vf *uv = &step[texture->texcoord == 0 ? 0 : 2];
@@ -52,13 +52,13 @@ static inline struct zr_vec3_v zr_texture_at_v(const struct zr_texture_map *map,
     return zr_texture_color_v(map, place[0], place[1], rho, false);
 }
 
-/* What samples have beside their coordinates, for normal maps. */
+/* Surface normal, tangent and bitangent's sign of samples, for normal maps. */
 struct zr_frame_v {
     struct zr_vec3_v normal, along;
     zr_vf sign;
 };
 
-/* The normal that a normal map has, from that of the surface, unit; where there is no tangent, that one. */
+/* Returns the unit normal that a normal map's texel stands for, or the surface's own if there is no tangent. */
 static inline struct zr_vec3_v zr_mapped_normal_v(struct zr_vec3_v texel, float scale, const struct zr_frame_v *frame)
 {
     const struct zr_vec3_v normal = frame->normal, along = frame->along;
@@ -74,7 +74,7 @@ static inline struct zr_vec3_v zr_mapped_normal_v(struct zr_vec3_v texel, float 
     return zr_choose_v(has_one, zr_normalize_v(sum), normal);
 }
 
-/* Where values stand in the order of the G-buffer's. */
+/* Positions in the G-buffer's order of values. */
 enum { ZR_ROUGHNESS_VALUE = 3, ZR_METALLIC_VALUE, ZR_OCCLUSION_VALUE, ZR_EMISSIVE_VALUE, ZR_NORMAL_VALUE = 9 };
 
 static inline void zr_take_three(zr_vf *out, zr_vm where, struct zr_vec3_v color)
@@ -84,7 +84,7 @@ static inline void zr_take_three(zr_vf *out, zr_vm where, struct zr_vec3_v color
     out[2] = zr_vf_select(where, color.z, out[2]);
 }
 
-/* Samples of one material, which are `where`. Once more it changes nothing. */
+/* Samples the textures of one material for the samples `where`. Repetition changes nothing. */
 static inline void zr_take_textures(zr_vf out[ZR_ROWS_MOST], const struct zr_texture_maps *maps,
                                     const struct zr_material *material, const struct zr_texcoords_v *texcoords,
                                     const struct zr_frame_v *frame, zr_vm where)
@@ -106,7 +106,7 @@ static inline void zr_take_textures(zr_vf out[ZR_ROWS_MOST], const struct zr_tex
                       zr_mapped_normal_v(zr_texture_at_v(map, texcoords), material->normal_scale, frame));
 }
 
-/* context: the G-buffer. Where there is no texture of a kind: 1, and the surface's own normal. */
+/* Makes the texture values. context: the G-buffer. Without a texture of a kind: 1, and the surface's own normal. */
 ZR_INLINED void zr_make_textures(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
                                  const void *context, zr_vf values[ZR_ROWS_MOST])
 {
@@ -123,7 +123,7 @@ ZR_INLINED void zr_make_textures(const struct zr_shader *s, const struct zr_samp
     const zr_vf w = zr_varying_w(in);
     const struct zr_texcoords_v texcoords = zr_texcoords_of(in, zr_first_plane(mask, ZR_VARY_TEXCOORDS), w);
     const struct zr_frame_v frame = {normal, zr_varying3(in, tangent, w), in->planes[tangent + 3][0]};
-    const struct zr_material *done = NULL; /* most often there is one */
+    const struct zr_material *done = NULL; /* usually there is one */
     for (uint32_t i = in->first; i < in->first + in->count; i++) {
         const struct zr_material *material = s->materials[i];
         if (!material || material == done) continue;
