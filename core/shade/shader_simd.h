@@ -17,8 +17,8 @@ struct zr_run {
     uint32_t first, count;
 };
 
-/* State of the kernel. A flat part has a word, others have planes; lines in fog may have either. Part 0 stands for
- * uncovered pixels and belongs to no run. */
+/* State of the kernel. A part has a word if its pixels share one colour, else planes. Part 0 stands for uncovered
+ * pixels and belongs to no run. */
 struct zr_shader {
     const struct zr_geometry *geometry;
     const struct zr_scene_attributes *surfaces;

@@ -1,9 +1,10 @@
-/* dfg.h - shade: how much of a uniform light around it a GGX surface reflects: F0 A + B.
+/* dfg.h - shade: the share of uniform ambient light that a GGX surface reflects: F0 A + B.
  *
- * Table: row i has roughness i / 31, column j the cosine N.V = (j / 31)^2; each has A and B. Between them, bilinear.
- *        With height-correlated Smith and Schlick's Fresnel term; tests/unit/test_split_sum.c integrates every one of
- * them anew, and prints the table. Source: Karis, "Real Shading in Unreal Engine 4", 2013; his polynomial for it is of
- * another Smith term, and A is wrong by up to 0.36 with this one.
+ * Table:  row i has roughness i / 31, column j the cosine N.V = (j / 31)^2; each has A and B. Look-up is bilinear. With
+ *         height-correlated Smith and Schlick's Fresnel term. tests/unit/test_split_sum.c integrates every entry anew
+ *         and prints the table.
+ * Source: Karis, "Real Shading in Unreal Engine 4", 2013. His polynomial is for another Smith term: with this one, A
+ *         would be wrong by up to 0.36.
  */
 #ifndef ZR_DFG_H
 #define ZR_DFG_H

@@ -9,8 +9,8 @@
         (v) * (r), (v) * (g), (v) * (b)                                                                                \
     }
 
-/* A studio: a large soft key above on the left, a strip that tells round metal from flat, a rim behind, and what the
- * floor throws back, without which both sides of a metal cube are one grey. */
+/* A studio: a large soft key light at the upper left, a strip that shows whether metal is round or flat, a rim light
+ * behind, and light from the floor. Without that, both sides of a metal cube have the same grey. */
 static const struct zr_environment_light STUDIO = {
     .sky = TINT(0.40f, 0.98f, 1.0f, 1.03f),
     .ground = TINT(0.15f, 1.03f, 1.0f, 0.97f),
@@ -42,7 +42,7 @@ static const struct zr_environment_light STUDIO = {
                   {-0.0210f, -0.0204f, -0.0196f},
                   {-0.0239f, -0.0233f, -0.0222f}}};
 
-/* A clear day: blue sky, haze at the horizon before and behind, a glow around the sun, which itself is a lamp. */
+/* A clear day: blue sky, haze at the horizon in front and behind, and a glow around the sun, which is itself a lamp. */
 static const struct zr_environment_light OUTDOOR = {
     .sky = {0.34f, 0.52f, 0.84f},
     .ground = {0.30f, 0.27f, 0.22f},

@@ -1,14 +1,13 @@
-/* environment.h - shade: light from all around, as formulas: a gradient, soft boxes, round lobes.
+/* environment.h - shade: ambient light as formulas: a gradient, soft boxes and a round lobe.
  *
  * Space:  the environment's own: y up, z towards the camera.
- * How:    radiance L in a direction d that a surface of GGX roughness alpha gathers, with b^2 = (2 alpha / (1 + 2.2
- * alpha))^2:
+ * How:    radiance L gathered around direction d at GGX roughness alpha, with b^2 = (2 alpha / (1 + 2.2 alpha))^2:
  *
  *             S(x, w)  = 1/2 + 1/2 x / sqrt(x^2 + w^2)          a step, blurred as GGX blurs it
  *             gradient = mix(ground, sky, S(d.y, sqrt(hw^2 + b^2)))
  *             box      = c (S(u + a, w) - S(u - a, w)) (S(v + h, w) - S(v - h, w)) S(d.m, w),  w^2 = w0^2 + b^2
  *             lobe     = c (w0^2 / w^2) / (1 + 2 (1 - d.m) / w^2)^2
- *             L        = mix(gradient + boxes + lobes, E(d), clamp((alpha - 0.2) / 0.6))
+ *             L        = mix(gradient + boxes + lobe, E(d), clamp((alpha - 0.2) / 0.6))
  *
  *         u and v are d along the box's two sides. E is irradiance / pi, a polynomial of harmonics of order 2.
  */
@@ -21,8 +20,8 @@
 enum { ZR_ENVIRONMENT_BOXES = 4, ZR_HARMONICS = 9 };
 
 struct zr_environment_box {
-    zr_vec3 middle;        /* m; any length, and unit where the light is made */
-    zr_vec3 across, along; /* the sides' directions */
+    zr_vec3 middle;        /* m; zr_environment_make makes it a unit vector */
+    zr_vec3 across, along; /* directions of the sides */
     float a, h, w0;
     zr_vec3 color;
 };
@@ -32,13 +31,13 @@ struct zr_environment_light {
     float half_width; /* hw, of the horizon */
     uint32_t box_count;
     struct zr_environment_box boxes[ZR_ENVIRONMENT_BOXES];
-    zr_vec3 lobe; /* its direction; 0: there is none */
+    zr_vec3 lobe; /* direction; 0: none */
     float lobe_width;
     zr_vec3 lobe_color;
-    zr_vec3 harmonics[ZR_HARMONICS]; /* of 1, x, y, z, xy, yz, zx, 3z^2 - 1, x^2 - y^2 */
+    zr_vec3 harmonics[ZR_HARMONICS]; /* factors of 1, x, y, z, xy, yz, zx, 3z^2 - 1, x^2 - y^2 */
 };
 
-/* False for ZR_ENVIRONMENT_NONE. */
+/* Makes an environment's light. Returns false for ZR_ENVIRONMENT_NONE. */
 bool zr_environment_make(enum zr_environment_name name, struct zr_environment_light *out);
 
 #endif

@@ -1,5 +1,4 @@
-/* environment_simd.h - shade: what comes from an environment (environment.h), ZR_LANES directions at once, for kernels.
- */
+/* environment_simd.h - shade: light of an environment (environment.h), ZR_LANES directions at a time, for kernels. */
 #ifndef ZR_ENVIRONMENT_SIMD_H
 #define ZR_ENVIRONMENT_SIMD_H
 
@@ -30,7 +29,7 @@ static inline struct zr_fraction_v zr_between_v(zr_vf x, float half, zr_vf squar
     return (struct zr_fraction_v){p * q_root - q * p_root, p_root * q_root};
 }
 
-/* The three factors have one quotient together. */
+/* Returns a box's share of its colour. The three factors need one division. */
 static inline zr_vf zr_box_share_v(const struct zr_environment_box *box, struct zr_vec3_v d, zr_vf square_blur)
 {
     const zr_vf square_w = square_blur + zr_vf_set(box->w0 * box->w0);
@@ -40,7 +39,7 @@ static inline zr_vf zr_box_share_v(const struct zr_environment_box *box, struct 
     return (zr_vf_set(0.125f) * u.above) * v.above * (m_root + m) / (u.below * v.below * m_root);
 }
 
-/* w0^2 / w^2 / (1 + 2 (1 - d.m) / w^2)^2, with one quotient. */
+/* Returns w0^2 / w^2 / (1 + 2 (1 - d.m) / w^2)^2, with one division. */
 static inline zr_vf zr_lobe_share_v(const struct zr_environment_light *light, struct zr_vec3_v d, zr_vf square_blur)
 {
     const zr_vf square_0 = zr_vf_set(light->lobe_width * light->lobe_width), square_w = square_blur + square_0;
@@ -49,7 +48,7 @@ static inline zr_vf zr_lobe_share_v(const struct zr_environment_light *light, st
     return square_0 * square_w / (sum * sum);
 }
 
-/* E: irradiance / pi. */
+/* Returns E: irradiance / pi. */
 static inline struct zr_vec3_v zr_environment_diffuse_v(const struct zr_environment_light *light, struct zr_vec3_v n)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f), three = zr_vf_set(3.0f);
@@ -61,10 +60,10 @@ static inline struct zr_vec3_v zr_environment_diffuse_v(const struct zr_environm
     return (struct zr_vec3_v){zr_vf_max(sum.x, zero), zr_vf_max(sum.y, zero), zr_vf_max(sum.z, zero)};
 }
 
-/* How a roughness gathers what is around a direction. */
+/* Parameters of gathering, by roughness. */
 struct zr_gathering_v {
-    zr_vf square_blur, share; /* share: of what diffuse surfaces gather, 0 .. 1 */
-    bool is_sharp, is_soft;   /* all lanes have 0, have 1 */
+    zr_vf square_blur, share; /* share: that of E, 0 .. 1 */
+    bool is_sharp, is_soft;   /* share is 0, or 1, in all lanes */
 };
 
 static inline struct zr_gathering_v zr_gathering_of(float alpha)
@@ -74,7 +73,7 @@ static inline struct zr_gathering_v zr_gathering_of(float alpha)
                                    diffuse <= 0.0f, diffuse >= 1.0f};
 }
 
-/* Each lane with its own. */
+/* Returns the parameters at each lane's alpha. */
 static inline struct zr_gathering_v zr_gathering_of_each(zr_vf alpha)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
@@ -84,7 +83,7 @@ static inline struct zr_gathering_v zr_gathering_of_each(zr_vf alpha)
                                    zr_vf_min(zr_vf_max(share, zero), one), false, false};
 }
 
-/* L: radiance around d that a roughness gathers. */
+/* Returns L: the radiance gathered around d. */
 static inline struct zr_vec3_v zr_environment_gathered_v(const struct zr_environment_light *light, struct zr_vec3_v d,
                                                          const struct zr_gathering_v *gathering)
 {
@@ -106,7 +105,7 @@ static inline struct zr_vec3_v zr_environment_gathered_v(const struct zr_environ
                               zr_mix_v(sharp.z, soft.z, share)};
 }
 
-/* The same by its alpha. */
+/* Returns L at one alpha. */
 static inline struct zr_vec3_v zr_environment_specular_v(const struct zr_environment_light *light, struct zr_vec3_v d,
                                                          float alpha)
 {

@@ -4,7 +4,8 @@
 
 #include "base/trig.h"
 
-/* The cosines of KHR_lights_punctual, as a factor and a term of the cosine. Its 0.001 makes narrow cones darker. */
+/* Sets factor and term of the cosine from the cone of KHR_lights_punctual. Its bound 0.001 makes narrow cones
+ * darker. */
 static void set_cone(struct zr_lamp_place *place, const struct zr_light *light)
 {
     double sine, inner, outer;

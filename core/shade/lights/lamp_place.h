@@ -1,10 +1,10 @@
-/* lamp_place.h - shade: lamps that have a place, and how their light falls off, by KHR_lights_punctual.
+/* lamp_place.h - shade: lamps with a position, and their falloff by KHR_lights_punctual.
  *
- * Space:  eye space, counted from the eye (zr_camera_eye), or, where rays of sight are parallel, from its origin: as
- *         points of surfaces are (gbuffer.h).
- * At a distance d, in scene units, from a lamp of the intensity I, and the angle a from its axis, there arrives
+ * Space:  eye space, from the eye (zr_camera_eye), or, with parallel view rays, from its origin, like points of
+ *         surfaces (gbuffer.h).
+ * At distance d, in scene units, from a lamp of intensity I, and at angle a from its axis, the light that arrives is
  *         I / d^2 * max(0, 1 - (d / range)^4) * clamp(angle_scale cos(a) + angle_offset)^2.
- * A point lamp is a spot without an axis, and what has no range has an `end` of 0, so that one loop does for all.
+ * A point lamp is a spot without an axis, and without a range `end` is 0, so one loop handles all.
  */
 #ifndef ZR_LAMP_PLACE_H
 #define ZR_LAMP_PLACE_H
@@ -12,20 +12,21 @@
 #include "scene/camera.h"
 
 struct zr_lamp_place {
-    zr_vec3 position; /* of the lamp */
-    zr_vec3 axis;     /* of a spot: a unit vector against its light; of a point lamp: 0 */
+    zr_vec3 position;
+    zr_vec3 axis; /* of a spot: unit vector against its light; of a point lamp: 0 */
     float angle_scale, angle_offset;
-    float end;   /* 1 / range^2, in the units of eye space */
-    float gain;  /* a distance of 1 in scene units, squared, in those of eye space: 1, but where the view scales */
-    float least; /* squares of distances are this at least, so that what arrives stays below ZR_LAMP_SHARE_MAX */
+    float end;   /* 1 / range^2, in eye space units; 0: no range */
+    float gain;  /* square of a scene unit in eye space units: 1 unless the view scales */
+    float least; /* lower bound of squared distances; keeps the arriving light below ZR_LAMP_SHARE_MAX */
 };
 
-/* Of what arrives: far beyond all that is seen, and far from the end of float, also times the largest exposure. */
+/* Upper bound of the arriving light: beyond all visible values, and far from float's largest, even times the largest
+ * exposure. */
 #define ZR_LAMP_SHARE_MAX 1e20f
-/* Squares of distances at which nothing arrives. */
+/* Squared distance from which on nothing arrives. */
 #define ZR_LAMP_FAR 1e30f
 
-/* `light` has a place. */
+/* Converts a light that has a position. */
 struct zr_lamp_place zr_lamp_place_of(const struct zr_light *light, const struct zr_camera *camera);
 
 #endif

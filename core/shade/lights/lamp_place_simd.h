@@ -1,7 +1,7 @@
-/* lamp_place_simd.h - shade: what arrives from a lamp that has a place (lamp_place.h), at ZR_LANES points; for kernels.
+/* lamp_place_simd.h - shade: light that arrives from a lamp with a position (lamp_place.h), at ZR_LANES points, for
+ * kernels.
  *
- * Exact:  without a range and a cone, the order of operations is that of Mesa's fixed functions with the attenuation
- *         0, 0, 1, to the last bit.
+ * Exact:  without range and cone, equal to the last bit to Mesa's fixed functions with the attenuation 0, 0, 1.
  */
 #ifndef ZR_LAMP_PLACE_SIMD_H
 #define ZR_LAMP_PLACE_SIMD_H
@@ -20,13 +20,13 @@ static inline zr_vf zr_within_1_v(zr_vf v)
     return zr_vf_min(zr_vf_max(v, zr_vf_set(0.0f)), zr_vf_set(1.0f));
 }
 
-/* `point` as in lamp_place.h. */
+/* Returns the light that arrives at `point`, in the space of lamp_place.h. */
 static inline struct zr_arriving_v zr_arriving_from_v(const struct zr_lamp_place *lamp, struct zr_vec3_v point)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
     const struct zr_vec3_v way = zr_minus_v(zr_spread_v(lamp->position), point), unit = zr_normalize_v(way);
     const zr_vf square = zr_dot_v(way, way);
-    /* Not within the lamp itself, either: no direction leads there. */
+    /* Nothing arrives at the lamp's own position, which has no direction to it. */
     const zr_vm reached = zr_vm_and(zr_vf_lt(zero, square), zr_vf_lt(square, zr_vf_set(ZR_LAMP_FAR)));
     const zr_vf near = zr_vf_max(square, zr_vf_set(lamp->least)), of_range = square * zr_vf_set(lamp->end);
     const zr_vf window = zr_within_1_v(one - ZR_MUTANT(range_of_2nd_power, of_range * of_range, of_range));
@@ -39,7 +39,7 @@ static inline struct zr_arriving_v zr_arriving_from_v(const struct zr_lamp_place
     return (struct zr_arriving_v){zr_choose_v(reached, unit, some), zr_vf_select(reached, share, zero)};
 }
 
-/* What arrives from a lamp; `placed`: it may have a place. A constant, lest others pay for the question. */
+/* Returns the light that arrives from a lamp. `placed`, a constant: it may have a position. */
 static inline __attribute__((always_inline)) struct zr_arriving_v zr_arriving_v(const struct zr_lamp *lamp,
                                                                                 struct zr_vec3_v point, bool placed)
 {

@@ -8,7 +8,7 @@ zr_vec3 zr_look_up(const struct zr_scene *scene)
     return scene->picture.z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
 }
 
-/* Of a direction of the world, of any length. */
+/* Converts a world direction of any length to a unit vector in eye space. */
 static zr_vec3 to_eye_space(const zr_mat4 *world_to_eye, zr_vec3 d)
 {
     return zr_vec3_normalize(zr_mat4_direction(world_to_eye, d));
@@ -16,13 +16,14 @@ static zr_vec3 to_eye_space(const zr_mat4 *world_to_eye, zr_vec3 d)
 
 /* ---- environment ---- */
 
-/* What of v is not along a unit vector. */
+/* Returns the part of v that is perpendicular to a unit vector. */
 static zr_vec3 level(zr_vec3 v, zr_vec3 up)
 {
     return zr_vec3_sub(v, zr_vec3_scale(up, zr_vec3_dot(v, up)));
 }
 
-/* Its axes in eye space: y is up, z leads towards the camera, or, seen from straight above, down the picture. */
+/* Computes the environment's axes in eye space: y is up, z points towards the camera. Seen from straight above, z
+ * points down the picture. */
 static void environment_axes(const struct zr_scene *scene, const zr_mat4 *world_to_eye, zr_vec3 axes[3])
 {
     const zr_vec3 back = {0, 0, 1}, down = {0, -1, 0};
@@ -36,7 +37,7 @@ static void environment_axes(const struct zr_scene *scene, const zr_mat4 *world_
     axes[0] = zr_vec3_cross(axes[1], axes[2]);
 }
 
-/* Turned by an angle, it is asked for what lies so far back. */
+/* Computes the rows from eye space to the environment's. A rotation of the environment turns directions backwards. */
 static void turn_environment(const struct zr_scene *scene, const zr_mat4 *world_to_eye, zr_vec3 rows[3])
 {
     zr_vec3 axes[3];
@@ -51,7 +52,7 @@ static void turn_environment(const struct zr_scene *scene, const zr_mat4 *world_
 
 /* ---- lamps ---- */
 
-/* The way that a light travels, or to a hemisphere's sky, in eye space. */
+/* Returns the direction in which a light travels, or that to a hemisphere's sky, in eye space. */
 static zr_vec3 direction_of(const struct zr_light *light, const zr_mat4 *world_to_eye, const zr_vec3 environment[3])
 {
     const zr_vec3 d = light->direction;
@@ -86,7 +87,7 @@ static struct zr_lamp lamp_of(const struct zr_light *light, const struct zr_came
     return lamp;
 }
 
-/* In the order of the scene, but placed ones last. */
+/* Adds the lamps that are or are not placed, in scene order. */
 static void add_lamps(const struct zr_scene *scene, const struct zr_camera *camera, const struct zr_shadow_map *shadows,
                       bool placed, struct zr_lamp *lamps, struct zr_linear_lighting *lighting)
 {

@@ -1,4 +1,4 @@
-/* lamps.h - shade: what a scene says of light -> lighting.h's, in the eye space of a camera. */
+/* lamps.h - shade: converts a scene's lights and environment to the lighting of lighting.h. */
 #ifndef ZR_LAMPS_H
 #define ZR_LAMPS_H
 
@@ -7,15 +7,16 @@
 #include "shade/lights/lighting.h"
 #include "shade/lights/shadow_map.h"
 
-/* The scene's up, unit length, in world space. */
+/* Returns the scene's up direction, unit length, in world space. */
 zr_vec3 zr_look_up(const struct zr_scene *scene);
 
-/* The way that a directional light travels, or to a hemisphere's sky: unit length, in eye space. */
+/* Returns the direction in which a directional light travels, or that to a hemisphere's sky: unit length, in eye
+ * space. */
 zr_vec3 zr_look_light_direction(const struct zr_scene *scene, const struct zr_light *light,
                                 const zr_mat4 *world_to_eye);
 
-/* `shadows`: one a light of the scene, whose depths are NULL where it casts none; or NULL. Points into the arena, to
- * the scene and to `shadows`; fails only with the arena. */
+/* Makes the lighting, which points into the arena, to the scene and to `shadows`. `shadows`: one per light, with depths
+ * NULL if it casts none; or NULL. Fails only with the arena. */
 void zr_linear_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
                              const struct zr_shadow_map *shadows, struct zr_linear_lighting *lighting);
 

@@ -5,7 +5,7 @@ static zr_vec3 upper_row(const zr_mat4 *m, int row)
     return (zr_vec3){m->m[row], m->m[4 + row], m->m[8 + row]};
 }
 
-/* Unit, towards the light; in Mesa's order. */
+/* Returns the unit vector towards a light, summed in Mesa's order. */
 static zr_vec3 to_light_of(const struct zr_light *light, const zr_mat4 *world_to_eye)
 {
     zr_vec3 d = light->direction;
@@ -35,8 +35,8 @@ struct zr_lights zr_lights_make(struct zr_arena *arena, const struct zr_scene *s
     return lights;
 }
 
-/* Cofactors are the inverse transpose times the determinant: of it only the sign
- * matters, since normals are normalised afterwards. */
+/* Cofactors are the inverse transpose times the determinant. Only its sign matters, since normals are normalized
+ * later. */
 struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye)
 {
     zr_vec3 r0 = upper_row(object_to_eye, 0), r1 = upper_row(object_to_eye, 1), r2 = upper_row(object_to_eye, 2);

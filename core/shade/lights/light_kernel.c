@@ -17,20 +17,20 @@ static inline void store(struct zr_vec3_v color, zr_vf alpha, zr_vec4 *out)
     zr_vf_store_fours((float *)out, clamp01(color.x), clamp01(color.y), clamp01(color.z), clamp01(alpha));
 }
 
-/* Of ZR_LANES points, in eye space. */
+/* Returns the unit normals of ZR_LANES points, in eye space. */
 static inline struct zr_vec3_v unit_normals(const struct zr_normal_matrix *to_eye, const zr_vec4 *normals)
 {
     struct zr_vec3_v n;
     zr_vf w;
     zr_vf_load_fours((const float *)normals, &n.x, &n.y, &n.z, &w);
     (void)w;
-    n = zr_normalize_v(n); /* first: a tiny face would underflow below */
+    n = zr_normalize_v(n); /* first, since a tiny face would underflow below */
     n = (struct zr_vec3_v){zr_dot_v(zr_spread_v(to_eye->rows[0]), n), zr_dot_v(zr_spread_v(to_eye->rows[1]), n),
                            zr_dot_v(zr_spread_v(to_eye->rows[2]), n)};
     return zr_normalize_v(n);
 }
 
-/* `placed`, a constant: lamps may have a place; else `points` may be NULL. */
+/* Lights ZR_LANES points. `placed`, a constant: lamps may have a position; else `points` may be NULL. */
 static inline __attribute__((always_inline)) void light_group(const struct zr_lights *lights, bool placed,
                                                               struct zr_vec3_v n, const zr_vec4 *points,
                                                               const zr_vec4 *bases, zr_vec4 *front_out,
@@ -55,8 +55,8 @@ static inline __attribute__((always_inline)) void light_group(const struct zr_li
     store(front, alpha, front_out);
 }
 
-/* Groups of ZR_LANES points. The normals of all are found before any is lit, so that the processor has others to work
- * on while it waits for square roots and quotients: two fifths of the time of lighting. */
+/* Groups of ZR_LANES points. The normals of all are computed before any is lit, so that other work hides the latency of
+ * square roots and divisions: two fifths of the time of lighting. */
 enum { GROUPS = 8 };
 
 static inline void light_groups(const struct zr_lights *lights, const struct zr_normal_matrix *to_eye,
@@ -79,7 +79,7 @@ void ZR_KERNEL(zr_light)(const struct zr_lights *lights, const struct zr_normal_
         light_groups(lights, to_eye, normals + i, bases + i, groups, front + i, back + i);
     }
     if (i == count) return;
-    /* What is left of a group. */
+    /* The incomplete last group. */
     zr_vec4 last_normals[ZR_LANES] = {{0, 0, 0, 0}}, last_bases[ZR_LANES] = {{0, 0, 0, 0}};
     zr_vec4 fronts[ZR_LANES], backs[ZR_LANES];
     const size_t left = (count - i) * sizeof *front;
@@ -90,7 +90,7 @@ void ZR_KERNEL(zr_light)(const struct zr_lights *lights, const struct zr_normal_
     memcpy(front + i, fronts, left); /* last: both may be one array */
 }
 
-/* ---- lights that have a place ---- */
+/* ---- lights with a position ---- */
 
 void ZR_KERNEL(zr_light_placed)(const struct zr_lights *lights, const struct zr_normal_matrix *to_eye,
                                 const zr_vec4 *normals, const zr_vec4 *points, const zr_vec4 *bases, size_t count,

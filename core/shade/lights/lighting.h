@@ -1,7 +1,7 @@
-/* lighting.h - shade: G-buffer -> colours of samples, in linear light, tone mapped, 0..1. A kernel.
+/* lighting.h - shade: lights a G-buffer: colours of samples in linear light, tone mapped, 0..1. A kernel.
  *
  * Space:  eye space. E is irradiance / pi: a white diffuse surface under E = 1 is 1.
- * Models: pbr_simd.h, classic_simd.h. Unlit surfaces, lines and normals as colours are as they are.
+ * Models: pbr_simd.h, classic_simd.h. Unlit surfaces, lines and normals as colours stay unlit.
  */
 #ifndef ZR_LOOK_LIGHTING_H
 #define ZR_LOOK_LIGHTING_H
@@ -12,28 +12,28 @@
 #include "shade/lights/environment.h"
 #include "shade/lights/lamp.h"
 
-/* What is the same for the whole picture. */
+/* Values that are constant over the picture. */
 struct zr_linear_lighting {
     const struct zr_material *materials;
-    struct zr_lights lights; /* colours are E; placed lamps come last */
+    struct zr_lights lights; /* colours are E; lamps with a position come last */
     bool has_environment;
     struct zr_environment_light environment;
     float environment_intensity;
     zr_vec3 eye_to_environment[3]; /* rows */
-    bool is_parallel;              /* all rays of sight are: */
-    zr_vec3 to_eye;                /* a unit vector */
+    bool is_parallel;              /* view rays are parallel */
+    zr_vec3 to_eye;                /* unit vector to the eye, if they are */
     enum zr_tone tone;
     float exposure;
 };
 
-/* Colours of all samples to out[0..2], at the same places; up to 15 more behind each row's end may be looked at, and
- * written. `occlusion`: one a sample, likewise, or NULL. Where nobody is seen: 0. */
+/* Writes the colours of all samples to out[0..2], laid out like the samples. Up to 15 values beyond each row's end may
+ * be read and written. `occlusion`: one per sample, likewise, or NULL. Uncovered samples get 0. */
 typedef void zr_look_light_fn(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples,
                               const float *occlusion, float *const out[3]);
 
 ZR_KERNEL_TABLE(zr_look_light_fn, zr_look_light)
 
-/* What those call where there are lamps that have a place. */
+/* Kernels that those above call if lamps have positions. */
 ZR_KERNEL_TABLE(zr_look_light_fn, zr_look_light_placed)
 
 #endif

@@ -2,7 +2,7 @@
 
 #include "shade/lights/lighting_simd.h"
 
-/* lighting_placed_kernel.c is this once more, with another name. */
+/* lighting_placed_kernel.c includes this file under another kernel name. */
 #ifndef ZR_LIGHTING_KERNEL
 #define ZR_LIGHTING_KERNEL ZR_KERNEL(zr_look_light)
 #endif
@@ -21,19 +21,18 @@ static inline struct zr_vec3_v decode(struct zr_light_cache *cache, struct zr_ve
     return cache->linear;
 }
 
-/* Of a kernel of its own (lighting_textured_kernel.c): in this one, compilers would make less of what has no textures.
- */
+/* Calls a kernel of its own (lighting_textured_kernel.c), since its code here would slow down untextured shading. */
 static struct zr_vec3_v shade_textured(const struct zr_linear_lighting *lighting, const struct zr_material *material,
                                        const struct zr_gbuffer_textures *textures, size_t at,
                                        const struct zr_shading_v *s)
 {
-    const struct zr_shading_v copy = *s; /* so that what others are lit by stays in registers */
+    const struct zr_shading_v copy = *s; /* passed by address, so that *s stays in registers */
     struct zr_vec3_v color;
     ZR_KERNEL(zr_look_textured)(lighting, material, textures, at, &copy, &color);
     return color;
 }
 
-/* One material after the other, of those that are seen. */
+/* Shades the lanes `seen`, one material after the other. */
 static inline struct zr_vec3_v shade_all(const struct zr_linear_lighting *lighting, struct zr_light_cache *cache,
                                          const struct zr_gbuffer_textures *textures, size_t at, zr_vi numbers,
                                          zr_vm seen, const struct zr_shading_v *s)
@@ -55,7 +54,7 @@ static inline struct zr_vec3_v shade_all(const struct zr_linear_lighting *lighti
     return out;
 }
 
-/* Of ZR_LANES samples, some of which are seen. */
+/* Returns the colours of ZR_LANES samples; `seen`: the covered ones. */
 static inline struct zr_vec3_v colors_of(const struct zr_linear_lighting *lighting, struct zr_light_cache *cache,
                                          const struct zr_gbuffer *samples, const float *occlusion, size_t at,
                                          zr_vm seen)
@@ -83,7 +82,7 @@ void ZR_LIGHTING_KERNEL(const struct zr_linear_lighting *lighting, const struct 
     for (int32_t y = 0; y < samples->height; y++) {
         const size_t begin = (size_t)(y * samples->stride), end = begin + (size_t)samples->width;
         for (size_t at = begin; at < end; at += ZR_LANES) {
-            /* What is behind the end was written by nobody: its materials may be none. */
+            /* Values beyond the end are unwritten, and their materials may not exist. */
             const zr_vm within = zr_vm_first((uint32_t)(end - at));
             const zr_vm seen = zr_vm_and(within, zr_vi_lt(zr_vi_set(0), zr_vi_load(samples->owner + at)));
             struct zr_vec3_v color = {zero, zero, zero};

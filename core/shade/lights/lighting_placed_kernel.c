@@ -1,5 +1,5 @@
-/* The kernel of lighting_kernel.c for pictures with lamps that have a place. With code for these in it, that one took a
- * tenth to a quarter longer for other pictures, and twice as long for Gooch's surfaces. */
+/* The kernel of lighting_kernel.c for lamps with positions. In one kernel for both, this code made other pictures a
+ * tenth to a quarter slower, and Gooch's surfaces twice as slow. */
 #define ZR_LIGHTS_PLACED   true
 #define ZR_LIGHTING_KERNEL ZR_KERNEL(zr_look_light_placed)
 

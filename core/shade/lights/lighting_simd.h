@@ -1,4 +1,4 @@
-/* lighting_simd.h - shade: the colours of samples of one material, for the kernels that light them. */
+/* lighting_simd.h - shade: colours of samples of one material, for the lighting kernels. */
 #ifndef ZR_LIGHTING_SIMD_H
 #define ZR_LIGHTING_SIMD_H
 
@@ -7,13 +7,13 @@
 #include "shade/models/pbr_simd.h"
 #include "shade/srgb_color_simd.h"
 
-/* What is kept from vector to vector: most have the colour and the material of the one before. Found anew for every 64
- * samples, it took a sixteenth of the time. */
+/* Values kept from vector to vector, since most vectors have the colour and material of the one before. Recomputed for
+ * every 64 samples, they took a sixteenth of the time. */
 struct zr_light_cache {
     struct zr_vec3_v encoded, linear;
     const struct zr_material *cool_of; /* NULL: none so far */
     struct zr_vec3_v cool;
-    struct zr_dfg_columns columns; /* of the last roughness; less than 0: none so far */
+    struct zr_dfg_columns columns; /* of the last roughness; below 0: none so far */
 };
 
 static inline struct zr_vec3_v zr_exposed(const struct zr_linear_lighting *lighting, struct zr_vec3_v color)
@@ -35,7 +35,7 @@ static inline struct zr_vec3_v zr_cool_of(struct zr_light_cache *cache, const st
     return cache->cool;
 }
 
-/* Samples of one material. Of what has no textures, `cache` has its columns. */
+/* Shades samples of one material. `cache` supplies the columns of untextured ones. */
 ZR_INLINED struct zr_vec3_v zr_shade_v(const struct zr_linear_lighting *lighting, const struct zr_material *material,
                                        struct zr_light_cache *cache, const struct zr_shading_v *s)
 {
@@ -57,7 +57,7 @@ ZR_INLINED struct zr_vec3_v zr_shade_v(const struct zr_linear_lighting *lighting
     }
 }
 
-/* The same of a material that has textures: what these make of the surface at `at` goes before it. */
+/* Shades samples of a material with textures: applies the values at `at` to the surface first. */
 void ZR_KERNEL(zr_look_textured)(const struct zr_linear_lighting *lighting, const struct zr_material *material,
                                  const struct zr_gbuffer_textures *textures, size_t at,
                                  const struct zr_shading_v *plain, struct zr_vec3_v *color);

@@ -1,4 +1,4 @@
-/* Whether there are lamps that have a place is found out here, too: what has textures takes longer anyway. */
+/* Lamps are tested for positions at run time here: textured shading takes longer anyway. */
 #define ZR_LIGHTS_PLACED true
 #include "shade/lights/lighting_simd.h"
 

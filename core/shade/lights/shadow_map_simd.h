@@ -1,23 +1,23 @@
-/* shadow_map_simd.h - shade: how much of a lamp's light reaches points, by its depth map; for kernels. */
+/* shadow_map_simd.h - shade: share of a lamp's light that reaches points, from its depth map, for kernels. */
 #ifndef ZR_SHADOW_MAP_SIMD_H
 #define ZR_SHADOW_MAP_SIMD_H
 
 #include "base/vec3_simd.h"
 #include "shade/lights/shadow_map.h"
 
-/* The texels that are asked: dx^2 + dy^2 <= 12. */
+/* Texels sampled around a point: dx^2 + dy^2 <= 12. */
 enum { ZR_SHADOW_REACH = 3, ZR_SHADOW_TEXELS = 37 };
 _Static_assert((int)ZR_SHADOW_REACH < (int)ZR_SHADOW_BORDER, "from beyond the border, nothing but border is asked");
 
-/* axis . p + offset */
+/* Returns axis . p + offset. */
 static inline zr_vf zr_shadow_along(zr_vec3 axis, struct zr_vec3_v p, float offset)
 {
     const struct zr_vec3_v a = {zr_vf_set(axis.x), zr_vf_set(axis.y), zr_vf_set(axis.z)};
     return zr_dot_v(a, p) + zr_vf_set(offset);
 }
 
-/* The texel that has a place, counted from the border's end. Far away, or no number: one just beyond the map and its
- * border. */
+/* Returns the texel of a map coordinate, counted from the border's outer end. Far away or NaN: one just beyond the map
+ * and its border. */
 static inline zr_vi zr_shadow_texel(zr_vf place)
 {
     const zr_vf least = zr_vf_set(-1.0f), most = zr_vf_set((float)(ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER));
@@ -33,7 +33,7 @@ static inline zr_vi zr_shadow_clamp(zr_vi texel)
     return zr_vi_max(zr_vi_min(texel, last), zr_vi_set(0));
 }
 
-/* The share of the texels around a place that do not lie before a depth. */
+/* Returns the share of texels around x, y that are not in front of a depth. */
 static inline zr_vf zr_shadow_mean_v(const struct zr_shadow_map *map, zr_vi x, zr_vi y, zr_vf depth)
 {
     enum { REACH = ZR_SHADOW_REACH };
@@ -51,8 +51,8 @@ static inline zr_vf zr_shadow_mean_v(const struct zr_shadow_map *map, zr_vi x, z
     return zr_vf_of(lit) / zr_vf_set((float)ZR_SHADOW_TEXELS);
 }
 
-/* Share of a directional lamp's light that reaches points of the G-buffer with unit normals: 0 .. 1, in steps of
- * 1 / 37. The point is moved by the bias along its normal, and by as much against the light. */
+/* Returns the share of a directional lamp's light that reaches points of the G-buffer with unit normals: 0 .. 1, in
+ * steps of 1 / 37. Points are moved by the bias along their normal, and as far towards the lamp. */
 static inline zr_vf zr_shadow_share_v(const struct zr_shadow_map *map, struct zr_vec3_v point, struct zr_vec3_v normal)
 {
     const zr_vf bias = zr_vf_set(map->bias), along = zr_vf_set(map->bias * map->eye_scale);
@@ -63,7 +63,8 @@ static inline zr_vf zr_shadow_share_v(const struct zr_shadow_map *map, struct zr
     return zr_shadow_mean_v(map, x, y, depth);
 }
 
-/* The same of a spot's: the bias grows with the distance, as texels do. What is behind the lamp is anything. */
+/* Returns the share of a spot's light. The bias grows with the distance, as texels do. Behind the lamp, the result is
+ * arbitrary. */
 static inline zr_vf zr_shadow_cone_share_v(const struct zr_shadow_map *map, struct zr_vec3_v point,
                                            struct zr_vec3_v normal)
 {

@@ -1,6 +1,5 @@
-/* classic_simd.h - shade: the textbook's surfaces in linear light (flat, gouraud, phong: flat and smooth ones
- * differ in their normals alone), and Gooch's, for kernels.
- */
+/* classic_simd.h - shade: the textbook's shadings in linear light (flat, gouraud and phong, which differ only in their
+ * normals), and Gooch's, for kernels. */
 #ifndef ZR_CLASSIC_SIMD_H
 #define ZR_CLASSIC_SIMD_H
 
@@ -44,8 +43,8 @@ ZR_INLINED struct zr_vec3_v zr_shade_classic_v(const struct zr_linear_lighting *
     return zr_add_v(zr_mul_v(s->base, zr_add_v(reaching, direct)), shine);
 }
 
-/* From the material's cool colour, on the side that turns away from a lamp above on the left, to the surface's own;
- * creases are darkened. Source: Gooch and others, "A Non-Photorealistic Lighting Model For Automatic Technical
+/* Shades from the material's cool colour, on the side away from a lamp at the upper left, to the surface's own colour.
+ * Creases are darkened. Source: Gooch and others, "A Non-Photorealistic Lighting Model For Automatic Technical
  * Illustration", 1998. */
 ZR_INLINED struct zr_vec3_v zr_shade_gooch_v(struct zr_vec3_v cool, const struct zr_shading_v *s)
 {

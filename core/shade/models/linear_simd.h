@@ -1,4 +1,4 @@
-/* linear_simd.h - shade: what a surface is shaded from, ZR_LANES samples at once, for kernels. */
+/* linear_simd.h - shade: inputs of shading in linear light, ZR_LANES samples at a time, for kernels. */
 #ifndef ZR_LINEAR_SIMD_H
 #define ZR_LINEAR_SIMD_H
 
@@ -8,8 +8,8 @@
 #include "shade/lights/shadow_map_simd.h"
 #include "shade/tone_simd.h"
 
-/* Whether there may be lamps that have a place. A constant, for their code would slow down that of other pictures:
- * there is a kernel for each case. */
+/* True if lamps may have a position. Their code would slow down other pictures, so each case has a kernel of its
+ * own. */
 #ifndef ZR_LIGHTS_PLACED
 #define ZR_LIGHTS_PLACED false
 #endif
@@ -19,15 +19,15 @@ struct zr_shading_v {
     struct zr_vec3_v normal; /* unit */
     struct zr_vec3_v to_eye; /* unit */
     struct zr_vec3_v point;  /* as in the G-buffer */
-    zr_vf ao;                /* ambient occlusion: the share of the light from all around that arrives */
-    /* Of what is textured; else NULL. `base` has its factor already. */
+    zr_vf ao;                /* ambient occlusion: the share of ambient light that arrives */
+    /* Texture values; the factor of `base` is already applied. NULL: untextured. */
     const struct zr_textured_v *textured;
 };
 
 struct zr_textured_v {
     zr_vf roughness, metallic;
-    zr_vf occlusion;           /* another share of that light, which does not depend on what is reflected */
-    struct zr_vec3_v emissive; /* a factor */
+    zr_vf occlusion;           /* another share of ambient light, independent of the reflected colour */
+    struct zr_vec3_v emissive; /* factor */
 };
 
 static inline struct zr_vec3_v zr_three_of(float *const from[3], size_t at)
@@ -35,7 +35,7 @@ static inline struct zr_vec3_v zr_three_of(float *const from[3], size_t at)
     return (struct zr_vec3_v){zr_vf_load(from[0] + at), zr_vf_load(from[1] + at), zr_vf_load(from[2] + at)};
 }
 
-/* From points to the eye. */
+/* Returns unit vectors from points to the eye. */
 static inline struct zr_vec3_v zr_to_eye_v(const struct zr_linear_lighting *lighting, struct zr_vec3_v point)
 {
     if (lighting->is_parallel) return zr_spread_v(lighting->to_eye);
@@ -47,7 +47,7 @@ static inline struct zr_vec3_v zr_mix3_v(struct zr_vec3_v a, struct zr_vec3_v b,
     return (struct zr_vec3_v){zr_mix_v(a.x, b.x, share), zr_mix_v(a.y, b.y, share), zr_mix_v(a.z, b.z, share)};
 }
 
-/* From the ground of a hemisphere to its sky, in a direction. */
+/* Returns the light of a hemisphere in direction d: a mix of ground and sky. */
 static inline struct zr_vec3_v zr_hemisphere_v(const struct zr_lamp *lamp, struct zr_vec3_v d)
 {
     const zr_vf half = zr_vf_set(0.5f), share = half * zr_dot_v(d, zr_spread_v(lamp->to_light));
@@ -55,7 +55,7 @@ static inline struct zr_vec3_v zr_hemisphere_v(const struct zr_lamp *lamp, struc
     return zr_mix3_v(zr_spread_v(lamp->ground), zr_spread_v(lamp->color), up);
 }
 
-/* What arrives from a lamp that is no hemisphere, in its shadows and out of them. */
+/* Returns the light that arrives from a lamp other than a hemisphere, less its shadow. */
 static inline struct zr_arriving_v zr_lit_by_v(const struct zr_lamp *lamp, const struct zr_shading_v *s)
 {
     struct zr_arriving_v arriving = zr_arriving_v(lamp, s->point, ZR_LIGHTS_PLACED);
@@ -67,9 +67,9 @@ static inline struct zr_arriving_v zr_lit_by_v(const struct zr_lamp *lamp, const
     return arriving;
 }
 
-/* Of light from all around, how much reaches a surface that reflects `albedo`: what is bounced between the walls of a
- * crease is no less for being dark there. Source: Jimenez and others, "Practical Realtime Strategies for Accurate
- * Indirect Occlusion", 2016. */
+/* Returns the share of ambient light that reaches a surface of `albedo`: light that bounces between the walls of a
+ * crease brightens it. Source: Jimenez and others, "Practical Realtime Strategies for Accurate Indirect Occlusion",
+ * 2016. */
 static inline zr_vf zr_bounced_v(zr_vf ao, zr_vf albedo)
 {
     albedo = zr_clamp01_v(albedo);

@@ -1,6 +1,6 @@
-/* model.h - shade: how a surface is shaded from what varies over it, ZR_LANES pixels at once; for kernels.
+/* model.h - shade: inputs of the shading models, ZR_LANES pixels at a time; for kernels.
  *
- * Space:  eye space; the normal is that of the side that is seen, of any length.
+ * Space:  eye space; the normal is that of the visible side, of any length.
  * A model is a file in models/, included in models_simd.h, and a row of scene/shadings.h.
  */
 #ifndef ZR_MODEL_H
@@ -10,16 +10,17 @@
 #include "base/vec3_simd.h"
 #include "shade/lights/light.h"
 
-/* What is the same for the whole picture. */
+/* Values that are constant over the picture. */
 struct zr_model_context {
     const struct zr_lights *lighting;
-    bool is_parallel; /* all rays of sight are: */
-    zr_vec3 to_eye;   /* a unit vector */
-    zr_vec3 fog;      /* its colour; of depth d, a surface keeps d slope + start of its own, 0..1 */
+    bool is_parallel; /* view rays are parallel */
+    zr_vec3 to_eye;   /* unit vector to the eye, if they are */
+    zr_vec3 fog;      /* fog's colour; at depth d, a surface keeps the share d slope + start of its own colour, clamped
+                       * to 0..1 */
     float fog_slope, fog_start;
 };
 
-/* Fog as Mesa resolves its state. */
+/* Makes the context. Fog is resolved as in Mesa. */
 static inline struct zr_model_context zr_model_context_of(const struct zr_lights *lighting, zr_vec4 eye,
                                                           const struct zr_fog *fog)
 {
@@ -30,13 +31,13 @@ static inline struct zr_model_context zr_model_context_of(const struct zr_lights
     return context;
 }
 
-/* What varies: the surface's own colour, its normal, and the way from the eye to the point that is seen, of any length.
- */
+/* Values that vary: the surface's own colour, its normal, and the vector from the eye to the visible point, of any
+ * length. */
 struct zr_model_inputs {
     struct zr_vec3_v color, normal, point;
 };
 
-/* What is seen of colours through fog, as GL 2.1 has it: colours are kept within 0..1 before.
+/* Mixes colours, clamped to 0..1, with fog, as in GL 2.1.
  * Exact: Mesa's order. */
 static inline struct zr_vec3_v zr_fogged_v(const struct zr_model_context *context, struct zr_vec3_v color, zr_vf depth)
 {

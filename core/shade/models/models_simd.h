@@ -1,11 +1,11 @@
-/* models_simd.h - shade: the model of each shading, by its row (scene/shadings.h); for the kernel that shades. */
+/* models_simd.h - shade: calls the model of each shading, by its row (scene/shadings.h); for the shading kernel. */
 #ifndef ZR_MODELS_SIMD_H
 #define ZR_MODELS_SIMD_H
 
 #include "shade/models/normals_simd.h"
 #include "shade/models/phong_simd.h"
 
-/* A model is zr_shade_by_NAME, in models/; colours that were made before stay as they are. */
+/* A model is zr_shade_by_NAME, in models/. This one keeps colours that were lit before. */
 static inline struct zr_vec3_v zr_shade_by_colors(const struct zr_model_context *context,
                                                   const struct zr_material *material, const struct zr_model_inputs *in)
 {
@@ -18,7 +18,7 @@ static inline struct zr_vec3_v zr_shade_by_phong(const struct zr_model_context *
                                                  const struct zr_material *material, const struct zr_model_inputs *in)
 {
     if (context->lighting->placed_count == 0) return zr_model_phong(context, material, in);
-    const struct zr_model_inputs copy = *in; /* what is handed over by its address is in no register */
+    const struct zr_model_inputs copy = *in; /* the copy is passed by address, so that *in stays in registers */
     return zr_model_phong_placed(context, material, &copy);
 }
 

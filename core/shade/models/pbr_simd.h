@@ -1,11 +1,11 @@
 /* pbr_simd.h - shade: metals and plastics by base colour, metallic factor and roughness, for kernels.
  *
- * Lamps:  glTF 2.0, appendix B: a mix of Lambert's diffuse and GGX's specular term with height-correlated Smith and
- *         Schlick. A lamp of colour 1 has the irradiance pi at normal incidence.
- * Around: the split sum (dfg.h), and what bounces between the microfacets, so that no energy is lost:
- *         Fss = F0 A + B, Ems = 1 - A - B, Favg = F0 + (1 - F0) / 21, Fms = Fss Favg / (1 - Ems Favg); the colour is
- *         Fss L(R) + (Fms Ems + c (1 - Fss - Fms Ems)) E(N).
- * Source: Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", 2019.
+ * Lamps:   glTF 2.0, appendix B: a mix of Lambert's diffuse and GGX's specular term with height-correlated Smith and
+ *          Schlick. A lamp of colour 1 has the irradiance pi at normal incidence.
+ * Ambient: the split sum (dfg.h), and light that bounces between the microfacets, so that no energy is lost: Fss = F0 A
+ *          + B, Ems = 1 - A - B, Favg = F0 + (1 - F0) / 21, Fms = Fss Favg / (1 - Ems Favg). The colour is Fss L(R) +
+ *          (Fms Ems + c (1 - Fss - Fms Ems)) E(N).
+ * Source:  Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", 2019.
  */
 #ifndef ZR_PBR_SIMD_H
 #define ZR_PBR_SIMD_H
@@ -14,8 +14,8 @@
 #include "shade/lights/dfg.h"
 #include "shade/models/linear_simd.h"
 
-/* The table at one roughness: of each column A and B, and what they have more in the next one, so that a lane loads all
- * it needs at once. The last column is the end of the one before. */
+/* The table at one roughness. Each column has A, B and their differences to the next column, so that a lane needs one
+ * load. The last column serves only as the end of the one before. */
 struct zr_dfg_columns {
     float roughness;
     _Alignas(16) float fours[ZR_SPLIT_SIDE - 1][4];
@@ -54,7 +54,7 @@ static inline void zr_dfg_at_v(const struct zr_dfg_columns *columns, zr_vf facin
     *b = *b + more_b * share;
 }
 
-/* Each lane at its own roughness. */
+/* Looks up A and B at each lane's own roughness. */
 static inline void zr_dfg_at_each_v(zr_vf roughness, zr_vf facing, zr_vf *a, zr_vf *b)
 {
     const zr_vf side = zr_vf_set((float)(ZR_SPLIT_SIDE - 1)), half = zr_vf_set(0.5f);
@@ -76,15 +76,15 @@ static inline void zr_dfg_at_each_v(zr_vf roughness, zr_vf facing, zr_vf *a, zr_
     }
 }
 
-/* A mirror would hardly ever show a lamp, which has no size. */
+/* Least alpha for lamps: a smoother surface would hardly ever reflect a lamp, which has no size. */
 #define ZR_LAMP_ALPHA_LEAST 0.06f
 
-/* What a surface does with light. */
+/* Reflection properties of a surface. */
 struct zr_pbr_v {
-    struct zr_vec3_v diffuse, f0; /* base (1 - metallic); what is reflected at normal incidence */
+    struct zr_vec3_v diffuse, f0; /* base (1 - metallic); reflectance at normal incidence */
     zr_vf facing;                 /* N.V, above 0 */
-    float alpha;                  /* of all lanes; of what is textured, */
-    zr_vf alphas;                 /* each lane's own */
+    float alpha;                  /* of untextured surfaces */
+    zr_vf alphas;                 /* of textured ones, per lane */
 };
 
 static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, const struct zr_shading_v *s)
@@ -101,9 +101,9 @@ static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, co
     return pbr;
 }
 
-/* ---- from all around ---- */
+/* ---- ambient light ---- */
 
-/* One channel: `around` is E and `mirrored` L, as they reach the surface. */
+/* Returns one channel of the reflected ambient light. `around`: E, `mirrored`: L, both as they reach the surface. */
 static inline zr_vf zr_pbr_around_v(zr_vf f0, zr_vf diffuse, zr_vf a, zr_vf b, zr_vf around, zr_vf mirrored)
 {
     const zr_vf one = zr_vf_set(1.0f), single = f0 * a + b, lost = one - a - b;
@@ -169,19 +169,19 @@ ZR_INLINED struct zr_vec3_v zr_pbr_from_around_v(const struct zr_linear_lighting
                               zr_pbr_around_v(pbr->f0.z, pbr->diffuse.z, a, b, around.diffuse.z, around.specular.z)};
 }
 
-/* ---- from lamps ---- */
+/* ---- lamps ---- */
 
-/* The square of the sine between unit vectors, which 1 - cosine^2 has no digits of where that is small. */
+/* Returns the squared sine between unit vectors. 1 - cosine^2 would lose its digits if it is small. */
 static inline zr_vf zr_square_sine_v(struct zr_vec3_v a, struct zr_vec3_v b)
 {
     const struct zr_vec3_v c = zr_cross_v(a, b);
     return zr_dot_v(c, c);
 }
 
-/* Less than `spread` is where H is a unit vector; where light comes from straight behind, H is none. */
+/* Below every spread of a unit vector H. With light from straight behind, H is not a unit vector. */
 #define ZR_GGX_SPREAD_LEAST 1e-6f
 
-/* pi D V, 0 where N.H is not above 0: of alpha^2, and 1 less that, of N.H, and 1 less its square, of N.V and N.L. */
+/* Returns pi D V, or 0 if N.H <= 0. Inputs: alpha^2, 1 - alpha^2, N.H, 1 - (N.H)^2, N.V and N.L. */
 static inline zr_vf zr_ggx_v(zr_vf square, zr_vf rest, zr_vf nh, zr_vf square_sine, zr_vf nv, zr_vf nl)
 {
     const zr_vf spread = zr_vf_max(square_sine + nh * nh * square, zr_vf_set(ZR_GGX_SPREAD_LEAST));
@@ -196,7 +196,7 @@ static inline zr_vf zr_pbr_reflected_v(zr_vf f0, zr_vf diffuse, zr_vf fresnel, z
     return f * specular + (zr_vf_set(1.0f) - f) * diffuse;
 }
 
-/* From a unit vector, of `color` the share that arrives. */
+/* Returns the reflected light of a lamp of which `share` arrives; `to_light` is a unit vector. */
 static inline struct zr_vec3_v zr_pbr_from_v(struct zr_vec3_v to_light, zr_vec3 color, zr_vf share,
                                              const struct zr_pbr_v *pbr, const struct zr_shading_v *s)
 {
@@ -230,7 +230,7 @@ static inline struct zr_vec3_v zr_pbr_from_lamp_v(const struct zr_lamp *lamp, co
 
 /* ---- all ---- */
 
-/* columns: of what is not textured. */
+/* Shades samples of one material. columns: for untextured ones. */
 ZR_INLINED struct zr_vec3_v zr_shade_pbr_v(const struct zr_linear_lighting *lighting,
                                            const struct zr_material *material, const struct zr_dfg_columns *columns,
                                            const struct zr_shading_v *s)

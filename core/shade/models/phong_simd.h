@@ -1,9 +1,10 @@
-/* phong_simd.h - shade: lit pixel by pixel: diffuse as Gouraud's vertices are, and specular as Blinn has it.
+/* phong_simd.h - shade: lighting per pixel: diffuse as for Gouraud's vertices, specular as by Blinn.
  *
- * Exact:  the order of operations is that of shade/lights/light_kernel.c, and, of what is specular, of Mesa's fixed
- * function, but for the power (base/pow_simd.h). The viewer is local: at the eye, or, where rays are parallel, far
- * away. Source: Phong, "Illumination for Computer Generated Pictures", 1975; Blinn, "Models of Light Reflection for
- * Computer Synthesized Pictures", 1977.
+ * Exact:  order of operations as in shade/lights/light_kernel.c, and for the specular term as in Mesa's fixed function,
+ *         except for the power (base/pow_simd.h). The viewer is local: at the eye, or infinitely far if view rays are
+ *         parallel.
+ * Source: Phong, "Illumination for Computer Generated Pictures", 1975; Blinn, "Models of Light Reflection for Computer
+ *         Synthesized Pictures", 1977.
  */
 #ifndef ZR_PHONG_SIMD_H
 #define ZR_PHONG_SIMD_H
@@ -18,7 +19,7 @@ static inline zr_vf zr_not_negative(zr_vf v)
     return zr_vf_max(v, zr_vf_set(0.0f));
 }
 
-/* N.H to the power. */
+/* Returns N.H to the power of the shininess. */
 static inline __attribute__((always_inline)) zr_vf zr_phong_shine_v(const struct zr_material *material,
                                                                     struct zr_vec3_v n, struct zr_vec3_v to_light,
                                                                     struct zr_vec3_v to_eye)
@@ -29,7 +30,7 @@ static inline __attribute__((always_inline)) zr_vf zr_phong_shine_v(const struct
     return zr_pow_v(cosine, zr_vf_set(material->shininess));
 }
 
-/* `placed`, a constant: lamps may have a place. */
+/* Shades. `placed`, a constant: lamps may have a position. */
 static inline __attribute__((always_inline)) struct zr_vec3_v zr_phong_v(const struct zr_model_context *context,
                                                                          const struct zr_material *material,
                                                                          const struct zr_model_inputs *in, bool placed)
@@ -56,7 +57,7 @@ static inline __attribute__((always_inline)) struct zr_vec3_v zr_phong_v(const s
     return sum;
 }
 
-/* Flattened: calls of zr_normalize_v in it would take a twentieth of the time. */
+/* Flattened: calls of zr_normalize_v would take a twentieth of the time. */
 static inline __attribute__((flatten)) struct zr_vec3_v zr_model_phong(const struct zr_model_context *context,
                                                                        const struct zr_material *material,
                                                                        const struct zr_model_inputs *in)
@@ -64,7 +65,7 @@ static inline __attribute__((flatten)) struct zr_vec3_v zr_model_phong(const str
     return zr_phong_v(context, material, in, false);
 }
 
-/* Apart, since its code slows down other shadings. */
+/* Not inlined, since its code slows down other shadings. */
 static __attribute__((noinline)) struct zr_vec3_v zr_model_phong_placed(const struct zr_model_context *context,
                                                                         const struct zr_material *material,
                                                                         const struct zr_model_inputs *in)

@@ -2,7 +2,7 @@
 
 #include "shade/models/linear_simd.h"
 
-/* Of all lanes, which samples of that shading are. */
+/* Returns those of the lanes `seen` that have that shading. */
 static inline zr_vm find_xrays(const struct zr_material *materials, const uint32_t *numbers, zr_vm seen)
 {
     uint32_t bits = 0;
