@@ -9,20 +9,19 @@
 #include "raster/oddeven.h"
 #include "raster/point.h"
 
-/* Triangles, or edges and triangles of shapes: less than a millisecond of work. */
+/* Triangles, or edges and triangles of shapes, between two checks for cancellation: less than a millisecond. */
 enum { PARTS_A_CANCEL_CHECK = 1024 };
 
-/* Blocks of a tile's fragments, or of its small triangles, from which on it keeps words: fewer pixels are
- * sooner painted than set aside and put back, and where there are fewer small triangles they are larger than stamps. A
- * guess, for it counts all threads' and all draws' blocks, whether they are full or have words, or not; only time
- * depends on it. */
+/* Number of blocks of fragments, or of small triangles, from which on a tile keeps early colours. Fewer pixels are
+ * shaded faster than stored and merged; fewer small triangles are larger than stamps. An estimate that affects time
+ * only: it counts the blocks of all threads and draws, full or not, with early colours or without. */
 enum { BLOCKS_WITH_WORDS = 3, SMALL_BLOCKS_WITH_WORDS = 9 };
 
 /* ---- large and wide triangles ---- */
 
 enum { CHOSEN_AT_ONCE = 128 };
 
-/* Triangles that touch the tile, by the nearest depths that they have there. */
+/* Triangles that touch the tile, with their nearest depth there. */
 struct candidates {
     int count;
     float near[CHOSEN_AT_ONCE];
@@ -37,7 +36,7 @@ static int nearest_of(const struct candidates *c)
     return nearest;
 }
 
-/* Nearest first, and only until what is left is hidden: most are never tried sample by sample, nor sorted. */
+/* Draws candidates, the nearest first, until the rest is hidden. Most are then never tested per sample, nor sorted. */
 static void draw_candidates(const struct zr_binned_scene *visible, struct candidates *c, struct zr_tile *tile)
 {
     while (c->count > 0) {
@@ -64,7 +63,8 @@ static void add_candidate(const struct zr_binned_scene *visible, const struct zr
     if (c->count == CHOSEN_AT_ONCE) draw_candidates(visible, c, tile);
 }
 
-/* Those that every tile goes through, and those that are listed in this one: the back of a cube then costs half. */
+/* Draws the large triangles, which every tile tests, and the wide ones that are listed in this tile. With the nearest
+ * first, the back of a cube costs half. */
 static bool draw_wide_ones(const struct zr_binned_scene *visible, uint32_t number, const struct zr_cancel *cancel,
                            struct zr_tile *tile)
 {
@@ -85,18 +85,18 @@ static bool draw_wide_ones(const struct zr_binned_scene *visible, uint32_t numbe
     return true;
 }
 
-/* ---- what is listed ---- */
+/* ---- small and tiny triangles ---- */
 
-/* The next block is asked for before it is needed (a quarter of the time that this takes), and so is what painting will
- * look up first: with a million triangles each pixel has a place in memory of its own (4 % of the time of these). What
- * has its word is not looked up. */
+/* Draws a block of fragments. Prefetches the next block (a quarter of the time that this takes), and the memory that
+ * shading reads first: with a million triangles, each pixel has its own (4 % of their time). Pixels with an early
+ * colour read none. */
 static void draw_fragments(const struct zr_binned_scene *visible, const struct zr_bin_fragments *block,
                            size_t block_size, struct zr_tile *tile)
 {
     const struct zr_geometry *geometry = visible->geometry;
     const bool has_words = tile->has_words;
     const uint32_t first_number = block->first_owner - 1;
-    const struct zr_draw *draw = zr_draw_of(geometry, first_number); /* of most of them */
+    const struct zr_draw *draw = zr_draw_of(geometry, first_number); /* the draw of most of them */
     const struct zr_prepaint *payload = visible->payloads ? &visible->payloads[draw - geometry->draws] : NULL;
     const size_t step = payload ? payload->step : 0;
     const uintptr_t first = payload ? payload->first + step * (first_number - draw->first) : (uintptr_t)block;
@@ -112,11 +112,11 @@ static void draw_fragments(const struct zr_binned_scene *visible, const struct z
     }
 }
 
-/* Where blocks are full, a whole number of groups, whatever the instruction set. */
+/* If blocks are full, a whole number of groups for any instruction set. */
 enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_A_BLOCK };
 
-/* To the tile, or to its lists. From all lists of numbers in one array, so that the kernel has whole groups, and sees
- * what is to come. */
+/* Draws small triangles to the tile or to its lists. Numbers from all lists are collected in one array, so that the
+ * kernel has whole groups and can prefetch. */
 static bool put_small_ones(const struct zr_binned_scene *visible, const struct zr_bins *bins, uint32_t number,
                            const struct zr_cancel *cancel, struct zr_tile *tile)
 {
@@ -144,7 +144,7 @@ static void draw_tiny_ones(const struct zr_binned_scene *visible, uint32_t numbe
             draw_fragments(visible, (const struct zr_bin_fragments *)b, bins->fragments_size, tile);
 }
 
-/* ---- what is listed, of what is see-through ---- */
+/* ---- fragments of masked and blended triangles ---- */
 
 static void list_wide(const struct zr_binned_scene *visible, const struct zr_wide *wide, struct zr_tile *tile)
 {
@@ -204,7 +204,7 @@ static void draw_other(const struct zr_binned_scene *visible, const struct zr_dr
     }
 }
 
-/* As every algorithm has them: triangles, too, are polygons of any shape here. */
+/* Lists a primitive as every algorithm does: triangles, too, are polygons of any shape here. */
 static void list_other(const struct zr_binned_scene *visible, const struct zr_draw *draw, uint32_t number,
                        struct zr_tile *tile)
 {
@@ -275,7 +275,7 @@ static bool any_listed(const struct zr_misc_bins *others, uint32_t number)
 
 /* ---- a tile ---- */
 
-/* Besides large and wide triangles. */
+/* Returns true if the tile has primitives other than large and wide triangles. */
 static bool has_more(const struct zr_mode_bins *sorted, uint32_t number)
 {
     const struct zr_bins *bins = &sorted->bins;
@@ -298,7 +298,7 @@ static bool has_any(const struct zr_visibility *visibility, uint32_t number, enu
     return has_more(sorted, number);
 }
 
-/* Whether words are kept: there are enough of them to earn that, and nothing is drawn over them. */
+/* Returns true if keeping early colours pays: there are enough of them, and no other primitive is drawn over them. */
 static bool keeps_words(const struct zr_mode_bins *sorted, uint32_t number)
 {
     const struct zr_bins *bins = &sorted->bins;
@@ -324,7 +324,7 @@ static bool draw_tile(const struct zr_visibility *visibility, uint32_t number, c
         zr_tile_begin(tile, base, visible->width, visible->height);
     else
         visible->halfspace->begin(tile);
-    /* The largest first: they hide most, and they alone can leave blocks unwritten. */
+    /* The largest first: they hide most, and only they can leave blocks unwritten. */
     if (!draw_wide_ones(visible, number, cancel, tile)) return false;
     if (!has_more(opaque, number) && zr_tile_has_whole_blocks(tile)) return true;
     visible->halfspace->flush(tile);
@@ -347,7 +347,7 @@ static bool list_fragments(const struct zr_visibility *visibility, uint32_t numb
     return draw_others(visible, &sorted->others, number, cancel, tile);
 }
 
-/* ---- sorting ---- */
+/* ---- binning ---- */
 
 enum zr_status zr_binned_scene_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
                                     const struct zr_prepaint *payloads, uint32_t width, uint32_t height,

@@ -1,6 +1,7 @@
-/* binned_scene.h - raster: production's visibility: primitives sorted into tiles, and each tile drawn by half-spaces.
+/* binned_scene.h - raster: production's visibility: primitives are binned by tile, and each tile is drawn by
+ * half-spaces.
  *
- * Blocks of a tile may stay known and not written (zr_tile.unwritten).
+ * Blocks of a tile may stay unwritten (zr_tile.unwritten).
  */
 #ifndef ZR_BINNED_SCENE_H
 #define ZR_BINNED_SCENE_H
@@ -11,13 +12,13 @@
 #include "raster/small.h"
 #include "raster/visibility.h"
 
-/* Primitives of materials of one mode, sorted into tiles. */
+/* Primitives of one alpha mode, binned by tile. */
 struct zr_mode_bins {
     struct zr_bins bins;
     struct zr_misc_bins others;
 };
 
-/* The geometry of a window, sorted by mode and tile. */
+/* The geometry of a window, binned by alpha mode and tile. */
 struct zr_binned_scene {
     struct zr_visibility visibility;
     const struct zr_geometry *geometry;
@@ -29,8 +30,8 @@ struct zr_binned_scene {
     struct zr_mode_bins sorted[ZR_ALPHA_COUNT];
 };
 
-/* Sorts the geometry into tiles. payloads: one per draw; NULL: none. Counts what became of draws that are not
- * `counted`. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+/* Bins the geometry. payloads: one per draw; NULL: none. Adds the counts of draws that are not `counted`. Returns
+ * ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_binned_scene_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
                                     const struct zr_prepaint *payloads, uint32_t width, uint32_t height,
                                     const struct zr_base *base, const struct zr_cancel *cancel,

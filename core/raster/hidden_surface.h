@@ -1,4 +1,4 @@
-/* hidden_surface.h - raster, the whole floor: primitives -> visibility, by the algorithm that the scene names. */
+/* hidden_surface.h - raster: makes the visibility of a window by the scene's algorithm. */
 #ifndef ZR_HIDDEN_SURFACE_H
 #define ZR_HIDDEN_SURFACE_H
 
@@ -6,10 +6,11 @@
 #include "raster/prepaint.h"
 #include "raster/visibility.h"
 
-/* Decides the geometry's window by the algorithm, or prepares to. payloads: one per draw, for ZR_ALGORITHM_HALFSPACE
- * alone; NULL: none. listed: the modes whose fragments will be asked for. `base` may be NULL. Points into the arena, to
- * the geometry, the payloads and the base. ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY, ZR_BAD_SCENE beyond the painter's limit of
- * work, or ZR_INTERNAL if an algorithm finds itself wrong. */
+/* Decides the visibility of the geometry's window, or prepares to decide it tile by tile. payloads: one per draw, only
+ * for ZR_ALGORITHM_HALFSPACE; NULL: none. listed: alpha modes whose fragments will be requested. `base` may be NULL.
+ * *visibility points into the arena, to the geometry, the payloads and the base. Returns ZR_OK, ZR_CANCELLED,
+ * ZR_NO_MEMORY, ZR_BAD_SCENE beyond the painter's limit of work, or ZR_INTERNAL if an algorithm fails its own
+ * checks. */
 enum zr_status zr_visibility_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
                                   enum zr_algorithm algorithm, const struct zr_prepaint *payloads,
                                   const bool listed[ZR_ALPHA_COUNT], const struct zr_base *base,

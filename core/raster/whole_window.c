@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* A tile's start: its depths, and no owners. */
+/* Copies a tile's initial depths to the window and clears its owners. */
 static void begin_rows(struct zr_samples *samples, const struct zr_tile *tile)
 {
     for (int32_t row = 0; row < tile->height; row++) {
@@ -57,7 +57,7 @@ void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struc
     tile->is_empty = tile->has_words = false;
     tile->knows_owners = false;
     tile->unwritten = 0;
-    memset(tile->owner, 0, sizeof tile->owner); /* beyond the window, too */
+    memset(tile->owner, 0, sizeof tile->owner); /* also beyond the window */
     for (int32_t row = 0; row < tile->height; row++) {
         size_t at = (size_t)(tile->y + row) * samples->width + (size_t)tile->x;
         memcpy(&tile->depth[row * ZR_TILE_STRIDE], samples->depth + at, (size_t)tile->width * sizeof *samples->depth);
@@ -79,14 +79,15 @@ static bool load_tile(const struct zr_visibility *visibility, uint32_t number, c
     return !zr_is_cancelled(cancel);
 }
 
-/* Lists are the window's: any tile may have some. */
+/* Lists belong to the window: any tile may have some. */
 static bool has_any(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode)
 {
     (void)number;
     return mode == ZR_ALPHA_OPAQUE || window_of(visibility)->lists[mode].ends;
 }
 
-/* Keys are sorted by depth: the first that is not in front of the tile's sample ends the list. */
+/* Copies the fragments in front of the tile's samples. Keys are sorted by depth, so the first that is not in front ends
+ * the list. */
 static bool load_fragments(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode,
                            const struct zr_cancel *cancel, struct zr_tile *tile)
 {

@@ -1,42 +1,42 @@
-/* algorithms.h - raster: the textbooks' hidden-surface algorithms, beside production's.
+/* algorithms.h - raster: the textbooks' hidden-surface algorithms, besides production's.
  *
- * Each is a zr_visibility_fn in a file of its own, whose head names its
- * source. No two of these four find an edge's crossings with the rows of samples in the same
- * way: one division a row, steps of whole columns and parts, a walk by the sign of an integer,
- * bisection. (Production's half-spaces look for none, and its oddeven.c divides too, in code of
- * its own.) All ways are exact: integers only, one rule (primitive.h), the same samples.
+ * Each is a zr_visibility_fn in a file of its own, which names its source. No two of these four find the crossings of
+ * edges with rows of samples in the same way: one division per row, steps of whole columns and fractions, a walk by the
+ * sign of an integer, bisection. (Production's half-spaces find none, and its oddeven.c divides too, in code of its
+ * own.) All ways are exact: integers only, one rule (primitive.h), the same samples.
  */
 #ifndef ZR_ALGORITHMS_H
 #define ZR_ALGORITHMS_H
 
 #include "raster/samples.h"
 
-/* Draws the primitives that they take into samples that have been cleared: no owner, and the depth below which
- * something is seen; or into their lists. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter's also ends
- * with ZR_BAD_SCENE beyond its limit of work, and could find its own proof wrong, ZR_INTERNAL. All of the geometry's
- * draws are `counted`. */
+/* Draws the primitives that `samples` takes into cleared samples, which have no owner and the depth that a visible
+ * fragment must be less than; or adds fragments to their lists. One thread. Returns ZR_OK, ZR_CANCELLED or
+ * ZR_NO_MEMORY; the painter also ZR_BAD_SCENE beyond its limit of work, and ZR_INTERNAL if its proof failed. All of the
+ * geometry's draws are `counted`. */
 typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_geometry *geometry,
                                         const struct zr_cancel *cancel, struct zr_samples *samples);
 
-/* NULL for ZR_ALGORITHM_HALFSPACE, which works in tiles. */
+/* Returns the algorithm; NULL for ZR_ALGORITHM_HALFSPACE, which works by tiles. */
 zr_visibility_fn *zr_visibility_of(enum zr_algorithm algorithm);
 
 zr_visibility_fn zr_edgelist, zr_trapezoid, zr_scanline, zr_painter;
 
-/* Spans and samples that the painter compares or cuts, and pieces that it passes, at most: some 20 s of one core. */
+/* The painter's limit of work: spans and samples compared or cut, and pieces passed. Some 20 s of one core. */
 #define ZR_PAINTER_WORK_MAX UINT64_C(2500000000)
 
-/* The painter with another limit; ZR_BAD_SCENE beyond it. */
+/* The painter with another limit of work. Returns ZR_BAD_SCENE beyond it. */
 enum zr_status zr_painter_within(struct zr_arena *arena, const struct zr_geometry *geometry, uint64_t work_max,
                                  const struct zr_cancel *cancel, struct zr_samples *samples);
 
-/* Of all that has pixels in its box. */
+/* Primitives whose boxes contain pixels. */
 struct zr_primitives {
     uint32_t count;
-    struct zr_primitive *items; /* in the order of the scene */
+    struct zr_primitive *items; /* in scene order */
 };
 
-/* For those who look at all primitives at once: those that the samples take. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+/* Makes all primitives that `samples` takes, for algorithms that need them at once. Returns ZR_OK, ZR_CANCELLED or
+ * ZR_NO_MEMORY. */
 enum zr_status zr_primitives_make(struct zr_arena *arena, const struct zr_geometry *geometry,
                                   const struct zr_samples *samples, const struct zr_cancel *cancel,
                                   struct zr_primitives *primitives);

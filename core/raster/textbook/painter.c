@@ -1,25 +1,21 @@
-/* painter.c - raster: from back to front, each over what is there, without a z-buffer: the depth
- * sort of Newell, Newell & Sancha ("A Solution to the Hidden Surface Problem", Proc. ACM
- * National Conference, 1972; Sutherland, Sproull & Schumacker, "A Characterization of
- * Ten Hidden-Surface Algorithms", 1974).
+/* painter.c - raster: paints from back to front without a z-buffer: the depth sort of Newell, Newell & Sancha ("A
+ * Solution to the Hidden Surface Problem", Proc. ACM National Conference, 1972; Sutherland, Sproull & Schumacker, "A
+ * Characterization of Ten Hidden-Surface Algorithms", 1974).
  *
- * Pieces are listed from the farthest on. The first is painted where it hides nothing of those
- * behind it in the list that reach as far back as it does: because their boxes are apart, or
- * because where they overlap it is nowhere the nearer. Where it hides one, that one
- * has to be painted first, and is tried in its place. So a chain of pieces grows, of which each is
- * hidden in part by the one before. Two that are each the nearer somewhere are cut; and so is a
- * chain that comes back to one of its own pieces.
+ * Pieces are listed from the farthest on. The first is painted if it hides nothing of the later ones that overlap its
+ * range of depths: their boxes are apart, or it is nearer at none of their common samples. A piece that it hides has to
+ * be painted first and is tried in its place. So a chain of pieces grows, each partly hidden by the one before. If each
+ * of two pieces is nearer somewhere, one is cut. A chain that returns to one of its own pieces is cut, too.
  *
- * Exact: pieces are sets of samples (piece.h), so no cut is rounded. At one sample an order
- * is total: depth, and then the number of the primitive. In a chain C1 .. Ck that comes back to C1,
- * each hides the next wherever both are, and Ck hides C1: were each within the next, and Ck
- * within C1, all would be the same samples, and at each of them the order would go round. So one
- * reaches beyond the next and is cut into what is inside of it and what is not.
- * Every cut leaves two parts that are not empty; so it ends.
+ * Exact: pieces are sets of samples (piece.h), so no cut is rounded. The order at one sample is total: depth, then the
+ *        number of the primitive. In a chain C1 .. Ck that returns to C1, each hides the next wherever both are, and Ck
+ *        hides C1. If each were contained in the next, and Ck in C1, all would be the same samples, and the order at
+ *        each would be cyclic. So some piece extends beyond the next, and is cut into its parts inside and outside of
+ *        that. Every cut leaves two parts that are not empty, so the algorithm ends.
  *
- * Cost: what overlaps in depth is compared two by two, so a scene whose polygons all reach
- * through one range of depths takes time by the square of their number, and more with cuts. The number of polygons
- * does not predict the time, so work is counted and limited.
+ * Cost: pieces that overlap in depth are compared two by two. If all polygons of a scene overlap in depth, time grows
+ *       with the square of their number, and more with cuts. The number of polygons does not predict the time, so work
+ *       is counted and limited.
  */
 #include <assert.h>
 
@@ -29,16 +25,16 @@ enum { PIECES_A_CANCEL_CHECK = 4096 };
 
 struct painting {
     struct zr_pieces pieces;
-    uint32_t ranks;   /* 1 .. ranks - 1 */
+    uint32_t ranks;   /* ranks in use: 1 .. ranks - 1 */
     uint32_t *firsts; /* by rank: its first piece in the list; 0: all are painted */
-    uint32_t *skips;  /* by rank without a piece: a higher one, with none in between that has one */
-    uint32_t *chain;  /* pieces that are tried, each hidden in part by the one before */
+    uint32_t *skips;  /* by rank without a piece: a higher rank, with no piece in between */
+    uint32_t *chain;  /* pieces under test, each partly hidden by the one before */
     uint32_t length, room;
 };
 
 /* ---- the list ---- */
 
-/* Merges the ordered items begin .. middle - 1 and middle .. end - 1; the farther comes first. */
+/* Merges the ordered items begin .. middle - 1 and middle .. end - 1, the farthest first. */
 static void merge(const struct zr_piece *from, struct zr_piece *to, uint32_t begin, uint32_t middle, uint32_t end)
 {
     uint32_t a = begin, b = middle;
@@ -46,7 +42,7 @@ static void merge(const struct zr_piece *from, struct zr_piece *to, uint32_t beg
         to[i] = b == end || (a < middle && from[a].far >= from[b].far) ? from[a++] : from[b++];
 }
 
-/* A merge sort from below, so that neighbours in the list are neighbours in memory. */
+/* Sorts pieces by a bottom-up merge sort, so that neighbours in the list are neighbours in memory. */
 static bool sort(struct zr_pieces *pieces)
 {
     struct zr_piece *from = pieces->items, *to = zr_arena_alloc(pieces->arena, pieces->room, sizeof *to);
@@ -86,20 +82,20 @@ static bool make_list(struct painting *painting)
     return true;
 }
 
-/* The first piece in the list whose rank is not below `rank`, or 0. */
+/* Returns the first piece in the list whose rank is not below `rank`, or 0. */
 static uint32_t first_from(struct painting *painting, uint32_t rank)
 {
     uint32_t found = rank;
     while (found < painting->ranks && painting->firsts[found] == 0)
         found = painting->skips[found];
-    for (uint32_t next; rank < found; rank = next) { /* the shorter way for the next time */
+    for (uint32_t next; rank < found; rank = next) { /* path compression */
         next = painting->skips[rank];
         painting->skips[rank] = found;
     }
     return found < painting->ranks ? painting->firsts[found] : 0;
 }
 
-/* Makes b follow a; 0 for either is the list's end. */
+/* Links a before b; 0 for either is the list's end. */
 static void link_up(struct zr_piece *items, uint32_t a, uint32_t b)
 {
     if (a > 0) items[a].next = b;
@@ -114,7 +110,7 @@ static void take_out(struct painting *painting, uint32_t piece)
     link_up(items, items[piece].previous, next);
 }
 
-/* Parts take the place of the whole. */
+/* Replaces a piece by its parts. */
 static void put_in_place(struct painting *painting, uint32_t whole, uint32_t first, uint32_t second)
 {
     struct zr_piece *items = painting->pieces.items;
@@ -149,7 +145,7 @@ static void shorten(struct painting *painting, uint32_t length)
         painting->pieces.items[painting->chain[--painting->length]].in_chain = false;
 }
 
-/* The last piece hides nothing of the rest. */
+/* Paints the last piece of the chain, which hides nothing of the rest. */
 static void paint_last(struct painting *painting)
 {
     uint32_t piece = painting->chain[painting->length - 1];
@@ -159,8 +155,8 @@ static void paint_last(struct painting *painting)
     zr_pieces_free(&painting->pieces, piece);
 }
 
-/* Cuts the piece at `place` of the chain by another. The chain ends before it, and the part that may be
- * hidden comes first in the list. */
+/* Cuts the piece at `place` of the chain by another. The chain then ends before it, and the part that may be hidden
+ * comes first in the list. */
 static bool cut(struct painting *painting, uint32_t place, uint32_t other, bool nearer)
 {
     uint32_t piece = painting->chain[place], inside, rest;
@@ -171,7 +167,7 @@ static bool cut(struct painting *painting, uint32_t place, uint32_t other, bool 
     return true;
 }
 
-/* The last piece hides a part of `start`, with which the chain has come round. */
+/* Cuts a chain whose last piece hides a part of `start`, a piece of the chain. */
 static enum zr_status cut_cycle(struct painting *painting, uint32_t start)
 {
     struct zr_pieces *pieces = &painting->pieces;
@@ -182,7 +178,7 @@ static enum zr_status cut_cycle(struct painting *painting, uint32_t start)
         if (zr_is_cancelled(pieces->cancel)) return ZR_CANCELLED;
         if (overlap.nearer < pieces->items[piece].size)
             return cut(painting, place, hidden, false) ? ZR_OK : ZR_NO_MEMORY;
-        assert(piece != start); /* as the head of this file shows: one before reaches beyond the next */
+        assert(piece != start); /* the head of this file shows that some piece extends beyond the next */
         hidden = piece;
     }
     return ZR_INTERNAL;
@@ -195,7 +191,7 @@ static bool boxes_overlap(const struct zr_piece *p, const struct zr_piece *q)
     return p->min_x <= q->max_x && q->min_x <= p->max_x && p->min_y <= q->max_y && q->min_y <= p->max_y;
 }
 
-/* A piece that the last of the chain hides in part, or 0. What it is clear of is not looked at again. */
+/* Returns a piece that the last of the chain partly hides, or 0. Pieces that it is clear of are not compared again. */
 static uint32_t find_hidden(struct painting *painting, struct zr_overlap *overlap)
 {
     struct zr_pieces *pieces = &painting->pieces;
