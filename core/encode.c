@@ -41,7 +41,7 @@ static enum zr_status encode_color(const struct encoding *e, struct zr_buffer *o
                          .width = e->frame->width,
                          .height = e->frame->height,
                          .pixels = e->frame->color,
-                         .reaches = e->frame->reaches,
+                         .spans = e->frame->spans,
                          .compress = e->scene->compress};
     return zr_png_write(&png, e->team, e->cancel, out);
 }
@@ -63,7 +63,7 @@ static enum zr_status encode_normals(const struct encoding *e, struct zr_buffer 
                                .width = frame->width,
                                .height = frame->height,
                                .pixels = colors,
-                               .reaches = frame->reaches,
+                               .spans = frame->spans,
                                .compress = e->scene->compress};
     return zr_png_write(&png, e->team, e->cancel, out);
 }
@@ -80,7 +80,7 @@ static enum zr_status encode_depth16(struct encoding *e, float asked_scale, stru
                                .width = frame->width,
                                .height = frame->height,
                                .rows = zr_depth16_rows(&depth16),
-                               .reaches = frame->reaches,
+                               .spans = frame->spans,
                                .text = comment,
                                .compress = e->scene->compress};
     const enum zr_status status = zr_png_write(&png, e->team, e->cancel, out);

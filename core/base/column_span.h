@@ -17,12 +17,12 @@ static inline struct zr_column_span zr_column_span_join(struct zr_column_span a,
     return (struct zr_column_span){a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
 }
 
-/* Returns the span of rows y - 1 and y. `reaches`: one span per row, or NULL: every span is the whole width. */
-static inline struct zr_column_span zr_column_span_of_rows(const struct zr_column_span *reaches, uint32_t y,
+/* The span of rows y - 1 and y. `spans`: one span per row, or NULL: every span is the whole width. */
+static inline struct zr_column_span zr_column_span_of_rows(const struct zr_column_span *spans, uint32_t y,
                                                            uint32_t width)
 {
-    if (!reaches || y == 0) return (struct zr_column_span){0, width};
-    return zr_column_span_join(reaches[y - 1], reaches[y]);
+    if (!spans || y == 0) return (struct zr_column_span){0, width};
+    return zr_column_span_join(spans[y - 1], spans[y]);
 }
 
 #endif

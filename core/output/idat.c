@@ -82,7 +82,7 @@ static struct zr_adler filter_rows(const struct job *job, const struct lane *lan
     struct zr_adler sum = {0, 0};
     for (uint32_t y = begin; y < end; y++) {
         const uint8_t *row = row_at(image, lane, y, false);
-        zr_filter_row(image->layout, row, above, image->width, zr_column_span_of_rows(image->reaches, y, image->width),
+        zr_filter_row(image->layout, row, above, image->width, zr_column_span_of_rows(image->spans, y, image->width),
                       out, &sum);
         out += filtered_size(image, 1);
         above = row;

@@ -17,7 +17,7 @@ struct zr_idat_image {
     uint32_t width, height; /* at least 1 */
     const uint8_t *pixels;  /* consecutive rows without gaps; NULL: use `rows` */
     struct zr_rows rows;
-    const struct zr_column_span *reaches; /* per row: all pixels outside of it are equal. NULL: unknown */
+    const struct zr_column_span *spans; /* per row: all pixels outside of it are equal. NULL: unknown */
 };
 
 /* Calls take(context, bytes, size) for each part, in order, on the calling thread; it may leave by longjmp. Returns

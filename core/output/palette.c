@@ -143,13 +143,13 @@ static bool map_span(struct set *set, const uint8_t *row, uint32_t begin, uint32
 }
 
 static bool map(struct set *set, const uint8_t *pixels, uint32_t width, uint32_t height,
-                const struct zr_column_span *reaches, uint8_t *indices)
+                const struct zr_column_span *spans, uint8_t *indices)
 {
     const size_t stride = (size_t)width * 4;
     for (uint32_t y = 0; y < height; y++) {
         const uint8_t *row = pixels + y * stride;
         uint8_t *out = indices + (size_t)y * width;
-        struct zr_column_span span = zr_column_span_of_rows(reaches, y, width);
+        struct zr_column_span span = zr_column_span_of_rows(spans, y, width);
         if (y > 0) span = zr_filter_reach(ZR_LAYOUT_RGBA, row, row - stride, span);
         if (span.begin < span.end && !map_span(set, row, span.begin, span.end, out)) return false;
         if (y == 0) continue;
@@ -160,7 +160,7 @@ static bool map(struct set *set, const uint8_t *pixels, uint32_t width, uint32_t
 }
 
 bool zr_palette_make(struct zr_palette *palette, struct zr_arena *arena, const uint8_t *pixels, uint32_t width,
-                     uint32_t height, const struct zr_column_span *reaches, bool opaque)
+                     uint32_t height, const struct zr_column_span *spans, bool opaque)
 {
     struct set set;
     set_init(&set, opaque);
@@ -168,7 +168,7 @@ bool zr_palette_make(struct zr_palette *palette, struct zr_arena *arena, const u
     put_in_order(&set);
     size_t count = (size_t)width * height;
     palette->indices = zr_arena_alloc(arena, count + GROUP, 1);
-    if (!palette->indices || !map(&set, pixels, width, height, reaches, palette->indices)) return false;
+    if (!palette->indices || !map(&set, pixels, width, height, spans, palette->indices)) return false;
     palette->count = set.count;
     palette->transparent = 0;
     for (size_t i = 0; i < SLOTS; i++) {

@@ -21,11 +21,11 @@ struct zr_palette {
     uint8_t *indices;                  /* one per pixel */
 };
 
-/* Makes the palette of RGBA pixels; with `opaque`, alpha counts as 255. `reaches` as in zr_png, or NULL. Returns false
+/* Makes the palette of RGBA pixels; with `opaque`, alpha counts as 255. `spans` as in zr_png, or NULL. Returns false
  * if there are more than ZR_PALETTE_MAX colours, which a few thousand pixels show for most pictures, or if the arena
  * failed. */
 bool zr_palette_make(struct zr_palette *palette, struct zr_arena *arena, const uint8_t *pixels, uint32_t width,
-                     uint32_t height, const struct zr_column_span *reaches, bool opaque);
+                     uint32_t height, const struct zr_column_span *spans, bool opaque);
 
 /* Returns the number of colours, or ZR_PALETTE_MAX + 1 if there are more. */
 uint32_t zr_palette_count(const uint8_t *pixels, size_t count, bool opaque);

@@ -121,7 +121,7 @@ static enum zr_status write_fast(png_structp png, png_infop info, const struct w
 {
     struct zr_buffer *out = png_get_io_ptr(png);
     const struct zr_idat_image image = {layout_of(w), w->image->width, w->image->height,
-                                        pixels_of(w), w->image->rows,  w->image->reaches};
+                                        pixels_of(w), w->image->rows,  w->image->spans};
     write_head(png, info, w);
     enum zr_status status = zr_idat_make(&image, out->arena, team, w->cancel, write_part, png);
     /* Not png_write_end, which requires that libpng wrote the pixels. */
@@ -195,7 +195,7 @@ enum zr_status zr_png_write(const struct zr_png *image, struct zr_team *team, co
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
     if (image->width < 1 || image->height < 1 || image->width > ZR_IDAT_WIDTH_MAX) return ZR_INTERNAL;
     if (image->kind != ZR_PNG_GREY16 && zr_palette_make(&palette, out->arena, image->pixels, image->width,
-                                                        image->height, image->reaches, image->kind == ZR_PNG_RGB))
+                                                        image->height, image->spans, image->kind == ZR_PNG_RGB))
         w.palette = &palette;
     return zr_arena_ok(out->arena) ? write_file(&w, team, out) : ZR_NO_MEMORY;
 }

@@ -28,11 +28,10 @@ enum zr_png_kind {
 struct zr_png {
     enum zr_png_kind kind;
     uint32_t width, height;
-    const void *pixels;  /* NULL: use `rows` */
-    struct zr_rows rows; /* ZR_PNG_GREY16 only */
-    const struct zr_column_span
-        *reaches;     /* per row: all pixels outside of it are equal, over all rows. NULL: unknown */
-    const char *text; /* ASCII comment stored in the file; NULL: none */
+    const void *pixels;                 /* NULL: use `rows` */
+    struct zr_rows rows;                /* ZR_PNG_GREY16 only */
+    const struct zr_column_span *spans; /* per row: all pixels outside of it are equal, over all rows. NULL: unknown */
+    const char *text;                   /* ASCII comment stored in the file; NULL: none */
     enum zr_compress compress;
 };
 

@@ -54,7 +54,7 @@ void zr_color_bar_draw(const struct zr_scene *scene, struct zr_frame *frame)
     const struct zr_canvas canvas = {(uint32_t *)(void *)frame->color, (int32_t)frame->width, (int32_t)frame->height};
     zr_color_bar_paint(&layout, &canvas);
     const struct zr_box all = zr_canvas_clip(&canvas, layout.all);
-    for (int32_t y = all.y; frame->reaches && y < all.y + all.height; y++)
-        frame->reaches[y] = zr_column_span_join(
-            frame->reaches[y], (struct zr_column_span){(uint32_t)all.x, (uint32_t)(all.x + all.width)});
+    for (int32_t y = all.y; frame->spans && y < all.y + all.height; y++)
+        frame->spans[y] = zr_column_span_join(frame->spans[y],
+                                              (struct zr_column_span){(uint32_t)all.x, (uint32_t)(all.x + all.width)});
 }

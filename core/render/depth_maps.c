@@ -26,7 +26,7 @@ static enum zr_status draw_depths(struct zr_arena *arena, struct zr_team *team, 
     frame->width = frame->height = side;
     frame->camera = *camera;
     frame->depth = zr_arena_alloc(arena, (size_t)side * side, sizeof *frame->depth);
-    frame->reaches = zr_arena_alloc(arena, side, sizeof *frame->reaches);
+    frame->spans = zr_arena_alloc(arena, side, sizeof *frame->spans);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     *depths = frame->depth;
     enum zr_status status = ZR_OK;

@@ -57,7 +57,7 @@ static enum zr_status draw_picture_and_channels(struct zr_arena *arena, struct z
     frame->color = picture.color;
     frame->covered_samples = picture.covered_samples;
     frame->samples_a_pixel = picture.samples_a_pixel;
-    frame->reaches = NULL;
+    frame->spans = NULL;
     return status;
 }
 

@@ -232,7 +232,7 @@ static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_fr
     if (d->pass->tiles.layers && !zr_arena_ok(d->pass->tiles.layers->arena)) return ZR_NO_MEMORY;
     frame->covered_samples = d->covered;
     frame->samples_a_pixel = side * side;
-    frame->reaches = NULL;
+    frame->spans = NULL;
     return ZR_OK;
 }
 

@@ -87,7 +87,7 @@ enum zr_status zr_tiles_draw(struct zr_arena *arena, struct zr_team *team, const
     zr_team_ranges(count > TILES_ALONE ? team : NULL, count, TILES_A_RANGE, draw_range, &drawing);
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    zr_frame_find_reaches(frame, drawing.occupied);
+    zr_frame_find_spans(frame, drawing.occupied);
     frame->covered_pixels = drawing.covered;
     const unsigned deepest = drawing.deepest;
     memcpy(&frame->deepest, &deepest, sizeof frame->deepest);

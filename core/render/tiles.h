@@ -10,7 +10,7 @@
 bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
                           struct zr_tile *tile);
 
-/* Writes all channels of the frame, and its reaches, covered_pixels and deepest. Returns ZR_OK, ZR_CANCELLED or
+/* Writes all channels of the frame, and its spans, covered_pixels and deepest. Returns ZR_OK, ZR_CANCELLED or
  * ZR_NO_MEMORY. */
 enum zr_status zr_tiles_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_tile_source *tiles,
                              const struct zr_cancel *cancel, struct zr_frame *frame);

@@ -17,12 +17,12 @@ enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_vi
         if (words > 0 && zr_view_needs(view, (enum zr_channel)c))
             frame->channels[c] = zr_arena_alloc(arena, pixels, 4 * words);
     }
-    frame->reaches = zr_arena_alloc(arena, frame->height, sizeof *frame->reaches);
+    frame->spans = zr_arena_alloc(arena, frame->height, sizeof *frame->spans);
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 /* Returns the span of one row of tiles. */
-static struct zr_column_span reach_of(const uint8_t *occupied, uint32_t columns, uint32_t width)
+static struct zr_column_span span_of(const uint8_t *occupied, uint32_t columns, uint32_t width)
 {
     uint32_t begin = 0, end = columns;
     while (begin < end && !occupied[begin])
@@ -33,13 +33,13 @@ static struct zr_column_span reach_of(const uint8_t *occupied, uint32_t columns,
     return (struct zr_column_span){begin * ZR_TILE_SIZE, end < columns ? end * ZR_TILE_SIZE : width};
 }
 
-void zr_frame_find_reaches(const struct zr_frame *frame, const uint8_t *occupied)
+void zr_frame_find_spans(const struct zr_frame *frame, const uint8_t *occupied)
 {
     const uint32_t columns = zr_tile_across(frame->width);
-    struct zr_column_span reach = {0, 0};
+    struct zr_column_span span = {0, 0};
     for (uint32_t y = 0; y < frame->height; y++) {
         if (y % ZR_TILE_SIZE == 0)
-            reach = reach_of(occupied + (size_t)(y / ZR_TILE_SIZE) * columns, columns, frame->width);
-        frame->reaches[frame->height - 1 - y] = reach;
+            span = span_of(occupied + (size_t)(y / ZR_TILE_SIZE) * columns, columns, frame->width);
+        frame->spans[frame->height - 1 - y] = span;
     }
 }

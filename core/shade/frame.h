@@ -54,8 +54,8 @@ struct zr_frame {
     uint64_t covered_samples; /* samples of `color` that are covered, if it has passes of its own, and samples per
                                * pixel; else 0 and 0 */
     uint32_t samples_a_pixel;
-    struct zr_column_span *reaches; /* per row: columns outside hold the clear value in all channels; NULL: unknown */
-    float deepest;                  /* greatest finite value of `depth`; 0: none */
+    struct zr_column_span *spans; /* per row: columns outside hold the clear value in all channels; NULL: unknown */
+    float deepest;                /* greatest finite value of `depth`; 0: none */
 };
 
 struct zr_resolved_view;
@@ -69,7 +69,7 @@ static inline enum zr_space zr_frame_space(const struct zr_frame *frame, enum zr
     return frame->view ? zr_view_space(frame->view, channel) : ZR_SPACE_CAMERA;
 }
 
-/* Fills in `reaches` from the tiles with covered pixels; tile 0 is at the window's lower left. */
-void zr_frame_find_reaches(const struct zr_frame *frame, const uint8_t *occupied);
+/* Fills in `spans` from the tiles with covered pixels; tile 0 is at the window's lower left. */
+void zr_frame_find_spans(const struct zr_frame *frame, const uint8_t *occupied);
 
 #endif

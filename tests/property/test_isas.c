@@ -18,7 +18,7 @@ static void assert_same(const struct zr_frame *want, const struct zr_frame *got,
     if (!got->base) assert_int_equal(got->covered_pixels, covered);
     assert_int_equal(got->covered_pixels, want->covered_pixels);
     assert_true(got->deepest == want->deepest);
-    assert_memory_equal(got->reaches, want->reaches, want->height * sizeof *want->reaches);
+    assert_memory_equal(got->spans, want->spans, want->height * sizeof *want->spans);
     for (int c = 0; c < GALLERY_CHANNELS; c++) {
         const uint32_t *w = gallery_channel(want, c), *g = gallery_channel(got, c);
         if (g == NULL && c == 0) continue; /* colours, which were not wanted */
@@ -126,7 +126,7 @@ static void every_scene_shows_much_in_large_windows(void **state)
 }
 
 /* What a frame says of itself, looked up pixel by pixel. Returns how many pixels are out of reach. */
-static size_t check_reaches(const struct zr_frame *frame, const char *name)
+static size_t check_spans(const struct zr_frame *frame, const char *name)
 {
     size_t outside = 0;
     float deepest = 0.0f;
@@ -135,7 +135,7 @@ static size_t check_reaches(const struct zr_frame *frame, const char *name)
         for (uint32_t x = 0; x < frame->width; x++) {
             const size_t i = (size_t)y * frame->width + x;
             if (frame->depth[i] < INFINITY && frame->depth[i] > deepest) deepest = frame->depth[i];
-            if (x >= frame->reaches[y].begin && x < frame->reaches[y].end) continue;
+            if (x >= frame->spans[y].begin && x < frame->spans[y].end) continue;
             if (frame->face_id[i] != 0) fail_msg("%s: a face at %u, %u, out of reach", name, x, y);
             for (int c = 0; c < GALLERY_CHANNELS; c++) {
                 const uint32_t *channel = gallery_channel(frame, c), value = channel[i];
@@ -158,7 +158,7 @@ static void what_is_out_of_reach_is_nothing(void **state)
         for (int w = 0; w < GALLERY_WINDOWS; w++) {
             const struct zr_scene *scene = gallery_scene(&arena, number, gallery_windows[w][0], gallery_windows[w][1]);
             assert_non_null(scene);
-            outside += check_reaches(scene_render(&arena, team, scene), gallery_names[number]);
+            outside += check_spans(scene_render(&arena, team, scene), gallery_names[number]);
             zr_arena_reset(&arena, ceiling);
         }
     zr_team_destroy(team);
