@@ -15,7 +15,7 @@ enum { PARTS_A_CANCEL_CHECK = 1024 };
 /* Number of blocks of fragments, or of small triangles, from which on a tile keeps early colours. Fewer pixels are
  * shaded faster than stored and merged; fewer small triangles are larger than stamps. An estimate that affects time
  * only: it counts the blocks of all threads and draws, full or not, with early colours or without. */
-enum { BLOCKS_WITH_WORDS = 3, SMALL_BLOCKS_WITH_WORDS = 9 };
+enum { BLOCKS_WITH_COLOR = 3, SMALL_BLOCKS_WITH_COLOR = 9 };
 
 /* ---- large and wide triangles ---- */
 
@@ -37,12 +37,12 @@ static int nearest_of(const struct candidates *c)
 }
 
 /* Draws candidates, the nearest first, until the rest is hidden. Most are then never tested per sample, nor sorted. */
-static void draw_candidates(const struct zr_binned_scene *visible, struct candidates *c, struct zr_tile *tile)
+static void draw_candidates(const struct zr_binned_scene *binned, struct candidates *c, struct zr_tile *tile)
 {
     while (c->count > 0) {
         const int i = ZR_FAST(nearest_first, true) ? nearest_of(c) : 0;
         if (ZR_FAST(nearest_first, c->near[i] > tile->far)) break;
-        visible->halfspace->draw(tile, &c->items[i]->setup, c->items[i]->owner);
+        binned->halfspace->draw(tile, &c->items[i]->setup, c->items[i]->owner);
         c->count--;
         c->near[i] = c->near[c->count];
         c->items[i] = c->items[c->count];
@@ -50,7 +50,7 @@ static void draw_candidates(const struct zr_binned_scene *visible, struct candid
     c->count = 0;
 }
 
-static void add_candidate(const struct zr_binned_scene *visible, const struct zr_wide *wide, struct candidates *c,
+static void add_candidate(const struct zr_binned_scene *binned, const struct zr_wide *wide, struct candidates *c,
                           struct zr_tile *tile)
 {
     const struct zr_setup *setup = &wide->setup;
@@ -60,28 +60,28 @@ static void add_candidate(const struct zr_binned_scene *visible, const struct zr
     if (ZR_FAST(nearest_first, near > tile->far)) return;
     c->near[c->count] = near;
     c->items[c->count++] = wide;
-    if (c->count == CHOSEN_AT_ONCE) draw_candidates(visible, c, tile);
+    if (c->count == CHOSEN_AT_ONCE) draw_candidates(binned, c, tile);
 }
 
 /* Draws the large triangles, which every tile tests, and the wide ones that are listed in this tile. With the nearest
  * first, the back of a cube costs half. */
-static bool draw_wide_ones(const struct zr_binned_scene *visible, uint32_t number, const struct zr_cancel *cancel,
+static bool draw_wide_ones(const struct zr_binned_scene *binned, uint32_t number, const struct zr_cancel *cancel,
                            struct zr_tile *tile)
 {
-    const struct zr_bins *bins = &visible->sorted[ZR_ALPHA_OPAQUE].bins;
+    const struct zr_bins *bins = &binned->modes[ZR_ALPHA_OPAQUE].bins;
     struct candidates candidates;
     candidates.count = 0;
     for (uint32_t i = 0; i < bins->large_count; i++) {
         if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
-        add_candidate(visible, bins->large[i], &candidates, tile);
+        add_candidate(binned, bins->large[i], &candidates, tile);
     }
     for (int i = 0; i < bins->worker_count; i++)
         for (const struct zr_bin_head *b = bins->workers[i].tiles[number].wide.first; b; b = b->next) {
             if (zr_is_cancelled(cancel)) return false;
             for (uint32_t k = 0; k < b->used; k++)
-                add_candidate(visible, ((const struct zr_bin_wides *)b)->items[k], &candidates, tile);
+                add_candidate(binned, ((const struct zr_bin_wides *)b)->items[k], &candidates, tile);
         }
-    draw_candidates(visible, &candidates, tile);
+    draw_candidates(binned, &candidates, tile);
     return true;
 }
 
@@ -90,23 +90,23 @@ static bool draw_wide_ones(const struct zr_binned_scene *visible, uint32_t numbe
 /* Draws a block of fragments. Prefetches the next block (a quarter of the time that this takes), and the memory that
  * shading reads first: with a million triangles, each pixel has its own (4 % of their time). Pixels with an early
  * colour read none. */
-static void draw_fragments(const struct zr_binned_scene *visible, const struct zr_bin_fragments *block,
+static void draw_fragments(const struct zr_binned_scene *binned, const struct zr_bin_fragments *block,
                            size_t block_size, struct zr_tile *tile)
 {
-    const struct zr_geometry *geometry = visible->geometry;
-    const bool has_words = tile->has_words;
+    const struct zr_geometry *geometry = binned->geometry;
+    const bool has_early_color = tile->has_early_color;
     const uint32_t first_number = block->first_owner - 1;
     const struct zr_draw *draw = zr_draw_of(geometry, first_number); /* the draw of most of them */
-    const struct zr_prepaint *payload = visible->payloads ? &visible->payloads[draw - geometry->draws] : NULL;
-    const size_t step = payload ? payload->step : 0;
-    const uintptr_t first = payload ? payload->first + step * (first_number - draw->first) : (uintptr_t)block;
+    const struct zr_prepaint *prepaint = binned->prepaints ? &binned->prepaints[draw - geometry->draws] : NULL;
+    const size_t step = prepaint ? prepaint->step : 0;
+    const uintptr_t first = prepaint ? prepaint->first + step * (first_number - draw->first) : (uintptr_t)block;
     if (block->head.next) zr_prefetch(block->head.next, 0, block_size);
     for (uint32_t i = 0; i < block->head.used; i++) {
         const uint32_t place = block->places[i] >> ZR_BIN_OWNER_BITS;
         const uint32_t owner = block->places[i] & ((1u << ZR_BIN_OWNER_BITS) - 1);
         if (!zr_tile_put_at(tile, place, block->depths[i], block->first_owner + owner)) continue;
-        if (has_words)
-            tile->words[place] = block->words[i];
+        if (has_early_color)
+            tile->early_color[place] = block->words[i];
         else
             __builtin_prefetch((const void *)(first + step * owner));
     }
@@ -117,7 +117,7 @@ enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_A_BLOCK };
 
 /* Draws small triangles to the tile or to its lists. Numbers from all lists are collected in one array, so that the
  * kernel has whole groups and can prefetch. */
-static bool put_small_ones(const struct zr_binned_scene *visible, const struct zr_bins *bins, uint32_t number,
+static bool put_small_ones(const struct zr_binned_scene *binned, const struct zr_bins *bins, uint32_t number,
                            const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     uint32_t numbers[SMALL_AT_ONCE], count = 0;
@@ -125,46 +125,46 @@ static bool put_small_ones(const struct zr_binned_scene *visible, const struct z
         for (const struct zr_bin_head *b = bins->workers[i].tiles[number].small.first; b; b = b->next) {
             if (count + b->used > SMALL_AT_ONCE) {
                 if (zr_is_cancelled(cancel)) return false;
-                visible->draw_small(tile, visible->geometry, visible->payloads, numbers, count);
+                binned->draw_small(tile, binned->geometry, binned->prepaints, numbers, count);
                 count = 0;
             }
             memcpy(numbers + count, ((const struct zr_bin_numbers *)b)->numbers, b->used * sizeof *numbers);
             count += b->used;
         }
     if (zr_is_cancelled(cancel)) return false;
-    if (count > 0) visible->draw_small(tile, visible->geometry, visible->payloads, numbers, count);
+    if (count > 0) binned->draw_small(tile, binned->geometry, binned->prepaints, numbers, count);
     return true;
 }
 
-static void draw_tiny_ones(const struct zr_binned_scene *visible, uint32_t number, struct zr_tile *tile)
+static void draw_tiny_ones(const struct zr_binned_scene *binned, uint32_t number, struct zr_tile *tile)
 {
-    const struct zr_bins *bins = &visible->sorted[ZR_ALPHA_OPAQUE].bins;
+    const struct zr_bins *bins = &binned->modes[ZR_ALPHA_OPAQUE].bins;
     for (int i = 0; i < bins->worker_count; i++)
         for (const struct zr_bin_head *b = bins->workers[i].tiles[number].fragments.first; b; b = b->next)
-            draw_fragments(visible, (const struct zr_bin_fragments *)b, bins->fragments_size, tile);
+            draw_fragments(binned, (const struct zr_bin_fragments *)b, bins->fragments_size, tile);
 }
 
 /* ---- fragments of masked and blended triangles ---- */
 
-static void list_wide(const struct zr_binned_scene *visible, const struct zr_wide *wide, struct zr_tile *tile)
+static void list_wide(const struct zr_binned_scene *binned, const struct zr_wide *wide, struct zr_tile *tile)
 {
     const struct zr_setup *setup = &wide->setup;
     if (zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y}))
-        visible->halfspace->list(tile, setup, wide->owner);
+        binned->halfspace->list(tile, setup, wide->owner);
 }
 
-static bool list_wide_ones(const struct zr_binned_scene *visible, const struct zr_bins *bins, uint32_t number,
+static bool list_wide_ones(const struct zr_binned_scene *binned, const struct zr_bins *bins, uint32_t number,
                            const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     for (uint32_t i = 0; i < bins->large_count; i++) {
         if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
-        list_wide(visible, bins->large[i], tile);
+        list_wide(binned, bins->large[i], tile);
     }
     for (int i = 0; i < bins->worker_count; i++)
         for (const struct zr_bin_head *b = bins->workers[i].tiles[number].wide.first; b; b = b->next) {
             if (zr_is_cancelled(cancel)) return false;
             for (uint32_t k = 0; k < b->used; k++)
-                list_wide(visible, ((const struct zr_bin_wides *)b)->items[k], tile);
+                list_wide(binned, ((const struct zr_bin_wides *)b)->items[k], tile);
         }
     return true;
 }
@@ -183,10 +183,10 @@ static void list_tiny_ones(const struct zr_bins *bins, uint32_t number, struct z
 
 /* ---- shapes, lines, points, triangles with a depth offset ---- */
 
-static void draw_other(const struct zr_binned_scene *visible, const struct zr_draw *draw, uint32_t number,
-                       struct zr_tile *tile)
+static void draw_misc_one(const struct zr_binned_scene *binned, const struct zr_draw *draw, uint32_t number,
+                          struct zr_tile *tile)
 {
-    const struct zr_geometry *geometry = visible->geometry;
+    const struct zr_geometry *geometry = binned->geometry;
     if (draw->kind == ZR_DRAW_POINTS) {
         zr_point_draw(geometry, draw, number, tile);
         return;
@@ -196,21 +196,21 @@ static void draw_other(const struct zr_binned_scene *visible, const struct zr_dr
         zr_line_draw(geometry, &triangle, number + 1, tile);
     } else if (triangle.shape == 0) {
         struct zr_setup setup = zr_setup_make(geometry->vertices, &triangle);
-        visible->halfspace->draw(tile, &setup, number + 1);
+        binned->halfspace->draw(tile, &setup, number + 1);
     } else {
         struct zr_primitive primitive;
-        zr_primitive_make(geometry, draw, number, visible->width, visible->height, &primitive);
+        zr_primitive_make(geometry, draw, number, binned->width, binned->height, &primitive);
         zr_oddeven_draw(geometry, &primitive, tile);
     }
 }
 
 /* Lists a primitive as every algorithm does: triangles, too, are polygons of any shape here. */
-static void list_other(const struct zr_binned_scene *visible, const struct zr_draw *draw, uint32_t number,
-                       struct zr_tile *tile)
+static void list_misc_one(const struct zr_binned_scene *binned, const struct zr_draw *draw, uint32_t number,
+                          struct zr_tile *tile)
 {
     struct zr_primitive primitive;
-    zr_primitive_make(visible->geometry, draw, number, visible->width, visible->height, &primitive);
-    zr_oddeven_draw(visible->geometry, &primitive, tile);
+    zr_primitive_make(binned->geometry, draw, number, binned->width, binned->height, &primitive);
+    zr_oddeven_draw(binned->geometry, &primitive, tile);
 }
 
 static uint32_t parts_of(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number)
@@ -224,8 +224,8 @@ static uint32_t parts_of(const struct zr_geometry *geometry, const struct zr_dra
  * quarter of the time of a million points of one pixel). */
 enum { POINTS_AHEAD = 12 };
 
-static void expect_points(const struct zr_geometry *geometry, const struct zr_draw *draw, const uint32_t *numbers,
-                          size_t left)
+static void prefetch_points(const struct zr_geometry *geometry, const struct zr_draw *draw, const uint32_t *numbers,
+                            size_t left)
 {
     if (left > 2 * POINTS_AHEAD && zr_draw_holds(draw, numbers[2 * POINTS_AHEAD]))
         zr_prefetch(&draw->corners[3 * (size_t)(numbers[2 * POINTS_AHEAD] - draw->first)], 0, sizeof *draw->corners);
@@ -235,140 +235,142 @@ static void expect_points(const struct zr_geometry *geometry, const struct zr_dr
     }
 }
 
-static bool draw_list(const struct zr_binned_scene *visible, const uint32_t *others, size_t count, bool may_miss,
+static bool draw_list(const struct zr_binned_scene *binned, const uint32_t *misc, size_t count, bool may_miss,
                       const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    const struct zr_draw *draw = &visible->geometry->draws[0];
+    const struct zr_draw *draw = &binned->geometry->draws[0];
     uint64_t parts = PARTS_A_CANCEL_CHECK;
     for (size_t i = 0; i < count; i++) {
-        draw = zr_draw_next(visible->geometry, draw, others[i]);
+        draw = zr_draw_next(binned->geometry, draw, misc[i]);
         if (parts >= PARTS_A_CANCEL_CHECK) {
             if (zr_is_cancelled(cancel)) return false;
             parts = 0;
         }
         int32_t box[4];
-        if (draw->kind == ZR_DRAW_POINTS) expect_points(visible->geometry, draw, others + i, count - i);
-        parts += parts_of(visible->geometry, draw, others[i]);
-        if (may_miss) zr_primitive_box(visible->geometry, draw, others[i], box);
+        if (draw->kind == ZR_DRAW_POINTS) prefetch_points(binned->geometry, draw, misc + i, count - i);
+        parts += parts_of(binned->geometry, draw, misc[i]);
+        if (may_miss) zr_primitive_box(binned->geometry, draw, misc[i], box);
         if (may_miss && !zr_tile_touches(tile, box)) continue;
         if (tile->fragments)
-            list_other(visible, draw, others[i], tile);
+            list_misc_one(binned, draw, misc[i], tile);
         else
-            draw_other(visible, draw, others[i], tile);
+            draw_misc_one(binned, draw, misc[i], tile);
     }
     return true;
 }
 
-static bool draw_others(const struct zr_binned_scene *visible, const struct zr_misc_bins *others, uint32_t number,
-                        const struct zr_cancel *cancel, struct zr_tile *tile)
+static bool draw_misc(const struct zr_binned_scene *binned, const struct zr_misc_bins *misc, uint32_t number,
+                      const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    if (others->count == 0) return true;
-    size_t begin = others->offsets[number], end = others->offsets[number + 1];
-    return draw_list(visible, others->entries + begin, end - begin, false, cancel, tile) &&
-           draw_list(visible, others->large, others->large_count, true, cancel, tile);
+    if (misc->count == 0) return true;
+    size_t begin = misc->offsets[number], end = misc->offsets[number + 1];
+    return draw_list(binned, misc->entries + begin, end - begin, false, cancel, tile) &&
+           draw_list(binned, misc->large, misc->large_count, true, cancel, tile);
 }
 
-static bool any_listed(const struct zr_misc_bins *others, uint32_t number)
+static bool any_listed(const struct zr_misc_bins *misc, uint32_t number)
 {
-    return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
+    return misc->count > 0 && (misc->large_count > 0 || misc->offsets[number] < misc->offsets[number + 1]);
 }
 
 /* ---- a tile ---- */
 
 /* Returns true if the tile has primitives other than large and wide triangles. */
-static bool has_more(const struct zr_mode_bins *sorted, uint32_t number)
+static bool has_more(const struct zr_mode_bins *mode_bins, uint32_t number)
 {
-    const struct zr_bins *bins = &sorted->bins;
+    const struct zr_bins *bins = &mode_bins->bins;
     for (int i = 0; i < bins->worker_count; i++)
         if (bins->workers[i].tiles[number].small.first || bins->workers[i].tiles[number].fragments.first) return true;
-    return any_listed(&sorted->others, number);
+    return any_listed(&mode_bins->misc, number);
 }
 
-static const struct zr_binned_scene *visible_of(const struct zr_visibility *visibility)
+static const struct zr_binned_scene *binned_of(const struct zr_visibility *visibility)
 {
     return (const struct zr_binned_scene *)visibility; /* its first member */
 }
 
 static bool has_any(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode)
 {
-    const struct zr_mode_bins *sorted = &visible_of(visibility)->sorted[mode];
-    if (sorted->bins.large_count > 0) return true;
-    for (int i = 0; i < sorted->bins.worker_count; i++)
-        if (sorted->bins.workers[i].tiles[number].wide.first) return true;
-    return has_more(sorted, number);
+    const struct zr_mode_bins *mode_bins = &binned_of(visibility)->modes[mode];
+    if (mode_bins->bins.large_count > 0) return true;
+    for (int i = 0; i < mode_bins->bins.worker_count; i++)
+        if (mode_bins->bins.workers[i].tiles[number].wide.first) return true;
+    return has_more(mode_bins, number);
 }
 
 /* Returns true if keeping early colours pays: there are enough of them, and no other primitive is drawn over them. */
-static bool keeps_words(const struct zr_mode_bins *sorted, uint32_t number)
+static bool keeps_early_color(const struct zr_mode_bins *mode_bins, uint32_t number)
 {
-    const struct zr_bins *bins = &sorted->bins;
+    const struct zr_bins *bins = &mode_bins->bins;
     uint32_t fragments = 0, small = 0;
     for (int i = 0; bins->has_words && i < bins->worker_count; i++) {
         fragments += bins->workers[i].tiles[number].fragments.block_count;
         small += bins->workers[i].tiles[number].small.block_count;
     }
-    return (fragments >= BLOCKS_WITH_WORDS || small >= SMALL_BLOCKS_WITH_WORDS) && !any_listed(&sorted->others, number);
+    return (fragments >= BLOCKS_WITH_COLOR || small >= SMALL_BLOCKS_WITH_COLOR) &&
+           !any_listed(&mode_bins->misc, number);
 }
 
 static bool draw_tile(const struct zr_visibility *visibility, uint32_t number, const struct zr_cancel *cancel,
                       struct zr_tile *tile)
 {
-    const struct zr_binned_scene *visible = visible_of(visibility);
-    const struct zr_base *base = visible->base;
-    const struct zr_mode_bins *opaque = &visible->sorted[ZR_ALPHA_OPAQUE];
-    zr_tile_place(tile, number, visible->width, visible->height);
-    tile->has_words = false;
+    const struct zr_binned_scene *binned = binned_of(visibility);
+    const struct zr_base *base = binned->base;
+    const struct zr_mode_bins *opaque = &binned->modes[ZR_ALPHA_OPAQUE];
+    zr_tile_place(tile, number, binned->width, binned->height);
+    tile->has_early_color = false;
     tile->is_empty = !base && !has_any(visibility, number, ZR_ALPHA_OPAQUE);
     if (tile->is_empty) return !zr_is_cancelled(cancel);
     if (base)
-        zr_tile_begin(tile, base, visible->width, visible->height);
+        zr_tile_begin(tile, base, binned->width, binned->height);
     else
-        visible->halfspace->begin(tile);
+        binned->halfspace->begin(tile);
     /* The largest first: they hide most, and only they can leave blocks unwritten. */
-    if (!draw_wide_ones(visible, number, cancel, tile)) return false;
+    if (!draw_wide_ones(binned, number, cancel, tile)) return false;
     if (!has_more(opaque, number) && zr_tile_has_whole_blocks(tile)) return true;
-    visible->halfspace->flush(tile);
+    binned->halfspace->flush(tile);
     tile->knows_owners = false;
-    tile->has_words = keeps_words(opaque, number);
-    if (tile->has_words) memset(tile->words, 0, sizeof tile->words);
-    if (!put_small_ones(visible, &opaque->bins, number, cancel, tile)) return false;
-    draw_tiny_ones(visible, number, tile);
-    return draw_others(visible, &opaque->others, number, cancel, tile);
+    tile->has_early_color = keeps_early_color(opaque, number);
+    if (tile->has_early_color) memset(tile->early_color, 0, sizeof tile->early_color);
+    if (!put_small_ones(binned, &opaque->bins, number, cancel, tile)) return false;
+    draw_tiny_ones(binned, number, tile);
+    return draw_misc(binned, &opaque->misc, number, cancel, tile);
 }
 
 static bool list_fragments(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode,
                            const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    const struct zr_binned_scene *visible = visible_of(visibility);
-    const struct zr_mode_bins *sorted = &visible->sorted[mode];
-    if (!list_wide_ones(visible, &sorted->bins, number, cancel, tile)) return false;
-    if (!put_small_ones(visible, &sorted->bins, number, cancel, tile)) return false;
-    list_tiny_ones(&sorted->bins, number, tile);
-    return draw_others(visible, &sorted->others, number, cancel, tile);
+    const struct zr_binned_scene *binned = binned_of(visibility);
+    const struct zr_mode_bins *mode_bins = &binned->modes[mode];
+    if (!list_wide_ones(binned, &mode_bins->bins, number, cancel, tile)) return false;
+    if (!put_small_ones(binned, &mode_bins->bins, number, cancel, tile)) return false;
+    list_tiny_ones(&mode_bins->bins, number, tile);
+    return draw_misc(binned, &mode_bins->misc, number, cancel, tile);
 }
 
 /* ---- binning ---- */
 
 enum zr_status zr_binned_scene_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                                    const struct zr_prepaint *payloads, uint32_t width, uint32_t height,
+                                    const struct zr_prepaint *prepaints, uint32_t width, uint32_t height,
                                     const struct zr_base *base, const struct zr_cancel *cancel,
-                                    struct zr_binned_scene *visible)
+                                    struct zr_binned_scene *binned)
 {
-    visible->visibility = (struct zr_visibility){.tile = draw_tile, .has_any = has_any, .fragments = list_fragments};
-    visible->geometry = geometry;
-    visible->payloads = payloads;
-    visible->halfspace = zr_halfspace_of(zr_team_isa(team));
-    visible->draw_small = zr_small_of(zr_team_isa(team));
-    visible->width = width;
-    visible->height = height;
-    visible->base = base;
+    binned->visibility = (struct zr_visibility){.tile = draw_tile, .has_any = has_any, .fragments = list_fragments};
+    binned->geometry = geometry;
+    binned->prepaints = prepaints;
+    binned->halfspace = zr_halfspace_of(zr_team_isa(team));
+    binned->draw_small = zr_small_of(zr_team_isa(team));
+    binned->width = width;
+    binned->height = height;
+    binned->base = base;
     enum zr_status status = ZR_OK;
     for (int i = 0; status == ZR_OK && i < ZR_ALPHA_COUNT; i++) {
         const enum zr_alpha_mode mode = (enum zr_alpha_mode)i;
-        struct zr_mode_bins *sorted = &visible->sorted[mode];
-        status = zr_bins_build(arena, team, geometry, mode, payloads, width, height, cancel, &sorted->bins);
-        if (status == ZR_OK) status = zr_misc_bins_build(arena, geometry, mode, width, height, cancel, &sorted->others);
-        if (status == ZR_OK) zr_counts_add(&visible->visibility.counts, &sorted->bins.counts);
+        struct zr_mode_bins *mode_bins = &binned->modes[mode];
+        status = zr_bins_build(arena, team, geometry, mode, prepaints, width, height, cancel, &mode_bins->bins);
+        if (status == ZR_OK)
+            status = zr_misc_bins_build(arena, geometry, mode, width, height, cancel, &mode_bins->misc);
+        if (status == ZR_OK) zr_counts_add(&binned->visibility.counts, &mode_bins->bins.counts);
     }
     return status;
 }

@@ -15,26 +15,26 @@
 /* Primitives of one alpha mode, binned by tile. */
 struct zr_mode_bins {
     struct zr_bins bins;
-    struct zr_misc_bins others;
+    struct zr_misc_bins misc;
 };
 
 /* The geometry of a window, binned by alpha mode and tile. */
 struct zr_binned_scene {
     struct zr_visibility visibility;
     const struct zr_geometry *geometry;
-    const struct zr_prepaint *payloads; /* one per draw, or NULL */
-    const struct zr_base *base;         /* or NULL */
+    const struct zr_prepaint *prepaints; /* one per draw, or NULL */
+    const struct zr_base *base;          /* or NULL */
     const struct zr_halfspace *halfspace;
     zr_small_fn *draw_small;
     uint32_t width, height;
-    struct zr_mode_bins sorted[ZR_ALPHA_COUNT];
+    struct zr_mode_bins modes[ZR_ALPHA_COUNT];
 };
 
-/* Bins the geometry. payloads: one per draw; NULL: none. Adds the counts of draws that are not `counted`. Returns
+/* Bins the geometry. prepaints: one per draw; NULL: none. Adds the counts of draws that are not `counted`. Returns
  * ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_binned_scene_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                                    const struct zr_prepaint *payloads, uint32_t width, uint32_t height,
+                                    const struct zr_prepaint *prepaints, uint32_t width, uint32_t height,
                                     const struct zr_base *base, const struct zr_cancel *cancel,
-                                    struct zr_binned_scene *visible);
+                                    struct zr_binned_scene *binned);
 
 #endif

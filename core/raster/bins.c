@@ -84,7 +84,7 @@ static void add_wide(struct zr_binner *binner, struct zr_bin *bin, const struct 
 void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_draw *draw, uint32_t number)
 {
     const struct zr_bins *bins = binner->bins;
-    const struct zr_prepaint *payload = zr_binner_payload(binner, draw);
+    const struct zr_prepaint *prepaint = zr_binner_prepaint(binner, draw);
     const struct zr_window_vertex *vertices = bins->geometry->vertices;
     const struct zr_triangle triangle = zr_triangle_of(bins->geometry, draw, number);
     int32_t box[4];
@@ -97,7 +97,7 @@ void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_draw *draw
         return;
     }
     binner->counts.drawn_whole += !draw->counted;
-    if (payload && payload->backs) zr_prepaint_add_backs(payload, number - draw->first, triangle.back);
+    if (prepaint && prepaint->backs) zr_prepaint_add_backs(prepaint, number - draw->first, triangle.back);
     zr_setup_box(vertices, &triangle, box);
     if (!cut_to_window(bins, box)) return;
     struct zr_wide *wide = take(binner, sizeof *wide);
@@ -157,7 +157,7 @@ static bool make_shares(struct sorting *s)
     for (uint32_t i = 0; i < geometry->draw_count; i++) {
         const struct zr_draw *draw = &geometry->draws[i];
         if (!is_wanted(s->bins, draw)) continue;
-        s->bins->has_words |= s->bins->payloads && s->bins->payloads[i].make;
+        s->bins->has_words |= s->bins->prepaints && s->bins->prepaints[i].make;
         s->triangle_count += draw->count;
         for (uint32_t begin = 0; begin < draw->count; begin += TRIANGLES_A_RANGE) {
             uint32_t left = draw->count - begin;
@@ -216,13 +216,13 @@ static enum zr_status build(struct zr_team *team, const struct zr_cancel *cancel
 }
 
 enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                             enum zr_alpha_mode mode, const struct zr_prepaint *payloads, uint32_t width,
+                             enum zr_alpha_mode mode, const struct zr_prepaint *prepaints, uint32_t width,
                              uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
 {
     *bins = (struct zr_bins){.arena = arena,
                              .geometry = geometry,
                              .mode = mode,
-                             .payloads = payloads,
+                             .prepaints = prepaints,
                              .width = width,
                              .height = height,
                              .columns = zr_tile_across(width)};

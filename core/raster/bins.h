@@ -64,7 +64,7 @@ struct zr_bin_fragments {
     uint32_t first_owner;
     uint32_t places[ZR_BIN_FRAGMENTS_ROOM]; /* index in zr_tile.depth << ZR_BIN_OWNER_BITS | owner - first_owner */
     float depths[ZR_BIN_FRAGMENTS_ROOM];
-    uint32_t words[ZR_BIN_FRAGMENTS_ROOM]; /* as zr_tile.words; allocated only if zr_bins.has_words */
+    uint32_t words[ZR_BIN_FRAGMENTS_ROOM]; /* as zr_tile.early_color; allocated only if zr_bins.has_words */
 };
 _Static_assert(1 << (32 - ZR_BIN_OWNER_BITS) >= ZR_TILE_SIZE * ZR_TILE_STRIDE, "a pixel and an owner fit a word");
 
@@ -86,12 +86,12 @@ struct zr_binner {
 struct zr_bins {
     struct zr_arena *arena;
     const struct zr_geometry *geometry;
-    enum zr_alpha_mode mode;            /* alpha mode of the binned draws */
-    const struct zr_prepaint *payloads; /* one per draw, or NULL */
-    struct zr_counts counts;            /* of draws that are not `counted` */
+    enum zr_alpha_mode mode;             /* alpha mode of the binned draws */
+    const struct zr_prepaint *prepaints; /* one per draw, or NULL */
+    struct zr_counts counts;             /* of draws that are not `counted` */
     pthread_mutex_t arena_lock;
     uint32_t width, height, columns;
-    bool has_words;        /* some draw has prepainted words: fragments have them, and tiles may keep some */
+    bool has_words;        /* some draw has early colours: fragments have them, and tiles may keep some */
     size_t fragments_size; /* bytes of a block of fragments */
     int worker_count;
     struct zr_binner *workers;
@@ -101,7 +101,7 @@ struct zr_bins {
 
 /* Bins the plain draws whose material has the alpha mode `mode`. Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                             enum zr_alpha_mode mode, const struct zr_prepaint *payloads, uint32_t width,
+                             enum zr_alpha_mode mode, const struct zr_prepaint *prepaints, uint32_t width,
                              uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins);
 
 /* ---- for the kernel ---- */
@@ -119,10 +119,10 @@ void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_draw *draw
 void zr_binner_add_flat(struct zr_binner *binner, const struct zr_draw *draw, uint32_t number);
 
 /* Returns the draw's prepaint, or NULL. */
-static inline const struct zr_prepaint *zr_binner_payload(const struct zr_binner *binner, const struct zr_draw *draw)
+static inline const struct zr_prepaint *zr_binner_prepaint(const struct zr_binner *binner, const struct zr_draw *draw)
 {
     const struct zr_bins *bins = binner->bins;
-    return bins->payloads ? &bins->payloads[draw - bins->geometry->draws] : NULL;
+    return bins->prepaints ? &bins->prepaints[draw - bins->geometry->draws] : NULL;
 }
 
 /* Appends a block of `size` bytes to the list. If memory runs out, returns NULL and marks the binner as failed. */

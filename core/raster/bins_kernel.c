@@ -22,7 +22,7 @@ struct in_several_tiles {
 struct sorter {
     struct zr_binner *binner;
     const struct zr_draw *draw;
-    const struct zr_prepaint *payload;
+    const struct zr_prepaint *prepaint;
     struct zr_corners corners;
     zr_vp last; /* last pixel of the window */
     /* Per triangle of a part, pairs as in zr_vp on the snapped grid: the pixel of corner 0, its offset from that
@@ -144,7 +144,7 @@ static inline zr_vm shown_of(struct sorter *s, zr_vm small, zr_vi area)
 static inline void note_backs(const struct sorter *s, zr_vm small, zr_vi area, uint32_t first)
 {
     const zr_vm backs = zr_backs_v(zr_vi_lt(area, zr_vi_set(0)), s->draw->mirrored);
-    zr_prepaint_add_backs(s->payload, first - s->draw->first, zr_vm_bits(zr_vm_and(small, backs)));
+    zr_prepaint_add_backs(s->prepaint, first - s->draw->first, zr_vm_bits(zr_vm_and(small, backs)));
 }
 _Static_assert(PART % 32 == 0, "the lanes of a group have their bits in one word");
 
@@ -168,7 +168,7 @@ static inline void sort_group(struct sorter *s, uint32_t at, zr_vm valid, uint32
     const zr_vp least = zr_vp_min(zr_vp_min(way1, way2), none), most = zr_vp_max(zr_vp_max(way1, way2), none);
     const zr_vm small = zr_vm_and(valid, has_none(most - least, (uint16_t)-ZR_BIN_SMALL_SPAN));
     const zr_vi area = zr_vp_cross(way2, way1); /* undefined if a vector saturated: then the triangle is not small */
-    if (s->payload && s->payload->backs) note_backs(s, small, area, first);
+    if (s->prepaint && s->prepaint->backs) note_backs(s, small, area, first);
     const zr_vm spanning = zr_vm_andnot(valid, small), flat = zr_vm_and(small, zr_vi_eq(area, zero));
     const zr_vm shown = shown_of(s, zr_vm_andnot(small, flat), area);
     if (zr_vm_any(zr_vm_or(flat, spanning))) add_others(s, zr_vm_bits(flat), zr_vm_bits(spanning), first);
@@ -235,12 +235,12 @@ void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_draw *draw,
     struct sorter s; /* not cleared, since a draw may be a single triangle */
     s.binner = binner;
     s.draw = draw;
-    s.payload = zr_binner_payload(binner, draw);
+    s.prepaint = zr_binner_prepaint(binner, draw);
     s.corners = (struct zr_corners){&binner->bins->geometry->vertices[draw->first_vertex].x, draw->corners};
     s.last = (zr_vp)zr_vi_set((int32_t)((binner->bins->height - 1) << 16 | (binner->bins->width - 1)));
     s.tiny.count = s.tiny.sample_count = s.in_one.count = s.in_several.count = 0;
     const struct zr_tiny_target target = {
-        draw, s.payload, &s.corners, binner, draw->first + begin + 1, draw->first + end};
+        draw, s.prepaint, &s.corners, binner, draw->first + begin + 1, draw->first + end};
     for (uint32_t part = begin; part < end; part += PART) {
         const uint32_t part_end = end - part < PART ? end : part + PART;
         snap_part(&s, part, part_end);

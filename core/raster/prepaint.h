@@ -1,4 +1,5 @@
-/* prepaint.h - raster: per-sample words that the shading stage adds. raster/ stores them and does not interpret them.
+/* prepaint.h - raster: early colours: per-sample words that the shading stage adds. raster/ stores them and does not
+ * interpret them.
  *
  * A kernel of the shading stage computes the words while a triangle's corners are loaded, for as many triangles as it
  * has lanes. The words are stored beside the owner ids, so that shading finds these samples done. */
@@ -13,7 +14,7 @@ struct zr_prepaint;
  * mesh. Bit i of `turned`: triangle i needs two corners swapped (rule 6). triangles: the triangle of each sample (NULL:
  * sample i is of triangle i). x, y: window positions of the samples. Reads and writes whole vectors beyond the last
  * sample. A word is never 0. */
-typedef void zr_prepaint_fn(const struct zr_prepaint *payload, const uint32_t *numbers, uint32_t turned,
+typedef void zr_prepaint_fn(const struct zr_prepaint *prepaint, const uint32_t *numbers, uint32_t turned,
                             const float *corners, const uint32_t *triangles, const float *x, const float *y,
                             uint32_t count, uint32_t *words);
 
@@ -31,9 +32,9 @@ struct zr_prepaint {
 };
 
 /* Adds the bits of triangles t and following, all in one word. */
-static inline void zr_prepaint_add_backs(const struct zr_prepaint *payload, uint32_t t, uint32_t backs)
+static inline void zr_prepaint_add_backs(const struct zr_prepaint *prepaint, uint32_t t, uint32_t backs)
 {
-    payload->backs[t / 32] |= backs << t % 32;
+    prepaint->backs[t / 32] |= backs << t % 32;
 }
 
 #endif

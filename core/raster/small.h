@@ -13,8 +13,8 @@
 
 /* Writes depths and owners to the samples where the triangles, given by number, are visible (zr_tile_put). If the tile
  * has lists (zr_tile.fragments), adds fragments to them instead. All of the tile must be written (zr_halfspace.flush).
- * payloads: one per draw, or NULL. */
-typedef void zr_small_fn(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_prepaint *payloads,
+ * prepaints: one per draw, or NULL. */
+typedef void zr_small_fn(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_prepaint *prepaints,
                          const uint32_t *numbers, uint32_t count);
 
 ZR_KERNEL_TABLE(zr_small_fn, zr_small)

@@ -131,12 +131,12 @@ static inline const struct zr_draw *load_mixed_corners(const struct zr_geometry 
 
 /* ---- one triangle ---- */
 
-/* Operation on a sample: z-test, z-test with prepainted words, or adding to the lists. */
+/* Operation on a sample: z-test, z-test with early colours, or adding to the lists. */
 enum way { SEEN, SEEN_WITH_WORDS, LISTED };
 
 /* Draws ZR_LANES columns of triangle i from x on, a multiple of ZR_LANES. Its edges exclude samples outside of it, and
  * columns beyond the window, since it lies in the view volume. Setup values are broadcast when they are loaded (a tenth
- * of the time). Such triangles have no prepainted words. */
+ * of the time). Such triangles have no early colours. */
 static inline void draw_columns(struct zr_tile *tile, const struct group *g, uint32_t i, int32_t x, uint32_t owner,
                                 enum way way)
 {
@@ -157,7 +157,7 @@ static inline void draw_columns(struct zr_tile *tile, const struct group *g, uin
         } else {
             const zr_vi owners = zr_vi_set((int32_t)owner);
             const struct zr_put_v put = zr_tile_put_v(&tile->depth[at], &tile->owner[at], inside, z, owners);
-            if (way == SEEN_WITH_WORDS) zr_vi_store_where(&tile->words[at], put.seen, zr_vi_set(0));
+            if (way == SEEN_WITH_WORDS) zr_vi_store_where(&tile->early_color[at], put.seen, zr_vi_set(0));
         }
         e0 += up0;
         e1 += up1;
@@ -197,9 +197,9 @@ static inline struct places places_of(const struct group *g, const uint32_t *sam
     return (struct places){lane, zr_vf_pick(left, lane) + zr_vf_of(column), zr_vf_pick(low, lane) + zr_vf_of(row)};
 }
 
-/* Input of a group's prepainted words. */
+/* Input of a group's early colours. */
 struct worded {
-    const struct zr_prepaint *payload;
+    const struct zr_prepaint *prepaint;
     float corners[3][3][ZR_LANES];
 };
 
@@ -216,7 +216,7 @@ __attribute__((noinline)) static void find_words(const struct worded *of, const 
         zr_vf_store(x + i, places.x);
         zr_vf_store(y + i, places.y);
     }
-    of->payload->make(of->payload, numbers, g->turned, of->corners[0][0], triangles, x, y, count, words);
+    of->prepaint->make(of->prepaint, numbers, g->turned, of->corners[0][0], triangles, x, y, count, words);
 }
 
 /* Draws triangles in stamps sample by sample: most cover two or three samples. The inputs of many samples are computed
@@ -246,7 +246,7 @@ static inline void draw_stamps(struct zr_tile *tile, const struct group *g, cons
                 continue;
             }
             const bool seen = zr_tile_put_at(tile, at[k], depths[k], owners[k]);
-            if (way == SEEN_WITH_WORDS && seen) tile->words[at[k]] = of ? words[i + k] : 0;
+            if (way == SEEN_WITH_WORDS && seen) tile->early_color[at[k]] = of ? words[i + k] : 0;
         }
     }
 }
@@ -279,7 +279,7 @@ static inline void draw_group(struct zr_tile *tile, const struct group *g, const
     if (g->in_stamp) draw_stamps(tile, g, numbers, NULL, SEEN);
 }
 
-void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_prepaint *payloads,
+void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_prepaint *prepaints,
                          const uint32_t *numbers, uint32_t count)
 {
     const struct zr_draw *draw = &geometry->draws[0];
@@ -293,10 +293,10 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
                 last[i] = here[i < some ? i : 0];
             here = last;
         }
-        const struct zr_prepaint *payload = NULL;
+        const struct zr_prepaint *prepaint = NULL;
         if (holds_all(draw, here)) {
             load_corners(geometry, draw, here, v);
-            if (tile->has_words && payloads) payload = &payloads[draw - geometry->draws];
+            if (tile->has_early_color && prepaints) prepaint = &prepaints[draw - geometry->draws];
         } else {
             draw = load_mixed_corners(geometry, draw, here, v);
         }
@@ -307,11 +307,11 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
                 group.covered[i] = 0;
         if (tile->fragments) {
             list_group(tile, &group, here, some);
-        } else if (payload && payload->make && group.in_stamp) {
-            struct worded worded = {.payload = payload};
+        } else if (prepaint && prepaint->make && group.in_stamp) {
+            struct worded worded = {.prepaint = prepaint};
             zr_corners_store(v, worded.corners);
             draw_worded_group(tile, &group, here, some, &worded);
-        } else if (tile->has_words) {
+        } else if (tile->has_early_color) {
             draw_worded_group(tile, &group, here, some, NULL);
         } else {
             draw_group(tile, &group, here, some);

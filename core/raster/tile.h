@@ -47,9 +47,9 @@ struct zr_tile {
     /* [row * ZR_TILE_STRIDE + column] */
     _Alignas(64) float depth[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* window depth; initial values: zr_tile_begin */
     uint8_t apart[2048]; /* avoids 4K aliasing between loads of depths and stores of owners, 5 pages apart */
-    _Alignas(64) uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the primitive, 0 if uncovered */
-    bool has_words;                                             /* `words` is valid */
-    _Alignas(64) uint32_t words[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* of zr_prepaint; 0: not prepainted */
+    _Alignas(64) uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE];       /* 1 + number of the primitive, 0 if uncovered */
+    bool has_early_color;                                             /* `early_color` is valid */
+    _Alignas(64) uint32_t early_color[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* early colours (prepaint.h), RGBA; 0: none */
 };
 
 _Static_assert(ZR_BLOCKS == 32, "one bit per block");

@@ -33,7 +33,7 @@ static inline const float *zr_corner_at(const struct zr_corners *c, uint32_t t, 
 /* Input and output of one range of a draw. */
 struct zr_tiny_target {
     const struct zr_draw *draw;
-    const struct zr_prepaint *payload; /* NULL: none */
+    const struct zr_prepaint *prepaint; /* NULL: none */
     const struct zr_corners *corners;
     struct zr_binner *binner;
     uint32_t first_owner, last_owner; /* range of owner ids */
@@ -53,7 +53,7 @@ struct zr_tiny {
     uint32_t sample_numbers[ZR_TINY_SAMPLES_ROOM], sample_places[ZR_TINY_SAMPLES_ROOM];
     /* The same samples with depths, as zr_tiny_samples; one word of visibility bits per group. */
     uint32_t seen_bits[ZR_TINY_SAMPLES_ROOM / ZR_LANES];
-    uint32_t tiles[ZR_TINY_SAMPLES_ROOM], words[ZR_TINY_SAMPLES_ROOM], payloads[ZR_TINY_SAMPLES_ROOM];
+    uint32_t tiles[ZR_TINY_SAMPLES_ROOM], words[ZR_TINY_SAMPLES_ROOM], early_colors[ZR_TINY_SAMPLES_ROOM];
     float depths[ZR_TINY_SAMPLES_ROOM];
 };
 
@@ -137,15 +137,15 @@ struct zr_tiny_samples {
     zr_vm seen;
     zr_vi tile, word; /* word: as in zr_bin_fragments.places, before first_owner is subtracted */
     zr_vf depth;
-    zr_vi payload; /* prepainted word; 0: none */
+    zr_vi early_color; /* RGBA; 0: none */
 };
 
 static inline void zr_tiny_put(struct zr_bin_fragments *block, zr_vm put, const struct zr_tiny_samples *samples,
-                               bool with_payload)
+                               bool with_early_color)
 {
     const zr_vi words = samples->word - zr_vi_set((int32_t)block->first_owner);
     zr_vi_compress(block->places + block->head.used, put, words);
-    if (with_payload) zr_vi_compress(block->words + block->head.used, put, samples->payload);
+    if (with_early_color) zr_vi_compress(block->words + block->head.used, put, samples->early_color);
     block->head.used += zr_vi_compress(block->depths + block->head.used, put, zr_vi_bits_of(samples->depth));
 }
 
@@ -171,7 +171,7 @@ static inline struct zr_tiny_samples zr_tiny_draw_group(const uint32_t *numbers,
 {
     const struct zr_corners *corners = target->corners;
     const struct zr_draw *draw = target->draw;
-    const struct zr_prepaint *payload = target->payload;
+    const struct zr_prepaint *prepaint = target->prepaint;
     struct zr_corner_v c[3];
 #define ZR_TINY_CORNER_0(i) zr_corner_at(corners, numbers[i] - draw->first, 0)
 #define ZR_TINY_CORNER_1(i) zr_corner_at(corners, numbers[i] - draw->first, 1)
@@ -184,15 +184,15 @@ static inline struct zr_tiny_samples zr_tiny_draw_group(const uint32_t *numbers,
     const zr_vi column = place & zr_vi_set(0xffff), row = place >> 16 & zr_vi_set(INT16_MAX);
     const zr_vf x = zr_vf_of(column), y = zr_vf_of(row);
     const zr_vm turned = zr_vi_lt(place, zr_vi_set(0));
-    struct zr_tiny_samples samples = {.payload = zr_vi_set(0)};
-    if (payload && payload->make) {
+    struct zr_tiny_samples samples = {.early_color = zr_vi_set(0)};
+    if (prepaint && prepaint->make) {
         float loaded[3][3][ZR_LANES], xs[ZR_LANES], ys[ZR_LANES];
         uint32_t words[ZR_LANES];
         zr_corners_store(c, loaded);
         zr_vf_store(xs, x);
         zr_vf_store(ys, y);
-        payload->make(payload, numbers, zr_vm_bits(turned), loaded[0][0], NULL, xs, ys, ZR_LANES, words);
-        samples.payload = zr_vi_load(words);
+        prepaint->make(prepaint, numbers, zr_vm_bits(turned), loaded[0][0], NULL, xs, ys, ZR_LANES, words);
+        samples.early_color = zr_vi_load(words);
     }
     zr_corners_swap_v(turned, c);
     const struct zr_basis_v basis = zr_basis_make_v(c);
@@ -213,7 +213,7 @@ static inline void zr_tiny_keep(struct zr_tiny *tiny, uint32_t from, const struc
     tiny->seen_bits[from / ZR_LANES] = zr_vm_bits(samples->seen);
     zr_vi_store(tiny->tiles + from, samples->tile);
     zr_vi_store(tiny->words + from, samples->word);
-    zr_vi_store(tiny->payloads + from, samples->payload);
+    zr_vi_store(tiny->early_colors + from, samples->early_color);
     zr_vf_store(tiny->depths + from, samples->depth);
 }
 
@@ -223,7 +223,7 @@ static inline struct zr_tiny_samples zr_tiny_kept(const struct zr_tiny *tiny, ui
                                     .tile = zr_vi_load(tiny->tiles + from),
                                     .word = zr_vi_load(tiny->words + from),
                                     .depth = zr_vf_load(tiny->depths + from),
-                                    .payload = zr_vi_load(tiny->payloads + from)};
+                                    .early_color = zr_vi_load(tiny->early_colors + from)};
 }
 
 /* Processes full groups; the rest stays queued, unless `is_end`. */

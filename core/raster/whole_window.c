@@ -54,7 +54,7 @@ enum zr_status zr_visibility_window_fragments(struct zr_arena *arena, const stru
 void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struct zr_tile *tile)
 {
     zr_tile_place(tile, number, samples->width, samples->height);
-    tile->is_empty = tile->has_words = false;
+    tile->is_empty = tile->has_early_color = false;
     tile->knows_owners = false;
     tile->unwritten = 0;
     memset(tile->owner, 0, sizeof tile->owner); /* also beyond the window */

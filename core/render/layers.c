@@ -68,7 +68,7 @@ bool zr_layers_find(const struct zr_tile_source *tiles, uint32_t number, enum zr
     layer->width = tile->width;
     layer->height = tile->height;
     layer->fragments = NULL;
-    layer->is_empty = layer->knows_owners = layer->has_words = false;
+    layer->is_empty = layer->knows_owners = layer->has_early_color = false;
     layer->unwritten = 0;
     return true;
 }
@@ -118,7 +118,7 @@ static void pass_layer(const struct zr_tile_source *tiles, const struct zr_layer
         done[i] = true;
         tile->owner[i] = layer->owner[i];
         tile->depth[i] = layer->depth[i];
-        if (tile->has_words) tile->words[i] = 0;
+        if (tile->has_early_color) tile->early_color[i] = 0;
     }
 }
 

@@ -52,7 +52,7 @@ enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const 
 {
     const struct zr_scene *scene = desc->scene;
     const bool in_tiles = scene->algorithm == ZR_ALGORITHM_HALFSPACE;
-    const struct zr_prepaint *payloads = NULL;
+    const struct zr_prepaint *prepaints = NULL;
     bool listed[ZR_ALPHA_COUNT];
     struct zr_attribute_wants wants;
     enum zr_status status = ZR_OK;
@@ -61,9 +61,9 @@ enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const 
     STAGE(zr_geometry_build(arena, team, scene, desc->camera, &desc->window, cancel, !in_tiles, &pass->geometry));
     STAGE(zr_scene_attributes_make(arena, team, scene, desc->camera, &pass->geometry, &wants, cancel, &pass->surfaces));
     if (in_tiles && wants.colors)
-        STAGE(zr_paint_prepare(arena, team, &pass->geometry, &pass->surfaces, samples_in(&desc->window), &payloads));
+        STAGE(zr_paint_prepare(arena, team, &pass->geometry, &pass->surfaces, samples_in(&desc->window), &prepaints));
     if (status == ZR_OK) find_listed(&pass->geometry, &wants, listed);
-    STAGE(zr_visibility_make(arena, team, &pass->geometry, scene->algorithm, payloads, listed, desc->base, cancel,
+    STAGE(zr_visibility_make(arena, team, &pass->geometry, scene->algorithm, prepaints, listed, desc->base, cancel,
                              &pass->visibility));
     pass->layers = (struct zr_layers_pool){.arena = arena, .lock = PTHREAD_MUTEX_INITIALIZER};
     pass->tiles = (struct zr_tile_source){.scene = scene,

@@ -68,7 +68,7 @@ struct zr_store {
 
 static inline zr_vi zr_known_or(const struct zr_tile *tile, int32_t at, zr_vi words)
 {
-    const zr_vi known = zr_vi_load(tile->words + at);
+    const zr_vi known = zr_vi_load(tile->early_color + at);
     return zr_vi_select(zr_vi_eq(known, zr_vi_set(0)), words, known);
 }
 

@@ -18,7 +18,7 @@ struct coloring {
     zr_vec4 *front, *back;
     uint32_t *packed; /* instead of front and back */
     uint32_t count;   /* colours per side, if packed */
-    bool sided;
+    bool two_sided_colors;
     bool per_corner; /* else per vertex, or per face */
     bool per_vertex;
     const struct zr_cancel *cancel;
@@ -120,9 +120,9 @@ static void put_lit(const struct coloring *coloring, size_t first, const zr_vec4
         light_some(coloring, first, normals, bases, count, coloring->front + first, coloring->back + first);
         return;
     }
-    light_some(coloring, first, normals, bases, count, front, coloring->sided ? back : front);
+    light_some(coloring, first, normals, bases, count, front, coloring->two_sided_colors ? back : front);
     pack(front, count, coloring->packed + first);
-    if (coloring->sided) pack(back, count, coloring->packed + coloring->count + first);
+    if (coloring->two_sided_colors) pack(back, count, coloring->packed + coloring->count + first);
 }
 
 static void light_points(const struct coloring *coloring, struct points *points)
@@ -147,7 +147,7 @@ static void put_unlit(const struct coloring *coloring, uint32_t slot, zr_vec4 ba
         return;
     }
     coloring->packed[slot] = zr_rgba_opaque(base);
-    if (coloring->sided) coloring->packed[coloring->count + slot] = coloring->packed[slot];
+    if (coloring->two_sided_colors) coloring->packed[coloring->count + slot] = coloring->packed[slot];
 }
 
 static void color_vertices(void *context, size_t begin, size_t end)
@@ -314,15 +314,16 @@ static void make_of_faces(struct zr_team *team, struct coloring *coloring)
 
 struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
                                        const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                       const struct zr_lights *lighting, const zr_mat4 *object_to_eye, bool sided,
-                                       uint32_t *out)
+                                       const struct zr_lights *lighting, const zr_mat4 *object_to_eye,
+                                       bool two_sided_colors, uint32_t *out)
 {
     struct coloring coloring = coloring_make(team, cancel, scene, mesh, lighting, object_to_eye);
     coloring.count = mesh->face_count;
-    coloring.sided = sided;
+    coloring.two_sided_colors = two_sided_colors;
     coloring.packed = out;
     make_of_faces(team, &coloring);
-    return (struct zr_colors){.rate = ZR_RATE_FACE, .sided = sided, .packed = out, .count = coloring.count};
+    return (struct zr_colors){
+        .rate = ZR_RATE_FACE, .two_sided_colors = two_sided_colors, .packed = out, .count = coloring.count};
 }
 
 struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
@@ -332,7 +333,7 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
 {
     enum zr_rate rate = zr_colors_rate(scene, mesh);
     struct zr_colors colors = {
-        .rate = rate, .sided = front != back, .front = front, .back = back, .count = count_at(mesh, rate)};
+        .rate = rate, .two_sided_colors = front != back, .front = front, .back = back, .count = count_at(mesh, rate)};
     struct coloring coloring = coloring_make(team, cancel, scene, mesh, lighting, object_to_eye);
     coloring.front = front;
     coloring.back = back;

@@ -12,10 +12,10 @@
 
 struct zr_colors {
     enum zr_rate rate;           /* with ZR_RATE_CORNER, flat faces take the colour of their first corner */
-    bool sided;                  /* true if front and back colours may differ */
+    bool two_sided_colors;       /* true if front and back colours may differ */
     const zr_vec4 *front, *back; /* colours of the two sides; one array if they do not differ */
     const uint32_t *packed;      /* instead of them, only with ZR_RATE_FACE: zr_rgba_opaque, fronts, followed by backs
-                                  * if sided */
+                                  * if two_sided_colors */
     uint32_t count;              /* colours per side */
 };
 
@@ -46,12 +46,12 @@ bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mes
 /* Returns true if every face is flat: 4 bytes per side then replace 16. */
 bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh *mesh);
 
-/* Writes packed colours of such a mesh to out[], which has room for one per face, or two if `sided`. Returns early if
- * cancelled. */
+/* Writes packed colours of such a mesh to out[], which has room for one per face, or two if `two_sided_colors`. Returns
+ * early if cancelled. */
 struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
                                        const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                       const struct zr_lights *lighting, const zr_mat4 *object_to_eye, bool sided,
-                                       uint32_t *out);
+                                       const struct zr_lights *lighting, const zr_mat4 *object_to_eye,
+                                       bool two_sided_colors, uint32_t *out);
 
 /* Writes colours to front[] and back[], which the caller allocates. *normals: the mesh's vertex normals
  * (vertex_normals.h), or NULL. If NULL and needed, they are made and returned for other instances of the mesh. Fails

@@ -173,8 +173,8 @@ static bool color_faces(struct making *m, const struct zr_draw *draw, struct zr_
     attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){rate, colors->front};
     surface->packed = colors->packed;
     surface->color_count = colors->count;
-    surface->sided = colors->sided && draw->material->double_sided;
-    if (surface->sided) attributes[ZR_ATTRIBUTE_BACK_COLOR] = (struct zr_attribute){rate, colors->back};
+    surface->two_sided_colors = colors->two_sided_colors && draw->material->double_sided;
+    if (surface->two_sided_colors) attributes[ZR_ATTRIBUTE_BACK_COLOR] = (struct zr_attribute){rate, colors->back};
     return true;
 }
 

@@ -29,11 +29,11 @@ enum {
 struct zr_draw_attributes {
     const struct zr_draw *draw;
     struct zr_attribute attributes[ZR_ATTRIBUTE_COUNT];
-    const uint32_t *packed; /* face colours as zr_rgba_opaque, fronts, followed by backs if sided; instead of values, or
-                             * beside them; NULL: none */
+    const uint32_t *packed; /* face colours as zr_rgba_opaque, fronts, followed by backs if two_sided_colors; instead of
+                             * values, or beside them; NULL: none */
     uint32_t color_count;   /* front colours, without those of clipped vertices */
     uint32_t material;      /* number in the scene */
-    bool sided;             /* backs are drawn in colours of their own */
+    bool two_sided_colors;  /* backs are drawn in colours of their own */
     bool is_per_pixel;      /* shaded per pixel: zr_material_is_shaded_late, fog or textures */
     const uint32_t *backs;  /* bits of zr_prepaint.backs, which binning fills in (zr_paint_prepare); NULL: none */
 };

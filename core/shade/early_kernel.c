@@ -16,12 +16,12 @@ static inline zr_vi color_at(const struct zr_plane_v *oow, const struct zr_plane
                            zr_plane_at_v(&p->z, x, y));
 }
 
-void ZR_KERNEL(zr_early)(const struct zr_prepaint *payload, const uint32_t *numbers, uint32_t turned,
+void ZR_KERNEL(zr_early)(const struct zr_prepaint *prepaint, const uint32_t *numbers, uint32_t turned,
                          const float *corners, const uint32_t *triangles, const float *x, const float *y,
                          uint32_t count, uint32_t *words)
 {
-    const struct zr_draw *draw = payload->draw;
-    const struct zr_draw_attributes *surface = payload->context;
+    const struct zr_draw *draw = prepaint->draw;
+    const struct zr_draw_attributes *surface = prepaint->context;
     const struct zr_attribute color = surface->attributes[ZR_ATTRIBUTE_COLOR];
     struct zr_corner_v v[3];
     struct zr_vec3_v c[3];

@@ -31,7 +31,7 @@ static bool pack_colors(struct zr_arena *arena, struct zr_team *team, struct zr_
     for (uint32_t i = 0; i < count; i++) {
         struct zr_draw_attributes *surface = &surfaces[i];
         const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
-        if (!color->values || !zr_rate_is_flat(color->rate) || surface->packed || surface->sided ||
+        if (!color->values || !zr_rate_is_flat(color->rate) || surface->packed || surface->two_sided_colors ||
             surface->is_per_pixel)
             continue;
         if (last && last->attributes[ZR_ATTRIBUTE_COLOR].values == color->values &&
@@ -53,58 +53,58 @@ static bool pack_colors(struct zr_arena *arena, struct zr_team *team, struct zr_
 
 /* ---- prepaint ---- */
 
-static size_t words_of_backs(const struct zr_draw_attributes *surface)
+static size_t back_word_count(const struct zr_draw_attributes *surface)
 {
-    const bool wanted = surface->sided && zr_draw_is_plain(surface->draw) && !zr_draw_is_smooth(surface);
+    const bool wanted = surface->two_sided_colors && zr_draw_is_plain(surface->draw) && !zr_draw_is_smooth(surface);
     return wanted ? (surface->draw->count - 1) / 32 + 1 : 0;
 }
 
-static void look_first(const struct zr_draw_attributes *surface, struct zr_prepaint *payload)
+static void set_prefetch(const struct zr_draw_attributes *surface, struct zr_prepaint *prepaint)
 {
     const struct zr_draw *draw = surface->draw;
     const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
     const size_t word = sizeof(uint32_t);
-    payload->first = (uintptr_t)draw; /* already in the cache: nothing to prefetch */
+    prepaint->first = (uintptr_t)draw; /* already in the cache: nothing to prefetch */
     if (!color->values && !surface->packed) return;
     if (zr_draw_is_smooth(surface) || (color->rate == ZR_RATE_FIRST_VERTEX && !draw->faces)) {
-        payload->first = (uintptr_t)draw->corners;
-        payload->step = 3 * word;
+        prepaint->first = (uintptr_t)draw->corners;
+        prepaint->step = 3 * word;
     } else if (draw->faces) {
-        payload->first = (uintptr_t)draw->faces;
-        payload->step = word;
+        prepaint->first = (uintptr_t)draw->faces;
+        prepaint->step = word;
     } else if (color->rate == ZR_RATE_FIRST_CORNER) {
-        payload->first = (uintptr_t)(draw->mesh->face_offsets + draw->first_face);
-        payload->step = word;
+        prepaint->first = (uintptr_t)(draw->mesh->face_offsets + draw->first_face);
+        prepaint->step = word;
     } else if (surface->packed) {
-        payload->first = (uintptr_t)(surface->packed + draw->first_face);
-        payload->step = word;
+        prepaint->first = (uintptr_t)(surface->packed + draw->first_face);
+        prepaint->step = word;
     } else {
-        payload->first = (uintptr_t)(color->values + draw->first_face);
-        payload->step = sizeof *color->values;
+        prepaint->first = (uintptr_t)(color->values + draw->first_face);
+        prepaint->step = sizeof *color->values;
     }
 }
 
 enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
                                 struct zr_scene_attributes *surfaces, uint64_t pixels,
-                                const struct zr_prepaint **payloads)
+                                const struct zr_prepaint **prepaints)
 {
     const uint32_t count = geometry->draw_count;
     struct zr_prepaint *out = zr_arena_zero(arena, (size_t)count + 1, sizeof *out);
     size_t words = 0;
     if (!out || !pack_colors(arena, team, surfaces->of_draw, count, pixels)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < count; i++)
-        words += words_of_backs(&surfaces->of_draw[i]);
+        words += back_word_count(&surfaces->of_draw[i]);
     uint32_t *backs = zr_arena_zero(arena, words, sizeof *backs);
     if (!backs) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < count; i++) {
         struct zr_draw_attributes *surface = &surfaces->of_draw[i];
-        words = ZR_FAST(noted_backs, words_of_backs(surface) > 0) ? words_of_backs(surface) : 0;
+        words = ZR_FAST(noted_backs, back_word_count(surface) > 0) ? back_word_count(surface) : 0;
         out[i] = (struct zr_prepaint){.context = surface, .draw = surface->draw, .backs = words > 0 ? backs : NULL};
         if (ZR_FAST(early_words, zr_draw_is_painted_early(surface))) out[i].make = zr_early_of(zr_team_isa(team));
-        look_first(surface, &out[i]);
+        set_prefetch(surface, &out[i]);
         surface->backs = out[i].backs;
         backs += words;
     }
-    *payloads = out;
+    *prepaints = out;
     return ZR_OK;
 }

@@ -102,6 +102,6 @@ static inline bool zr_draw_is_painted_early(const struct zr_draw_attributes *sur
  * bunny at 1920x1080). Returns ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
                                 struct zr_scene_attributes *surfaces, uint64_t pixels,
-                                const struct zr_prepaint **payloads);
+                                const struct zr_prepaint **prepaints);
 
 #endif

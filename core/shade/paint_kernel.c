@@ -9,7 +9,7 @@ static void shade_parts(struct zr_shader *s, const struct zr_tile *tile, const s
 {
     const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
     for (int begin = 0, end; (colors || others) && begin < all; begin = end) {
-        end = zr_find_parts(s, tile, begin, tile->has_words && !others);
+        end = zr_find_parts(s, tile, begin, tile->has_early_color && !others);
         if (colors) zr_shade_colors(s, tile, begin, end, to);
         if (others) zr_shade_channels_of_parts(s, tile, begin, end, to);
     }
@@ -21,7 +21,8 @@ static void shade(const struct zr_geometry *geometry, const struct zr_scene_attr
                   const struct zr_tile *tile, const struct zr_tile_targets *to)
 {
     struct zr_shader s;
-    const bool together = !tile->has_words, colors = to->channels[ZR_CHANNEL_COLOR].first, others = zr_wants_parts(to);
+    const bool together = !tile->has_early_color, colors = to->channels[ZR_CHANNEL_COLOR].first,
+               others = zr_wants_parts(to);
     s.geometry = geometry;
     s.surfaces = surfaces;
     s.draw = &geometry->draws[0];

@@ -71,7 +71,7 @@ static inline zr_vi zr_patch_owners(const struct zr_tile *tile, int32_t at, bool
 {
     const zr_vi owner = zr_vi_load_patch(tile->owner + at, ZR_TILE_STRIDE), none = zr_vi_set(0);
     if (!without_known) return owner;
-    const zr_vi color = zr_vi_load_patch(tile->words + at, ZR_TILE_STRIDE);
+    const zr_vi color = zr_vi_load_patch(tile->early_color + at, ZR_TILE_STRIDE);
     return zr_vi_select(zr_vi_eq(color, none), owner, none);
 }
 

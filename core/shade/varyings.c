@@ -18,7 +18,7 @@ static struct line_colors line_colors_of(const struct zr_geometry *geometry, con
 {
     const struct zr_draw *draw = surface->draw;
     const struct zr_triangle line = zr_triangle_of(geometry, draw, number);
-    const bool back = surface->sided && line.back, smooth = zr_draw_is_smooth(surface);
+    const bool back = surface->two_sided_colors && line.back, smooth = zr_draw_is_smooth(surface);
     const enum zr_rate rate = surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
     const uint32_t t = number - draw->first;
     const uint32_t n0 = smooth ? zr_smooth_number(draw, rate, t, 0) : zr_flat_number(draw, rate, t);

@@ -46,7 +46,7 @@ ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, uns
     struct zr_vec3_v c[3];
     zr_vf opacity[3];
     uint32_t backs = 0;
-    if (surface->sided) backs = zr_vm_bits(zr_shown_backs(run->draw, zr_run_numbers(s, run), way->turned));
+    if (surface->two_sided_colors) backs = zr_vm_bits(zr_shown_backs(run->draw, zr_run_numbers(s, run), way->turned));
     zr_colors_load(surface, corners->value, backs, c, opacity);
     if (mask & ZR_VARY_COLOR) zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_COLOR), way, c, flat);
     if (mask & ZR_VARY_OPACITY) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_OPACITY), way, opacity, flat);

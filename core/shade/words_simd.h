@@ -23,7 +23,7 @@ static inline zr_vi zr_sided_number(const struct zr_geometry *geometry, const st
                                     zr_vi t)
 {
     const zr_vi number = zr_flat_number_v(surface->draw, surface->attributes[ZR_ATTRIBUTE_COLOR].rate, t);
-    if (!surface->sided) return number;
+    if (!surface->two_sided_colors) return number;
     const zr_vi behind = zr_vi_set((int32_t)surface->color_count);
     return number + zr_vi_select(zr_flat_backs(geometry, surface, t), behind, zr_vi_set(0));
 }
@@ -54,7 +54,7 @@ static inline zr_vi zr_flat_look_up(const struct zr_draw_attributes *surface, zr
 {
     zr_vf red, green, blue;
     if (surface->packed) return zr_vi_gather(ZR_ALL_LANES, surface->packed, number);
-    if (surface->sided) return zr_flat_look_up_sided(surface, number);
+    if (surface->two_sided_colors) return zr_flat_look_up_sided(surface, number);
     zr_vf_gather_fours(&surface->attributes[ZR_ATTRIBUTE_COLOR].values->x, number, &red, &green, &blue);
     return zr_rgba_opaque_v(red, green, blue);
 }

@@ -31,7 +31,7 @@ static inline void zr_look_up_smooth(const struct zr_shader *s, const struct zr_
         for (int k = 0; k < 3; k++) {
             __builtin_prefetch(&s->geometry->vertices[out->vertex[k][i]]);
             __builtin_prefetch(&color->values[out->value[k][i]]);
-            if (run->surface->sided) __builtin_prefetch(&back->values[out->value[k][i]]);
+            if (run->surface->two_sided_colors) __builtin_prefetch(&back->values[out->value[k][i]]);
         }
 }
 
@@ -102,7 +102,7 @@ ZR_INLINED void zr_shade_colors_by(struct zr_shader *s, const struct zr_tile *ti
         if (i >= ZR_RUNS_AHEAD) zr_make_colors(s, &s->runs[i - ZR_RUNS_AHEAD], of_run, mask);
         if (i < s->run_count) zr_look_up_colors(s, &s->runs[i], of_run);
     }
-    const struct zr_store finish = {tile, tile->has_words, to->behind.first ? &to->behind : NULL,
+    const struct zr_store finish = {tile, tile->has_early_color, to->behind.first ? &to->behind : NULL,
                                     &to->channels[ZR_CHANNEL_COLOR]};
     zr_store_blocks(s, &finish, begin, end, mask);
 }

@@ -6,8 +6,8 @@
 #include "shade/lights/shadow_map.h"
 
 /* Texels sampled around a point: dx^2 + dy^2 <= 12. */
-enum { ZR_SHADOW_REACH = 3, ZR_SHADOW_TEXELS = 37 };
-_Static_assert((int)ZR_SHADOW_REACH < (int)ZR_SHADOW_BORDER, "from beyond the border, nothing but border is asked");
+enum { ZR_SHADOW_RADIUS = 3, ZR_SHADOW_TEXELS = 37 };
+_Static_assert((int)ZR_SHADOW_RADIUS < (int)ZR_SHADOW_BORDER, "samples around a texel beyond the border are border");
 
 /* Returns axis . p + offset. */
 static inline zr_vf zr_shadow_along(zr_vec3 axis, struct zr_vec3_v p, float offset)
@@ -36,15 +36,15 @@ static inline zr_vi zr_shadow_clamp(zr_vi texel)
 /* Returns the share of texels around x, y that are not in front of a depth. */
 static inline zr_vf zr_shadow_mean_v(const struct zr_shadow_map *map, zr_vi x, zr_vi y, zr_vf depth)
 {
-    enum { REACH = ZR_SHADOW_REACH };
-    zr_vi columns[2 * REACH + 1], lit = zr_vi_set(0);
-    for (int dx = -REACH; dx <= REACH; dx++)
-        columns[dx + REACH] = zr_shadow_clamp(x + zr_vi_set(dx));
-    for (int dy = -REACH; dy <= REACH; dy++) {
+    enum { RADIUS = ZR_SHADOW_RADIUS };
+    zr_vi columns[2 * RADIUS + 1], lit = zr_vi_set(0);
+    for (int dx = -RADIUS; dx <= RADIUS; dx++)
+        columns[dx + RADIUS] = zr_shadow_clamp(x + zr_vi_set(dx));
+    for (int dy = -RADIUS; dy <= RADIUS; dy++) {
         const zr_vi row = zr_shadow_clamp(y + zr_vi_set(dy)) * zr_vi_set(map->stride);
-        for (int dx = -REACH; dx <= REACH; dx++) {
+        for (int dx = -RADIUS; dx <= RADIUS; dx++) {
             if (dx * dx + dy * dy > 12) continue;
-            const zr_vf texel = zr_vf_bits(zr_vi_gather(ZR_ALL_LANES, map->depths, row + columns[dx + REACH]));
+            const zr_vf texel = zr_vf_bits(zr_vi_gather(ZR_ALL_LANES, map->depths, row + columns[dx + RADIUS]));
             lit = lit + zr_vi_select(zr_vf_le(depth, texel), zr_vi_set(1), zr_vi_set(0));
         }
     }
