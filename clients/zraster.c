@@ -1,7 +1,7 @@
-/* zraster.c - the command-line client: a file in, a picture out.
+/* zraster.c - the command-line client: sends a file to the daemon and saves the picture.
  *
- * Exit status: 0 the picture is there; 1 the server refused or could not be
- * reached, or a file could not be read or written; 2 the command line is wrong.
+ * Exit status: 0: the picture is saved; 1: the server refused the request or cannot be reached, or a file cannot be
+ * read or written; 2: the command line is wrong.
  */
 #include <curl/curl.h>
 #include <errno.h>
@@ -19,35 +19,38 @@
 #include "token.h"
 #include "version.h"
 
+enum { HELP_COLUMN = 28 }; /* of --help: more than the longest option with its placeholder */
+
 static void print_usage(void)
 {
     fputs("usage: zraster render FILE [options]\n"
           "\n"
-          "Sends a scene (.json) or a mesh (one of" OPTIONS_MESHES ") to zrasterd and saves what comes back.\n"
-          "FILE may be - for standard input; the picture then goes to standard output.\n"
+          "Sends a scene (.json) or a mesh (one of" OPTIONS_MESHES ") to zrasterd and saves the answer.\n"
+          "FILE may be - for standard input; the answer then goes to standard output.\n"
           "\n"
-          "  -o FILE               where to save; - is standard output\n"
-          "                        (default: FILE's name with the ending of what came back, in this folder)\n",
+          "  -o FILE                   output file; - is standard output\n"
+          "                            (default: in this folder, FILE's name with the ending of the answer's format)\n",
           stdout);
     for (size_t i = 0; i < OPTIONS_PARAMETERS; i++) {
         const struct parameter *p = &options_parameters[i];
         char flag[OPTIONS_FLAG_SIZE];
         options_flag_of(p->name, strlen(p->name), flag);
-        if (p->of_mesh && !options_parameters[i - 1].of_mesh)
-            puts("\nOf meshes; a scene has keys of its own for them:\n");
+        if (p->of_mesh && !options_parameters[i - 1].of_mesh) puts("\nFor meshes; a scene has keys of its own:\n");
         const int used = printf("  %s %s", flag, p->value);
         const bool is_look = strcmp(p->name, "look") == 0;
-        printf("%*s%s%s\n", used < 24 ? 24 - used : 1, "", is_look ? zr_looks_join().text : "", p->help);
+        printf("%*s%s%s\n", used < HELP_COLUMN ? HELP_COLUMN - used : 1, "", is_look ? zr_looks_join().text : "",
+               p->help);
     }
-    fputs("  --size WxH            both sides of the window, such as 800x600\n"
+    fputs("  --size WxH                width and height of the window, such as 800x600\n"
           "\n"
-          "  --type TYPE           one of" OPTIONS_TYPES ", where neither the file's ending nor its bytes say it\n"
-          "  --server ADDRESS      HOST:PORT or a URL (default: $ZRASTER_SERVER, else " DEFAULT_SERVER ")\n"
-          "  --token-file FILE     its first line is the token that the server wants (default: $ZRASTER_TOKEN)\n"
+          "  --type TYPE               format of FILE, one of" OPTIONS_TYPES
+          " (default: by its ending, else by its bytes)\n"
+          "  --server ADDRESS          HOST:PORT or a URL (default: $ZRASTER_SERVER, else " DEFAULT_SERVER ")\n"
+          "  --token-file FILE         file whose first line is the server's token (default: $ZRASTER_TOKEN)\n"
           "  --help, --version\n"
           "\n"
-          "--name=value is the same as --name value; where BOOL is left out, it is true. Behind -- an argument is a "
-          "file, whatever it begins with.\n",
+          "--name=value is the same as --name value. [BOOL] may be omitted and is true then. An argument behind -- is "
+          "a file, even with a leading dash.\n",
           stdout);
 }
 

@@ -28,50 +28,56 @@
  * scene/shadings.h. The help of `look` follows the names of the looks. */
 #define ZR_PARAMETER_ROWS(ROW)                                                                                         \
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
-        "one output instead of the scene's: color, depth, normals and others")                                         \
-    ROW(encoding, "/outputs/0/encoding", ANY, NAME, "png, npy, png16 or json (default: by channel)")                   \
+        "one output instead of the scene's: color, depth, normals or others")                                          \
+    ROW(encoding, "/outputs/0/encoding", ANY, NAME,                                                                    \
+        "format of the output: png, npy, png16 or json (default: by channel)")                                         \
     ROW(scale, "/outputs/0/scale", ANY, UNITS, "scene units per step of a 16-bit depth picture")                       \
-    ROW(x, "/outputs/0/x", ANY, PIXEL, "column of the pixel whose fragments are listed, from the left, from 0")        \
-    ROW(y, "/outputs/0/y", ANY, PIXEL, "row of that pixel, from the top, from 0")                                      \
-    ROW(compress, "/query/compress", ANY, NAME, "fast or small: smaller PNGs that take longer (default: fast)")        \
-    ROW(strict, "/query/strict", ANY, BOOL, "warnings are errors (default: false)")                                    \
+    ROW(x, "/outputs/0/x", ANY, PIXEL, "column of the pixel for the channel fragments, from 0 at the left")            \
+    ROW(y, "/outputs/0/y", ANY, PIXEL, "row of that pixel, from 0 at the top")                                         \
+    ROW(compress, "/query/compress", ANY, NAME, "PNG compression: fast, or small for fewer bytes (default: fast)")     \
+    ROW(strict, "/query/strict", ANY, BOOL, "errors instead of warnings (default: false)")                             \
     ROW(colorBar, "/colorBar", ANY, BOOL, "colour bar with numbers over the picture (default: the scene's)")           \
-    ROW(look, "/look", MESH, NAME, "; NAME@VERSION pins it (default: studio)")                                         \
+    ROW(look, "/look", MESH, NAME, "; NAME@VERSION pins a version (default: studio)")                                  \
     ROW(samples, "/samples", MESH, COUNT, "samples per pixel: 1, 4, 16 or 64 (default: the look's)")                   \
     ROW(width, "/window/width", MESH, SIDE, "width of the window (default: 640)")                                      \
     ROW(height, "/window/height", MESH, SIDE, "height of the window (default: 480)")                                   \
     ROW(preset, "/view/preset", MESH, NAME,                                                                            \
-        "front, back, left, right, top, bottom or isometric (default: the look's view)")                               \
+        "side of the camera: front, back, left, right, top, bottom or isometric (default: the look's view)")           \
     ROW(azimuth, "/view/azimuthDegrees", MESH, DEGREES, "angle of the camera to the right of the front")               \
     ROW(elevation, "/view/elevationDegrees", MESH, DEGREES, "angle of the camera above the horizon, -90 to 90")        \
     ROW(padding, "/view/fit/padding", MESH, NUMBER, "share of the window left free on each side, 0 to 0.45")           \
     ROW(up, "/query/up", MESH, NAME, "axis of the mesh that points up: y or z (default: z for STL, else y)")           \
-    ROW(projection, "/query/projection", MESH, NAME, "orthographic or perspective (default: the look's)")              \
-    ROW(shading, "/shading", MESH, NAME, ZR_SHADING_LIST "by default the look's")                                      \
+    ROW(projection, "/query/projection", MESH, NAME,                                                                   \
+        "kind of camera: orthographic or perspective (default: the look's)")                                           \
+    ROW(shading, "/shading", MESH, NAME, "model of reflection: " ZR_SHADING_LIST "or the look's (default)")            \
     ROW(color, "/materials/0/baseColorFactor", MESH, COLOR, "colour of the mesh, such as tomato or #ff6347")           \
-    ROW(metallic, "/materials/0/metallicFactor", MESH, NUMBER, "0, plastic, to 1, metal, with the shading pbr")        \
-    ROW(roughness, "/materials/0/roughnessFactor", MESH, NUMBER, "0, a mirror, to 1, rough, with the shading pbr")     \
-    ROW(doubleSided, "/materials/0/doubleSided", MESH, BOOL, "faces are drawn from both sides (default: true)")        \
+    ROW(metallic, "/materials/0/metallicFactor", MESH, NUMBER,                                                         \
+        "metalness for the shading pbr, 0 (plastic) to 1 (metal)")                                                     \
+    ROW(roughness, "/materials/0/roughnessFactor", MESH, NUMBER,                                                       \
+        "roughness for the shading pbr, 0 (mirror) to 1 (matt)")                                                       \
+    ROW(doubleSided, "/materials/0/doubleSided", MESH, BOOL,                                                           \
+        "both sides of faces; false: front sides only (default: true)")                                                \
     ROW(background, "/background", MESH, BACKGROUND, "colour behind the mesh, or transparent (default: the look's)")   \
-    ROW(outline, "/outline", MESH, OUTLINE, "colour of the edges of faces, or true or false (default: false)")         \
+    ROW(outline, "/outline", MESH, OUTLINE, "colour of face edges, or true or false (default: false)")                 \
     ROW(lineWidth, "/lineWidth", MESH, PIXELS, "width of outlines, 0.1 to 64 (default: 1)")                            \
-    ROW(fill, "/fill", MESH, BOOL, "faces are filled; false: a wireframe (default: true)")                             \
-    ROW(creaseDegrees, "/creaseDegrees", MESH, DEGREES, "largest angle between faces that are shaded as one")          \
-    ROW(edges, "/edges", MESH, BOOL, "silhouettes and creases are drawn (default: the look's)")                        \
-    ROW(occlusion, "/occlusion", MESH, BOOL, "creases and holes get less ambient light (default: the look's)")         \
+    ROW(fill, "/fill", MESH, BOOL, "filled faces; false: a wireframe (default: true)")                                 \
+    ROW(creaseDegrees, "/creaseDegrees", MESH, DEGREES, "largest angle between smoothly joined faces")                 \
+    ROW(edges, "/edges", MESH, BOOL, "lines along silhouettes and creases (default: the look's)")                      \
+    ROW(occlusion, "/occlusion", MESH, BOOL, "less ambient light in creases and holes (default: the look's)")          \
     ROW(groundShadow, "/groundShadow", MESH, BOOL, "soft shadow on the ground (default: the look's)")                  \
-    ROW(environment, "/environment", MESH, NAME_OR_FALSE, "studio, outdoor or false (default: the look's)")            \
+    ROW(environment, "/environment", MESH, NAME_OR_FALSE,                                                              \
+        "light from all around: studio, outdoor or false (default: the look's)")                                       \
     ROW(exposure, "/exposure", MESH, NUMBER, "factor of all light, 0 to 1e6 (default: the look's)")                    \
-    ROW(toneMapping, "/toneMapping", MESH, NAME, "none, khronos-neutral or neutral (default: the look's)")             \
+    ROW(toneMapping, "/toneMapping", MESH, NAME, "tone curve: none, khronos-neutral or neutral (default: the look's)") \
     ROW(ambient, "/ambient", MESH, COLOR, "ambient light instead of the look's lights")                                \
     ROW(light, "/lights/0/type", MESH, NAME,                                                                           \
-        "directional, point, spot or hemisphere: one light instead of the look's (default: directional)")              \
-    ROW(lightDirection, "/lights/0/direction", MESH, VECTOR, "direction in which its light travels")                   \
+        "one light instead of the look's: directional, point, spot or hemisphere (default: directional)")              \
+    ROW(lightDirection, "/lights/0/direction", MESH, VECTOR, "direction in which the light travels")                   \
     ROW(lightPosition, "/lights/0/position", MESH, VECTOR, "position of a point or spot light")                        \
     ROW(lightColor, "/lights/0/color", MESH, COLOR, "colour of the light (default: white)")                            \
-    ROW(lightIntensity, "/lights/0/intensity", MESH, NUMBER, "factor of its colour (default: 1)")                      \
-    ROW(shadows, "/lights/0/shadows", MESH, BOOL, "the light casts shadows (default: false)")                          \
+    ROW(lightIntensity, "/lights/0/intensity", MESH, NUMBER, "factor of the light's colour (default: 1)")              \
+    ROW(shadows, "/lights/0/shadows", MESH, BOOL, "shadows of the light (default: false)")                             \
     ROW(algorithm, "/algorithm", MESH, NAME,                                                                           \
-        "halfspace, edgelist, trapezoid, scanline or painter: the same pixels (default: halfspace)")
+        "visibility algorithm: halfspace, edgelist, trapezoid, scanline or painter (default: halfspace)")
 
 #endif

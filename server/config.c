@@ -32,64 +32,66 @@ struct setting {
 
 /* Side and coordinates cannot be raised: the rasterizer's fixed point is proven up to these. */
 static const struct setting SETTINGS[] = {
-    {"address", ADDRESS, AT(address), false, 0, 0, 0, "127.0.0.1", "", "numeric address to listen on, IPv4 or IPv6"},
-    {"port", NUMBER, AT(port), false, 8080, 0, 65535, NULL, "", "port to listen on; 0: any that is free"},
+    {"address", ADDRESS, AT(address), false, 0, 0, 0, "127.0.0.1", "", "numeric IPv4 or IPv6 address to listen on"},
+    {"port", NUMBER, AT(port), false, 8080, 0, 65535, NULL, "", "port to listen on; 0: any free port"},
     {"token", TEXT, AT(token), false, 0, 0, 0, "", "",
-     "bearer token that clients must send; empty: none; better set by its variable, which ps does not show"},
+     "bearer token that clients must send; empty: none; prefer its variable, which ps does not show"},
     {"workers", NUMBER, AT(workers), true, 0, 0, 256, NULL, "",
-     "requests worked on at once, beside a small one; 0: one a core"},
-    {"threads", NUMBER, AT(threads), true, 0, 0, ZR_TEAM_MAX, NULL, "", "render threads, shared; 0: one a core"},
+     "requests processed at once, besides one small request; 0: one per core"},
+    {"threads", NUMBER, AT(threads), true, 0, 0, ZR_TEAM_MAX, NULL, "",
+     "render threads, shared by all requests; 0: one per core"},
     {"isa", ISA, AT(isa), false, 0, 0, 0, "auto", "",
-     "instruction set to render with: scalar, sse2, avx2, avx512, neon, or auto: the widest that the machine has; "
-     "pixels are the same"},
+     "instruction set of the renderer: scalar, sse2, avx2, avx512, neon, or auto, the widest of the machine; "
+     "pixels do not depend on it"},
     {"queue", NUMBER, AT(queue), true, 0, 0, 65536, NULL, "requests",
-     "may wait for a worker, small ones and large ones each; beyond 2 a worker only those that it would come to within "
-     "a second; 0: 256 a worker"},
+     "that may wait in each queue, small and large; beyond 2 per worker, only those that should start within a second; "
+     "0: 256 per worker"},
     {"max-per-client", NUMBER, AT(max_per_client), true, 4, 0, 65536, NULL, "requests",
-     "in flight from one public address (of IPv6: from one network of 64 bits); 0: no limit, for use behind a proxy"},
+     "in flight per public address (IPv6: per network of 64 bits); 0: no limit, for use behind a proxy"},
     {"max-per-private-client", NUMBER, AT(max_per_private_client), true, 0, 0, 65536, NULL, "requests",
-     "in flight from one address of this machine or of a private network; 0: no limit"},
-    {"max-connections", NUMBER, AT(max_connections), true, 1024, 8, 65536, NULL, "", "connections open at once"},
+     "in flight per address of this machine or of a private network; 0: no limit"},
+    {"max-connections", NUMBER, AT(max_connections), true, 1024, 8, 65536, NULL, "", "open connections"},
     {"body-max-bytes", NUMBER, AT(body_max_bytes), true, 64 * MIB, 1, 4 * GIB, NULL, "bytes", "of one request body"},
     {"upload-memory-bytes", NUMBER, AT(upload_memory_bytes), true, 512 * MIB, 1, 1024 * GIB, NULL, "bytes",
-     "of all request bodies held at once, whose pages may take up to twice that"},
+     "of all request bodies held at once; their pages may take up to twice that"},
     {"request-memory-bytes", NUMBER, AT(request_memory_bytes), true, GIB, MIB, 1024 * GIB, NULL, "bytes",
      "that one render may allocate"},
     {"keep-memory-bytes", NUMBER, AT(keep_memory_bytes), true, 256 * MIB, 0, 1024 * GIB, NULL, "bytes",
-     "that a worker keeps between requests, at most; what it keeps goes back after 2 s without any"},
+     "that a worker may keep between requests; they return to the system after 2 s without a request"},
     {"answer-memory-bytes", NUMBER, AT(answer_memory_bytes), true, 512 * MIB, 1, 1024 * GIB, NULL, "bytes",
-     "of all answers that wait for their readers; beyond it no render is begun"},
+     "of all answers that wait for their readers; beyond it, no render begins"},
     {"cgroup", TEXT, AT(cgroup), false, 0, 0, 0, "/sys/fs/cgroup", "",
-     "folder of the control group whose memory limit is minded: 503 beyond 92 % of it"},
+     "folder of the control group; requests get 503 beyond 92 % of its memory limit"},
     {"assets-dir", TEXT, AT(assets_dir), false, 0, 0, 0, "", "",
-     "directory, there already, where uploaded assets are kept by their hash; empty: none are"},
+     "existing directory for uploaded assets, stored under their hash; empty: no assets"},
     {"assets-max-bytes", NUMBER, AT(assets_max_bytes), true, GIB, 4096, 1024 * 1024 * GIB, NULL, "bytes",
-     "of all assets together, in blocks of 4096; those not used for longest make room"},
+     "of all assets together, in blocks of 4096; the least recently used are removed first"},
     {"header-timeout-ms", NUMBER, AT(header_timeout_ms), true, 10000, 1, DAY_MS, NULL, "ms",
-     "for a whole request header to arrive"},
+     "for a complete request header to arrive"},
     {"idle-timeout-ms", NUMBER, AT(idle_timeout_ms), true, 60000, 1, DAY_MS, NULL, "ms",
-     "a kept connection may stay silent"},
+     "that a kept connection may stay silent"},
     {"body-timeout-ms", NUMBER, AT(body_timeout_ms), true, 30000, 1, DAY_MS, NULL, "ms",
-     "for a whole request body to arrive"},
+     "for a complete request body to arrive"},
     {"body-min-bytes-per-second", NUMBER, AT(body_min_bytes_per_second), true, 1024, 0, GIB, NULL, "bytes/s",
-     "a body must average after its first 5 s; 0: no limit"},
+     "that a body must average after its first 5 s; 0: no limit"},
     {"answer-min-bytes-per-second", NUMBER, AT(answer_min_bytes_per_second), true, 1024, 0, GIB, NULL, "bytes/s",
-     "at which a client must take its answer; 0: any"},
+     "at which a client must read its answer; 0: no limit"},
     {"write-timeout-ms", NUMBER, AT(write_timeout_ms), true, 60000, 1, DAY_MS, NULL, "ms",
-     "for a client to take its whole answer"},
+     "for a client to read its complete answer"},
     {"render-timeout-ms", NUMBER, AT(render_timeout_ms), true, 10000, 1, DAY_MS, NULL, "ms",
-     "a worker may spend on a request"},
+     "that a worker may spend on one request"},
     {"cost-max-ms", NUMBER, AT(cost_max_ms), true, 20000, 1, DAY_MS, NULL, "ms",
-     "processor time that a request may be predicted to take"},
+     "of predicted processor time of one request"},
     {"drain-timeout-ms", NUMBER, AT(drain_timeout_ms), true, 30000, 0, DAY_MS, NULL, "ms",
-     "for work in flight to end after SIGTERM"},
+     "for requests in flight to end after SIGTERM"},
     {"json-depth-max", NUMBER, AT(json_depth_max), true, 0, 1, 512, NULL, "", "nesting of arrays and objects"},
-    {"window-side-max", NUMBER, AT(window_side_max), true, 0, 1, 8192, NULL, "pixels", "width or height of an image"},
-    {"window-pixels-max", NUMBER, AT(window_pixels_max), true, 0, 1, GIB, NULL, "pixels", "summed over all outputs"},
+    {"window-side-max", NUMBER, AT(window_side_max), true, 0, 1, 8192, NULL, "pixels", "per side of an image"},
+    {"window-pixels-max", NUMBER, AT(window_pixels_max), true, 0, 1, GIB, NULL, "pixels",
+     "of all outputs of a request together"},
     {"polygon-vertices-max", NUMBER, AT(polygon_vertices_max), true, 0, 3, 8192, NULL, "", "vertices of one polygon"},
-    {"instances-max", NUMBER, AT(instances_max), true, 0, 1, 1u << 24, NULL, "", "meshes that nodes may place"},
+    {"instances-max", NUMBER, AT(instances_max), true, 0, 1, 1u << 24, NULL, "", "meshes placed by nodes"},
     {"image-pixels-max", NUMBER, AT(image_pixels_max), true, 0, 1, GIB, NULL, "pixels",
-     "summed over all images of a scene's textures"},
+     "of all images of a scene's textures together"},
     {"coordinate-max", NUMBER, AT(coordinate_max), true, 0, 1, 1000000, NULL, "", "magnitude of a coordinate"},
 };
 
@@ -298,20 +300,20 @@ void config_print_help(FILE *out)
     set_defaults(&defaults);
     fprintf(
         out,
-        "zrasterd " ZR_VERSION ": POST a scene to /v1/render, get images.\n\n"
+        "zrasterd " ZR_VERSION ": renders the scenes and meshes that clients POST to /v1/render.\n\n"
         "usage: zrasterd [--flag=value | --flag value]...\n\n"
         "  --help, --version\n"
-        "  --health    asks the daemon at --address and --port how it is; exits 0 if it is well, else 1\n\n"
-        "Every flag is also a variable: ZRASTER_BODY_MAX_BYTES for --body-max-bytes. A flag beats its variable.\n\n");
+        "  --health    health check of the daemon at --address and --port: exit status 0 if it answers well, else 1\n\n"
+        "Each flag has a variable: ZRASTER_BODY_MAX_BYTES for --body-max-bytes. A flag overrides its variable.\n\n");
     for (size_t i = 0; i < SETTING_COUNT; i++) {
         const struct setting *s = &SETTINGS[i];
         fprintf(out, "  --%s=%s\n      %s%s%s\n", s->flag, s->kind != NUMBER ? "TEXT" : "N", s->unit,
                 *s->unit ? " " : "", s->help);
         if (s->kind != NUMBER)
-            fprintf(out, "      default: %s\n", *s->text ? s->text : "none");
+            fprintf(out, "      (default: %s)\n", *s->text ? s->text : "none");
         else
-            fprintf(out, "      default: %" PRIu64 ", allowed: %" PRIu64 " to %" PRIu64 "\n", number_of(&defaults, s),
-                    s->min, s->max);
+            fprintf(out, "      %" PRIu64 " to %" PRIu64 " (default: %" PRIu64 ")\n", s->min, s->max,
+                    number_of(&defaults, s));
     }
 }
 
