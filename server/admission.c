@@ -9,8 +9,8 @@
 
 enum { FILE_SIZE = 8192 }; /* memory.stat has some 2000 bytes */
 
-/* A number that the kernel tells in a file of its own, or behind `key` at the begin of a line;
- * false where there is none ("max": no limit). */
+/* Reads a number from a file of the kernel: the first one, or the one behind `key` at the beginning of a line. False
+ * without such a number ("max": no limit). */
 static bool read_number(const char *folder, const char *file, const char *key, uint64_t *out)
 {
     char path[512], text[FILE_SIZE], *end;
@@ -48,7 +48,7 @@ bool admission_memory_is_short(const char *folder)
         if (!read_number(folder, versions[i].used, "", &used) || !read_number(folder, versions[i].limit, "", &limit))
             continue;
         if (!is_short(used, limit)) return false;
-        /* Last, for the kernel may sum it up over all groups and processors: that takes milliseconds. */
+        /* Last: the kernel may sum it over all groups and processors, which takes milliseconds. */
         read_number(folder, versions[i].list, versions[i].droppable, &droppable);
         return is_short(used - (droppable < used ? droppable : used), limit);
     }

@@ -10,7 +10,8 @@
 #include "problem.h"
 #include "text.h"
 
-/* "*", or a list of entity tags: a quote can only stand around one. RFC 9110, 13.1.2. There may be space behind it. */
+/* Searches a name in If-None-Match: "*", or a list of entity tags (RFC 9110, 13.1.2). Quotes stand only around tags.
+ * Spaces may follow. */
 static bool is_among(const char *tags, const char *name)
 {
     char wanted[STORE_NAME_SIZE + 2];
@@ -95,7 +96,7 @@ static void answer_there(struct answer *answer, const char *name, int file, size
 {
     answer_file(answer, "application/octet-stream", file, size);
     answer->status = has_asset ? 304 : 200;
-    /* What is under a hash never changes. */
+    /* The bytes under a hash never change. */
     answer_header(answer, "ETag", "\"%s\"", name);
     answer_header(answer, "Cache-Control", "public, max-age=31536000, immutable");
     answer_header(answer, "X-Content-Type-Options", "nosniff");
@@ -104,7 +105,7 @@ static void answer_there(struct answer *answer, const char *name, int file, size
 static enum request_next get(const struct service *service, const struct request *request,
                              const struct zr_cancel *cancel, struct answer *answer)
 {
-    int file = 0; /* none: its length alone is wanted */
+    int file = 0; /* none: only the size is needed */
     size_t size = 0;
     const bool wants_bytes = strcmp(request->method, "GET") == 0 && !request->has_asset;
     enum store_status status = STORE_THERE;

@@ -1,4 +1,4 @@
-/* assets.h - the routes below /v1/assets, and the assets that scenes ask for.
+/* assets.h - routes below /v1/assets, and the assets named by scenes.
  *
  *     POST      /v1/assets             bytes -> their name
  *     PUT       /v1/assets/{sha256}    bytes, checked against the name
@@ -11,13 +11,13 @@
 
 #define ASSETS_PATH "/v1/assets/"
 
-/* Sets request->asset. */
+/* Set request->asset and has_asset. */
 bool assets_open(const struct service *service, const struct load *load, struct request *request,
                  struct answer *answer);
 enum request_next assets_work(const struct service *service, const struct request *request, struct zr_arena *arena,
                               const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
 
-/* For zr_request: looks into the store. */
+/* Returns the reader of stored assets for zr_request. */
 struct zr_stored assets_stored(const struct service *service);
 
 #endif

@@ -8,10 +8,10 @@
 #include "multipart.h"
 #include "problem.h"
 
-/* Longer types are none that is known. */
+/* all known media types are shorter */
 enum { TYPE_SIZE = 128 };
 
-/* The body without its Content-Encoding. */
+/* Undoes the Content-Encoding of the body. */
 static enum body_status decompress(const struct request *request, size_t max, struct zr_arena *arena,
                                    const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
 {
@@ -39,8 +39,8 @@ static enum body_status decompress(const struct request *request, size_t max, st
     return BODY_REFUSED;
 }
 
-/* The format of the part `scene`: what its type says; JSON where it has none; and where it says nothing, the bytes
- * will. False: it is no format at all. */
+/* Finds the format of the part `scene` from its Content-Type. Without one it is JSON; for a generic type it stays
+ * unknown, and the reader detects it. False: the type names no format. */
 static bool find_format(const struct multipart_part *scene, enum zr_format *format)
 {
     char type[TYPE_SIZE] = "";
@@ -51,7 +51,8 @@ static bool find_format(const struct multipart_part *scene, enum zr_format *form
     return *format != ZR_FORMAT_UNKNOWN || zr_media_type_is_generic(type);
 }
 
-/* False: the answer says why. The part `scene` becomes the bytes, the others assets. Names lie in the arena. */
+/* Splits the body: the part `scene` becomes the bytes, the other parts become assets. Names lie in the arena. False:
+ * the answer has the error. */
 static bool unpack_parts(const struct request *request, struct zr_arena *arena, struct zr_request *render,
                          struct answer *answer)
 {

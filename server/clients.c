@@ -8,7 +8,8 @@ enum { NETWORK_BYTES = 8, MAPPED_BYTES = 12 };
 
 static const uint8_t MAPPED[MAPPED_BYTES] = {[10] = 0xFF, [11] = 0xFF}; /* ::ffff:0:0/96 */
 
-/* The first `bits` of an address; IPv4 as ::ffff:a.b.c.d. Sources: RFC 1918, 3927, 4193, 4291, 1122. */
+/* Private networks: the first `bits` of an address; IPv4 as ::ffff:a.b.c.d. Sources: RFC 1918, 3927, 4193, 4291, 1122.
+ */
 static const struct {
     uint8_t bytes[CLIENT_KEY_SIZE];
     unsigned bits;
@@ -42,7 +43,7 @@ static void write_address(uint8_t out[CLIENT_KEY_SIZE], const struct sockaddr *a
     }
 }
 
-/* FNV-1a; an address is no secret, and a long bucket costs little beside a connection. */
+/* FNV-1a. Addresses are no secrets, and a long bucket costs little beside a connection. */
 static struct client **bucket_of(struct clients *clients, const uint8_t key[CLIENT_KEY_SIZE])
 {
     uint32_t hash = 2166136261u;

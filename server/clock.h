@@ -1,4 +1,4 @@
-/* clock.h - the monotonic clock, for deadlines and durations, and the processor's. */
+/* clock.h - the monotonic clock, for deadlines and durations, and processor time. */
 #ifndef ZRASTERD_CLOCK_H
 #define ZRASTERD_CLOCK_H
 
@@ -12,7 +12,7 @@ static inline int64_t clock_us(void)
     return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
 }
 
-/* Processor time that all threads have used: it stands still while other processes run. */
+/* Returns the processor time of all threads. It stands still while other processes run. */
 static inline int64_t clock_process_us(void)
 {
     struct timespec now;
@@ -25,7 +25,7 @@ static inline int64_t clock_ms(void)
     return clock_us() / 1000;
 }
 
-/* For waits that end on the monotonic clock, `ms` from now. */
+/* Returns the time `ms` from now, for waits on the monotonic clock. */
 static inline struct timespec clock_after_ms(uint64_t ms)
 {
     struct timespec until;

@@ -20,8 +20,8 @@ struct setting {
     size_t offset;
     bool is_limit; /* shown by /v1/limits */
     uint64_t initial, min, max;
-    const char *text; /* the default of what is no NUMBER */
-    const char *unit; /* "" where the name says it */
+    const char *text; /* default of all kinds but NUMBER */
+    const char *unit; /* "" if the name includes it */
     const char *help;
 };
 
@@ -30,7 +30,7 @@ struct setting {
 #define DAY_MS   ((uint64_t)86400000)
 #define AT(name) offsetof(struct config, name)
 
-/* Side and coordinates cannot be raised: the rasterizer's fixed point is proven up to these. */
+/* Side and coordinates cannot be raised: the rasterizer's fixed point is proven up to these bounds. */
 static const struct setting SETTINGS[] = {
     {"address", ADDRESS, AT(address), false, 0, 0, 0, "127.0.0.1", "", "numeric IPv4 or IPv6 address to listen on"},
     {"port", NUMBER, AT(port), false, 8080, 0, 65535, NULL, "", "port to listen on; 0: any free port"},
@@ -140,7 +140,7 @@ static bool is_address(const char *text)
     struct addrinfo hints = {.ai_flags = AI_NUMERICHOST}, *address = NULL;
     const int failure = *text ? getaddrinfo(text, NULL, &hints, &address) : EAI_NONAME;
     if (failure == 0) freeaddrinfo(address);
-    return failure == 0 || failure == EAI_MEMORY; /* then listening says what is missing */
+    return failure == 0 || failure == EAI_MEMORY; /* then listening reports the lack of memory */
 }
 
 static bool parse_number(const char *text, uint64_t *out)
@@ -155,7 +155,7 @@ static bool parse_number(const char *text, uint64_t *out)
     return *text != '\0';
 }
 
-/* `name` is what the user wrote: the flag or the variable. */
+/* Sets an address, a text or an instruction set. `name`: the flag or variable as the user wrote it. */
 static bool set_text(struct config *config, const struct setting *s, const char *name, const char *value, char *message,
                      size_t message_size)
 {
@@ -179,7 +179,7 @@ static bool set_text(struct config *config, const struct setting *s, const char 
     return true;
 }
 
-/* The same. */
+/* Sets any setting, see set_text. */
 static bool set_value(struct config *config, const struct setting *s, const char *name, const char *value,
                       char *message, size_t message_size)
 {
@@ -206,7 +206,7 @@ static bool read_variables(struct config *config, char *message, size_t message_
         char name[NAME_SIZE];
         variable_name(name, SETTINGS[i].flag);
         const char *value = getenv(name);
-        /* Compose files pass variables on as "" where they are not set. */
+        /* Compose files pass unset variables as "". */
         if (!value || !*value || (strcmp(SETTINGS[i].flag, "port") == 0 && is_service_link(value))) continue;
         if (!set_value(config, &SETTINGS[i], name, value, message, message_size)) return false;
     }
@@ -220,7 +220,7 @@ static const struct setting *find_setting(const char *name, size_t length)
     return NULL;
 }
 
-/* What is answered whatever else is said. CONFIG_SERVE: nothing. */
+/* Finds --help or --version, which override all other arguments. CONFIG_SERVE: neither. */
 static enum config_mode find_question(int argc, char *const *argv)
 {
     for (int i = 1; i < argc; i++) {

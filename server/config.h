@@ -1,8 +1,7 @@
-/* config.h - every setting of the daemon, from one table.
+/* config.h - all settings of the daemon, from one table.
  *
- * The table in config.c gives each setting its flag, default, unit, bounds and
- * help line; the ZRASTER_* variable and the name in /v1/limits follow from the
- * flag. A flag beats a variable, a variable beats the default.
+ * The table in config.c gives each setting its flag, default, unit, bounds and help line. The ZRASTER_* variable and
+ * the name in /v1/limits follow from the flag. A flag overrides a variable, a variable overrides the default.
  */
 #ifndef ZRASTERD_CONFIG_H
 #define ZRASTERD_CONFIG_H
@@ -18,14 +17,14 @@ struct cJSON;
 
 enum { CONFIG_TEXT_SIZE = 256 };
 
-/* Filled by config_read; afterwards nobody writes to it. */
+/* Filled by config_read, constant afterwards. */
 struct config {
-    char address[CONFIG_TEXT_SIZE];    /* numeric, IPv4 or IPv6 */
-    char token[CONFIG_TEXT_SIZE];      /* "": none is asked for; never shown */
-    char cgroup[CONFIG_TEXT_SIZE];     /* the folder where the kernel tells of memory */
-    char assets_dir[CONFIG_TEXT_SIZE]; /* "": no assets are kept */
-    char isa[CONFIG_TEXT_SIZE];        /* "auto", or an instruction set that this machine has */
-    uint64_t port;                     /* 0: any that is free */
+    char address[CONFIG_TEXT_SIZE];    /* numeric IPv4 or IPv6 address */
+    char token[CONFIG_TEXT_SIZE];      /* "": none is required; never shown */
+    char cgroup[CONFIG_TEXT_SIZE];     /* folder of the control group */
+    char assets_dir[CONFIG_TEXT_SIZE]; /* "": no assets are stored */
+    char isa[CONFIG_TEXT_SIZE];        /* "auto", or an instruction set of this machine */
+    uint64_t port;                     /* 0: any free port */
 
     uint64_t workers, threads, queue, max_per_client, max_per_private_client, max_connections;
 
@@ -41,18 +40,17 @@ struct config {
 
 enum config_mode { CONFIG_SERVE, CONFIG_HELP, CONFIG_VERSION, CONFIG_HEALTH, CONFIG_WRONG };
 
-/* Reads flags and variables. CONFIG_WRONG: `message` names the setting, the
- * value and what is allowed. */
+/* Reads flags and variables. CONFIG_WRONG: `message` names the setting, the value and the allowed values. */
 enum config_mode config_read(struct config *config, int argc, char *const *argv, char *message, size_t message_size);
 
 struct zr_limits config_limits(const struct config *config);
 
-/* What kernels are to be run for. */
+/* Returns the instruction set of the kernels to run. */
 enum zr_isa config_isa(const struct config *config);
 
 void config_print_help(FILE *out);
 
-/* Adds every limit in force to `object`: bodyMaxBytes for --body-max-bytes. False: out of memory. */
+/* Adds each limit in force to `object`: bodyMaxBytes for --body-max-bytes. False: out of memory. */
 bool config_add_limits(const struct config *config, struct cJSON *object);
 
 #endif

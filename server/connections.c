@@ -8,13 +8,14 @@
 #include "clock.h"
 
 enum {
-    TICK_WORK_MS = 20, /* while work is under way: its end is noticed so late at most */
+    TICK_WORK_MS = 20, /* during work: the end of work is noticed within this time */
     TICK_MS = 50,
     TICK_IDLE_MS = 1000,
-    RATE_GRACE_MS = 5000, /* before the speed of a body or of a reader says anything */
-    CREDIT_MS = 20000,    /* for which a reader may take nothing, once it has taken enough */
-    LINGER_MS = 2000,     /* a refused client may go on sending: closing at once would reset what it should read */
-    JUST_BEGUN_MS = 50,   /* what came so short a time ago may not have been looked at yet */
+    RATE_GRACE_MS = 5000, /* before the rate of a body or of a reader is measured */
+    CREDIT_MS = 20000,    /* longest time without reading that a fast reader can earn */
+    LINGER_MS = 2000, /* a refused client may go on sending: closing at once would reset the connection before it reads
+                         the refusal */
+    JUST_BEGUN_MS = 50, /* a younger connection may have sent bytes that are not read yet */
     FDS_MIN = 256
 };
 
@@ -33,7 +34,7 @@ void connections_free(struct connections *connections)
     connections->by_fd = NULL;
 }
 
-/* Bytes of all answers that the client's system has taken. */
+/* Returns the bytes of all answers that the client's system has acknowledged. */
 static uint64_t bytes_taken(const struct connection *connection)
 {
     struct tcp_info info = {0};
@@ -72,7 +73,7 @@ static void count_phase(struct connections *connections, struct connection *conn
 struct connection *connections_add(struct connections *connections, int fd, const struct sockaddr *address)
 {
     struct connection *old = connections_find(connections, fd);
-    if (old) connections_remove(connections, old); /* libmicrohttpd closed it before it knew it */
+    if (old) connections_remove(connections, old); /* libmicrohttpd closed it before it added it */
     struct connection *connection = calloc(1, sizeof *connection);
     if (!connection || !make_room(connections, (size_t)fd) ||
         !(connection->client = clients_join(&connections->clients, address))) {
@@ -136,7 +137,7 @@ static int64_t time_for(const struct config *config, enum phase phase)
         return (int64_t)config->write_timeout_ms;
     case PHASE_REFUSED:
         return LINGER_MS;
-    default: /* of work: from when a worker begins */
+    default: /* work: its time starts with a worker */
         return INT64_MAX / 2;
     }
 }
@@ -153,7 +154,7 @@ void connections_enter(struct connections *connections, struct connection *conne
         connection->credit_until_ms = connection->began_ms + RATE_GRACE_MS;
         connection->taken_before = connection->taken_bytes = bytes_taken(connection);
     }
-    /* A header, too, for some of it may have come with the request before. */
+    /* PHASE_HEADER, too: bytes of it may have come with the request before. */
     if (is_waiting(phase) || phase == PHASE_REFUSED) connections_release(connection);
 }
 
@@ -174,7 +175,7 @@ void connections_release(struct connection *connection)
     connection->in_flight = false;
 }
 
-/* The higher, the sooner its place is given away; 0: never. */
+/* Returns the priority for giving up a place; 0: never. */
 static int rank(enum phase phase)
 {
     return phase == PHASE_REFUSED ? 3 : is_waiting(phase) ? 2 : phase == PHASE_BODY ? 1 : 0;
@@ -200,7 +201,7 @@ struct connection *connections_replaceable(const struct connections *connections
 
 /* ---- deadlines ---- */
 
-/* The body's average since it began. */
+/* The rate is the average since the beginning of the body. */
 static bool body_is_slow(const struct connections *connections, const struct connection *connection, int64_t now)
 {
     const int64_t elapsed = now - connection->began_ms;
@@ -208,8 +209,8 @@ static bool body_is_slow(const struct connections *connections, const struct con
                                           (double)connections->config->body_min_bytes_per_second * (double)elapsed;
 }
 
-/* Each byte that its system takes earns a reader the time that it has for it at the least speed, up to CREDIT_MS: for a
- * system takes as much as its buffers hold at once, and then nothing until half of that has been read. */
+/* Each byte that the client's system acknowledges earns the reader its time at the minimum rate, up to CREDIT_MS. A
+ * system acknowledges as much as its buffers hold, then nothing until half of that is read. */
 static bool reader_is_slow(const struct connections *connections, struct connection *connection, int64_t now)
 {
     const double least = (double)connections->config->answer_min_bytes_per_second;

@@ -1,17 +1,17 @@
-/* connections.h - all connections of the daemon: what each is doing, until when it may, and whose place a new one may
- * take.
+/* connections.h - the list of all connections: phase, deadline, and the choice of one to close for a new client.
  *
- * libmicrohttpd's own timeout measures silence only, so a client that drips a byte a second would live for ever. Here
- * every phase has an absolute end, and bodies and answers a least speed.
+ * libmicrohttpd's own timeout measures silence only, so a client that sends one byte per second would never time out.
+ * Here each phase has an absolute deadline, and bodies and answers have a minimum rate.
  *
  *     IDLE -> HEADER -> BODY -> WORK -> WRITE -> IDLE
  *       BODY -> WRITE: answered without work
- *       WRITE -> HEADER: some of the next request is there already
- *       any of these but WORK -> REFUSED: answered past libmicrohttpd; what still comes is thrown away
+ *       WRITE -> HEADER: bytes of the next request are here already
+ *       any of these but WORK -> REFUSED: answered without libmicrohttpd; bytes that still arrive are discarded
  *
- * A phase is what the connection does; a step (http_state.h) is how far one request's exchange with libmicrohttpd is.
+ * A phase is the state of a connection; a step (http_state.h) is the state of one request's exchange with
+ * libmicrohttpd.
  *
- * Belongs to the thread of the loop; nothing here is thread-safe.
+ * Belongs to the thread of the loop; not thread-safe.
  */
 #ifndef ZRASTERD_CONNECTIONS_H
 #define ZRASTERD_CONNECTIONS_H
@@ -37,14 +37,14 @@ struct connection {
     enum phase phase;
     int64_t began_ms, deadline_ms; /* of the phase */
     uint64_t body_bytes;           /* received in PHASE_BODY */
-    /* In PHASE_WRITE: how long the client may take nothing, and bytes that its system had taken when the phase began
-     * and when that was last looked at. */
+    /* In PHASE_WRITE: the time until which the client may take no bytes; bytes that its system had acknowledged at the
+     * beginning of the phase, and at the last check. */
     int64_t credit_until_ms;
     uint64_t taken_before, taken_bytes;
     struct framing framing;
-    uint64_t answered;         /* requests that are over; framing.passed counts those whose header was read */
-    struct exchange *exchange; /* the request under way, or NULL */
-    bool in_flight;            /* it counts for its client */
+    uint64_t answered;         /* finished requests; framing.passed counts requests with a complete header */
+    struct exchange *exchange; /* current request, or NULL */
+    bool in_flight;            /* counts in client->in_flight */
     bool has_left;             /* the client has closed its sending half */
 };
 
@@ -60,43 +60,42 @@ struct connections {
 bool connections_init(struct connections *connections, const struct config *config);
 void connections_free(struct connections *connections);
 
-/* A socket that was accepted: PHASE_IDLE. NULL without memory; the socket stays the caller's. */
+/* Adds an accepted socket in PHASE_IDLE. NULL: out of memory, and the socket stays the caller's. */
 struct connection *connections_add(struct connections *connections, int fd, const struct sockaddr *address);
 
 /* Call before the socket is closed. */
 void connections_remove(struct connections *connections, struct connection *connection);
 
-/* The connection that has this socket, or NULL. */
+/* Returns the connection of this socket, or NULL. */
 struct connection *connections_find(const struct connections *connections, int fd);
 
-/* Moves on; the phase's time begins now. */
+/* Enters a phase and starts its time. */
 void connections_enter(struct connections *connections, struct connection *connection, enum phase phase);
 
-/* Counts the request as in flight and returns true, unless its client has as many as it may. `most`: how many that is;
- * 0: any number. */
+/* Counts the request as in flight. False: its client has `most` requests in flight, its maximum (0: no maximum). */
 bool connections_admit(struct connections *connections, struct connection *connection, uint64_t *most);
-/* The request is in flight no more. */
+/* Ends the count of the request as in flight. */
 void connections_release(struct connection *connection);
 
-/* Bytes of the answer that is being written that the client's system has taken; 0 in other phases. */
+/* Returns the bytes of the current answer that the client's system has acknowledged; 0 outside PHASE_WRITE. */
 uint64_t connections_taken(const struct connection *connection);
 
-/* Whom a new connection may push out: one that has had its refusal, else one without a whole request, else one whose
- * body is coming in; of these, of the client with the most connections the oldest. NULL: nobody; `soon`: some have only
- * just come to that. */
+/* Returns the connection to close for a new one: a refused one, else one without a complete header, else one whose body
+ * is arriving; among these, the oldest one of the client with the most connections. NULL: none. `soon`: some have
+ * entered such a phase only just now. */
 struct connection *connections_replaceable(const struct connections *connections, int64_t now_ms, bool *soon);
 
-/* What is to be done about a connection at a time. */
+/* Action that a connection needs at a time. */
 enum overdue {
     OVERDUE_NO,
-    OVERDUE_CLOSE,  /* without a word */
+    OVERDUE_CLOSE,  /* close it without an answer */
     OVERDUE_408,    /* its header or body came too slowly */
     OVERDUE_CANCEL, /* its work took too long */
-    OVERDUE_READER  /* it takes its answer too slowly */
+    OVERDUE_READER  /* its client reads the answer too slowly */
 };
 enum overdue connections_overdue(const struct connections *connections, struct connection *connection, int64_t now_ms);
 
-/* How long nobody need look for what is overdue; -1: for ever. */
+/* Returns the time until the next check for overdue connections, in ms; -1: none is needed. */
 int connections_wait_ms(const struct connections *connections);
 
 #endif

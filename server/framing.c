@@ -28,7 +28,7 @@ static bool refuse(struct framing *f, int status, const char *detail)
     return false;
 }
 
-/* Appends to a word, which keeps its first bytes; a word that is full is none that is known. */
+/* Appends to a word, which keeps its first bytes. A full word equals no known one. */
 static void append(char *word, uint32_t *length, char c)
 {
     if (*length < FRAMING_WORD_SIZE) word[(*length)++] = lower(c);
@@ -43,7 +43,7 @@ static bool equals(const char *word, uint32_t length, const char *known)
 
 static bool start_request(struct framing *f, char c)
 {
-    if (c == '\r') { /* RFC 9112, 2.2: some clients send one line end too many */
+    if (c == '\r') { /* RFC 9112, 2.2: some clients send an extra line end */
         if (++f->empty_lines > FRAMING_EMPTY_MAX)
             return refuse(f, 400, "there are too many empty lines before a request");
         f->state = FRAMING_EMPTY_LF;
@@ -130,7 +130,7 @@ static bool take_field(struct framing *f, char c)
     return true;
 }
 
-/* Whose values are passed on: what http_exchange.c looks up, and what libmicrohttpd itself obeys. */
+/* Returns true if the header's value passes: http_exchange.c or libmicrohttpd reads it. */
 static bool is_read_here(const struct framing *f)
 {
     static const char *const NAMES[] = {"host",          "connection",   "content-length",   "transfer-encoding",
@@ -141,9 +141,9 @@ static bool is_read_here(const struct framing *f)
     return false;
 }
 
-/* Whose good values have no space in them. Space around a value is none of it (RFC 9112, 5), but libmicrohttpd keeps
- * what is behind it, and would read a body to the end of the connection after "chunked ". Of these none is passed on.
- */
+/* Returns true for headers whose valid values have no space. Space around a value is no part of it (RFC 9112, 5). But
+ * libmicrohttpd keeps trailing space, and after "chunked " it would read a body to the end of the connection. So no
+ * space passes in these values. */
 static bool is_compared_whole(const struct framing *f)
 {
     return equals(f->name, f->name_length, "content-length") || equals(f->name, f->name_length, "transfer-encoding") ||
@@ -166,7 +166,7 @@ static bool take_name(struct framing *f, char c)
     return true;
 }
 
-/* Values are compared without the space around them; line_bytes are those of the value up to here. */
+/* Values are compared without the space around them. line_bytes counts the value's bytes so far. */
 static bool take_value(struct framing *f, char c)
 {
     if (c == '\r') {
@@ -183,7 +183,7 @@ static bool take_value(struct framing *f, char c)
     f->line_bytes++;
     if (is_space) return true;
     while (f->value_length < f->line_bytes - 1 && f->value_length < FRAMING_WORD_SIZE)
-        f->value[f->value_length++] = ' '; /* space inside: no value that is known has any */
+        f->value[f->value_length++] = ' '; /* inner space: no known value has any */
     append(f->value, &f->value_length, c);
     return true;
 }
@@ -205,7 +205,7 @@ static void take_header(struct framing *f)
 {
     const char *name = f->name;
     const uint32_t length = f->name_length;
-    if (f->is_trailer) return; /* says nothing about framing any more */
+    if (f->is_trailer) return; /* trailers do not affect framing */
     if (equals(name, length, "host")) f->hosts++;
     if (equals(name, length, "content-type")) f->types++;
     if (equals(name, length, "content-length")) {
@@ -222,7 +222,7 @@ static void take_header(struct framing *f)
     }
 }
 
-/* HTTP/1.0 knows no Host; the health checks of some load balancers send none. */
+/* HTTP/1.0 has no Host; the health checks of some load balancers send none. */
 static bool check_header(struct framing *f)
 {
     if (f->hosts != 1 && !(f->is_old && f->hosts == 0)) return refuse(f, 400, "exactly one Host header is needed");
@@ -295,7 +295,7 @@ static void end_chunk_line(struct framing *f)
     if (f->is_trailer) f->header_bytes = f->fields = 0;
 }
 
-/* ---- all of it ---- */
+/* ---- the scanner ---- */
 
 static bool expect(struct framing *f, char c, char wanted, enum framing_state next)
 {
@@ -305,8 +305,8 @@ static bool expect(struct framing *f, char c, char wanted, enum framing_state ne
     return true;
 }
 
-/* One byte of what is not a body's. False: it is refused. Of a trailer the empty line at its end is passed on: nobody
- * reads the others, and they might not fit. */
+/* Scans one byte outside a body. False: refused. Only the empty line at the end of a trailer passes: trailer lines are
+ * never read, and might not fit. */
 static bool take(struct framing *f, char c)
 {
     f->is_dropped = f->is_trailer && f->state >= FRAMING_FIELD && f->state <= FRAMING_VALUE_LF &&
@@ -355,7 +355,7 @@ static bool take(struct framing *f, char c)
     }
 }
 
-/* Bytes of a body or of a chunk: they are not looked at. */
+/* Skips the bytes of a body or a chunk without reading them. */
 static size_t skip_body(struct framing *f, size_t size)
 {
     const size_t skipped = f->left < size ? (size_t)f->left : size;
@@ -366,7 +366,7 @@ static size_t skip_body(struct framing *f, size_t size)
 
 size_t framing_scan(struct framing *f, char *bytes, size_t size)
 {
-    size_t kept = 0, whole = 0; /* bytes passed on, and those of them up to the end of the last whole request */
+    size_t kept = 0, whole = 0; /* bytes that pass, and those up to the end of the last complete request */
     uint64_t passed = f->passed;
     if (f->state == FRAMING_REFUSED) return 0;
     for (size_t at = 0; at < size;) {
@@ -379,7 +379,7 @@ size_t framing_scan(struct framing *f, char *bytes, size_t size)
             const char c = bytes[at++];
             if (!take(f, c)) {
                 f->refused_body = (f->state >= FRAMING_BODY || f->is_trailer) && f->passed == passed;
-                f->passed = passed; /* a header that is held back with what follows it was not passed on */
+                f->passed = passed; /* a header that is held back with the refused bytes has not passed */
                 f->state = FRAMING_REFUSED;
                 return whole;
             }

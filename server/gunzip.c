@@ -3,8 +3,8 @@
 #include <stdint.h>
 #include <zlib.h>
 
-/* AT_ONCE: between two looks at the flag of cancellation, some milliseconds. GZIP_FORMAT: added to the window bits:
- * gzip, not bare zlib. */
+/* AT_ONCE: bytes between two checks for cancellation, some milliseconds. GZIP_FORMAT: added to the window bits, selects
+ * gzip instead of zlib. */
 enum { FIRST_ROOM = 1 << 16, AT_ONCE = 1 << 20, GZIP_FORMAT = 16 };
 
 static uInt part(size_t size)
@@ -19,7 +19,7 @@ static enum gunzip_status inflate_all(z_stream *stream, struct zr_arena *arena, 
     for (int code = Z_OK; code != Z_STREAM_END;) {
         if (zr_is_cancelled(cancel)) return GUNZIP_CANCELLED;
         if (used == room) {
-            /* One byte beyond the limit tells a body that fits from one that does not. */
+            /* One byte more than the limit distinguishes a body that fits from a larger one. */
             size_t wanted = room ? room * 2 : FIRST_ROOM;
             if (wanted > max) wanted = max + 1;
             if (wanted == room) return GUNZIP_TOO_LARGE;
@@ -37,7 +37,7 @@ static enum gunzip_status inflate_all(z_stream *stream, struct zr_arena *arena, 
         used += out_before - stream->avail_out;
         if (code == Z_MEM_ERROR) return GUNZIP_NO_MEMORY;
         bool stuck = code == Z_BUF_ERROR && used < room;
-        /* One member after the other: a gzip file may have several (RFC 1952, 2.2). */
+        /* A gzip file may have several members (RFC 1952, 2.2). */
         if (code == Z_STREAM_END && left > 0) code = inflateReset(stream);
         if (stuck || (code != Z_OK && code != Z_BUF_ERROR && code != Z_STREAM_END)) return GUNZIP_BROKEN;
     }

@@ -1,4 +1,4 @@
-/* gunzip.h - request bodies that come compressed (Content-Encoding: gzip), through zlib. */
+/* gunzip.h - decompresses request bodies (Content-Encoding: gzip) by zlib. */
 #ifndef ZRASTERD_GUNZIP_H
 #define ZRASTERD_GUNZIP_H
 
@@ -9,14 +9,14 @@
 
 enum gunzip_status {
     GUNZIP_OK,
-    GUNZIP_BROKEN,    /* not gzip, cut short, a wrong checksum, or something else behind it */
-    GUNZIP_TOO_LARGE, /* more than `max` bytes come out */
+    GUNZIP_BROKEN,    /* not gzip, cut short, a wrong checksum, or other bytes behind it */
+    GUNZIP_TOO_LARGE, /* the output exceeds `max` bytes */
     GUNZIP_NO_MEMORY,
     GUNZIP_CANCELLED
 };
 
-/* The bytes that come out lie in the arena. A small body cannot claim much memory:
- * room grows only as bytes come, and no further than `max`. `cancel` may be NULL. */
+/* Decompresses `bytes` into the arena. A small body cannot claim much memory: room grows with the output, up to `max`.
+ * `cancel` may be NULL. */
 enum gunzip_status gunzip(struct zr_arena *arena, const char *bytes, size_t size, size_t max,
                           const struct zr_cancel *cancel, char **out, size_t *out_size);
 

@@ -23,7 +23,7 @@ bool health_open(const struct service *service, const struct load *load, struct 
     return false;
 }
 
-/* Whoever asks whether we are ready will send what is large, too. */
+/* Not ready if either queue is full: a client that checks readiness may send large requests, too. */
 bool health_open_ready(const struct service *service, const struct load *load, struct request *request,
                        struct answer *answer)
 {

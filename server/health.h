@@ -1,4 +1,4 @@
-/* health.h - GET /healthz and /readyz: that the daemon is there, and whether it takes on work. */
+/* health.h - GET /healthz: the daemon is alive; GET /readyz: it accepts work. */
 #ifndef ZRASTERD_HEALTH_H
 #define ZRASTERD_HEALTH_H
 

@@ -32,7 +32,7 @@ bool health_check(const struct config *config)
     snprintf(port, sizeof port, "%u", (unsigned)config->port);
     if (getaddrinfo(config->address, port, &hints, &address) != 0) return false;
     struct timeval timeout = {.tv_sec = TIMEOUT_S};
-    /* 0.0.0.0 and :: as a destination are this machine. */
+    /* As destinations, 0.0.0.0 and :: are this machine. */
     int fd = socket(address->ai_family, SOCK_STREAM | SOCK_CLOEXEC, 0);
     bool well = fd >= 0 && setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof timeout) == 0 &&
                 setsockopt(fd, SOL_SOCKET, SO_SNDTIMEO, &timeout, sizeof timeout) == 0 &&

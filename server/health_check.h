@@ -1,4 +1,4 @@
-/* health_check.h - a health check for containers that have no curl. */
+/* health_check.h - a health check for containers without curl. */
 #ifndef ZRASTERD_HEALTH_CHECK_H
 #define ZRASTERD_HEALTH_CHECK_H
 
@@ -6,7 +6,7 @@
 
 #include "config.h"
 
-/* Asks GET /healthz of the daemon that has this configuration. */
+/* Sends GET /healthz to the daemon with this configuration. True: the answer has status 200 within some seconds. */
 bool health_check(const struct config *config);
 
 #endif

@@ -18,10 +18,10 @@
 
 enum {
     BACKLOG = 512,
-    CONNECTION_MEMORY = 32 << 10, /* framing.h says what has to fit; more would be mapped for each connection, not taken
-                                   * from the heap: half as much is served where ten times too much is asked for */
-    UNSENT_BYTES = 256 << 10,     /* of an answer that the kernel holds before they are sent */
-    ROOM_CONNECTIONS = 64 + HTTP_LOOPBACK_CONNECTIONS, /* beyond max-connections, while others end */
+    CONNECTION_MEMORY = 32 << 10, /* framing.h fits its limits to it. More would be mapped for each connection instead
+                                     of taken from the heap, which halves the throughput under tenfold overload */
+    UNSENT_BYTES = 256 << 10,     /* of an answer that the kernel holds unsent */
+    ROOM_CONNECTIONS = 64 + HTTP_LOOPBACK_CONNECTIONS, /* beyond max-connections, while others close */
     QUEUE_CALM_MS = 2000
 };
 
@@ -33,7 +33,7 @@ static int listen_on(const struct config *config, unsigned *port, char *message,
     char service[16];
     snprintf(service, sizeof service, "%u", (unsigned)config->port);
     const int failure = getaddrinfo(config->address, service, &hints, &address);
-    if (failure == EAI_MEMORY) return -1; /* the message says so */
+    if (failure == EAI_MEMORY) return -1; /* http_start has set the message */
     if (failure != 0) {
         snprintf(message, message_size, "--address: '%.100s' is not a numeric IPv4 or IPv6 address", config->address);
         return -1;
@@ -61,8 +61,8 @@ static int listen_on(const struct config *config, unsigned *port, char *message,
 
 static struct MHD_Daemon *start_daemon(struct http *http)
 {
-    /* Not strict: framing.h is, on every version alike. No MHD_OPTION_CONNECTION_TIMEOUT: connections.h has absolute
-     * deadlines for everything. */
+    /* Not strict: framing.h is strict, with every version of libmicrohttpd. No MHD_OPTION_CONNECTION_TIMEOUT:
+     * connections.h has absolute deadlines for each phase. */
     return MHD_start_daemon(MHD_USE_EPOLL | MHD_ALLOW_SUSPEND_RESUME | MHD_USE_NO_LISTEN_SOCKET, 0, NULL, NULL,
                             http_on_request, http, MHD_OPTION_STRICT_FOR_CLIENT, 0, MHD_OPTION_CONNECTION_LIMIT,
                             (unsigned)(http->config->max_connections + ROOM_CONNECTIONS),
@@ -72,10 +72,10 @@ static struct MHD_Daemon *start_daemon(struct http *http)
                             http_on_connection, http, MHD_OPTION_END);
 }
 
-/* On the thread of the loop. Stopping libmicrohttpd with a connection suspended aborts: so the workers end first. */
+/* On the thread of the loop. libmicrohttpd aborts if it stops with a suspended connection, so the workers end first. */
 static void stop(struct http *http)
 {
-    queue_stop(http->queue); /* not destroyed: kept connections may still ask it */
+    queue_stop(http->queue); /* not destroyed: kept connections may still call it */
     http_take_finished(http);
     MHD_run(http->daemon);
     MHD_stop_daemon(http->daemon);
@@ -105,7 +105,7 @@ static void free_http(struct http *http)
     free(http);
 }
 
-/* False: `message` says why, where it is not for want of memory. */
+/* False: `message` has the reason, or memory or threads ran out. */
 static bool start(struct http *http, char *message, size_t message_size)
 {
     const struct config *config = http->config;

@@ -1,7 +1,7 @@
-/* http.h - the daemon's HTTP side: listens, reads requests, has them answered.
+/* http.h - the HTTP side of the daemon: listens, receives requests, sends answers.
  *
- * Only http*.c see microhttpd.h. One thread, the loop's, serves all
- * connections; libmicrohttpd suspends a connection while a worker has its request.
+ * Only http*.c include microhttpd.h. One thread, the loop, serves all connections. While a worker has a request,
+ * libmicrohttpd suspends its connection.
  */
 #ifndef ZRASTERD_HTTP_H
 #define ZRASTERD_HTTP_H
@@ -13,13 +13,13 @@
 
 struct http;
 
-/* Listens and answers from now on. NULL: `message` says why not. `config` and `service` must outlive it. */
+/* Listens and serves from now on. NULL: `message` has the reason. `config` and `service` must outlive the result. */
 struct http *http_start(const struct config *config, struct service *service, char *message, size_t message_size);
 
 unsigned http_port(const struct http *http);
 
-/* Takes no new connections, lets what is in flight be answered (at most
- * drain_timeout_ms), then ends all threads and frees all. */
+/* Accepts no new connections, waits up to drain_timeout_ms for the requests in flight, ends all threads and frees
+ * everything. */
 void http_stop(struct http *http);
 
 #endif

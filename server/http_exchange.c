@@ -12,8 +12,8 @@
 #include "problem.h"
 #include "router.h"
 
-/* A refused body up to here is read to its end, so that the connection can be kept; a longer one would take more time
- * than a new connection does. */
+/* DISCARD_MAX: a refused body of up to so many bytes is read to its end to keep the connection; a longer one takes more
+ * time than a new connection. COMING_MS: see count_coming. */
 enum { DISCARD_MAX = 32 << 10, COMING_MS = 500 };
 
 static struct connection *connection_of(struct MHD_Connection *mhd)
@@ -24,7 +24,7 @@ static struct connection *connection_of(struct MHD_Connection *mhd)
 
 /* ---- connections ---- */
 
-/* What belongs to no request that libmicrohttpd told us of. */
+/* Logs an event of a connection without a request that libmicrohttpd has reported. */
 static void log_nameless(const struct http *http, const struct connection *connection, const char *id, int status,
                          size_t bytes_out, const char *detail)
 {
@@ -55,14 +55,14 @@ void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket
     }
     const int fd = MHD_get_connection_info(mhd, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
     struct connection *connection = *socket_context = connections_find(&http->connections, fd);
-    if (!connection) shutdown(fd, SHUT_RDWR); /* not one of ours: nobody would end it */
+    if (!connection) shutdown(fd, SHUT_RDWR); /* not in the list: its deadline would never come */
 }
 
 /* ---- refusals ---- */
 
 static void log_exchange(struct exchange *exchange, bool completed);
 
-/* Sends the answer now, in the middle of whatever comes in, and throws away what is still to come. */
+/* Sends the answer now, while the client still sends, and discards the bytes that still arrive. */
 static void send_past_library(struct http *http, struct connection *connection, const struct answer *answer)
 {
     answer_send(answer, connection->fd);
@@ -70,7 +70,7 @@ static void send_past_library(struct http *http, struct connection *connection, 
     connections_enter(&http->connections, connection, PHASE_REFUSED);
 }
 
-/* The same for the answer of an exchange. */
+/* Sends the answer of an exchange now, see send_past_library. */
 static void reply_past_library(struct exchange *exchange)
 {
     struct answer *answer = &exchange->answer;
@@ -88,14 +88,14 @@ void http_refuse(struct http *http, struct connection *connection, int status, c
 {
     struct exchange *exchange = connection->exchange;
     if (exchange && exchange->opened) {
-        answer_free(&exchange->answer); /* of a body that was to be read to its end first */
+        answer_free(&exchange->answer); /* the answer that waited for the end of the body */
         problem_answer(&exchange->answer, status, "%s", detail);
         reply_past_library(exchange);
         return;
     }
     struct answer answer = {0};
     struct request nameless = {0};
-    if (exchange) exchange->logged = true; /* of a header that is not whole: here */
+    if (exchange) exchange->logged = true; /* an incomplete header: logged below */
     request_take_id(&nameless, http->service, NULL);
     problem_answer(&answer, status, "%s", detail);
     router_finish(&answer, nameless.id);
@@ -108,7 +108,7 @@ void http_refuse_framing(struct http *http, struct connection *connection)
 {
     const struct framing *framing = &connection->framing;
     if (framing->status == 0 || connection->phase == PHASE_REFUSED) return;
-    /* What is refused belongs to the exchange under way, or nothing is under way any more. */
+    /* The refused bytes belong to the current exchange, or to none. */
     const bool is_body = framing->refused_body && connection->phase == PHASE_BODY;
     if ((is_body && connection->answered + 1 == framing->passed) || connection->answered == framing->passed)
         http_refuse(http, connection, framing->status, framing->detail);
@@ -195,7 +195,7 @@ static ssize_t no_bytes(void *context, uint64_t position, char *bytes, size_t si
     return MHD_CONTENT_READER_END_WITH_ERROR;
 }
 
-/* Takes the bytes or the file. */
+/* Takes ownership of the answer's bytes or file. */
 static struct MHD_Response *create_response(struct answer *answer)
 {
     struct MHD_Response *response;
@@ -203,7 +203,7 @@ static struct MHD_Response *create_response(struct answer *answer)
         response = MHD_create_response_from_fd64(answer->size, answer->file);
     else if (answer->bytes || answer->size == 0)
         response = MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_MUST_FREE);
-    else /* A length that is told and not sent: nobody reads. */
+    else /* A size without bytes (HEAD, 304): the callback is never called. */
         response = MHD_create_response_from_callback(answer->size, 1, no_bytes, NULL, NULL);
     if (response) {
         answer->bytes = NULL;
@@ -220,13 +220,13 @@ static bool add_headers(struct MHD_Response *response, const struct answer *answ
     return whole;
 }
 
-/* Hands the answer over to libmicrohttpd. */
+/* Passes the answer to libmicrohttpd. */
 static enum MHD_Result reply(struct exchange *exchange)
 {
     struct http *http = exchange->http;
     struct answer *answer = &exchange->answer;
     if (exchange->connection->phase == PHASE_REFUSED) return MHD_NO;
-    if (exchange->connection->phase != PHASE_WRITE) /* an answer that a worker made has been there already */
+    if (exchange->connection->phase != PHASE_WRITE) /* answers of workers have entered it already */
         connections_enter(&http->connections, exchange->connection, PHASE_WRITE);
     router_finish(answer, exchange->request.id);
     answer->close |= atomic_load(&http->draining);
@@ -243,9 +243,9 @@ static enum MHD_Result reply(struct exchange *exchange)
     return MHD_NO;
 }
 
-/* The answer is made before the body came. Closing now would reset the connection under a client that is still
- * sending: a short body is read to its end, and with a long one the answer goes out first. A client that waits for
- * 100-continue gets it at once; whether it then sends the body cannot be told, so that connection ends, too. */
+/* Answers before the body is here. Closing now would reset the connection while the client sends. So a short body is
+ * read to its end, and a long one is answered at once. A client that waits for 100-continue is answered at once; it may
+ * or may not send the body then, so its connection ends, too. */
 static enum MHD_Result reply_early(struct exchange *exchange, bool is_chunked, bool expects_continue)
 {
     if (is_chunked || exchange->length > DISCARD_MAX || (expects_continue && exchange->length > 0))
@@ -255,8 +255,8 @@ static enum MHD_Result reply_early(struct exchange *exchange, bool is_chunked, b
     return MHD_YES;
 }
 
-/* Large bodies that come in fast, and will soon be in the queue: to be refused then, they would have been read for
- * nothing, by a daemon that has no time. Slow ones hold no place. */
+/* Counts large bodies that arrive fast and will soon be in the queue. If they were refused only then, an overloaded
+ * daemon would have read them for nothing. Slow bodies count as none. */
 static size_t count_coming(const struct http *http)
 {
     const int64_t now = clock_ms();
@@ -297,7 +297,7 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     if (trace && log_is_traceparent(trace)) snprintf(exchange->traceparent, TRACEPARENT_SIZE, "%s", trace);
     request_take_id(&exchange->request, http->service, header(exchange, "X-Request-Id"));
     const char *length = header(exchange, "Content-Length");
-    if (length) exchange->length = strtoull(length, NULL, 10); /* a number: framing_scan let it pass */
+    if (length) exchange->length = strtoull(length, NULL, 10); /* digits: framing_scan refuses other values */
     const char *connection = header(exchange, "Connection");
     if (strcmp(version, "HTTP/1.0") == 0)
         exchange->is_last = !connection || !strcasestr(connection, "keep-alive");
@@ -311,7 +311,7 @@ static void split_target(struct exchange *exchange)
 {
     static const char SCHEME[] = "http://";
     char *path = exchange->target;
-    if (strncasecmp(path, SCHEME, sizeof SCHEME - 1) == 0) { /* RFC 9112, 3.2.2: a proxy's form */
+    if (strncasecmp(path, SCHEME, sizeof SCHEME - 1) == 0) { /* RFC 9112, 3.2.2: the form for proxies */
         path += sizeof SCHEME - 1;
         path += strcspn(path, "/?");
     }
@@ -350,7 +350,7 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
         return reply_early(exchange, is_chunked, expects_continue);
     }
     exchange->step = STEP_BODY;
-    http_refuse_framing(http, exchange->connection); /* what followed the header may be refused already */
+    http_refuse_framing(http, exchange->connection); /* bytes behind the header may be refused already */
     return MHD_YES;
 }
 
@@ -381,7 +381,7 @@ enum MHD_Result http_on_request(void *context, struct MHD_Connection *mhd, const
 {
     struct exchange *exchange = *slot;
     (void)url;
-    if (!exchange) { /* there was no memory for it */
+    if (!exchange) { /* out of memory */
         struct connection *connection = connection_of(mhd);
         if (connection && connection->phase != PHASE_REFUSED) {
             struct http *http = context;

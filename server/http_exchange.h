@@ -1,5 +1,4 @@
-/* http_exchange.h - what becomes of a request: libmicrohttpd's callbacks, and refusals. Inside of http*.c only.
- */
+/* http_exchange.h - callbacks of libmicrohttpd for connections and requests, and refusals. For http*.c only. */
 #ifndef ZRASTERD_HTTP_EXCHANGE_H
 #define ZRASTERD_HTTP_EXCHANGE_H
 
@@ -13,11 +12,11 @@ enum MHD_Result http_on_request(void *http, struct MHD_Connection *connection, c
 void http_on_completed(void *http, struct MHD_Connection *connection, void **exchange,
                        enum MHD_RequestTerminationCode code);
 
-/* Refuses what the connection is sending, be it a request that is known or not, past libmicrohttpd, and closes the way
- * out. */
+/* Refuses the bytes that the connection sends, whether or not its request is known. Sends the answer without
+ * libmicrohttpd and closes the sending half. */
 void http_refuse(struct http *http, struct connection *connection, int status, const char *detail);
 
-/* The same for what framing_scan refused, once the requests before it have been answered. */
+/* Refuses bytes that framing_scan refused, once all requests before them are answered. */
 void http_refuse_framing(struct http *http, struct connection *connection);
 
 #endif

@@ -16,10 +16,10 @@
 
 enum {
     EVENTS = 256,
-    ACCEPTS = 64, /* a turn; so many connections may be there beyond the limit, until libmicrohttpd has closed others */
-    CANCEL_MS = 2000, /* after a drain that took too long: for cancelled work to be answered */
-    GRACE_MS = 1000,  /* at its begin: for what is on its way already to be read */
-    REST_MS = 50      /* of the listener, where there is no descriptor, or no place yet */
+    ACCEPTS = 64,     /* per turn; so many connections may exceed the limit until libmicrohttpd has closed others */
+    CANCEL_MS = 2000, /* after the drain timeout: for cancelled work to be answered */
+    GRACE_MS = 1000,  /* at the beginning of a drain: for requests that are on their way */
+    REST_MS = 50      /* of the listener, if no descriptor or no place is free */
 };
 
 static bool watch(const struct http *http, int fd, uint32_t events, void *of)
@@ -46,7 +46,7 @@ void http_loop_wake(struct http *http)
 
 /* ---- new connections ---- */
 
-/* The connection ends before its time. libmicrohttpd closes it when it runs next. */
+/* Ends a connection early. libmicrohttpd closes it in its next run. */
 static void push_out(struct http *http, struct connection *connection)
 {
     if (connection->phase == PHASE_HEADER || connection->phase == PHASE_BODY)
@@ -55,10 +55,10 @@ static void push_out(struct http *http, struct connection *connection)
     shutdown(connection->fd, SHUT_RDWR);
 }
 
-/* A new connection for which there is no place is told so. */
+/* Refuses a new connection for lack of a place. */
 static void turn_away(struct http *http, struct connection *connection, const char *why)
 {
-    /* Else closing would reset the connection under the answer. */
+    /* Otherwise closing would reset the connection before the answer is read. */
     http_receive_nothing(connection->fd);
     http_refuse(http, connection, 503, why);
     const int fd = connection->fd;
@@ -66,8 +66,8 @@ static void turn_away(struct http *http, struct connection *connection, const ch
     close(fd);
 }
 
-/* Whether there is a place for one more; and if not, whether one will be soon: those who came just now may have sent
- * a request that nobody has read yet, and are not pushed out. */
+/* Place for one more connection. PLACE_SOON: the only candidates have just entered their phase; they may have sent a
+ * request that is not read yet, and are kept. */
 enum place { PLACE_FREE, PLACE_SOON, PLACE_NONE };
 
 static enum place find_place(const struct http *http, struct connection **in_the_way)
@@ -80,7 +80,7 @@ static enum place find_place(const struct http *http, struct connection **in_the
     return *in_the_way ? PLACE_FREE : soon ? PLACE_SOON : PLACE_NONE;
 }
 
-/* Loopback has places of its own, so that a health check on this machine gets through. */
+/* Loopback has extra places, so that a health check on this machine succeeds. */
 static bool may_exceed(const struct http *http, const struct connection *fresh)
 {
     return fresh->client->is_loopback &&
@@ -97,7 +97,8 @@ static void admit(struct http *http, int fd, const struct sockaddr *address, soc
         turn_away(http, connection, "all connections are busy");
     } else if (!watch(http, fd, EPOLLRDHUP | EPOLLET, connection) ||
                MHD_add_connection(http->daemon, fd, address, size) != MHD_YES) {
-        struct connection *left = connections_find(&http->connections, fd); /* where it was not told of the end */
+        struct connection *left =
+            connections_find(&http->connections, fd); /* if libmicrohttpd did not report its end */
         if (left) connections_remove(&http->connections, left);
     }
 }
@@ -110,7 +111,7 @@ static void rest_listener(struct http *http, bool rest)
     epoll_ctl(http->epoll_fd, EPOLL_CTL_MOD, http->listen_fd, &event);
 }
 
-/* True: there may be more. */
+/* Returns true if more connections may be waiting. */
 static bool accept_some(struct http *http)
 {
     struct sockaddr_storage address;
@@ -149,7 +150,7 @@ static void client_left(struct http *http, struct connection *connection)
 
 static void take_events(struct http *http, const struct epoll_event *events, int count)
 {
-    /* Connections first: they are there until libmicrohttpd runs, or a new one takes their place. */
+    /* Connections first: they are valid until libmicrohttpd runs or a new one replaces them. */
     for (int i = 0; i < count; i++) {
         void *of = events[i].data.ptr;
         if (of != &http->listen_fd && of != &http->wake_fd && of != &http->library_fd) client_left(http, of);
@@ -163,8 +164,8 @@ static void take_events(struct http *http, const struct epoll_event *events, int
 
 /* ---- what takes too long ---- */
 
-/* The client has closed its sending half, within a request or when all that it asked for is answered, and all that it
- * sent has been read. libmicrohttpd need not have noticed: its end came with the last bytes. */
+/* Returns true if the client has closed its sending half, within a request or after its last answer, and all its bytes
+ * are read. libmicrohttpd may have missed it, since the end came with the last bytes. */
 static bool has_ended(const struct connection *connection)
 {
     const bool is_idle = connection->phase == PHASE_IDLE && connection->answered == connection->framing.passed;
@@ -174,7 +175,7 @@ static bool has_ended(const struct connection *connection)
            recvfrom(connection->fd, &byte, 1, MSG_PEEK | MSG_DONTWAIT, NULL, NULL) == 0;
 }
 
-/* The file that is sent has become shorter than was promised: its end will never come. */
+/* Returns true if the file of the answer has become shorter than its Content-Length: its end would never come. */
 static bool is_cut_off(const struct connection *connection)
 {
     const struct exchange *exchange = connection->exchange;
@@ -185,11 +186,11 @@ static bool is_cut_off(const struct connection *connection)
 
 static void end_overdue(struct http *http, struct connection *connection, int64_t now)
 {
-    /* Most clients read their refusal while they send, and leave. Those that send on until all is sent are let: but
-     * only some milliseconds later, for under overload it takes more time than to refuse. */
+    /* Most clients read their refusal while they send, and leave. Others send to the end: their bytes are discarded
+     * here, some milliseconds later, since under overload that takes more time than a refusal. */
     if (connection->phase == PHASE_REFUSED) http_receive_nothing(connection->fd);
     if (has_ended(connection) || is_cut_off(connection))
-        shutdown(connection->fd, SHUT_RDWR); /* libmicrohttpd is told, by recv() or by send() */
+        shutdown(connection->fd, SHUT_RDWR); /* recv() or send() reports it to libmicrohttpd */
     if (connection->phase == PHASE_WORK) connection->deadline_ms = http_work_deadline_ms(connection->exchange);
     switch (connections_overdue(&http->connections, connection, now)) {
     case OVERDUE_NO:
@@ -220,11 +221,11 @@ static void look_at_all(struct http *http, int64_t now)
 
 /* ---- the end ---- */
 
-/* Connections that the kernel has made and nobody has accepted would be reset when the socket closes. */
+/* Accepts the connections that wait in the kernel: closing the socket would reset them. */
 static void begin_drain(struct http *http, int64_t now)
 {
     while (accept_some(http))
-        MHD_run(http->daemon); /* closes those whose places others took */
+        MHD_run(http->daemon); /* closes the connections that others replaced */
     epoll_ctl(http->epoll_fd, EPOLL_CTL_DEL, http->listen_fd, NULL);
     close(http->listen_fd);
     http->listen_fd = -1;
@@ -242,8 +243,8 @@ static void cut_short(struct http *http, int64_t now)
     }
 }
 
-/* True once all is over. What was sent on an open connection before the end was known is heard: only then does it
- * count as in flight. Nobody can tell how long to listen, so it is short. */
+/* Returns true once all requests are finished. A request that a client sent before it could know of the end is still
+ * read for GRACE_MS, and then counts as in flight. */
 static bool drain(struct http *http, int64_t now)
 {
     if (http->drain_began_ms == 0) begin_drain(http, now);
@@ -266,7 +267,8 @@ static int smaller_wait(int a, int b)
     return a < 0 || (b >= 0 && b < a) ? b : a;
 }
 
-/* Between two looks at all connections. A listener that rests goes on at the next one, whether there are any or not. */
+/* Returns the time between two checks of all connections, in ms. A resting listener resumes at the next check, even
+ * without connections. */
 static int tick_ms(const struct http *http)
 {
     const int tick = connections_wait_ms(&http->connections);

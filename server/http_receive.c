@@ -9,11 +9,11 @@
 #include "clock.h"
 #include "http_exchange.h"
 
-/* DISCARDS: at a time, so that nobody holds up the others. */
+/* DISCARDS: per call, so that no client delays the others. */
 enum { DISCARD_BYTES = 1 << 20, DISCARDS = 16, SELF_TEST_MS = 2000 };
 
-/* libmicrohttpd has no way to look at bytes before it parses them, but calls recv() as all programs do: the linker
- * gives it the one below. Which daemon it is for is known by the thread, for recv() has no other argument to tell. */
+/* libmicrohttpd cannot show bytes before it parses them, but it calls recv(), and the linker binds that to the function
+ * below. The thread determines the daemon, since recv() has no argument for it. */
 static _Thread_local struct http *receiver;
 
 void http_receive_for(struct http *http)
@@ -36,16 +36,16 @@ ssize_t http_receive_nothing(int fd)
     return fail_with(EAGAIN);
 }
 
-/* The end within a request. Told that the connection was reset, libmicrohttpd ends the exchange at once; else it would
- * wait. */
+/* Handles the end within a request. ECONNRESET makes libmicrohttpd end the exchange at once; otherwise it would wait.
+ */
 static ssize_t end_within_request(struct connection *connection)
 {
     if (connection->exchange) connection->exchange->client_left = true;
     return fail_with(ECONNRESET);
 }
 
-/* libmicrohttpd asks again only where it got as much as it asked for, or when more has come: so where some of the bytes
- * go no further, as many are received again as there is room for. */
+/* libmicrohttpd calls again only if the buffer was filled, or more bytes arrive. So if some bytes do not pass, this
+ * receives more into the free room. */
 static ssize_t receive(struct http *http, struct connection *connection, char *bytes, size_t size, int flags)
 {
     struct framing *framing = &connection->framing;
@@ -55,23 +55,23 @@ static ssize_t receive(struct http *http, struct connection *connection, char *b
     for (bool is_more = true; is_more && passed < size && framing->status == 0;) {
         const size_t room = size - passed;
         const ssize_t count = recvfrom(connection->fd, bytes + passed, room, flags, NULL, NULL);
-        if (count <= 0 && passed > 0) break; /* told when it asks again */
+        if (count <= 0 && passed > 0) break; /* reported by the next call */
         if (count == 0 && !framing_is_between(framing)) return end_within_request(connection);
         if (count == 0) return 0;
         if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) return -1;
         if (count < 0) return end_within_request(connection);
         is_more = (size_t)count == room;
         passed += framing_scan(framing, bytes + passed, (size_t)count);
-        const bool is_request = !framing_is_between(framing) || framing->passed > known; /* not an empty line */
+        const bool is_request = !framing_is_between(framing) || framing->passed > known; /* not just an empty line */
         if (connection->phase == PHASE_IDLE && is_request)
             connections_enter(&http->connections, connection, PHASE_HEADER);
     }
-    http_refuse_framing(http, connection); /* or once those before it are answered */
+    http_refuse_framing(http, connection); /* or later, once the requests before are answered */
     return passed > 0 ? (ssize_t)passed : fail_with(EAGAIN);
 }
 
-/* The name must be seen by libmicrohttpd, whatever the compiler's flags are. Without an own file of other threads'
- * sockets it is the system's. */
+/* Visible to libmicrohttpd, whatever the compiler's flags are. For threads without a daemon, and for other sockets, it
+ * is the system's recv(). */
 __attribute__((visibility("default"))) ssize_t recv(int fd, void *bytes, size_t size, int flags)
 {
     struct connection *connection = receiver ? connections_find(&receiver->connections, fd) : NULL;
@@ -81,7 +81,7 @@ __attribute__((visibility("default"))) ssize_t recv(int fd, void *bytes, size_t 
 
 /* ---- the test at start ---- */
 
-/* True where the answer to `request` has `status`. */
+/* Returns true if the answer to `request` begins with `status`. */
 static bool answers(struct http *http, const char *request, size_t size, const char *status)
 {
     const struct sockaddr_in address = {.sin_family = AF_INET, .sin_addr.s_addr = htonl(INADDR_LOOPBACK)};
@@ -109,7 +109,7 @@ static bool answers(struct http *http, const char *request, size_t size, const c
 bool http_receive_works(struct http *http)
 {
     static const char GOOD[] = "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n";
-    /* What no version refuses by itself, as little strict as we ask it to be. */
+    /* A request that every version of libmicrohttpd accepts in its least strict mode. */
     static const char BAD[] = "GET /healthz HTTP/1.1\r\nHost: a\r\nContent-Length: 0\r\nContent-Length: 0\r\n\r\n";
     http->is_self_test = true;
     const bool works = answers(http, GOOD, sizeof GOOD - 1, "HTTP/1.1 200 ") &&

@@ -18,7 +18,7 @@ bool http_answers_are_full(struct http *http)
     return atomic_load(&http->answer_bytes) >= http->config->answer_memory_bytes;
 }
 
-/* The exchange belongs to the loop again: libmicrohttpd will ask for its answer. */
+/* Returns the exchange to the loop: libmicrohttpd will call for its answer. */
 static void finish_work(struct exchange *exchange)
 {
     struct http *http = exchange->http;
@@ -43,7 +43,7 @@ void http_take_finished(struct http *http)
 
 /* ---- on a worker ---- */
 
-/* libmicrohttpd 0.9.75 can miss a connection that another thread resumes while it runs: so the loop does it. */
+/* The loop resumes the connection: libmicrohttpd 0.9.75 can miss it if another thread resumes it during a run. */
 static void hand_over(struct exchange *exchange)
 {
     static const uint64_t ONE = 1;
@@ -64,15 +64,15 @@ static enum request_next begin(struct exchange *exchange, struct zr_arena *arena
                        &exchange->answer);
 }
 
-/* What is large goes from the express to the workers. True: it is not ours any more. */
+/* Moves a large request from the express to the workers. True: it belongs to the queue. */
 static bool put_back(struct exchange *exchange, struct zr_arena *arena)
 {
     struct http *http = exchange->http;
     atomic_store(&exchange->work_began_ms, 0);
     exchange->request.small_only = false;
     exchange->cancel.parent = NULL;
-    if (atomic_load(&exchange->cancel.raised)) { /* just now: that has an answer, too */
-        zr_arena_reset(arena, SIZE_MAX);         /* an inflated body is not to count twice */
+    if (atomic_load(&exchange->cancel.raised)) { /* cancelled just now: answered here */
+        zr_arena_reset(arena, SIZE_MAX);         /* a decompressed body must not count twice */
         begin(exchange, arena);
         return false;
     }
@@ -134,7 +134,7 @@ enum MHD_Result http_begin_work(struct exchange *exchange)
         return MHD_NO;
     }
     connections_enter(&http->connections, exchange->connection, PHASE_WORK);
-    /* First suspended, then pushed: a worker may be done before queue_push returns. */
+    /* Suspended before it is pushed: a worker may finish before queue_push returns. */
     MHD_suspend_connection(exchange->mhd);
     enum queue_lane lane = http_lane_of(exchange->upload.size);
     if (!queue_push(http->queue, &exchange->job, lane)) {

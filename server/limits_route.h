@@ -1,4 +1,4 @@
-/* limits_route.h - GET /v1/limits: what the daemon takes. */
+/* limits_route.h - GET /v1/limits: the limits in force. */
 #ifndef ZRASTERD_LIMITS_ROUTE_H
 #define ZRASTERD_LIMITS_ROUTE_H
 

@@ -10,16 +10,16 @@
 #include "log_writer.h"
 #include "text.h"
 
-/* LINE_SIZE: room for all texts of a request, each byte of them escaped in six. */
+/* LINE_SIZE: room for all texts of a request, each byte escaped to six. */
 enum { FIELD_SIZE = 513, LINE_SIZE = 32 << 10 };
 
-/* One is made for each request, on the thread that serves all connections: so without a tree and without malloc. */
+/* Built once per request on the thread that serves all connections: without a tree and without malloc. */
 struct line {
     size_t used;
     char bytes[LINE_SIZE];
 };
 
-/* What does not fit is left out. */
+/* Omits text that does not fit. */
 __attribute__((format(printf, 2, 3))) static void add(struct line *line, const char *format, ...)
 {
     size_t room = sizeof line->bytes - line->used;
@@ -42,7 +42,7 @@ static void begin_line(struct line *line, const char *level)
     add(line, "{\"time\":\"%s.%03ldZ\",\"level\":\"%s\"", day, now.tv_nsec / 1000000, level);
 }
 
-/* RFC 8259, 7. */
+/* Adds a string, escaped as in RFC 8259, 7. */
 static void add_text(struct line *line, const char *name, const char *text)
 {
     char clean[FIELD_SIZE], escaped[6 * FIELD_SIZE];
@@ -74,7 +74,7 @@ static void put_line(struct line *line)
     log_writer_put(line->bytes, line->used);
 }
 
-/* After lines that were lost, what there is to say about that. */
+/* Writes a line, after a notice about lines that were lost before it. */
 static void write_line(struct line *line)
 {
     const uint64_t lost = log_writer_take_lost();
@@ -130,6 +130,6 @@ bool log_is_traceparent(const char *text)
         bool hex = (text[i] >= '0' && text[i] <= '9') || (text[i] >= 'a' && text[i] <= 'f');
         if (FORM[i] == 'x' ? !hex : text[i] != '-') return false;
     }
-    /* Version ff and ids of zeros only are invalid. */
+    /* Version ff and all-zero ids are invalid. */
     return strncmp(text, "ff", 2) != 0 && strspn(text + 3, "0") < 32 && strspn(text + 36, "0") < 16;
 }

@@ -1,6 +1,6 @@
-/* log.h - one JSON line a request, on standard error (log_writer.h).
+/* log.h - the log: one JSON line per request, on standard error (log_writer.h).
  *
- * What a client sent is untrusted: it is made valid UTF-8, bounded and escaped.
+ * Text from clients is untrusted: it becomes valid UTF-8, bounded and escaped.
  */
 #ifndef ZRASTERD_LOG_H
 #define ZRASTERD_LOG_H
@@ -11,7 +11,7 @@
 
 #include "step_times.h"
 
-/* Texts that are NULL or "" are left out. */
+/* Empty texts (NULL or "") are omitted. */
 struct log_request {
     const char *id, *remote, *method, *path, *query, *traceparent, *detail;
     int status; /* 0: no answer was sent */
@@ -23,10 +23,10 @@ struct log_request {
 
 void log_request(const struct log_request *request);
 
-/* A line about the daemon itself. */
+/* Logs a line about the daemon itself. */
 void log_event(const char *level, const char *event, const char *detail);
 
-/* True for a well-formed W3C trace context: 00-<32 hex>-<16 hex>-<2 hex>. */
+/* Returns true for a well-formed W3C trace context: 00-<32 hex>-<16 hex>-<2 hex>. */
 bool log_is_traceparent(const char *text);
 
 #endif

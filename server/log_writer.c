@@ -9,7 +9,7 @@
 
 enum { STOP_MS = 1000 };
 
-/* One for the process, as standard error is. The bytes from `tail` to `head` are to be written; both only grow. */
+/* One per process, like standard error. The bytes from `tail` to `head` are unwritten; both counters only grow. */
 static struct {
     pthread_mutex_t lock;
     pthread_cond_t changed, written;
@@ -24,7 +24,7 @@ static void write_all(const char *bytes, size_t size)
     while (size > 0) {
         const ssize_t count = write(STDERR_FILENO, bytes, size);
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return; /* nobody will ever read it */
+        if (count <= 0) return; /* the reader is gone */
         bytes += count;
         size -= (size_t)count;
     }

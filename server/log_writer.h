@@ -1,5 +1,5 @@
-/* log_writer.h - lines on their way to standard error. Whoever has a line hands it over and goes on: a thread of its
- * own writes, and where nobody reads what it writes, lines are lost and counted, and no answer waits.
+/* log_writer.h - writes log lines to standard error on a thread of its own. If standard error is read too slowly, lines
+ * are lost and counted, and no answer waits.
  */
 #ifndef ZRASTERD_LOG_WRITER_H
 #define ZRASTERD_LOG_WRITER_H
@@ -10,16 +10,17 @@
 
 enum { LOG_BUFFER_BYTES = 1 << 20 };
 
-/* Until it is started, and once it is stopped, lines are written at once. False: no thread could be had. */
+/* Starts the thread. Without it, before this call or after log_writer_stop, lines are written at once. False: no thread
+ * available. */
 bool log_writer_start(void);
 
-/* Writes what there is, for a second at most. */
+/* Writes the buffered lines, for a second at most, and ends the thread. */
 void log_writer_stop(void);
 
-/* A whole line. Thread-safe. False: the buffer is full, and the line is lost. */
+/* Adds a complete line. Thread-safe. False: the buffer is full, and the line is lost. */
 bool log_writer_put(const char *line, size_t size);
 
-/* How many lines were lost, to be told once there is room again; 0 until then. They count as told. */
+/* Returns and resets the count of lost lines once half of the buffer is free; 0 until then. */
 uint64_t log_writer_take_lost(void);
 
 #endif

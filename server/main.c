@@ -1,4 +1,4 @@
-/* zrasterd - the daemon: starts everything, waits for a signal, ends everything. */
+/* main.c - the daemon zrasterd: starts all parts, waits for a signal, stops all parts. */
 #include <fcntl.h>
 #include <inttypes.h>
 #include <malloc.h>
@@ -20,7 +20,8 @@
 
 enum { EXIT_USAGE = 2, SPARE_FILES = 192, MMAP_BYTES = 1 << 20, TRIM_BYTES = 8 << 20 };
 
-/* Who starts us may have closed them: a socket or a file that got such a number would be written to as the log. */
+/* Opens /dev/null for closed standard files. Otherwise a socket or an asset could get such a number, and the log would
+ * be written to it. */
 static bool open_standard_files(void)
 {
     for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
@@ -28,7 +29,7 @@ static bool open_standard_files(void)
     return true;
 }
 
-/* Threads take their signal mask from the one that starts them, so this comes first. */
+/* First of all: threads inherit the signal mask of their creator. */
 static void block_signals(sigset_t *signals)
 {
     sigemptyset(signals);
@@ -36,11 +37,11 @@ static void block_signals(sigset_t *signals)
     sigaddset(signals, SIGINT);
     pthread_sigmask(SIG_BLOCK, signals, NULL);
     signal(SIGPIPE, SIG_IGN);
-    signal(SIGXFSZ, SIG_IGN); /* an asset beyond the limit on files is refused, not our end */
+    signal(SIGXFSZ, SIG_IGN); /* writing an asset beyond the file size limit then fails, and does not end the daemon */
 }
 
-/* Memory must come down when nothing happens: few arenas, and large blocks go back at once. Heaps keep what a
- * request of some size had in small blocks, until the queue is calm. */
+/* An idle daemon must return its memory: few malloc arenas, and large blocks return at once. Small blocks stay in the
+ * heap until the queue is calm. */
 static void tune_allocator(void)
 {
     mallopt(M_ARENA_MAX, 2);
@@ -48,7 +49,7 @@ static void tune_allocator(void)
     mallopt(M_TRIM_THRESHOLD, TRIM_BYTES);
 }
 
-/* A connection is a file, and an asset that goes out to it is another one; the usual soft limit is 1024. */
+/* A connection is one descriptor, an asset being sent another; the usual soft limit is 1024. */
 static void raise_file_limit(const struct config *config)
 {
     struct rlimit limit;

@@ -3,7 +3,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* What is left of a text. */
+/* Unread rest of a text. */
 struct text {
     const char *at, *end;
 };
@@ -49,7 +49,7 @@ static bool is_word(struct text text, const char *word)
     return (size_t)(text.end - text.at) == length && strncasecmp(text.at, word, length) == 0;
 }
 
-/* What stands between the quotes, with its backslashes. */
+/* Takes the text between quotes, with its backslashes. */
 static bool take_quoted(struct text *text, struct text *value)
 {
     value->at = ++text->at;
@@ -61,7 +61,7 @@ static bool take_quoted(struct text *text, struct text *value)
     return take(text, '"');
 }
 
-/* "; name=value", the blanks around it too. False where there is none; *broken where what is there is no parameter. */
+/* Takes "; name=value" with the blanks around it. False: none is left; *broken: malformed. */
 static bool take_parameter(struct text *text, struct text *name, struct text *value, bool *broken)
 {
     skip_blanks(text);
@@ -69,7 +69,7 @@ static bool take_parameter(struct text *text, struct text *name, struct text *va
     *broken = true;
     if (!take(text, ';')) return false;
     skip_blanks(text);
-    if (text->at == text->end) { /* some clients end with one */
+    if (text->at == text->end) { /* some clients end with ';' */
         *broken = false;
         return false;
     }
@@ -169,7 +169,7 @@ static bool read_header(struct text line, struct multipart_part *part, const cha
     return true;
 }
 
-/* Up to the empty line, and past it. */
+/* Reads headers to the empty line, and skips that. */
 static bool read_headers(struct text *body, struct multipart_part *part, const char **fault)
 {
     size_t left = (size_t)(body->end - body->at), room = left < MULTIPART_HEADER_MAX ? left : MULTIPART_HEADER_MAX;
@@ -192,7 +192,7 @@ static bool read_headers(struct text *body, struct multipart_part *part, const c
 
 enum delimiter { DELIMITER_NEXT, DELIMITER_LAST, DELIMITER_BROKEN };
 
-/* Behind a boundary: blanks and a line's end, or "--". */
+/* Takes the rest of a boundary line: blanks and a line end, or "--". */
 static enum delimiter take_delimiter(struct text *body)
 {
     struct text after = *body;
@@ -203,7 +203,7 @@ static enum delimiter take_delimiter(struct text *body)
     return DELIMITER_NEXT;
 }
 
-/* The first boundary may be the first bytes, the line break before it with nothing in front. */
+/* Finds the first boundary. At the beginning of the body it has no line break before it. */
 static bool skip_preamble(struct text *body, const char *mark, size_t mark_size)
 {
     size_t left = (size_t)(body->end - body->at);
@@ -223,7 +223,7 @@ static bool read_part(struct text *body, const char *mark, size_t mark_size, str
     *part = (struct multipart_part){.type = NULL};
     if (!read_headers(body, part, fault)) return false;
     if (multipart_find(out, part->name)) return fail(fault, "two parts have the same name");
-    /* An empty part's line break may be the one that ended its headers. */
+    /* In an empty part, the line break of the boundary may be that of the header's end. */
     const char *from = body->at - 2, *found = memmem(from, (size_t)(body->end - from), mark, mark_size);
     if (!found) return fail(fault, "the body ends without its closing boundary");
     part->bytes = body->at;

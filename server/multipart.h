@@ -1,9 +1,8 @@
-/* multipart.h - a body of several parts (multipart/form-data): where each begins and ends.
+/* multipart.h - finds the parts of a multipart/form-data body.
  *
- * Nothing is copied but names: parts point into the body. What two readers could read in
- * two ways is refused: bare line feeds, folded headers, a backslash in a name, two parts of
- * one name, a boundary with something behind it, transfer encodings that would change the bytes
- * (binary, 8bit and 7bit leave them as they are).
+ * Copies only names; parts point into the body. Input that two readers could read differently is refused: bare line
+ * feeds, folded headers, a backslash in a name, two parts with one name, bytes behind a boundary, transfer encodings
+ * that change bytes (binary, 8bit and 7bit do not).
  * Source: RFC 7578 (form-data), RFC 2046 section 5.1 (multipart), RFC 9110 section 5.6.
  */
 #ifndef ZRASTERD_MULTIPART_H
@@ -22,7 +21,7 @@ enum {
 
 struct multipart_part {
     char name[MULTIPART_NAME_MAX + 1];
-    const char *type; /* Content-Type as sent, not terminated; NULL: none */
+    const char *type; /* Content-Type as sent, not zero-terminated; NULL: none */
     size_t type_size;
     const char *bytes;
     size_t size;
@@ -33,14 +32,13 @@ struct multipart {
     struct multipart_part parts[MULTIPART_PARTS_MAX];
 };
 
-/* The boundary that a Content-Type header names, its type already known to be
- * multipart/form-data. False, and *fault says why, where it names none that is allowed. */
+/* Reads the boundary from a Content-Type of multipart/form-data. False: *fault has the reason. */
 bool multipart_boundary(const char *content_type, char boundary[MULTIPART_BOUNDARY_SIZE], const char **fault);
 
-/* False, and *fault says why, where the bytes are not whole and unambiguous. */
+/* Finds all parts of a body. False: the bytes are incomplete or ambiguous, and *fault has the reason. */
 bool multipart_parse(const char *boundary, const char *bytes, size_t size, struct multipart *out, const char **fault);
 
-/* The part of that name, NULL where there is none. */
+/* Returns the part with this name, or NULL. */
 const struct multipart_part *multipart_find(const struct multipart *multipart, const char *name);
 
 #endif

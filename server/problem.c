@@ -33,7 +33,7 @@ int problem_http_status(enum zr_status status)
     return 500;
 }
 
-/* A problem under way: NULL where memory has run out, and then it stays so. */
+/* Begins a problem. NULL: out of memory; the following functions accept it. */
 static cJSON *new_problem(struct answer *answer, int http_status, const char *detail)
 {
     answer->status = http_status;
@@ -65,7 +65,8 @@ static bool add_errors(cJSON *root, const struct zr_error *error, size_t held)
     bool added = errors;
     for (size_t i = 0; i < held && added; i++)
         added = add_error(errors, error->items[i].pointer, error->items[i].detail);
-    return added && (held < ZR_ERROR_ITEMS || cJSON_AddTrueToObject(root, "truncated")); /* where readers stop */
+    return added &&
+           (held < ZR_ERROR_ITEMS || cJSON_AddTrueToObject(root, "truncated")); /* readers stop at so many errors */
 }
 
 static void finish(struct answer *answer, cJSON *root)
@@ -103,7 +104,7 @@ void problem_busy(struct answer *answer, unsigned retry_after_s, const char *det
     problem_answer(answer, 503, "%s", detail);
 }
 
-/* Without the depth maps of its lamps the request would fit. */
+/* Returns true if the request would fit without the shadow maps of its lights. */
 static bool are_lamps_too_many(const struct zr_arena *arena, const struct zr_cost *cost)
 {
     return cost && cost->lamp_maps > 0 && (double)arena->wanted - cost->lamp_map_bytes <= (double)arena->ceiling;

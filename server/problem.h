@@ -9,24 +9,24 @@
 #include "base/status.h"
 #include "zraster.h"
 
-/* The one table from the renderer's statuses to HTTP's. */
+/* Returns the HTTP status of a renderer's status. The only such table. */
 int problem_http_status(enum zr_status status);
 
-/* Makes the answer an error with one detail. */
+/* Turns the answer into an error with one detail. */
 void problem_answer(struct answer *answer, int http_status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Makes the answer an error with all that the renderer said. */
+/* Turns the answer into an error with all entries of `error`. */
 void problem_answer_error(struct answer *answer, int http_status, const struct zr_error *error);
 
-/* 503, and when to come again. */
+/* Turns the answer into a 503 with Retry-After. */
 void problem_busy(struct answer *answer, unsigned retry_after_s, const char *detail);
 
-/* The arena has failed: 422 for a request that can never fit, with what it needs, and what needs it, by the cost that
- * was predicted, if one was (else NULL); 503 where it is the system that has no memory just now. */
+/* Reports a failed arena. 422 if the request can never fit: it names the bytes needed and, from the predicted `cost`
+ * (or NULL), their main use. 503 if the system has no memory now. */
 void problem_memory(struct answer *answer, const struct zr_arena *arena, const struct zr_cost *cost);
 
-/* The request was cancelled, since its time was over: 504. */
+/* Reports a request that was cancelled after its time: 504. */
 void problem_late(struct answer *answer, uint64_t timeout_ms);
 
 #endif

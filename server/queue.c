@@ -9,13 +9,13 @@
 
 enum { STACK_BYTES = 2 << 20, SURE_A_WORKER = 2, OVERSEER_TICK_MS = 20 };
 
-/* On a worker, a job that takes longer counts as large. On the express it delays small jobs, so it counts as small. */
+/* A longer job on a worker counts as large. A job on the express counts as small, since it delays small ones. */
 static const int64_t SMALL_US = QUEUE_EXPRESS_MS * INT64_C(1000);
 
 struct lane {
     struct queue_job *first, *last;
     size_t waiting;
-    double work_us; /* what such jobs take: moving average over the last ones; 0: not known yet */
+    double work_us; /* time of a job: moving average; 0: unknown */
 };
 
 struct worker {
@@ -23,28 +23,28 @@ struct worker {
     pthread_t thread;
     pthread_cond_t wake;
     bool is_express;
-    bool is_idle; /* in the stack, and waiting: who else takes it out wakes it */
-    bool is_busy; /* with a job that it took from `lane` */
+    bool is_idle; /* waits in the stack; the thread that takes it out wakes it */
+    bool is_busy; /* has a job from `lane` */
     enum queue_lane lane;
     int64_t began_us;
     struct worker *below;
     struct zr_arena arena;
-    size_t used; /* by its last jobs; older ones count less and less */
+    size_t used; /* bytes of its last jobs; older ones count less */
 };
 
 struct queue {
     pthread_mutex_t lock;
     struct queue_options options;
     struct lane lanes[QUEUE_LANES];
-    struct worker *idle; /* a stack: who worked last is the first to be woken, for its memory is warm */
-    size_t woken;        /* workers on their way to a job */
+    struct worker *idle; /* stack: the last one to work is woken first, since its memory is warm */
+    size_t woken;        /* workers that were woken and have not taken a job yet */
     bool stopping;
-    struct zr_cancel express_overdue; /* of the job that the express has */
+    struct zr_cancel express_overdue; /* for the job on the express */
     pthread_t overseer;
-    pthread_cond_t express_begins; /* the overseer sleeps, or it looks every OVERSEER_TICK_MS */
+    pthread_cond_t express_begins; /* wakes the overseer, which otherwise checks every OVERSEER_TICK_MS */
     bool overseer_runs, overseer_sleeps, overseer_ends;
     size_t worker_count;
-    struct worker *express; /* the last of the workers */
+    struct worker *express; /* last of the workers */
     struct worker workers[];
 };
 
@@ -72,7 +72,7 @@ static struct queue_job *take_out(struct queue *queue, struct queue_job *job)
     return job;
 }
 
-/* Workers that a small job does not get in a moment. */
+/* Counts workers that are not free for a small job soon. */
 static size_t count_held(const struct queue *queue)
 {
     const int64_t now_us = clock_us();
@@ -82,7 +82,7 @@ static size_t count_held(const struct queue *queue)
     return held;
 }
 
-/* Until a job that came now would be begun. Small ones have the express, and those workers that no large one has. */
+/* Returns the predicted wait of a new job. Small jobs have the express and the workers without a large job. */
 static double wait_us(const struct queue *queue, enum queue_lane number)
 {
     const struct lane *small = &queue->lanes[QUEUE_SMALL], *large = &queue->lanes[QUEUE_LARGE];
@@ -91,12 +91,12 @@ static double wait_us(const struct queue *queue, enum queue_lane number)
         const size_t taken = held + large->waiting;
         return (double)small->waiting * small->work_us / (double)(taken < workers ? workers - taken + 1 : 1);
     }
-    /* Those that run are half done. */
+    /* Running jobs are half done on average. */
     return (((double)large->waiting + 0.5 * (double)held) * large->work_us + (double)small->waiting * small->work_us) /
            (double)workers;
 }
 
-/* `coming`: jobs that will be pushed before the one that is asked about. */
+/* `coming`: jobs that will be pushed before the one in question. */
 static bool is_full(const struct queue *queue, enum queue_lane number, size_t coming)
 {
     const struct lane *lane = &queue->lanes[number];
@@ -115,7 +115,7 @@ static void learn(struct worker *worker, int64_t took_us)
     lane->work_us += ((double)took_us - lane->work_us) / (lane->work_us > 0.0 ? 8.0 : 1.0);
 }
 
-/* Nobody has had work for a while: what comes next need not take as long as what came last. */
+/* Resets the averages after a pause: the next jobs need not take as long as the last ones. */
 static void forget(struct queue *queue)
 {
     for (const struct worker *worker = queue->workers; worker <= queue->express; worker++)
@@ -131,7 +131,7 @@ static struct queue_job *take_job(struct worker *worker)
     struct queue *queue = worker->queue;
     struct lane *small = &queue->lanes[QUEUE_SMALL], *large = &queue->lanes[QUEUE_LARGE];
     if (worker->is_express) {
-        /* Workers on their way, who would not have to put anything back, come to as many jobs. */
+        /* Woken workers will take as many jobs, and never need to put one back. */
         bool needed = queue->stopping || small->waiting + large->waiting > queue->woken;
         return small->first && needed ? take_out(queue, small->first) : NULL;
     }
@@ -146,7 +146,7 @@ static bool is_over(const struct worker *worker)
     return worker->queue->stopping && (worker->is_express || !worker->queue->express->is_busy);
 }
 
-/* One more job is waiting. */
+/* Wakes a thread for one more waiting job. */
 static void wake_one(struct queue *queue)
 {
     struct worker *worker = queue->idle;
@@ -165,7 +165,7 @@ static void wake_all(struct queue *queue)
     pthread_cond_signal(&queue->express->wake);
 }
 
-/* On top of the stack; or, where its memory went back, below all others: theirs is no colder. */
+/* Pushes the worker on the stack; below all others if its memory has been returned, since theirs is warmer. */
 static void join_idle(struct worker *worker)
 {
     struct worker **link = &worker->queue->idle;
@@ -185,7 +185,7 @@ static void leave_idle(struct worker *worker)
     worker->is_idle = false;
 }
 
-/* False once `until` has come, and nobody woke us. */
+/* Waits for a job. False: `until` has passed without a wake-up. */
 static bool wait_for_job(struct worker *worker, const struct timespec *until)
 {
     struct queue *queue = worker->queue;
@@ -197,11 +197,11 @@ static bool wait_for_job(struct worker *worker, const struct timespec *until)
         queue->woken--;
         return true;
     }
-    leave_idle(worker); /* who trims, or takes a job unasked, would not hear a wake and not count it off */
+    leave_idle(worker); /* not woken by wake_one: `woken` does not count it */
     return status != ETIMEDOUT;
 }
 
-/* NULL once the queue stops and nothing waits. */
+/* Waits for the next job. NULL: the queue has stopped and none is left. */
 static struct queue_job *next_job(struct worker *worker)
 {
     struct queue *queue = worker->queue;
@@ -215,7 +215,7 @@ static struct queue_job *next_job(struct worker *worker)
         worker->used = 0;
         pthread_mutex_unlock(&queue->lock);
         zr_arena_reset(&worker->arena, 0);
-        malloc_trim(0); /* bodies, answers and what libraries had: the heap keeps what is freed below its end */
+        malloc_trim(0); /* bodies, answers, memory of libraries: the heap keeps freed blocks below its end */
         pthread_mutex_lock(&queue->lock);
     }
     return job;
@@ -243,13 +243,13 @@ static void end_job(struct worker *worker)
 
 /* ---- threads ---- */
 
-/* Somewhat more than was held is kept, and one block at least: a new one costs a small request more than its picture
- * does. */
+/* Keeps somewhat more memory than was used, at least one block: a new block costs a small request more than its
+ * picture. */
 static void reset_arena(struct worker *worker)
 {
     const size_t held = worker->arena.held, older = worker->used - worker->used / 8;
     worker->used = held > older ? held : older;
-    if (worker->used == 0) worker->used = 1; /* something was done: libraries may have memory */
+    if (worker->used == 0) worker->used = 1; /* a job ran: libraries may hold memory */
     const size_t keep = worker->used + worker->used / 2 + ZR_ARENA_BLOCK;
     const size_t most = worker->queue->options.keep_memory_bytes;
     zr_arena_reset(&worker->arena, keep < most ? keep : most);
@@ -274,7 +274,7 @@ static void *work(void *argument)
     return NULL;
 }
 
-/* Looks after the express, lest a job that was taken for a small one keep others from it. */
+/* Watches the express, so that a job wrongly taken for small does not keep others from it. */
 static void *oversee(void *argument)
 {
     struct queue *queue = argument;

@@ -1,9 +1,8 @@
-/* step_times.h - how long each step of a request took. */
+/* step_times.h - duration of each step of a request. */
 #ifndef ZRASTERD_STEP_TIMES_H
 #define ZRASTERD_STEP_TIMES_H
 
-/* In milliseconds; predicted_ms is the processor time of render and encode that was predicted. Below 0: it
- * did not come to that. */
+/* In ms. predicted_ms: predicted processor time of render and encode. Below 0: the step was not reached. */
 struct step_times {
     double parse_ms, queue_ms, render_ms, encode_ms, predicted_ms;
 };
