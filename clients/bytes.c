@@ -49,7 +49,7 @@ bool bytes_same_file(const char *a, const char *b)
     return there && stat(b, &t) == 0 && S_ISREG(s.st_mode) && s.st_dev == t.st_dev && s.st_ino == t.st_ino;
 }
 
-/* A device, a pipe or a link that leads to nothing yet is written to as it is; a rename would replace it by a file. */
+/* Devices, pipes and dangling links are written in place; a rename would replace them by a file. */
 static bool is_special(const char *path)
 {
     struct stat status;
@@ -63,7 +63,7 @@ static bool write_whole(const struct bytes *bytes, FILE *file)
     return fflush(file) == 0 && ok;
 }
 
-/* As fopen would have made a new file; one that is there keeps its rights. */
+/* Returns the rights of an existing file, else those that fopen gives a new one. */
 static mode_t mode_for(const char *path)
 {
     struct stat status;

@@ -13,13 +13,14 @@ struct bytes {
 bool bytes_add(struct bytes *bytes, const void *data, size_t size);
 void bytes_free(struct bytes *bytes);
 
-/* "-" is standard input or output. False with errno set. */
+/* Reads a file; "-": standard input. False with errno on failure. */
 bool bytes_read(struct bytes *bytes, const char *path);
 
-/* Do both paths lead to one regular file? "-", for the first, is standard input. */
+/* Returns true if both paths are one regular file. For `a`, "-" is standard input. */
 bool bytes_same_file(const char *a, const char *b);
 
-/* Writes beside the target first and renames, so that no half file is ever seen. */
+/* Writes a file; "-": standard output. A regular file is written beside its target and renamed, so it is never
+ * incomplete. */
 bool bytes_write(const struct bytes *bytes, const char *path);
 
 #endif

@@ -16,7 +16,7 @@ int options_wrong(const char *what, const char *which)
     return EXIT_USAGE;
 }
 
-/* What is told of an option that is not known: its name alone, since a secret may stand behind it. */
+/* Reports an unknown option by its name only, since its value may be a secret. */
 static int unknown(const char *flag)
 {
     char name[64];
@@ -57,7 +57,7 @@ static const char **parameter_slot(struct options *o, const char *name)
     return NULL;
 }
 
-/* The place in `options` that a flag with a value sets, or NULL. The flag has `length` characters. */
+/* Returns the member of `options` that a flag of `length` characters sets, or NULL. */
 static const char **slot_of(struct options *o, const char *flag, size_t length)
 {
     const struct {
@@ -78,7 +78,7 @@ static const char **slot_of(struct options *o, const char *flag, size_t length)
     return NULL;
 }
 
-/* The slot is that of a parameter which is true or false. */
+/* Returns true if the slot is a parameter that is true or false. */
 static bool is_boolean(const struct options *o, const char **slot)
 {
     for (size_t i = 0; i < OPTIONS_PARAMETERS; i++)
@@ -99,8 +99,8 @@ static bool is_option(const char *text)
     return strncmp(text, "--", 2) == 0 || strcmp(text, "-o") == 0;
 }
 
-/* --name VALUE or --name=VALUE at arguments[*at], which is moved to the last argument that was taken. What is true or
- * false takes the next argument only where that says which: it may be the file. */
+/* Reads --name VALUE or --name=VALUE at arguments[*at] and moves *at to its last argument. A boolean takes the next
+ * argument only if that is a boolean value: it may be the file. */
 static int read_option(int count, char **arguments, int *at, struct options *options)
 {
     const char *flag = arguments[*at], *equals = strchr(flag, '=');
@@ -124,7 +124,7 @@ static int read_option(int count, char **arguments, int *at, struct options *opt
 
 #define FORMAT(ID, suffix, media_types, has_view, ...) {suffix, media_types, has_view},
 static const struct {
-    const char *suffix, *media_types; /* the first of these */
+    const char *suffix, *media_types; /* the first media type is sent */
     bool has_view;
 } formats[] = {ZR_FORMAT_ROWS(FORMAT)};
 enum { FORMATS = sizeof formats / sizeof formats[0] };
@@ -148,7 +148,7 @@ static bool read_size(struct options *options)
     return true;
 }
 
-/* What the file's ending does not say, its bytes tell the daemon. */
+/* Finds the type by --type or the file's ending. Otherwise the daemon detects it from the bytes. */
 static int find_content_type(struct options *options)
 {
     static char known[128], wrong[160];
@@ -169,7 +169,7 @@ static int find_content_type(struct options *options)
     return options_wrong(wrong, options->type);
 }
 
-/* A scene says these things itself. */
+/* Refuses options that are keys of scenes. */
 static int check_scene(const struct options *options)
 {
     static char wrong[128];

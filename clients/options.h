@@ -10,12 +10,12 @@
 
 #define DEFAULT_SERVER "http://127.0.0.1:8080"
 
-/* What the query may say: each is an option, doubleSided being --double-sided. */
+/* A query parameter. Each one is an option: doubleSided is --double-sided. */
 struct parameter {
     const char *name;
-    bool of_mesh; /* and not of scenes */
+    bool of_mesh; /* for meshes only */
     const char *value,
-        *help; /* what stands for it, and what it is; in brackets: it may be left out, and is true then */
+        *help; /* placeholder and text of --help; a placeholder in brackets: may be omitted, and is true then */
 };
 #define OPTIONS_COUNT(...) +1
 enum { OPTIONS_PARAMETERS = 0 ZR_PARAMETER_ROWS(OPTIONS_COUNT) };
@@ -24,26 +24,25 @@ extern const struct parameter options_parameters[OPTIONS_PARAMETERS];
 
 enum { OPTIONS_FLAG_SIZE = 32 };
 
-/* Of a parameter whose name has `length` characters: "--name". */
+/* Writes the option of a parameter, whose name has `length` characters: "--name". */
 void options_flag_of(const char *name, size_t length, char flag[OPTIONS_FLAG_SIZE]);
 
-/* NULL: not given. */
+/* Options as given; NULL: not given. */
 struct options {
     const char *file, *out, *server, *token_file, *type, *size;
     const char *parameters[OPTIONS_PARAMETERS];
-    char width[12], height[12]; /* of size */
+    char width[12], height[12]; /* from `size` */
     const char *content_type;   /* of the file */
-    bool has_view;              /* it is known to say itself what it is seen from, and how */
+    bool has_view;              /* the format includes a view (scenes) */
 };
 
-/* Arguments behind "render". 0, or the exit status for a wrong command line, which is then explained on stderr. */
+/* Reads the arguments behind "render". Returns 0, or the exit status of a wrong command line, reported on stderr. */
 int options_read(int count, char **arguments, struct options *options);
 
-/* Says on stderr what is wrong with the command line, and where help is; returns the exit status for that. `which`
- * may be "". */
+/* Reports a fault of the command line on stderr; returns the exit status. `which` may be "". */
 int options_wrong(const char *what, const char *which);
 
-/* Endings of names, for messages: " .obj .stl", those of meshes; " json obj stl", all. */
+/* Endings of file names, for messages: of meshes " .obj .stl", of all formats " json obj stl". */
 #define OPTIONS_ENDING_true(suffix)
 #define OPTIONS_ENDING_false(suffix)                                " ." suffix
 #define OPTIONS_MESH_ENDING(ID, suffix, media_types, has_view, ...) OPTIONS_ENDING_##has_view(suffix)

@@ -11,7 +11,7 @@ struct format {
     const char *type, *ending, *name, *instead;
 };
 
-/* What the server sends, and how something else is had in its place. */
+/* Formats of answers, and advice for getting another format. */
 static const struct format FORMATS[] = {
     {"image/png", "png", "a PNG", ""},
     {"application/x-npy", "npy", "an array (NPY)", "; depth has a PNG, too: --encoding png16"},
@@ -19,11 +19,11 @@ static const struct format FORMATS[] = {
     {"application/zip", "zip", "a ZIP archive of several outputs", "; or get one of them: --channel color"},
 };
 
-/* Endings that say what is in a file, and never what the server sends. Others, such as .part, say nothing. */
+/* Endings of formats that the server never sends. Other endings, such as .part, name no format. */
 static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "tiff", "webp", "bmp",  "ppm", "pgm",
                                       "exr", "hdr",  "svg", "pdf", "npz",  "gz",   "html", "txt", "csv"};
 
-/* Endings of what is sent to the server; where they are those of FORMATS, too, they are found there first. */
+/* Endings of request bodies. Those in FORMATS, too, are found there first. */
 #define ENDING(ID, suffix, ...) suffix,
 static const char *const BODIES[] = {ZR_FORMAT_ROWS(ENDING)};
 #undef ENDING
@@ -35,13 +35,14 @@ static const struct format *format_of(const char *type)
     return NULL;
 }
 
-/* The last part of a path, and in it the dot before the ending, or its end. */
+/* Returns the last part of a path. */
 static const char *base_of(const char *path)
 {
     const char *slash = strrchr(path, '/');
     return slash ? slash + 1 : path;
 }
 
+/* Returns the dot before the ending of a file name, or the end of the name. */
 static const char *dot_of(const char *base)
 {
     const char *dot = strrchr(base, '.');
@@ -60,7 +61,7 @@ static bool says_another_format(const char *ending, const struct format *format)
     return false;
 }
 
-/* To be freed: `path` up to its ending, that `between`, and the ending of the format. */
+/* Returns, to be freed, `path` without its ending, `between`, and the ending of the format. */
 static char *renamed(const char *path, const char *between, const struct format *format)
 {
     const int length = (int)(dot_of(base_of(path)) - path);
@@ -116,7 +117,7 @@ bool output_save(const struct options *options, const struct bytes *picture, con
     if (out) return ending_fits(out, format) && save(options, picture, out);
     const char *base = base_of(options->file);
     char *name = renamed(base, "", format);
-    if (name && strcmp(name, options->file) == 0) { /* never over the input */
+    if (name && strcmp(name, options->file) == 0) { /* the input is never overwritten */
         free(name);
         name = renamed(base, ".out", format);
     }

@@ -1,4 +1,4 @@
-/* output.h - client: where what came back is saved. */
+/* output.h - client: saves the answer. */
 #ifndef OUTPUT_H
 #define OUTPUT_H
 
@@ -7,13 +7,13 @@
 #include "bytes.h"
 #include "options.h"
 
-/* Saves `picture`, of that Content-Type, under options->out; where that is NULL, to standard output if it was made from
- * standard input, else under the input's name with the ending of what came back, in this folder. Tells the name. False,
- * and stderr says why, where it cannot be saved, or should not: over its own input, under the ending of another format,
- * or onto a terminal. */
+/* Saves `picture`, with its Content-Type, and prints the name. Without options->out, the picture of standard input goes
+ * to standard output; that of a file gets its name with the ending of the answer's format, in this folder. False, with
+ * the reason on stderr: it cannot be written, would overwrite its own input, has the ending of another format, or would
+ * go to a terminal. */
 bool output_save(const struct options *options, const struct bytes *picture, const char *type);
 
-/* Would it be saved over its own input? Then stderr says so. */
+/* Returns true, with a message on stderr, if `out` is the input file. */
 bool output_is_input(const struct options *options, const char *out);
 
 #endif

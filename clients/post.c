@@ -18,7 +18,7 @@ static char *joined(const char *a, const char *b)
     return both;
 }
 
-/* ---- where to ---- */
+/* ---- address ---- */
 
 static bool add_parameter(CURLU *url, const char *name, const char *value)
 {
@@ -34,7 +34,7 @@ static bool add_parameter(CURLU *url, const char *name, const char *value)
     return ok;
 }
 
-/* HOST:PORT is http. */
+/* Sets the server's address; HOST:PORT means http. */
 static bool set_server(CURLU *url, const char *server)
 {
     char *whole = joined(strstr(server, "://") ? "" : "http://", server);
@@ -44,7 +44,7 @@ static bool set_server(CURLU *url, const char *server)
            curl_url_set(url, CURLUPART_FRAGMENT, NULL, 0) == CURLUE_OK;
 }
 
-/* A server may be behind a path, as https://example.org/zraster. */
+/* Appends to the server's own path, such as https://example.org/zraster. */
 static bool add_path(CURLU *url)
 {
     char *path = NULL;
@@ -69,7 +69,7 @@ static CURLU *make_url(const struct options *o)
     return NULL;
 }
 
-/* ---- what comes back ---- */
+/* ---- answer ---- */
 
 static size_t receive(char *data, size_t size, size_t count, void *body)
 {
@@ -111,7 +111,7 @@ static struct curl_slist *make_headers(const struct options *options, const stru
 
 static void explain(const struct options *options, CURLcode code, const char *why)
 {
-    const char *at = strrchr(options->server, '@'); /* what stands in front may be a password */
+    const char *at = strrchr(options->server, '@'); /* text before it may be a password */
     fprintf(stderr, "zraster: %s: %s\n", at ? at + 1 : options->server, *why ? why : curl_easy_strerror(code));
     if (code == CURLE_COULDNT_CONNECT || code == CURLE_COULDNT_RESOLVE_HOST)
         fprintf(stderr,

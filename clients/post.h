@@ -1,4 +1,4 @@
-/* post.h - client: one request to the server, and what it answers. */
+/* post.h - client: sends one request to the server and receives the answer. */
 #ifndef POST_H
 #define POST_H
 
@@ -11,12 +11,12 @@
 struct reply {
     struct bytes body;
     long status;
-    char type[64];      /* Content-Type, without parameters */
-    long retry_seconds; /* when to try again; 0: not said */
+    char type[64];      /* Content-Type without parameters */
+    long retry_seconds; /* until the next try, from the server; 0: none given */
 };
 
-/* True where an answer came, of whatever status; else stderr says why. Warnings of the server go to stderr as
- * they arrive. */
+/* True: an answer of any status arrived. False: the reason is on stderr. Prints warnings of the server to stderr on
+ * arrival. */
 bool post(const struct options *options, const struct token *token, const struct bytes *body, struct reply *reply);
 
 #endif

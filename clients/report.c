@@ -11,8 +11,7 @@ static const char *text_of(const cJSON *object, const char *key)
     return text ? text : "";
 }
 
-/* "query parameter preset: ..." is "--preset: ..." here. The words may be those of another program that answers there.
- */
+/* Prints "query parameter preset: ..." as "--preset: ...". Another program's text may come here, too. */
 static void report_detail(FILE *out, const char *detail)
 {
     static const char words[] = "query parameter ";
@@ -27,7 +26,7 @@ static void report_detail(FILE *out, const char *detail)
     fprintf(out, "%s%s", flag, name + length);
 }
 
-/* The detail of a problem repeats its first error: it is shown only where there are none. */
+/* The detail of a problem repeats its first error, so it is printed only without errors. */
 void report_problem(FILE *out, const char *file, long status, const struct bytes *answer)
 {
     cJSON *problem = cJSON_ParseWithLength(answer->data ? answer->data : "", answer->size);

@@ -1,4 +1,4 @@
-/* report.h - client: a refusal of the server, as a person reads it. */
+/* report.h - client: prints a refusal of the server for people. */
 #ifndef REPORT_H
 #define REPORT_H
 
@@ -6,7 +6,7 @@
 
 #include "bytes.h"
 
-/* `answer` is an application/problem+json, or whatever a proxy put in its place. */
+/* `answer`: application/problem+json, or any text of a proxy. */
 void report_problem(FILE *out, const char *file, long status, const struct bytes *answer);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A header line has to hold it: visible ASCII. */
+/* A token fits into a header line: visible ASCII. */
 static bool is_token(const char *text)
 {
     for (; *text; text++)

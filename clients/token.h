@@ -1,4 +1,4 @@
-/* token.h - client: the token that a server may want. It is neither taken from the command line nor ever shown. */
+/* token.h - client: the token for the server. Never read from the command line, never printed. */
 #ifndef TOKEN_H
 #define TOKEN_H
 
@@ -8,11 +8,11 @@ enum { TOKEN_SIZE = 4096 };
 
 struct token {
     char text[TOKEN_SIZE]; /* "": none */
-    const char *from;      /* where it comes from, for messages */
+    const char *from;      /* its origin, for messages */
 };
 
-/* The first line of `path`; where that is NULL, the variable ZRASTER_TOKEN. False, and stderr says why, where a
- * file cannot be read or what is in it is no token. */
+/* Reads the first line of `path`, or ZRASTER_TOKEN if that is NULL. False, with the reason on stderr: the file cannot
+ * be read, or the text is no token. */
 bool token_read(struct token *token, const char *path);
 
 #endif

@@ -19,7 +19,7 @@
 #include "token.h"
 #include "version.h"
 
-enum { HELP_COLUMN = 28 }; /* of --help: more than the longest option with its placeholder */
+enum { HELP_COLUMN = 28 }; /* of --help: behind the longest option with its placeholder */
 
 static void print_usage(void)
 {

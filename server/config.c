@@ -12,7 +12,7 @@
 
 enum kind { TEXT, ADDRESS, ISA, NUMBER };
 
-enum { NAME_SIZE = 64, QUEUE_A_WORKER = 256 };
+enum { NAME_SIZE = 64, QUEUE_PER_WORKER = 256 };
 
 struct setting {
     const char *flag;
@@ -244,7 +244,7 @@ static enum config_mode read_flags(struct config *config, int argc, char *const 
         const struct setting *s =
             strncmp(argument, "--", 2) == 0 && length > 2 ? find_setting(argument + 2, length - 2) : NULL;
         if (!s) {
-            snprintf(message, message_size, "unknown argument '%.100s'; --help lists what is known", argument);
+            snprintf(message, message_size, "unknown argument '%.100s'; --help lists the known ones", argument);
             return CONFIG_WRONG;
         }
         char name[NAME_SIZE];
@@ -271,7 +271,7 @@ enum config_mode config_read(struct config *config, int argc, char *const *argv,
     uint64_t online = cores < 1 ? 1 : cores > ZR_TEAM_MAX ? ZR_TEAM_MAX : (uint64_t)cores;
     if (config->workers == 0) config->workers = online;
     if (config->threads == 0) config->threads = online;
-    if (config->queue == 0) config->queue = QUEUE_A_WORKER * config->workers;
+    if (config->queue == 0) config->queue = QUEUE_PER_WORKER * config->workers;
     return mode;
 }
 

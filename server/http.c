@@ -18,9 +18,10 @@
 
 enum {
     BACKLOG = 512,
-    CONNECTION_MEMORY = 32 << 10, /* framing.h fits its limits to it. More would be mapped for each connection instead
-                                     of taken from the heap, which halves the throughput under tenfold overload */
-    UNSENT_BYTES = 256 << 10,     /* of an answer that the kernel holds unsent */
+    /* The limits of framing.h fit it. More would be mapped per connection, not taken from the heap, which halves the
+     * throughput under tenfold overload. */
+    CONNECTION_MEMORY = 32 << 10,
+    UNSENT_BYTES = 256 << 10,                          /* of an answer that the kernel holds unsent */
     ROOM_CONNECTIONS = 64 + HTTP_LOOPBACK_CONNECTIONS, /* beyond max-connections, while others close */
     QUEUE_CALM_MS = 2000
 };

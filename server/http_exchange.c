@@ -25,8 +25,8 @@ static struct connection *connection_of(struct MHD_Connection *mhd)
 /* ---- connections ---- */
 
 /* Logs an event of a connection without a request that libmicrohttpd has reported. */
-static void log_nameless(const struct http *http, const struct connection *connection, const char *id, int status,
-                         size_t bytes_out, const char *detail)
+static void log_without_exchange(const struct http *http, const struct connection *connection, const char *id,
+                                 int status, size_t bytes_out, const char *detail)
 {
     if (http->is_self_test) return;
     log_request(&(struct log_request){
@@ -49,7 +49,7 @@ void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket
         struct connection *connection = *socket_context;
         if (!connection) return;
         if (connection->phase == PHASE_HEADER && framing_is_within_header(&connection->framing))
-            log_nameless(http, connection, NULL, 0, 0, "the connection ended within a request's header");
+            log_without_exchange(http, connection, NULL, 0, 0, "the connection ended within a request's header");
         connections_remove(&http->connections, connection);
         return;
     }
@@ -99,7 +99,7 @@ void http_refuse(struct http *http, struct connection *connection, int status, c
     request_take_id(&nameless, http->service, NULL);
     problem_answer(&answer, status, "%s", detail);
     router_finish(&answer, nameless.id);
-    log_nameless(http, connection, nameless.id, status, answer.size, detail);
+    log_without_exchange(http, connection, nameless.id, status, answer.size, detail);
     send_past_library(http, connection, &answer);
     answer_free(&answer);
 }
@@ -387,7 +387,7 @@ enum MHD_Result http_on_request(void *context, struct MHD_Connection *mhd, const
             struct http *http = context;
             struct answer answer = {0};
             answer_to_no_memory(&answer);
-            log_nameless(http, connection, NULL, answer.status, 0, answer.detail);
+            log_without_exchange(http, connection, NULL, answer.status, 0, answer.detail);
             send_past_library(http, connection, &answer);
         }
         return MHD_NO;

@@ -210,7 +210,7 @@ static void end_overdue(struct http *http, struct connection *connection, int64_
     }
 }
 
-static void look_at_all(struct http *http, int64_t now)
+static void end_all_overdue(struct http *http, int64_t now)
 {
     for (struct connection *c = http->connections.first, *next; c; c = next) {
         next = c->next;
@@ -234,7 +234,7 @@ static void begin_drain(struct http *http, int64_t now)
 
 static void cut_short(struct http *http, int64_t now)
 {
-    log_event("warn", "drain-timeout", "what is in flight is cut short");
+    log_event("warn", "drain-timeout", "requests in flight are cancelled");
     atomic_store(&http->cut_short, true);
     http->cut_ms = now;
     for (struct connection *c = http->connections.first; c; c = c->next) {
@@ -288,7 +288,7 @@ static int wait_ms(struct http *http)
 void http_loop_run(struct http *http)
 {
     struct epoll_event events[EVENTS];
-    int64_t looked_ms = clock_ms();
+    int64_t checked_ms = clock_ms();
     for (;;) {
         const int tick = tick_ms(http);
         const int count = epoll_wait(http->epoll_fd, events, EVENTS, wait_ms(http));
@@ -296,9 +296,9 @@ void http_loop_run(struct http *http)
         http_take_finished(http);
         MHD_run(http->daemon);
         const int64_t now = clock_ms();
-        if (tick >= 0 && now - looked_ms >= tick) {
-            look_at_all(http, now);
-            looked_ms = now;
+        if (tick >= 0 && now - checked_ms >= tick) {
+            end_all_overdue(http, now);
+            checked_ms = now;
         }
         if (atomic_load(&http->draining) && drain(http, now)) return;
     }

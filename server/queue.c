@@ -7,7 +7,7 @@
 
 #include "clock.h"
 
-enum { STACK_BYTES = 2 << 20, SURE_A_WORKER = 2, OVERSEER_TICK_MS = 20 };
+enum { STACK_BYTES = 2 << 20, ACCEPTED_PER_WORKER = 2, OVERSEER_TICK_MS = 20 };
 
 /* A longer job on a worker counts as large. A job on the express counts as small, since it delays small ones. */
 static const int64_t SMALL_US = QUEUE_EXPRESS_MS * INT64_C(1000);
@@ -104,7 +104,7 @@ static bool is_full(const struct queue *queue, enum queue_lane number, size_t co
     const double more_us = (double)coming * lane->work_us / (double)queue->options.workers;
     const bool is_behind = lane->first && clock_us() - lane->first->pushed_us > QUEUE_WAIT_MS * INT64_C(1000);
     return waiting >= queue->options.capacity ||
-           (waiting >= SURE_A_WORKER * queue->options.workers &&
+           (waiting >= ACCEPTED_PER_WORKER * queue->options.workers &&
             (is_behind || wait_us(queue, number) + more_us > QUEUE_WAIT_MS * 1e3));
 }
 
@@ -197,7 +197,7 @@ static bool wait_for_job(struct worker *worker, const struct timespec *until)
         queue->woken--;
         return true;
     }
-    leave_idle(worker); /* not woken by wake_one: `woken` does not count it */
+    leave_idle(worker); /* while it trims or has a job, it would miss a wake-up, and `woken` would stay too high */
     return status != ETIMEDOUT;
 }
 

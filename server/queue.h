@@ -74,8 +74,7 @@ bool queue_is_full(struct queue *queue, enum queue_lane lane, size_t coming);
 /* Returns the predicted wait of a new job in s, 1..60, from the times of the last jobs. */
 unsigned queue_wait_estimate_s(struct queue *queue, enum queue_lane lane);
 
-/* Runs all waiting jobs and ends the threads. Afterwards the queue accepts no job; its functions may still be called.
- */
+/* Runs all waiting jobs and ends the threads. Afterwards it accepts no job; the functions above may still be called. */
 void queue_stop(struct queue *queue);
 
 /* Stops the queue if it still runs, and frees it. */

@@ -17,7 +17,7 @@
 #include "scene/scene.h"
 #include "text.h"
 
-/* ---- opening: all that can be said before the body ---- */
+/* ---- opening: checks before the body ---- */
 
 #define PARAMETER(name, ...) {#name, offsetof(struct zr_request, name)},
 static const struct {
@@ -32,11 +32,11 @@ static const char PARAMETER_NAMES[] =
     ZR_PARAMETER_ROWS(PARAMETER);
 #undef PARAMETER
 
-/* "name=value&name=value" into request->render. */
+/* Reads "name=value&name=value" into request->render. */
 static bool read_query(struct request *request, struct answer *answer)
 {
     if (!request->query || !*request->query) return true;
-    /* A decoded text is never longer, and every pair gives up its '=' or '&' for the final zeros. */
+    /* A decoded text is never longer; the '=' and '&' leave room for the final zeros. */
     char *values = request->query_values = malloc(2 * strlen(request->query) + 2);
     if (!values) {
         problem_busy(answer, 1, "out of memory");
@@ -75,8 +75,8 @@ static bool read_query(struct request *request, struct answer *answer)
 
 #define MULTIPART "multipart/form-data"
 
-/* Of a 415. */
-static void tell_types(struct answer *answer)
+/* Adds the accepted types to a 415. */
+static void add_accepted_types(struct answer *answer)
 {
     answer_header(answer, "Accept-Post", "%s, " MULTIPART, zr_format_types_join().text);
 }
@@ -87,19 +87,19 @@ static bool is_multipart(const char *type)
     return strncasecmp(type, MULTIPART, length) == 0 && (type[length] == '\0' || strchr("; \t", type[length]));
 }
 
-/* Where it says nothing, the bytes will. */
+/* Reads the Content-Type. A generic one leaves the format to the bytes. */
 static bool read_content_type(struct request *request, struct answer *answer)
 {
     const char *type = request->content_type ? request->content_type : "", *fault;
     if (is_multipart(type)) {
-        request->render.format = ZR_FORMAT_JSON; /* until its part is known */
+        request->render.format = ZR_FORMAT_JSON; /* until the part's type is known */
         if (multipart_boundary(type, request->boundary, &fault)) return true;
         problem_answer(answer, 400, "%s", fault);
         return false;
     }
     request->render.format = zr_format_of_type(type);
     if (request->render.format != ZR_FORMAT_UNKNOWN || zr_media_type_is_generic(type)) return true;
-    tell_types(answer);
+    add_accepted_types(answer);
     problem_answer(answer, 415, "Content-Type '%.80s' is none of: %s, " MULTIPART, type, zr_format_types_join().text);
     return false;
 }
@@ -114,22 +114,22 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 
 /* ---- working ---- */
 
-/* Limits of a small request: predicted work; faces for the painter, whose time no count predicts; and input that is
- * read in some milliseconds. */
+/* Limits of a small request: predicted time; faces for the painter, whose time cannot be counted; input that is read
+ * within some milliseconds. */
 static const double SMALL_MS = 10.0;
 enum { SMALL_PAINTER_FACES = 64, SMALL_IMAGE_PIXELS = 1 << 20, SMALL_NODE_VISITS = 100000 };
 
-/* One request on its way. */
+/* State of one request. */
 struct rendering {
     const struct service *service;
     const struct request *request;
     struct zr_arena *arena;
     const struct zr_cancel *cancel;
     struct step_times *times;
-    struct zr_stored stored; /* of all assets, large ones too */
-    size_t small_left;       /* bytes that a small request may still read */
-    bool is_large;           /* and request->small_only: to be given up */
-    struct zr_quick quick;   /* of a small request */
+    struct zr_stored stored; /* all assets, large ones too */
+    size_t small_left;       /* bytes of assets that a small request may still read */
+    bool is_large;           /* gives up: small_only is set, and the request is large */
+    struct zr_quick quick;   /* limits of a small request */
     struct zr_cost cost;     /* predicted; all 0 before */
 };
 
@@ -159,7 +159,7 @@ static void add_timing(struct answer *answer, const struct step_times *times)
     if (used) answer_header(answer, "Server-Timing", "%s", text);
 }
 
-/* ---- what is large is found out as early as can be ---- */
+/* ---- early detection of large requests ---- */
 
 static bool too_large(struct rendering *r, bool large)
 {
@@ -167,7 +167,7 @@ static bool too_large(struct rendering *r, bool large)
     return r->is_large;
 }
 
-/* For zr_request: an asset, if a small request may have one of its size. */
+/* Reads an asset for zr_request, unless it is too large for a small request. */
 static enum zr_status read_stored(void *context, const char *sha256, struct zr_arena *arena, const void **bytes,
                                   size_t *size)
 {
@@ -182,7 +182,7 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
 
 /* ---- steps ---- */
 
-/* What windows take can be told before anything is drawn, and what is refused so has taken no time. */
+/* Checks the predicted memory of windows before drawing, so that a refusal takes no time. */
 static bool has_memory(const struct rendering *r)
 {
     const struct zr_cost *cost = &r->cost;
@@ -199,7 +199,8 @@ static bool has_many_faces_for_the_painter(const struct zr_scene *scene)
     return scene->algorithm == ZR_ALGORITHM_PAINTER && faces > SMALL_PAINTER_FACES;
 }
 
-/* Where the search for the view was cancelled, the prediction still tells whether the request is large. */
+/* Predicts the cost, and refuses too large work. If the search for the view was cancelled, the prediction still decides
+ * whether the request is large. */
 static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
                               const struct zr_resolved_view **resolved, struct zr_error *error)
 {
@@ -258,8 +259,8 @@ enum request_next rendering_work(const struct service *service, const struct req
     struct zr_answer result = {0};
     struct zr_request unpacked;
     int64_t mark = clock_us();
-    /* A small request is read to its end even where its time is over: only then is it known whether it is large work,
-     * to be handed on, and it has REQUEST_SMALL_BYTES at most. */
+    /* A small request is read to its end even after its time: only then is it known whether to hand it on. It has at
+     * most REQUEST_SMALL_BYTES. */
     const struct zr_cancel *reading = request->small_only ? cancel->parent : cancel;
     switch (body_unpack(request, (size_t)service->config->body_max_bytes, arena, reading, &unpacked, answer)) {
     case BODY_READY:
@@ -292,7 +293,7 @@ enum request_next rendering_work(const struct service *service, const struct req
     } else if (status == ZR_CANCELLED) {
         problem_late(answer, service->config->render_timeout_ms);
     } else {
-        if (status == ZR_BAD_TYPE) tell_types(answer);
+        if (status == ZR_BAD_TYPE) add_accepted_types(answer);
         problem_answer_error(answer, problem_http_status(status), &error);
     }
     add_timing(answer, times);

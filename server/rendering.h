@@ -4,7 +4,7 @@
 
 #include "request.h"
 
-/* The type of the body and what the query asks for. */
+/* Checks the type of the body and reads the query. */
 bool rendering_open(const struct service *service, const struct load *load, struct request *request,
                     struct answer *answer);
 

@@ -46,7 +46,7 @@ static void refuse_path(const struct request *request, struct answer *answer)
     problem_answer(answer, 404, "there is no '%.100s' here; there are %s", request->path, known);
 }
 
-/* The time it takes depends on what the client sent, not on where it differs. */
+/* Compares in a time that depends on the client's text only, not on the first difference. */
 static bool token_matches(const char *token, const char *authorization)
 {
     static const char SCHEME[] = "Bearer ";
@@ -85,7 +85,7 @@ static bool read_content_encoding(struct request *request, struct answer *answer
     return false;
 }
 
-/* What is done by a worker. */
+/* Opens a request for a worker. */
 static enum request_next open_work(const struct service *service, const struct load *load, struct request *request,
                                    struct answer *answer)
 {

@@ -13,7 +13,7 @@ static const char SCENE[] =
     "{\"look\":\"studio\",\"window\":{\"width\":160,\"height\":120},\"meshes\":[{\"heights\":[[0,1,0,1,0],[1,2,1,2,1],"
     "[0,1,3,1,0],[1,2,1,2,1],[0,1,0,1,0]]}]}";
 
-/* Processor time of the process, which does nothing else meanwhile; infinite where it failed. */
+/* Returns the processor time of one picture, in ms; infinity on failure. The process must do nothing else meanwhile. */
 static double measure_ms(struct zr_arena *arena, struct zr_team *team)
 {
     const struct zr_limits limits = zr_limits_default();

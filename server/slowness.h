@@ -1,12 +1,12 @@
-/* slowness.h - how much longer this machine takes than the one that predictions are for (core/cost.h). */
+/* slowness.h - measures the time of this machine relative to the reference machine of predictions (core/cost.h). */
 #ifndef ZRASTERD_SLOWNESS_H
 #define ZRASTERD_SLOWNESS_H
 
 #include "base/isa.h"
 
-/* Draws a small picture some times on one thread, some 20 ms in all, and compares the least processor time with that of
- * the reference machine: 1 there, and about 8 without any vector instructions. Once, at start: no client can change it.
- * 1 where there is no thread or no memory for it. */
+/* Draws a small picture several times on one thread, some 20 ms in all. Returns its least processor time over that of
+ * the reference machine: 1 there, about 8 without vector instructions. Called once, at start, so clients cannot change
+ * it. Returns 1 if there is no thread or memory for it. */
 double slowness_measure(enum zr_isa isa);
 
 #endif

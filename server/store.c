@@ -13,19 +13,19 @@
 #include "store_file.h"
 #include "store_index.h"
 
-/* Counted a file at least, as disks do: it bounds how many files there can be, too. */
+/* Files count in whole blocks, at least one, as on disks. This bounds the number of files, too. */
 enum { BLOCK_BYTES = 4096 };
 
 struct store {
     int directory;
     uint64_t max_bytes;
-    pthread_mutex_t lock; /* of all below; held while names are made and taken away, not while bytes move */
+    pthread_mutex_t lock; /* of all members below; held while names are created and removed, not while bytes move */
     pthread_cond_t room_made;
     struct store_index index;
-    uint64_t promised; /* bytes of files that are being written */
+    uint64_t reserved; /* bytes of files being written */
 };
 
-/* ---- what is there ---- */
+/* ---- lookup ---- */
 
 static uint64_t bytes_on_disk(uint64_t size)
 {
@@ -45,7 +45,7 @@ static bool is_later(struct timespec a, struct timespec b)
     return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
 }
 
-/* With the lock held: the file that was opened as `info` tells still has that name. */
+/* With the lock held: returns true if `name` is still the file that was opened with `info`. */
 static bool is_still_there(const struct store *store, const char *name, const struct stat *info)
 {
     struct stat present;
@@ -53,8 +53,8 @@ static bool is_still_there(const struct store *store, const char *name, const st
            present.st_ino == info->st_ino;
 }
 
-/* The file may have come from another daemon, and be new to this one; or have made room since it was opened, and then
- * it counts no more. */
+/* Notes the use of an opened file. It may come from another daemon, and be new here. If it has made room since it was
+ * opened, it no longer counts. */
 static void note_use(struct store *store, const char *name, int fd, const struct stat *info)
 {
     struct timespec used = now();
@@ -65,10 +65,10 @@ static void note_use(struct store *store, const char *name, int fd, const struct
     else if (is_still_there(store, name, info))
         (void)store_index_add(&store->index, name, bytes_on_disk((uint64_t)info->st_size), used);
     pthread_mutex_unlock(&store->lock);
-    (void)futimens(fd, (struct timespec[]){used, used}); /* where it may not be written, the order is lost at the end */
+    (void)futimens(fd, (struct timespec[]){used, used}); /* a failure loses the order at the next start */
 }
 
-/* Somebody took its file away, unless it is there again by now. */
+/* Forgets an asset whose file is gone, unless it has come back. */
 static void forget(struct store *store, const char *name)
 {
     struct stat info;
@@ -79,7 +79,7 @@ static void forget(struct store *store, const char *name)
     pthread_mutex_unlock(&store->lock);
 }
 
-/* Removes the file that was opened as `info` tells, and not one that has taken its place since. */
+/* Removes the file that was opened with `info`, unless another one has replaced it. */
 static void remove_broken(struct store *store, const char *name, const struct stat *info)
 {
     struct stat present;
@@ -93,7 +93,7 @@ static void remove_broken(struct store *store, const char *name, const struct st
     log_event("error", "asset-broken", name);
 }
 
-/* -1 and errno; ENOENT where there is none. */
+/* Returns -1 with errno on failure; ENOENT if there is no such asset. */
 static int open_asset(struct store *store, const char *name, struct stat *info)
 {
     int fd = store_file_open(store->directory, name, info);
@@ -119,9 +119,10 @@ enum store_status store_look(struct store *store, const char *name, size_t *size
     return STORE_THERE;
 }
 
-/* What follows from having looked at all of a file: `whole`, or errno. */
-static enum store_status judge(struct store *store, const char *name, int fd, const struct stat *info, bool whole,
-                               const char *found)
+/* Determines the status after reading a file. `whole`: all of it was read, else see errno. `found`: name of its bytes.
+ */
+static enum store_status finish_reading(struct store *store, const char *name, int fd, const struct stat *info,
+                                        bool whole, const char *found)
 {
     const int cause = errno;
     if (!whole && cause == ECANCELED) return STORE_CANCELLED;
@@ -152,7 +153,7 @@ enum store_status store_read(struct store *store, const char *name, struct zr_ar
     if (read) {
         const bool whole = store_file_read(fd, read, *size);
         if (whole) store_name(read, *size, found);
-        status = judge(store, name, fd, &info, whole, found);
+        status = finish_reading(store, name, fd, &info, whole, found);
     }
     close(fd);
     return status;
@@ -167,7 +168,7 @@ enum store_status store_fetch(struct store *store, const char *name, const struc
     if (*fd < 0) return errno == ENOENT ? STORE_MISSING : STORE_FAILED;
     *size = (size_t)info.st_size;
     const bool whole = store_name_of_file(*fd, *size, cancel, found) && lseek(*fd, 0, SEEK_SET) == 0;
-    const enum store_status status = judge(store, name, *fd, &info, whole, found);
+    const enum store_status status = finish_reading(store, name, *fd, &info, whole, found);
     if (status != STORE_THERE) {
         const int cause = errno;
         close(*fd);
@@ -178,12 +179,12 @@ enum store_status store_fetch(struct store *store, const char *name, const struc
 
 /* ---- room ---- */
 
-/* With the lock held. Takes away the file that was not used for longest. False, and errno. */
+/* With the lock held: removes the least recently used file. False with errno on failure. */
 static bool evict(struct store *store)
 {
     struct stat info;
     struct store_entry *oldest = store_index_oldest(&store->index);
-    /* Another daemon may have used it since. */
+    /* Another daemon may have used it later. */
     if (fstatat(store->directory, oldest->name, &info, AT_SYMLINK_NOFOLLOW) == 0 &&
         is_later(info.st_mtim, oldest->used)) {
         store_index_touch(&store->index, oldest, info.st_mtim);
@@ -194,17 +195,17 @@ static bool evict(struct store *store)
     return true;
 }
 
-/* Promises `bytes`, no more than the store may hold. Those who write now are waited for where
- * their files and this one do not go together. False, and errno. */
+/* Reserves `bytes`, at most the size of the store. Waits for other writers if their files and this one do not fit
+ * together. False with errno on failure. */
 static bool make_room(struct store *store, uint64_t bytes)
 {
     bool made = true;
     pthread_mutex_lock(&store->lock);
-    while (store->promised + bytes > store->max_bytes)
+    while (store->reserved + bytes > store->max_bytes)
         pthread_cond_wait(&store->room_made, &store->lock);
-    while (made && store->index.bytes + store->promised + bytes > store->max_bytes)
+    while (made && store->index.bytes + store->reserved + bytes > store->max_bytes)
         made = evict(store);
-    if (made) store->promised += bytes;
+    if (made) store->reserved += bytes;
     pthread_mutex_unlock(&store->lock);
     return made;
 }
@@ -227,7 +228,7 @@ static enum store_status status_of_errno(void)
     }
 }
 
-/* With the lock held: a file of that name is known, and there. */
+/* With the lock held: returns true if the asset is known and its file exists. */
 static bool is_present(struct store *store, const char *name)
 {
     struct stat info;
@@ -238,13 +239,14 @@ static bool is_present(struct store *store, const char *name)
     return false;
 }
 
-/* With the lock held. The temporary file gets its name, or goes where another was faster. */
+/* With the lock held: renames the temporary file, or removes it if another writer was faster. */
 static enum store_status publish(struct store *store, const char *temporary, const char *name, uint64_t bytes,
                                  struct timespec used)
 {
     bool there = is_present(store, name);
     if (!there && renameat(store->directory, temporary, store->directory, name) == 0) {
-        (void)store_index_add(&store->index, name, bytes, used); /* no memory: as if another daemon had put it there */
+        (void)store_index_add(&store->index, name, bytes,
+                              used); /* out of memory: the file stays unknown, like that of another daemon */
         return STORE_NEW;
     }
     enum store_status status = there ? STORE_THERE : status_of_errno();
@@ -254,8 +256,8 @@ static enum store_status publish(struct store *store, const char *temporary, con
     return status;
 }
 
-static enum store_status write_promised(struct store *store, const char *name, const void *bytes, size_t size,
-                                        uint64_t promised)
+static enum store_status write_reserved(struct store *store, const char *name, const void *bytes, size_t size,
+                                        uint64_t reserved)
 {
     char temporary[STORE_TEMPORARY_SIZE];
     struct timespec used = now();
@@ -265,20 +267,20 @@ static enum store_status write_promised(struct store *store, const char *name, c
     int cause = errno;
     pthread_mutex_lock(&store->lock);
     if (written) {
-        status = publish(store, temporary, name, promised, used);
+        status = publish(store, temporary, name, reserved, used);
         cause = errno;
     }
-    store->promised -= promised;
+    store->reserved -= reserved;
     pthread_cond_broadcast(&store->room_made);
     pthread_mutex_unlock(&store->lock);
     if (written) close(fd);
-    /* A name that a crash loses is sent again: no reason to refuse. */
+    /* A name lost in a crash can be sent again, so a failure is no error. */
     if (status == STORE_NEW) (void)fsync(store->directory);
     errno = cause;
     return status;
 }
 
-/* True where the name has its file; a broken one goes. */
+/* Returns true if the asset exists. Removes a broken file. */
 static bool is_kept(struct store *store, const char *name)
 {
     size_t size;
@@ -290,11 +292,11 @@ static bool is_kept(struct store *store, const char *name)
 
 enum store_status store_put(struct store *store, const char *name, const void *bytes, size_t size)
 {
-    uint64_t promised = bytes_on_disk(size);
-    if (promised > store->max_bytes) return STORE_TOO_LARGE;
+    uint64_t reserved = bytes_on_disk(size);
+    if (reserved > store->max_bytes) return STORE_TOO_LARGE;
     if (is_kept(store, name)) return STORE_THERE;
-    if (!make_room(store, promised)) return status_of_errno();
-    return write_promised(store, name, bytes, size, promised);
+    if (!make_room(store, reserved)) return status_of_errno();
+    return write_reserved(store, name, bytes, size, reserved);
 }
 
 /* ---- the beginning and the end ---- */
@@ -311,7 +313,7 @@ static int compare_use(const void *a, const void *b)
     return is_later(first, second) - is_later(second, first);
 }
 
-/* The assets that lie there, and *count of them; temporary files go. NULL, and errno. Free it. */
+/* Lists the *count assets of the directory and removes temporary files. NULL with errno on failure. Free the result. */
 static struct found *find_assets(struct store *store, DIR *listing, size_t *count)
 {
     size_t room = 64;

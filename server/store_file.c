@@ -10,7 +10,7 @@
 #include <sys/random.h>
 #include <unistd.h>
 
-/* PART_MAX: below what Linux moves in one call. ATTEMPTS: to lose a race that often is a fault. */
+/* PART_MAX: below the most that Linux moves per call. ATTEMPTS: losing the race of create() that often is an error. */
 enum { PART_MAX = 1 << 30, ATTEMPTS = 8, DIGITS = 16, MODE = 0600 };
 
 static const char PREFIX[] = ".zraster-upload-";
@@ -19,7 +19,7 @@ _Static_assert(sizeof PREFIX + DIGITS == STORE_TEMPORARY_SIZE, "a temporary name
 
 int store_file_open(int directory, const char *name, struct stat *info)
 {
-    /* Not to hang where somebody made a pipe of that name. */
+    /* O_NONBLOCK: a pipe of that name must not block. */
     int fd = openat(directory, name, O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
     if (fd < 0) return -1;
     if (fstat(fd, info) == 0 && S_ISREG(info->st_mode)) return fd;
@@ -50,8 +50,8 @@ static bool write_all(int fd, const char *bytes, size_t size)
     return true;
 }
 
-/* A new file that is locked: a process that starts now and removes what nobody works on may get
- * between the two, and then another one is made. */
+/* Creates and locks a new file. A process that starts now may remove the file as abandoned before it is locked; then
+ * another one is created. */
 static int create(int directory, char temporary[STORE_TEMPORARY_SIZE])
 {
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
@@ -61,7 +61,7 @@ static int create(int directory, char temporary[STORE_TEMPORARY_SIZE])
         snprintf(temporary, STORE_TEMPORARY_SIZE, "%s%016" PRIx64, PREFIX, number);
         int fd = openat(directory, temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, MODE);
         if (fd < 0) return -1;
-        bool is_ours = flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; /* or nobody can lock here */
+        bool is_ours = flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; /* or the file system has no locks */
         if (is_ours && fstat(fd, &info) == 0 && info.st_nlink > 0) return fd;
         unlinkat(directory, temporary, 0);
         close(fd);

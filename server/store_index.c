@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A name alone can be looked up: it is an entry's first member. */
+/* A name alone can be searched for, since it is the first member of an entry. */
 _Static_assert(offsetof(struct store_entry, name) == 0, "compared as texts");
 
 static int compare_names(const void *a, const void *b)

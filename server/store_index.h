@@ -1,7 +1,6 @@
-/* store_index.h - what a store holds, as far as is known: which files, how large, used when.
+/* store_index.h - index of a store in memory: names, sizes and times of use.
  *
- * A balanced tree by name and a list by use. Does no I/O and takes no lock. Starts with
- * store_index_init.
+ * A balanced tree by name and a list by use. No I/O, no locks. Starts with store_index_init.
  */
 #ifndef ZRASTERD_STORE_INDEX_H
 #define ZRASTERD_STORE_INDEX_H
@@ -29,18 +28,18 @@ struct store_index {
 void store_index_init(struct store_index *index);
 void store_index_free(struct store_index *index);
 
-/* NULL where there is none. */
+/* Returns the entry of a name, or NULL. */
 struct store_entry *store_index_find(const struct store_index *index, const char *name);
 
-/* As the one that was used last; `name` must not be there yet. False: no memory. */
+/* Adds an entry as the most recently used one; `name` must be new. False: out of memory. */
 bool store_index_add(struct store_index *index, const char *name, uint64_t bytes, struct timespec used);
 
-/* Makes it the one that was used last. */
+/* Makes an entry the most recently used one. */
 void store_index_touch(struct store_index *index, struct store_entry *entry, struct timespec used);
 
 void store_index_remove(struct store_index *index, struct store_entry *entry);
 
-/* The one that was not used for longest, NULL where there is none. */
+/* Returns the least recently used entry, or NULL. */
 struct store_entry *store_index_oldest(const struct store_index *index);
 
 #endif

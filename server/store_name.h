@@ -1,5 +1,4 @@
-/* store_name.h - what an asset is called: the SHA-256 of its bytes, as 64 lower-case hexadecimal digits.
- */
+/* store_name.h - names of assets: the SHA-256 of their bytes, as 64 lower-case hexadecimal digits. */
 #ifndef ZRASTERD_STORE_NAME_H
 #define ZRASTERD_STORE_NAME_H
 
@@ -12,10 +11,10 @@ enum { STORE_NAME_SIZE = 64 + 1 }; /* with a final zero */
 
 bool store_is_name(const char *text);
 
-/* The name of these bytes. */
+/* Computes the name of these bytes. */
 void store_name(const void *bytes, size_t size, char name[STORE_NAME_SIZE]);
 
-/* That of the next `size` bytes of a file. False, and errno: 0, there are fewer; ECANCELED; or why they cannot be read.
+/* Computes the name of the next `size` bytes of a file. False with errno: 0: fewer bytes; ECANCELED; or a read error.
  * `cancel` may be NULL. */
 bool store_name_of_file(int fd, size_t size, const struct zr_cancel *cancel, char name[STORE_NAME_SIZE]);
 

@@ -3,8 +3,8 @@
 #include <ctype.h>
 #include <string.h>
 
-/* Length of the character at `s`, 1..4, or 0 where the bytes are none: stray or
- * missing continuations, overlong forms, surrogates, beyond U+10FFFF. */
+/* Returns the length of the character at `s`, 1..4; 0 for invalid bytes: stray or missing continuations, overlong
+ * forms, surrogates, beyond U+10FFFF. */
 static size_t character_length(const unsigned char *s)
 {
     if (s[0] < 0x80) return 1;
