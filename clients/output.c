@@ -49,6 +49,7 @@ static const char *dot_of(const char *base)
     return dot && dot > base ? dot : base + strlen(base);
 }
 
+/* Returns true if an ending names a known format other than this one. */
 static bool says_another_format(const char *ending, const struct format *format)
 {
     if (strcasecmp(ending, format->ending) == 0) return false;

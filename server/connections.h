@@ -37,8 +37,8 @@ struct connection {
     enum phase phase;
     int64_t began_ms, deadline_ms; /* of the phase */
     uint64_t body_bytes;           /* received in PHASE_BODY */
-    /* In PHASE_WRITE: the time until which the client may take no bytes; bytes that its system had acknowledged at the
-     * beginning of the phase, and at the last check. */
+    /* In PHASE_WRITE: the time until which the client may pause reading; the bytes that its system had acknowledged at
+     * the beginning of the phase, and at the last check. */
     int64_t credit_until_ms;
     uint64_t taken_before, taken_bytes;
     struct framing framing;

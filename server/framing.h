@@ -2,8 +2,9 @@
  *
  * Two readers of one stream must see the same requests; otherwise a client can smuggle a second request past one of
  * them (RFC 9112, 11). Versions of libmicrohttpd differ in the requests that they accept, and refuse others with
- * answers of their own, or none. So every byte passes this scanner first. It checks the request line, control bytes,
- * line ends, chunk lines, limits, and the headers that determine the length of a body. All other bytes pass unread.
+ * answers of their own, or none. So this scanner gets every byte first, and libmicrohttpd gets the bytes that pass. It
+ * checks the request line, control bytes, line ends, chunk lines, limits, and the headers that determine the length of
+ * a body. All other bytes pass unread.
  *
  *     framing_scan(&framing, bytes, count)     for all bytes received, in pieces of any size
  *

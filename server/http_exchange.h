@@ -4,6 +4,8 @@
 
 #include "http_state.h"
 
+/* Callbacks of libmicrohttpd: a connection opens or closes; a request line arrives; a header is complete, or bytes of a
+ * body arrive, or its end (size 0); an exchange is over. */
 void http_on_connection(void *http, struct MHD_Connection *connection, void **socket_context,
                         enum MHD_ConnectionNotificationCode code);
 void *http_on_request_line(void *http, const char *target, struct MHD_Connection *connection);

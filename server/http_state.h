@@ -29,9 +29,9 @@ struct http {
     bool listener_rests; /* no descriptor, or no place, for a new connection */
     bool is_self_test;   /* logs nothing */
     struct upload_budget uploads;
-    atomic_size_t answer_bytes; /* of finished answers that are not sent yet */
-    size_t in_flight;           /* exchanges with a complete header */
-    int64_t drain_began_ms, cut_ms;
+    atomic_size_t answer_bytes;     /* of finished answers that are not sent yet */
+    size_t in_flight;               /* exchanges with a complete header */
+    int64_t drain_began_ms, cut_ms; /* 0: not yet */
     bool sockets_cut;
     atomic_bool draining, cut_short; /* cut_short: the drain timeout has passed */
 

@@ -56,7 +56,7 @@ struct request {
     const char *if_none_match;                                   /* NULL if not sent */
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */
-    bool small_only; /* set by the caller: large work is not begun, or given up */
+    bool small_only; /* set on the express (queue.h): a request that turns out to be large is given up */
 
     /* Set by rendering_open: */
     char boundary[MULTIPART_BOUNDARY_SIZE]; /* of the body's parts; "": no parts */

@@ -5,8 +5,8 @@
  * Bounds: the total size, in blocks of 4096 bytes. The least recently used assets make room for new ones. The
  * modification time of a file is its last use, so the order survives a restart.
  * Reading: each read checks the hash and removes a broken file. Bytes for a render are read, not mapped, so later
- * changes of the file do not matter. A file that is being sent stays until then, even if its name has made room; its
- * size no longer counts.
+ * changes of the file do not matter. A file that is being sent stays readable, even after its name was removed to make
+ * room; its size no longer counts.
  * Several daemons may share a directory. The files decide, the index in memory is a hint, and each daemon bounds the
  * files that it knows. Thread-safe.
  */
