@@ -166,7 +166,8 @@ static bool take_name(struct framing *f, char c)
     return true;
 }
 
-/* Values are compared without the space around them. line_bytes counts the value's bytes so far. */
+/* Takes a byte of a header's value. Values are compared without the space around them. line_bytes counts the value's
+ * bytes so far. */
 static bool take_value(struct framing *f, char c)
 {
     if (c == '\r') {
@@ -297,6 +298,7 @@ static void end_chunk_line(struct framing *f)
 
 /* ---- the scanner ---- */
 
+/* Takes the byte `wanted` and enters the next state. False: refused. */
 static bool expect(struct framing *f, char c, char wanted, enum framing_state next)
 {
     if (c != wanted)

@@ -4,6 +4,7 @@
 
 #include "request.h"
 
+/* Handlers for the router. */
 bool health_open(const struct service *service, const struct load *load, struct request *request,
                  struct answer *answer);
 bool health_open_ready(const struct service *service, const struct load *load, struct request *request,

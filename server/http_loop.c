@@ -87,6 +87,7 @@ static bool may_exceed(const struct http *http, const struct connection *fresh)
            http->connections.count <= http->config->max_connections + HTTP_LOOPBACK_CONNECTIONS;
 }
 
+/* Adds an accepted socket, or refuses it. */
 static void admit(struct http *http, int fd, const struct sockaddr *address, socklen_t size, bool has_place)
 {
     struct connection *connection = connections_add(&http->connections, fd, address);
@@ -97,8 +98,8 @@ static void admit(struct http *http, int fd, const struct sockaddr *address, soc
         turn_away(http, connection, "all connections are busy");
     } else if (!watch(http, fd, EPOLLRDHUP | EPOLLET, connection) ||
                MHD_add_connection(http->daemon, fd, address, size) != MHD_YES) {
-        struct connection *left =
-            connections_find(&http->connections, fd); /* if libmicrohttpd did not report its end */
+        /* libmicrohttpd may not have reported its end. */
+        struct connection *left = connections_find(&http->connections, fd);
         if (left) connections_remove(&http->connections, left);
     }
 }

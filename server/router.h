@@ -4,6 +4,7 @@
 
 #include "request.h"
 
+/* Finds the route, checks token and method, and opens the request. Returns REQUEST_ANSWERED or REQUEST_WORK. */
 enum request_next router_open(const struct service *service, const struct load *load, struct request *request,
                               struct answer *answer);
 
