@@ -204,7 +204,8 @@ static void draw_misc_one(const struct zr_binned_scene *binned, const struct zr_
     }
 }
 
-/* Lists a primitive as every algorithm does: triangles, too, are polygons of any shape here. */
+/* Lists a primitive's fragments as those of a polygon of any shape, triangles included, so that all algorithms list the
+ * same. */
 static void list_misc_one(const struct zr_binned_scene *binned, const struct zr_draw *draw, uint32_t number,
                           struct zr_tile *tile)
 {

@@ -79,7 +79,7 @@ static bool load_tile(const struct zr_visibility *visibility, uint32_t number, c
     return !zr_is_cancelled(cancel);
 }
 
-/* Lists belong to the window: any tile may have some. */
+/* Returns true if the window has lists for that mode: any tile may then have fragments. */
 static bool has_any(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode)
 {
     (void)number;

@@ -177,17 +177,18 @@ bool zr_layers_mask(const struct zr_tile_source *tiles, uint32_t number, const s
 /* Starts the sum with the tile's colours, or the background's times its opacity. */
 static void begin_sum(const struct zr_tile_source *tiles, const struct zr_tile *tile, struct zr_layers *layers)
 {
-    const zr_vec4 nothing = tiles->scene->background;
+    const zr_vec4 background = tiles->scene->background;
     float *const sum[4] = {layers->sum[0], layers->sum[1], layers->sum[2], layers->sum[3]};
-    const float background[4] = {nothing.x * nothing.w, nothing.y * nothing.w, nothing.z * nothing.w, nothing.w};
+    const float premultiplied[4] = {background.x * background.w, background.y * background.w,
+                                    background.z * background.w, background.w};
     zr_paint_of(tiles->isa)->floats(tiles->geometry, tiles->surfaces, tile, sum);
     for (int32_t y = 0; y < tile->height; y++)
         for (int32_t x = 0; x < tile->width; x++) {
             const uint32_t i = place_of(x, y);
             const bool owned = tile->owner[i] > 0; /* beyond width and height, owners are unwritten */
             for (int k = 0; k < 3; k++)
-                sum[k][i] = owned ? sum[k][i] : background[k];
-            sum[3][i] = owned ? 1.0f : background[3];
+                sum[k][i] = owned ? sum[k][i] : premultiplied[k];
+            sum[3][i] = owned ? 1.0f : premultiplied[3];
         }
 }
 
@@ -226,11 +227,11 @@ bool zr_layers_blend(const struct zr_tile_source *tiles, uint32_t number, const 
 uint32_t zr_layers_put(const struct zr_tile_source *tiles, struct zr_layers *blended, const struct zr_tile *tile,
                        const struct zr_pixel_rows *out)
 {
-    const zr_vec4 nothing = tiles->scene->background;
+    const zr_vec4 background = tiles->scene->background;
     const float *const sum[4] = {blended->sum[0], blended->sum[1], blended->sum[2], blended->sum[3]};
     const uint32_t *ends = blended->fragments.ends;
     uint32_t uncovered = 0;
-    zr_paint_of(tiles->isa)->pack(tile, sum, ends, nothing.w >= 1.0f, zr_rgba_make(nothing), out);
+    zr_paint_of(tiles->isa)->pack(tile, sum, ends, background.w >= 1.0f, zr_rgba_make(background), out);
     for (int32_t y = 0; y < tile->height; y++)
         for (uint32_t i = place_of(0, y); i < place_of(tile->width, y); i++)
             uncovered += tile->owner[i] == 0 && ends[i] < ends[i + 1];

@@ -45,7 +45,7 @@ bool zr_layers_mask(const struct zr_tile_source *tiles, uint32_t number, const s
 bool zr_layers_find(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode,
                     const struct zr_cancel *cancel, struct zr_tile *tile, struct zr_layers *layers);
 
-/* Writes to layers->tile the fragments that have `depth` others of their pixel behind them. */
+/* Writes layer `depth` to layers->tile. Layer 0 holds the farthest fragment of each pixel. */
 void zr_layers_show(struct zr_layers *layers, uint32_t depth);
 
 /* Returns true if blended fragments may cover tile `number`. */

@@ -1,6 +1,7 @@
-/* pass.h - render: everything that tiles are made from: the scene processed once for a window.
+/* pass.h - render: one pass: the scene's geometry, attributes and visibility for one window, from which tiles are
+ * drawn.
  *
- * A picture needs several passes: pixel centres, samples, maps from below and along lights.
+ * Pixel centres, samples, and the depth maps from below and along lights each have a pass of their own.
  */
 #ifndef ZR_PASS_H
 #define ZR_PASS_H

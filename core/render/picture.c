@@ -145,7 +145,7 @@ static enum zr_status make_light(const struct drawing *d, struct zr_linear_frame
     return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-/* Draws all samples. Edges point into the pass until they are finished. */
+/* Draws all samples. The edge marks point into the pass until they are finished. */
 static enum zr_status draw_samples(const struct drawing *d, const struct zr_sample_stages *stages, struct zr_pass *pass)
 {
     const uint32_t side = d->scene->picture.side;

@@ -10,8 +10,8 @@
 #include "shade/paint.h"
 #include "shade/visible_points.h"
 
-/* Copies the base to uncovered pixels; the tile's own depth of the base serves only the depth test. Returns the
- * greatest finite depth copied. */
+/* Copies the base to `count` uncovered pixels, starting at index `pixel`. The base's depths in the tile serve only the
+ * depth test. Returns the greatest finite depth copied. */
 static float resolve_base(const struct zr_frame *frame, size_t pixel, int32_t count)
 {
     const struct zr_base *base = frame->base;
@@ -88,8 +88,8 @@ static void fill_all(const struct zr_paint *paint, const struct zr_frame *frame,
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
         const struct zr_channel_row *row = &zr_channel_rows[c];
         const struct zr_pixel_rows rows = zr_resolve_rows(frame, tile, (enum zr_channel)c);
-        const uint32_t nothing = c == ZR_CHANNEL_COLOR ? background : row->nothing;
-        if (rows.first) paint->fill(&rows, tile->width * (int32_t)row->words, tile->height, nothing);
+        const uint32_t clear_value = c == ZR_CHANNEL_COLOR ? background : row->nothing;
+        if (rows.first) paint->fill(&rows, tile->width * (int32_t)row->words, tile->height, clear_value);
     }
 }
 
@@ -116,11 +116,11 @@ static void normals_to_space(const zr_mat4 *world_to_eye, enum zr_space space, f
 }
 
 static void shade(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
-                  const struct zr_paint *paint, uint32_t nothing, const struct zr_tile *tile,
+                  const struct zr_paint *paint, uint32_t clear_value, const struct zr_tile *tile,
                   const struct zr_frame *frame)
 {
     const struct zr_base *base = frame->base;
-    struct zr_tile_targets to = {.nothing = nothing};
+    struct zr_tile_targets to = {.clear_value = clear_value};
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
         to.channels[c] = zr_resolve_rows(frame, tile, (enum zr_channel)c);
     if (base) to.behind = rows_in(frame, tile, (void *)(uintptr_t)base->color, 1);
@@ -137,17 +137,17 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
                                    const struct zr_frame *frame)
 {
     const struct zr_paint *paint = zr_paint_of(isa);
-    const uint32_t nothing = zr_rgba_make(scene->background);
+    const uint32_t clear_value = zr_rgba_make(scene->background);
     struct zr_resolved resolved = {0, 0.0f};
     /* Shortcuts for whole tiles and blocks ignore a base: its pixels and its first_face_id. zr_tile_begin disables
      * them. */
     assert(!frame->base || (!tile->is_empty && !tile->knows_owners));
     if (tile->is_empty) {
-        fill_all(paint, frame, tile, nothing);
+        fill_all(paint, frame, tile, clear_value);
         return resolved;
     }
     /* Depths come last: streaming stores delay the loads that follow (fills take 7 % longer). */
-    shade(geometry, surfaces, paint, nothing, tile, frame);
+    shade(geometry, surfaces, paint, clear_value, tile, frame);
     if (frame->window_depth) {
         const struct zr_pixel_rows rows = zr_resolve_rows(frame, tile, ZR_CHANNEL_WINDOW_DEPTH);
         paint->depths(tile, &rows);

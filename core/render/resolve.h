@@ -1,7 +1,7 @@
 /* resolve.h - render: writes the pixels of a tile in every channel.
  *
- * Colour and depth are planes over the window (raster/plane.h), recomputed for the visible primitives. Exact: colour
- * follows the reference's rule 9.
+ * Colour and depth are planes over the window (raster/plane.h), recomputed for the visible primitives.
+ * Exact:  colour follows the reference's rule 9 (tests/reference/RULES.md).
  */
 #ifndef ZR_RESOLVE_H
 #define ZR_RESOLVE_H

@@ -43,7 +43,7 @@ static void average_bytes(struct drawing *d, struct zr_tile *tile, struct zr_lay
                           uint64_t *covered)
 {
     const struct place place = place_of(d, tile);
-    struct zr_tile_targets to = {.nothing = d->background};
+    struct zr_tile_targets to = {.clear_value = d->background};
     to.channels[ZR_CHANNEL_COLOR] = (struct zr_pixel_rows){.first = words, .stride = ZR_TILE_SIZE};
     if (blended)
         *covered += zr_layers_put(&d->pass->tiles, blended, tile, &to.channels[ZR_CHANNEL_COLOR]);

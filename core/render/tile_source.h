@@ -1,4 +1,4 @@
-/* tile_source.h - render: the input of a window's tiles. */
+/* tile_source.h - render: the input of a window's tiles: scene, geometry, attributes and visibility. */
 #ifndef ZR_TILE_SOURCE_H
 #define ZR_TILE_SOURCE_H
 

@@ -8,10 +8,10 @@
 
 /* ---- pixels ---- */
 
-/* Returns the words of a patch that has `count` parts starting at `first`. Parts are read ZR_PARTS_AT_ONCE at a time,
- * which avoids branch mispredictions (a twentieth of the flat bunny's time). The parts read in excess have other owners
- * or the same word, except at pixels with early colours, which replace these words. Behind the last part, owners match
- * no pixel. */
+/* Returns the words of a patch, whose parts are `count` from `first` on. Parts are read in groups of ZR_PARTS_AT_ONCE,
+ * since loops of varying length cost branch mispredictions (a twentieth of the flat bunny's time). Excess parts do no
+ * harm: their owners are not in the patch or have the same word, or the pixel has an early colour, which is stored
+ * instead. Entries behind the last part match no owner. */
 static inline zr_vi zr_words_at(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner)
 {
     zr_vi words = zr_vi_set((int32_t)s->words[0]);

@@ -29,7 +29,7 @@ static inline bool zr_material_is_lit_before(const struct zr_material *material)
            zr_shading_is_at(material->shading, ZR_SHADED_PER_VERTEX);
 }
 
-/* Returns true if pixels are shaded from normals, by GL's equations. */
+/* Returns true if the material is shaded per pixel, other than in linear light. */
 static inline bool zr_material_is_shaded_late(const struct zr_material *material)
 {
     return zr_shading_is_at(material->shading, ZR_SHADED_PER_PIXEL) && !zr_shading_is_linear(material->shading);
@@ -39,8 +39,8 @@ static inline bool zr_material_is_shaded_late(const struct zr_material *material
 enum zr_rate zr_colors_rate(const struct zr_scene *scene, const struct zr_mesh *mesh);
 uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mesh);
 
-/* Returns true if the mesh's own colours serve as they are: unlit, one material that changes nothing. *colors points to
- * them. A mesh of a million triangles has 18 MB of them, which are not copied. */
+/* Returns true if the mesh's own colours can be used unchanged: unlit, with one material whose colour is white. *colors
+ * points to them. A mesh of a million triangles has 18 MB of them, which are not copied. */
 bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mesh, struct zr_colors *colors);
 
 /* Returns true if every face is flat: 4 bytes per side then replace 16. */

@@ -14,7 +14,7 @@ struct depths {
     const struct zr_eye_depths *kernel;
     uint32_t width, height;
 
-    const struct zr_draw *draw; /* of the last primitive */
+    const struct zr_draw *draw; /* draw of the last primitive */
 
     /* Cached depths, followed by those of the queued triangles, which all belong to one instance. */
     uint32_t count, waiting;
@@ -29,7 +29,7 @@ struct depths {
 static void forget(struct depths *d)
 {
     memset(d->owners, 0, sizeof d->owners);
-    d->depths[0] = zr_eye_depth_nothing();
+    d->depths[0] = zr_eye_depth_uncovered();
     d->count = 1;
 }
 

@@ -21,7 +21,7 @@ struct making {
     const zr_vec4 *points;          /* one per window vertex; NULL: not wanted */
     const zr_vec4 **vertex_normals; /* per mesh; NULL: not needed so far */
 
-    /* of the current instance */
+    /* the current instance */
     const struct zr_source_instance *instance;
     const struct zr_mesh *mesh;
     uint32_t made;               /* number of clipped vertices */

@@ -20,8 +20,8 @@ enum {
                               * view axis, for fog */
     ZR_ATTRIBUTE_TEXCOORD,   /* x, y: transformed coordinates in the base colour's texture; with `samples`: the mesh's
                               * own, set 0 in x, y and set 1 in z, w */
-    ZR_ATTRIBUTE_TANGENT,    /* with `samples`: of the front side, eye space, unit length, and the bitangent's sign; or
-                              * none */
+    ZR_ATTRIBUTE_TANGENT,    /* with `samples`: along u on the front side, eye space, any length, and the bitangent's
+                              * sign; or none */
     ZR_ATTRIBUTE_COUNT
 };
 
@@ -45,7 +45,8 @@ struct zr_attribute_wants {
     bool layers;  /* lists of blended fragments, even without colours */
     /* Base colours, normals and points of all draws, for a G-buffer (gbuffer.h). */
     bool samples;
-    /* With `samples`: per mesh without normals, one per corner in object space (crease_normals.h). NULL: none. */
+    /* With `samples`: crease normals per mesh without normals, one per corner, in object space (crease_normals.h).
+     * NULL: none. */
     const zr_vec4 *const *crease_normals;
     struct zr_texture_maps textures; /* textures of colours and samples; empty: untextured */
 };

@@ -25,7 +25,7 @@ struct zr_eye_depth {
 };
 
 /* Returns the depth of uncovered samples: INFINITY everywhere. */
-static inline struct zr_eye_depth zr_eye_depth_nothing(void)
+static inline struct zr_eye_depth zr_eye_depth_uncovered(void)
 {
     return (struct zr_eye_depth){{(double)INFINITY, 0, 0}, {1, 0, 0}, (double)INFINITY, (double)INFINITY};
 }
@@ -33,8 +33,8 @@ static inline struct zr_eye_depth zr_eye_depth_nothing(void)
 /* Makes the depth of a line. */
 struct zr_eye_depth zr_eye_depth_of_line(const struct zr_geometry *geometry, const struct zr_triangle *line);
 
-/* Set the range of a triangle with corners that are not in front of the eye: widened, or that of the clipped piece,
- * widened. The margin is wide enough that only edge-on triangles can be clamped. */
+/* Widen the range, or take the range of a clipped piece, widened. For triangles with corners that are not in front of
+ * the eye. The margin is so wide that only edge-on triangles can be clamped. */
 void zr_eye_depth_widen(struct zr_eye_depth *depth);
 void zr_eye_depth_take_piece(const struct zr_geometry *geometry, const struct zr_triangle *piece,
                              struct zr_eye_depth *depth);

@@ -47,7 +47,7 @@ struct zr_frame {
     struct zr_pixel_fragments fragments; /* only if wanted */
     const struct zr_base *base;          /* background pixels, with window_depth filled in; NULL: none */
     struct zr_camera camera;
-    struct zr_bounds bounds; /* of the scene; invalid unless the view or the info needs them */
+    struct zr_bounds bounds; /* bounds of the scene; invalid unless the view or the info needs them */
     struct zr_counts counts;
     uint64_t covered_pixels;  /* pixels that a primitive covers, not the base; 0 if only `color` is drawn, in passes of
                                * its own */

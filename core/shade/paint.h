@@ -27,8 +27,8 @@ struct zr_pixel_rows {
 /* Output of the shading of a tile. */
 struct zr_tile_targets {
     struct zr_pixel_rows channels[ZR_CHANNEL_COUNT]; /* `first` NULL: not wanted */
-    uint32_t nothing;                                /* colour of uncovered pixels, unless `behind` */
-    struct zr_pixel_rows behind;                     /* supplies one; `first` NULL: it does not */
+    uint32_t clear_value;                            /* colour of uncovered pixels if `behind` has none */
+    struct zr_pixel_rows behind;                     /* supplies uncovered pixels; `first` NULL: none */
     float normals_to_space[3][3];                    /* rows of the matrix from eye space to the channel's */
 };
 
@@ -36,8 +36,8 @@ struct zr_paint {
     void (*shade)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
                   const struct zr_tile *tile, const struct zr_tile_targets *to);
 
-    /* Writes the G-buffer of a tile whose blocks are all written. The tile's first sample is at the first of `to`,
-     * where up to 15 values beyond its width and 7 rows beyond its height may be written. */
+    /* Writes the G-buffer of a tile whose blocks are all written. The tile's first sample is at the first of `to`. Up
+     * to 15 values beyond its width and 7 rows beyond its height may be written. */
     void (*samples)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
                     const struct zr_tile *tile, const struct zr_gbuffer *to);
 
@@ -55,10 +55,10 @@ struct zr_paint {
     void (*blend)(const struct zr_tile *tile, const float *const front[4], float *const to[4]);
 
     /* Packs the sum of `blend` to bytes, in samples that the tile covers or that have a list: its end in ends[] differs
-     * from that of the list before (zr_fragments). Other samples get `nothing`. Samples that the tile covers are
+     * from that of the list before (zr_fragments). Other samples get `clear_value`. Samples that the tile covers are
      * opaque; if is_opaque, all are. */
     void (*pack)(const struct zr_tile *tile, const float *const sum[4], const uint32_t *ends, bool is_opaque,
-                 uint32_t nothing, const struct zr_pixel_rows *out);
+                 uint32_t clear_value, const struct zr_pixel_rows *out);
 
     /* Writes the depths of a tile. If some blocks are unwritten, all blocks are whole. */
     void (*depths)(const struct zr_tile *tile, const struct zr_pixel_rows *out);
@@ -86,11 +86,11 @@ ZR_KERNEL_TABLE(zr_paint_opacity_fn, zr_paint_opacity)
 
 ZR_KERNEL_TABLE(const struct zr_paint, zr_paint)
 
-/* Returns true if the draw's tiny triangles are painted while they are binned, and its small ones when their stamps are
- * drawn, in tiles that keep early colours (binned_scene.c). Their corners are loaded then, next to those of their
- * neighbours in the mesh; later, each pixel loads its own (a tenth of the time of a million smooth triangles).
+/* Returns true if the draw's triangles get early colours, in tiles that keep them (binned_scene.c). Tiny triangles get
+ * theirs while they are binned, small ones when their stamps are drawn. Their corners are loaded then, next to those of
+ * their neighbours in the mesh; later, each pixel loads its own (a tenth of the time of a million smooth triangles).
  * Triangles just set up would also be set up again (a quarter of the bunny's time at 512x512). Flat triangles cost the
- * same either way, and with backs drawn, half of the painted ones would be hidden. */
+ * same either way, and with backs drawn, half of the colours would be hidden. */
 static inline bool zr_draw_is_painted_early(const struct zr_draw_attributes *surface)
 {
     return zr_draw_is_plain(surface->draw) && !zr_draw_is_see_through(surface->draw) && zr_draw_is_smooth(surface) &&

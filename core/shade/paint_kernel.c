@@ -49,7 +49,7 @@ static void blend(const struct zr_tile *tile, const float *const front[4], float
 }
 
 static void pack(const struct zr_tile *tile, const float *const sum[4], const uint32_t *ends, bool is_opaque,
-                 uint32_t nothing, const struct zr_pixel_rows *out)
+                 uint32_t clear_value, const struct zr_pixel_rows *out)
 {
     const zr_vf one = zr_vf_set(1.0f), zero = zr_vf_set(0.0f);
     for (int32_t y = 0; y < tile->height; y++)
@@ -64,7 +64,7 @@ static void pack(const struct zr_tile *tile, const float *const sum[4], const ui
                 const zr_vf alpha = zr_vf_load(sum[3] + i), over = zr_vf_select(zr_vf_lt(zero, alpha), alpha, one);
                 words = zr_vi_select(owned, words, zr_rgba_make_v(r / over, g / over, b / over, alpha));
             }
-            words = zr_vi_select(zr_vm_andnot(uncovered, owned), zr_vi_set((int32_t)nothing), words);
+            words = zr_vi_select(zr_vm_andnot(uncovered, owned), zr_vi_set((int32_t)clear_value), words);
             if (columns >= ZR_LANES)
                 zr_vi_put(out->first + y * out->stride + x, words, out->streamed);
             else

@@ -105,9 +105,9 @@ ZR_INLINED void zr_values_load(const zr_vec4 *values, const int32_t (*numbers)[Z
 /* Values that all planes of a triangle share. */
 struct zr_triangle_setup_v {
     zr_vm turned;                /* two corners are swapped (rule 6) */
-    zr_vf oow[3];                /* of the corners in mesh order */
-    struct zr_basis_v basis;     /* of the corners in the order of rule 6 */
-    struct zr_plane_v oow_plane; /* of 1/w */
+    zr_vf oow[3];                /* 1/w of the corners, in mesh order */
+    struct zr_basis_v basis;     /* basis of the corners, in the order of rule 6 */
+    struct zr_plane_v oow_plane; /* plane of 1/w */
 };
 
 ZR_INLINED struct zr_triangle_setup_v zr_way_make(zr_vm turned, const struct zr_corner_v corners[3])

@@ -22,7 +22,7 @@ struct zr_run {
 struct zr_shader {
     const struct zr_geometry *geometry;
     const struct zr_scene_attributes *surfaces;
-    const struct zr_draw *draw; /* of the last run; the first draw initially */
+    const struct zr_draw *draw; /* draw of the last run; the first one initially */
     struct zr_parts parts;
     uint32_t run_count;
     struct zr_run runs[ZR_PARTS_MOST];

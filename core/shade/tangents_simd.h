@@ -35,7 +35,7 @@ static inline void zr_texcoords_load(const struct zr_run *run, const int32_t (*v
 /* Tangents of the visible sides. */
 struct zr_tangents_v {
     struct zr_vec3_v along[3]; /* along u, per corner; any length; 0: none */
-    zr_vf sign;                /* of the bitangent, which points against v */
+    zr_vf sign;                /* sign of the bitangent, which points against v */
 };
 
 /* Computes one tangent per triangle from its corners: P_u = (e1 v2 - e2 v1) / (u1 v2 - u2 v1). */

@@ -330,8 +330,8 @@ static inline bool zr_block_is_textured(const struct zr_shader *s, int number)
     return false;
 }
 
-/* Makes `count` rows of blocks begin .. end - 1, whose parts have been found. With ZR_VARY_TEXCOORDS, blocks without
- * textures are left as they are. */
+/* Computes `count` values per sample for blocks begin .. end - 1, whose parts have been found, and stores them in
+ * `rows`. With ZR_VARY_TEXCOORDS, blocks without textures stay as they are. */
 ZR_INLINED void zr_varyings_fill(struct zr_shader *s, const struct zr_tile *tile, int begin, int end, unsigned mask,
                                  zr_varyings_fn *make, const void *context, int count,
                                  const struct zr_varying_rows *rows)

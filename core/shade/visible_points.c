@@ -22,7 +22,7 @@ struct points {
     const struct zr_geometry *geometry;
     const struct zr_eye_depths *kernel;
     const struct zr_frame *frame;
-    const struct zr_draw *draw; /* of the last primitive */
+    const struct zr_draw *draw; /* draw of the last primitive */
     enum zr_space space;
     bool wants_shares;
     zr_vec4 eye; /* zr_camera_eye */
@@ -249,7 +249,7 @@ static void put_sample(struct points *points, const struct shown *shown, double 
     if (texcoord) put_texcoord(shown, parts, texcoord + 2 * pixel);
 }
 
-static void put_nothing(const struct zr_frame *frame, size_t pixel)
+static void put_clear_values(const struct zr_frame *frame, size_t pixel)
 {
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
         const struct zr_channel_row *row = &zr_channel_rows[c];
@@ -309,7 +309,7 @@ void zr_visible_points_tile(const struct zr_geometry *geometry, const struct zr_
                 if (shown)
                     put_sample(&points, shown, (double)(tile->x + x), (double)(tile->y + y), first + (size_t)x);
                 else
-                    put_nothing(frame, first + (size_t)x);
+                    put_clear_values(frame, first + (size_t)x);
         }
     }
 }

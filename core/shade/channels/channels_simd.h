@@ -25,11 +25,11 @@ typedef zr_vi zr_words_fn(const struct zr_geometry *geometry, const struct zr_dr
 
 /* Returns the words of pixels with these owners, draw by draw. s->draw is the last draw found. The lanes left are kept
  * as a mask, not as its bits: gcc 12 stored 16 of these bits by kmovw and loaded 32, and the loop never ended. */
-ZR_INLINED zr_vi zr_words_of(struct zr_shader *s, zr_words_fn *words, zr_vi owners, zr_vi nothing)
+ZR_INLINED zr_vi zr_words_of(struct zr_shader *s, zr_words_fn *words, zr_vi owners, zr_vi clear_value)
 {
     zr_vm left = zr_vi_lt(zr_vi_set(0), owners);
     uint32_t each[ZR_LANES];
-    zr_vi out = nothing;
+    zr_vi out = clear_value;
     while (zr_vm_any(left)) {
         const struct zr_draw *draw = s->draw;
         const zr_vi t = owners - zr_vi_set((int32_t)draw->first + 1), none = zr_vi_set(-1);
@@ -45,11 +45,11 @@ ZR_INLINED zr_vi zr_words_of(struct zr_shader *s, zr_words_fn *words, zr_vi owne
     return out;
 }
 
-ZR_INLINED void zr_shade_words(struct zr_shader *s, const struct zr_tile *tile, zr_words_fn *words, uint32_t nothing,
-                               const struct zr_pixel_rows *out)
+ZR_INLINED void zr_shade_words(struct zr_shader *s, const struct zr_tile *tile, zr_words_fn *words,
+                               uint32_t clear_value, const struct zr_pixel_rows *out)
 {
     const struct zr_store to = {tile, false, NULL, out};
-    const zr_vi none = zr_vi_set((int32_t)nothing);
+    const zr_vi none = zr_vi_set((int32_t)clear_value);
     for (uint32_t bits = zr_tile_blocks(tile); bits; bits &= bits - 1) {
         const int block = zr_lowest_bit(bits);
         const bool is_whole = tile->knows_owners && tile->block_owner[block] != ZR_BLOCK_SHARED;

@@ -110,7 +110,7 @@ ZR_INLINED void zr_shade_colors_by(struct zr_shader *s, const struct zr_tile *ti
 static inline void zr_shade_colors(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
                                    const struct zr_tile_targets *to)
 {
-    s->words[0] = to->nothing;
+    s->words[0] = to->clear_value;
     s->materials[0] = NULL;
     s->is_constant[0] = s->has_planes[0] = s->any_planes = s->any_late = false;
     if (s->surfaces->any_textured)

@@ -9,8 +9,8 @@
         (v) * (r), (v) * (g), (v) * (b)                                                                                \
     }
 
-/* A studio: a large soft key light at the upper left, a strip that shows whether metal is round or flat, a rim light
- * behind, and light from the floor. Without that, both sides of a metal cube have the same grey. */
+/* A studio: a large soft key light at the upper left, a strip that shows whether metal is round or flat, and a rim
+ * light behind. Light from the floor gives the sides of a metal cube different greys. */
 static const struct zr_environment_light STUDIO = {
     .sky = TINT(0.40f, 0.98f, 1.0f, 1.03f),
     .ground = TINT(0.15f, 1.03f, 1.0f, 0.97f),

@@ -5,7 +5,7 @@
 #include "shade/lights/environment.h"
 #include "shade/tone_simd.h"
 
-/* x / sqrt(x^2 + w^2): -1 .. 1. */
+/* Returns x / sqrt(x^2 + w^2): -1 .. 1. */
 static inline zr_vf zr_blurred_sign_v(zr_vf x, zr_vf square_w)
 {
     return x / zr_vf_sqrt(x * x + square_w);
@@ -17,7 +17,7 @@ static inline struct zr_vec3_v zr_add_scaled_v(struct zr_vec3_v sum, zr_vec3 col
                               sum.z + zr_vf_set(color.z) * share};
 }
 
-/* p / sqrt(p^2 + w^2) - q / sqrt(q^2 + w^2), as a fraction. */
+/* The fraction p / sqrt(p^2 + w^2) - q / sqrt(q^2 + w^2). */
 struct zr_fraction_v {
     zr_vf above, below;
 };

@@ -19,7 +19,7 @@ struct zr_lamp {
     zr_vec3 color;                      /* at normal incidence; if placed: at a distance of 1 */
     zr_vec3 ground;                     /* hemisphere */
     struct zr_lamp_place place;         /* if placed */
-    const struct zr_shadow_map *shadow; /* of a directional lamp or spot; NULL: casts none */
+    const struct zr_shadow_map *shadow; /* shadow of a directional lamp or spot; NULL: casts none */
 };
 
 struct zr_lights {

@@ -12,7 +12,7 @@
 
 struct zr_arriving_v {
     struct zr_vec3_v to_light; /* unit */
-    zr_vf share;               /* of the lamp's colour, 0 or more */
+    zr_vf share;               /* share of the lamp's colour, 0 or more */
 };
 
 static inline zr_vf zr_within_1_v(zr_vf v)

@@ -13,7 +13,7 @@ struct zr_light_cache {
     struct zr_vec3_v encoded, linear;
     const struct zr_material *cool_of; /* NULL: none so far */
     struct zr_vec3_v cool;
-    struct zr_dfg_columns columns; /* of the last roughness; below 0: none so far */
+    struct zr_dfg_columns columns; /* columns of the last roughness; below 0: none so far */
 };
 
 static inline struct zr_vec3_v zr_exposed(const struct zr_linear_lighting *lighting, struct zr_vec3_v color)
