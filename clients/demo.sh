@@ -1,6 +1,6 @@
 #!/bin/sh
-# demo.sh BUILD: starts a daemon on a free port, sends it an example scene and a mesh that
-# others made, and leaves the pictures in BUILD/demo/.
+# demo.sh BUILD: starts a daemon on a free port, sends it an example scene and a third-party mesh, and saves the pictures in
+# BUILD/demo/.
 set -eu
 build=$1
 out=$build/demo

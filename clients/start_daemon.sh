@@ -1,6 +1,6 @@
-# start_daemon.sh, to be sourced: starts the daemon of the folder $build on a free port, and says in $server where it
-# listens. It ends with the script. Its words go to the folder $out.
-: >"$out/daemon.out" # an address of an earlier daemon is not this one's
+# start_daemon.sh, to be sourced: starts the daemon of the folder $build on a free port and sets $server to its address. The
+# daemon ends with the script. Its output goes to the folder $out.
+: >"$out/daemon.out" # drops the address of an earlier daemon
 "$build/zrasterd" --port 0 >"$out/daemon.out" 2>"$out/daemon.log" &
 daemon=$!
 trap 'kill "$daemon" 2>/dev/null || true; wait "$daemon" 2>/dev/null || true' EXIT

@@ -1,6 +1,6 @@
 #!/bin/sh
-# gallery.sh BUILD: draws every line of scenes.txt, grids of balls, and what the README shows, with a daemon of its own on
-# a free port. Leaves a page of them in BUILD/gallery/index.html, with each picture's scene beside it.
+# gallery.sh BUILD: draws every line of scenes.txt, grids of balls, and the pictures of the README, with its own daemon on a
+# free port. Writes the page BUILD/gallery/index.html, with each picture's scene beside it.
 set -eu
 build=$1
 here=clients/gallery
@@ -27,13 +27,13 @@ count=0
 # ---- the page ----
 
 cat >"$page" <<'END'
-<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>zraster: a picture a feature</title>
+<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>zraster: one picture per feature</title>
 <style>body{font:15px/1.4 sans-serif;margin:2em auto;max-width:1320px;color:#222}h2{clear:both;padding-top:1em}
 figure{float:left;width:300px;margin:0 14px 18px 0}figure.wide{width:620px}figcaption{height:8em;overflow:auto}
 img{width:100%;image-rendering:pixelated;background:repeating-conic-gradient(#eee 0 25%,#fff 0 50%) 0 0/20px 20px}
 code{font-size:12px;color:#456;overflow-wrap:anywhere}</style>
-<h1>zraster: a picture a feature</h1>
-<p>Beside each picture: the members of its scene but for its mesh, view and window; its name leads to the whole scene.</p>
+<h1>zraster: one picture per feature</h1>
+<p>Below each picture: its scene without mesh, view and window. The name links to the complete scene.</p>
 END
 escape() { sed 's/&/\&amp;/g; s/</\&lt;/g'; }
 figure() { # NAME CLASS WHAT MEMBERS
@@ -41,10 +41,10 @@ figure() { # NAME CLASS WHAT MEMBERS
         "$2" "$1" "$1" "$1" "$1" "$(printf %s "$3" | escape)" "$(printf %s "$4" | escape)" >>"$page"
 }
 
-# ---- a scene a line ----
+# ---- one scene per line ----
 
 view='"view": {"azimuthDegrees": 35, "elevationDegrees": 28, "perspective": {"yfovDegrees": 30}, "fit": {"padding": 0.07}}'
-# The view is that of studio, also where a look has another: the pictures can be compared.
+# All pictures have the view of studio, so that they can be compared.
 scene() { # MEMBERS MODEL
     window=', "window": {"width": 300, "height": 300}' material=
     case $1 in *'"window"'*) window= ;; esac
@@ -100,7 +100,7 @@ for environment in studio outdoor; do
         "Roughness 0.05 to 1 from the left; plastic in front, metal behind, half of each between." "\"look\": \"$environment\""
 done
 
-# ---- lamps ----
+# ---- point and spot lights ----
 
 pawn=$(awk -v model=pawn -f $here/models.awk)
 lights='"lights": [{"type": "spot", "position": [4.6, 6, 4.2], "direction": [-4.2, -5.4, -4.2], "color": "#ffd9a8", "intensity": 120, "innerConeAngleDegrees": 10, "outerConeAngleDegrees": 24, "shadows": true}, {"type": "spot", "position": [-5.6, 4.6, 2.6], "direction": [5.2, -4.2, -2.6], "color": "#86b4ff", "intensity": 75, "innerConeAngleDegrees": 8, "outerConeAngleDegrees": 26, "shadows": true}, {"type": "point", "position": [0.7, 0.45, 2.5], "color": "#ff8a5c", "intensity": 1.1, "range": 4}]'
@@ -109,9 +109,9 @@ nodes='"nodes": [{"mesh": "floor"}, {"mesh": "pawn"}, {"mesh": "pawn", "translat
 meshes="{\"name\": \"floor\", \"material\": \"floor\", \"positions\": [[-12, 0, -12], [12, 0, -12], [12, 0, 12], [-12, 0, 12]], \"faces\": [[0, 3, 2, 1]]}, {\"name\": \"pawn\", \"material\": \"white\", $pawn}, {\"name\": \"gold\", \"material\": \"gold\", $ball}, {\"name\": \"bulb\", \"material\": \"bulb\", $ball}"
 printf '{"look": "studio", "environment": false, "groundShadow": false, "background": "#0f1216", "ambient": [0.02, 0.022, 0.03], "window": {"width": 620, "height": 400}, "view": {"eye": [1.4, 4.2, 12.5], "target": [0.1, 0.85, 0], "perspective": {"yfovDegrees": 24}}, %s, %s, %s, "meshes": [%s]}\n' \
     "$lights" "$materials" "$nodes" "$meshes" >"$out/lamps.json"
-echo '<h2>Lamps that have a place</h2>' >>"$page"
+echo '<h2>Point and spot lights</h2>' >>"$page"
 render lamps
-figure lamps wide "Two spots with shadows, and a point lamp near the floor." "$lights"
+figure lamps wide "Two spot lights with shadows, and a point light near the floor." "$lights"
 
 # ---- a colour bar ----
 
@@ -123,7 +123,7 @@ echo '<h2>A colour bar</h2>' >>"$page"
 render color-bar
 figure color-bar wide "The colormap with its numbers, over any look in its own colours." "$bar"
 
-# ---- what the README shows ----
+# ---- pictures of the README ----
 
 materials='"materials": [{"name": "slate"}, {"name": "gold", "baseColorFactor": "#e0a83a", "metallicFactor": 1, "roughnessFactor": 0.25}, {"name": "red", "baseColorFactor": "#cc3333", "roughnessFactor": 0.3}, {"name": "white", "baseColorFactor": "#f2f2f2", "roughnessFactor": 0.8}]'
 meshes="{\"name\": \"pawn\", \"material\": \"slate\", $pawn}, {\"name\": \"gold\", \"material\": \"gold\", $ball}, {\"name\": \"red\", \"material\": \"red\", $ball}, {\"name\": \"white\", \"material\": \"white\", $pawn}"
