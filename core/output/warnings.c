@@ -167,7 +167,7 @@ static const char *find_empty_output(const struct zr_scene *scene, const struct 
         const uint32_t *words = frame->channels[looked_at[k]];
         size_t i = 0, count = (size_t)frame->width * frame->height;
         if (!words || !zr_view_wants(&scene->views[0], looked_at[k])) continue;
-        while (i < count && words[i] == row->nothing)
+        while (i < count && words[i] == row->clear_value)
             i++;
         if (i == count) return row->name;
     }

@@ -88,7 +88,7 @@ static void fill_all(const struct zr_paint *paint, const struct zr_frame *frame,
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
         const struct zr_channel_row *row = &zr_channel_rows[c];
         const struct zr_pixel_rows rows = zr_resolve_rows(frame, tile, (enum zr_channel)c);
-        const uint32_t clear_value = c == ZR_CHANNEL_COLOR ? background : row->nothing;
+        const uint32_t clear_value = c == ZR_CHANNEL_COLOR ? background : row->clear_value;
         if (rows.first) paint->fill(&rows, tile->width * (int32_t)row->words, tile->height, clear_value);
     }
 }

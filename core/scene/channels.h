@@ -24,9 +24,9 @@ enum zr_values {
 enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT };
 
 /* Clear value of a channel: the word of uncovered pixels, as bits. */
-#define ZR_NOTHING_ZERO     UINT32_C(0)
-#define ZR_NOTHING_ONE      UINT32_C(0x3f800000) /* as a float */
-#define ZR_NOTHING_INFINITY UINT32_C(0x7f800000)
+#define ZR_CLEAR_ZERO     UINT32_C(0)
+#define ZR_CLEAR_ONE      UINT32_C(0x3f800000) /* as a float */
+#define ZR_CLEAR_INFINITY UINT32_C(0x7f800000)
 
 /* ROW(ID, name, values, words per pixel, clear value, computed from visible points (shade/visible_points.h),
  *     number of spaces to choose from, the first ones of enum zr_space,
@@ -73,11 +73,11 @@ enum zr_channel {
 struct zr_channel_row {
     const char *name;
     enum zr_values values;
-    uint32_t words;     /* per pixel */
-    uint32_t nothing;   /* clear value, ZR_NOTHING_* */
-    bool of_points;     /* computed from visible points */
-    int space_count;    /* 0: no choice of space */
-    int encoding_count; /* at least 1 */
+    uint32_t words;       /* per pixel */
+    uint32_t clear_value; /* of uncovered pixels, ZR_CLEAR_* */
+    bool of_points;       /* computed from visible points */
+    int space_count;      /* 0: no choice of space */
+    int encoding_count;   /* at least 1 */
     const enum zr_encoding *encodings;
 };
 

@@ -255,7 +255,7 @@ static void put_clear_values(const struct zr_frame *frame, size_t pixel)
         const struct zr_channel_row *row = &zr_channel_rows[c];
         uint32_t *words = row->of_points ? frame->channels[c] : NULL;
         for (uint32_t k = 0; words && k < row->words; k++)
-            words[pixel * row->words + k] = row->nothing;
+            words[pixel * row->words + k] = row->clear_value;
     }
 }
 

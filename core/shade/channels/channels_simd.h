@@ -92,7 +92,7 @@ static inline void zr_shade_channels_of_words(struct zr_shader *s, const struct 
 {
 #define ZR_BY_WORDS(channel, words)                                                                                    \
     if (to->channels[ZR_CHANNEL_##channel].first)                                                                      \
-        zr_shade_words(s, tile, words, zr_channel_rows[ZR_CHANNEL_##channel].nothing,                                  \
+        zr_shade_words(s, tile, words, zr_channel_rows[ZR_CHANNEL_##channel].clear_value,                              \
                        &to->channels[ZR_CHANNEL_##channel]);
     ZR_CHANNEL_MAKERS(ZR_BY_WORDS, ZR_SKIP)
 #undef ZR_BY_WORDS
