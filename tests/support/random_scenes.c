@@ -47,6 +47,7 @@ static const char *truth(void)
     return once_in(2) ? "true" : "false";
 }
 
+/* Calls that draw numbers never stand beside one another in arguments: compilers differ in their order. */
 static uint32_t color(void)
 {
     return random_below(&dice, 1 << 24);
@@ -82,16 +83,11 @@ static void add_size(void)
 
 static void add_background(void)
 {
-    switch (random_below(&dice, is_textbook ? 2 : 3)) {
-    case 0:
-        add(",\"background\":\"#%06x\"", color());
-        break;
-    case 1:
-        add(",\"background\":\"#%06x%02x\"", color(), random_below(&dice, 256));
-        break;
-    default:
-        add(",\"background\":{\"top\":\"#%06x\",\"bottom\":\"#%06x\"}", color(), color());
-    }
+    const uint32_t kind = random_below(&dice, is_textbook ? 2 : 3);
+    const uint32_t second = kind == 1 ? random_below(&dice, 256) : kind == 2 ? color() : 0, first = color();
+    if (kind == 0) add(",\"background\":\"#%06x\"", first);
+    if (kind == 1) add(",\"background\":\"#%06x%02x\"", first, second);
+    if (kind == 2) add(",\"background\":{\"top\":\"#%06x\",\"bottom\":\"#%06x\"}", first, second);
 }
 
 static void add_environment(void)
@@ -197,9 +193,10 @@ static void add_placed_lamp(void)
     add_vector(3.0);
     if (once_in(2)) add(",\"range\":%.6g", between(0.1, 8.0));
     if (!is_spot) return;
-    const double outer = between(1.0, 80.0);
+    const double outer = between(1.0, 80.0), inner = between(0.0, 0.9) * outer;
+    const bool casts = !is_textbook && !once_in(4);
     add(",\"shadows\":%s,\"outerConeAngleDegrees\":%.6g,\"innerConeAngleDegrees\":%.6g,\"direction\":",
-        is_textbook || once_in(4) ? "false" : "true", outer, between(0.0, 0.9) * outer);
+        casts ? "true" : "false", outer, inner);
     add_vector(1.0);
 }
 
@@ -209,7 +206,8 @@ static void add_lamp(void)
     const char *frame = PICK(frames);
     const double intensity = between(0.0, 2.0);
     if (!is_textbook && once_in(3)) {
-        add("{\"type\":\"hemisphere\",\"sky\":\"#%06x\",\"ground\":\"#%06x\",\"up\":", color(), color());
+        const uint32_t ground = color(), sky = color();
+        add("{\"type\":\"hemisphere\",\"sky\":\"#%06x\",\"ground\":\"#%06x\",\"up\":", sky, ground);
         add_vector(1.0);
     } else if (once_in(3)) {
         add_placed_lamp();
@@ -260,7 +258,10 @@ static void add_materials(void)
             if (once_in(6)) add(",\"emissiveFactor\":[%.6g,0,0.5]", between(0.0, 3.0));
             if (once_in(3)) add(",\"cool\":\"#%06x\"", color());
         }
-        if (once_in(3)) add(",\"specular\":\"#%06x\",\"shininess\":%.6g", color(), between(0.0, 200.0));
+        if (once_in(3)) {
+            const double shininess = between(0.0, 200.0);
+            add(",\"specular\":\"#%06x\",\"shininess\":%.6g", color(), shininess);
+        }
         if (once_in(2)) add(",\"shading\":\"%s\"", shading());
         add(",\"doubleSided\":%s}", truth());
     }
@@ -385,8 +386,8 @@ static void add_nodes(int meshes)
         const double x = between(0.2, 1.2), y = between(0.2, 1.2), z = between(0.2, 1.2);
         add("%s{\"mesh\":%d,\"translation\":", i > 0 ? "," : "", (int)random_below(&dice, (uint32_t)meshes));
         add_vector(1.5);
-        add(",\"rotation\":[%.6g,0.3,0.1,1],\"scale\":[%.6g,%.6g,%.6g]}", between(-1.0, 1.0), once_in(3) ? -x : x, y,
-            z);
+        const double scale_x = once_in(3) ? -x : x, rotation_x = between(-1.0, 1.0);
+        add(",\"rotation\":[%.6g,0.3,0.1,1],\"scale\":[%.6g,%.6g,%.6g]}", rotation_x, scale_x, y, z);
     }
     add("]");
 }
