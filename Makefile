@@ -91,7 +91,7 @@ kernel_objects := $(call for_isas,$(kernels))
 core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c core/*/*/*.c)) $(kernel_objects)
 # The part of it that needs no library.
 renderer_rooms := base scene geometry mesh raster shade effects overlay render
-renderer := $(filter-out %_kernel.o,$(call objects,core/render.c $(patsubst %,core/%/*.c,base scene geometry raster shade effects overlay look render))) \
+renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects)
 server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)
