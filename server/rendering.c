@@ -114,8 +114,8 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 
 /* ---- working ---- */
 
-/* Limits of a small request: predicted time; faces for the painter, whose time cannot be counted; input that is read
- * within some milliseconds. */
+/* Limits of a small request: predicted time on the reference machine, since a small request stays small on a slow one;
+ * faces for the painter, whose time cannot be counted; input that is read within some milliseconds. */
 static const double SMALL_MS = 10.0;
 enum { SMALL_PAINTER_FACES = 64, SMALL_IMAGE_PIXELS = 1 << 20, SMALL_NODE_VISITS = 100000 };
 
@@ -209,7 +209,7 @@ static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
     r->cost = zr_scene_cost(scene, *resolved);
     const double predicted_ms = r->times->predicted_ms = r->cost.ms * service->slowness;
-    if (too_large(r, predicted_ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
+    if (too_large(r, r->cost.ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
     if (!has_memory(r)) return ZR_NO_MEMORY;
     if (predicted_ms <= (double)service->config->cost_max_ms) return status;
     const struct zr_cost_most most = zr_cost_most(&r->cost);
