@@ -117,7 +117,7 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 /* Limits of a small request: predicted time on the reference machine, since a small request stays small on a slow one;
  * faces for the painter, whose time cannot be counted; input that is read within some milliseconds. */
 static const double SMALL_MS = 10.0;
-enum { SMALL_PAINTER_FACES = 64, SMALL_IMAGE_PIXELS = 1 << 20, SMALL_NODE_VISITS = 100000 };
+enum { SMALL_PAINTER_FACES = 64, SMALL_IMAGE_PIXELS = 1 << 18, SMALL_NODE_VISITS = 100000 };
 
 /* State of one request. */
 struct rendering {

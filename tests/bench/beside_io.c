@@ -1,4 +1,4 @@
-/* How long a small request takes while others read large assets, or send small bodies that inflate to large ones: the
+/* How long a small request takes while others read large assets, or send small bodies that take long to read: the
  * daemon on one processor, all its clients on another. */
 #include <isa-l/igzip_lib.h>
 #include <pthread.h>
@@ -16,15 +16,17 @@
 #include "bench/wire.h"
 #include "bench/works.h"
 #include "server/client.h"
+#include "support/base64.h"
 
 enum { ASSET_BYTES = 60000000, INFLATED_BYTES = 62000000, OTHERS = 6, SMALL_MAX = 400, PAUSE_MS = 5, BEGIN_MS = 300 };
 enum { BUFFER_BYTES = 1 << 20 };
 
-enum beside { NOTHING, ASSETS, GZIP, BESIDE_COUNT };
+enum beside { NOTHING, ASSETS, GZIP, IMAGES, BESIDE_COUNT };
 
 static const char *const names[BESIDE_COUNT] = {[NOTHING] = "HTTP: a cube 256x256 to PNG, nobody else there",
                                                 [ASSETS] = "HTTP: a cube 256x256 to PNG, beside 6 GETs of 60 MB",
-                                                [GZIP] = "HTTP: a cube 256x256 to PNG, beside 6 gzips of 62 MB"};
+                                                [GZIP] = "HTTP: a cube 256x256 to PNG, beside 6 gzips of 62 MB",
+                                                [IMAGES] = "HTTP: a cube 256x256 to PNG, beside 6 images of 500x500"};
 
 /* One of the others: sends the same request again and again, each on a new connection that its answer ends. */
 struct other {
@@ -156,6 +158,32 @@ static struct document ask_with_gzip(void)
     return request;
 }
 
+/* A render with a texture of as many pixels as a small request may have; .bytes NULL on failure. */
+static struct document ask_with_image(const struct daemon *daemon)
+{
+    static const char PICTURE[] =
+        "{\"window\":{\"width\":500,\"height\":500},\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],"
+        "[0,1,0]]}]}";
+    static const char SCENE[] =
+        "{\"window\":{\"width\":64,\"height\":64},\"meshes\":[{\"material\":\"m\",\"positions\":"
+        "[[0,0,0],[1,0,0],[0,1,0]],\"texcoords\":[[0,0],[1,0],[0,1]],\"faces\":[[0,1,2]]}],"
+        "\"materials\":[{\"name\":\"m\",\"baseColorTexture\":{\"uri\":\"";
+    struct document request = {NULL, 0};
+    struct reply reply = client_render(daemon, PICTURE);
+    char *uri = reply.status == 200 ? base64_of("data:image/png;base64,", reply.body, reply.size) : NULL;
+    FILE *out = uri ? open_memstream(&request.bytes, &request.size) : NULL;
+    if (out) {
+        fprintf(out,
+                "POST /v1/render HTTP/1.1\r\nHost: a\r\nConnection: close\r\nContent-Type: application/json\r\n"
+                "Content-Length: %zu\r\n\r\n%s%s\"}}]}",
+                strlen(SCENE) + strlen(uri) + strlen("\"}}]}"), SCENE, uri);
+        fclose(out);
+    }
+    free(uri);
+    reply_free(&reply);
+    return request;
+}
+
 struct task {
     const struct document *small;
     bool wanted[BESIDE_COUNT];
@@ -169,10 +197,11 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     if (!mkdtemp(folder)) return bench_complain("no folder for assets can be made");
     snprintf(flag, sizeof flag, "--assets-dir=%s", folder);
     load_take_first_processor();
-    struct daemon daemon = daemon_start(LIST(flag));
+    struct daemon daemon = daemon_start(LIST(flag, "--max-per-client=0"));
     load_take_other_processors();
-    struct document requests[BESIDE_COUNT] = {[ASSETS] = ask_for_asset(&daemon), [GZIP] = ask_with_gzip()};
-    bool ok = requests[ASSETS].bytes && requests[GZIP].bytes;
+    struct document requests[BESIDE_COUNT] = {
+        [ASSETS] = ask_for_asset(&daemon), [GZIP] = ask_with_gzip(), [IMAGES] = ask_with_image(&daemon)};
+    bool ok = requests[ASSETS].bytes && requests[GZIP].bytes && requests[IMAGES].bytes;
     for (int i = 0; ok && i < BESIDE_COUNT; i++) {
         struct row row = {.work = ""};
         if (!task->wanted[i]) continue;

@@ -22,8 +22,8 @@ zr_visibility_fn *zr_visibility_of(enum zr_algorithm algorithm);
 
 zr_visibility_fn zr_edgelist, zr_trapezoid, zr_scanline, zr_painter;
 
-/* The painter's limit of work: spans and samples compared or cut, and pieces passed. Some 20 s of one core. */
-#define ZR_PAINTER_WORK_MAX UINT64_C(2500000000)
+/* The painter's limit of work: spans and samples compared or cut, and pieces passed. Some 4 s of one core. */
+#define ZR_PAINTER_WORK_MAX UINT64_C(500000000)
 
 /* The painter with another limit of work. Returns ZR_BAD_SCENE beyond it. */
 enum zr_status zr_painter_within(struct zr_arena *arena, const struct zr_geometry *geometry, uint64_t work_max,
