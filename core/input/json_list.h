@@ -5,7 +5,7 @@
  *         part counts only if reading the text before it ends exactly at its first byte, in the same list: then a
  *         single thread would read the same. So no pass counts items first, and a wrong cut costs only time. A fault or
  *         an unusual item ends a part; the caller's thread then reads on from there and reports.
- * Memory: all lists of a text use one block of the request's arena, 1.3 MB, one after the other. A list inside an item
+ * Memory: all lists of a text use one block of the request's arena, 0.7 MB, one after the other. A list inside an item
  *         of such a list is read by one thread.
  */
 #ifndef ZR_JSON_LIST_H
