@@ -194,9 +194,7 @@ void zr_scene_builder_close(struct zr_scene_builder *builder)
             zr_unused_positions_move(builder->arena, builder->team, mesh, (zr_vec4 *)mesh->positions);
     }
     scene->materials = builder->materials;
-    if (zr_arena_ok(builder->arena) &&
-        (zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR) || zr_view_wants(&scene->views[0], ZR_CHANNEL_NORMALS)))
-        zr_doubled_faces_warn(builder->arena, scene, &builder->warnings);
+    if (zr_arena_ok(builder->arena)) zr_doubled_faces_warn(builder->arena, scene, &builder->warnings);
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR))
         zr_warning_list_append(builder->arena, &builder->warnings, &builder->color_warnings);
     scene->warnings = builder->warnings.texts;

@@ -24,9 +24,13 @@
     "\"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAE0lEQVR42mP4z8DwH4QZGCDEfwA71gX7"         \
     "vC6MgAAAAABJRU5ErkJggg=="                                                                                         \
     "\"}"
-#define DOUBLED(more)                                                                                                  \
-    MESHES("{\"name\": \"box\", " POSITIONS ", \"faces\": [[0,1,2],[0,1,3,2],[1,3,2],[2,1,0],[1,0,2,3],[3,1,2]]" more  \
-           "}")
+#define TWICE(faces, more)                                                                                             \
+    MESHES("{\"name\": \"box\", " POSITIONS ", \"faces\": [[0,1,2],[0,1,3,2],[1,3,2],[2,1,0]" faces "]" more "}")
+#define DOUBLED(more) TWICE(",[1,0,2,3],[3,1,2]", more)
+#define PARTLY_DOUBLED(faces)                                                                                          \
+    "\"shading\": \"gouraud\", " MESHES("{" POSITIONS ", \"faces\": [[0,1,2],[2,1,0],[1,2,3]" faces "]}")
+#define DOUBLED_SOUP(more)                                                                                             \
+    MESHES("{\"positions\": [[0,0,0],[1,0,0],[0,1,0],[0,1,0],[1,0,0],[-0.0,0,0]], \"faces\": [[0,1,2],[3,4,5]]}") more
 #define TEXCOORDS  "\"texcoords\": [[0,0],[1,0],[0,1],[1,1]]"
 #define WITH(more) MESHES(FACE ", " TEXCOORDS ", \"material\": \"m\"}") ", \"materials\": [{\"name\": \"m\", " more "}]"
 #define CLEAR      "[1,0,0,0]"
@@ -98,9 +102,23 @@ static const struct {
     {MESHES(FACE ", \"material\": \"m\", \"shading\": \"phong\"}, " FACE
                  ", \"material\": \"m\"}") ", \"materials\": [{\"name\": \"m\", \"specular\": \"white\"}]",
      true, NULL},
-    {DOUBLED(", \"shading\": \"gouraud\""), true, "mesh 0 'box': each face is there twice, once with each winding"},
+    {DOUBLED(", \"shading\": \"gouraud\""), true, "mesh 0 'box': at some vertices each face is there twice"},
     {DOUBLED(", \"shading\": \"normals\""), true, "each face is there twice"},
     {DOUBLED(", \"shading\": \"flat\""), true, NULL},
+    {DOUBLED(", \"shading\": \"gouraud\", \"fill\": false, \"outline\": true"), true, NULL},
+    {TWICE(",[1,0,2,3],[1,2,3]", ", \"shading\": \"gouraud\""), true, "each face is there twice"},
+    {PARTLY_DOUBLED(",[0,3,1],[2,3,0]"), true, NULL}, /* each vertex has a face with one winding */
+    {PARTLY_DOUBLED(""), true, "each face is there twice"},
+    {DOUBLED_SOUP(", \"shading\": \"gouraud\""), true, NULL},
+    /* In linear light, faces of one place are averaged, up to the crease angle. */
+    {"\"look\": \"studio\", \"shading\": \"gouraud\", " DOUBLED(""), true, NULL},
+    {"\"look\": \"studio\", \"creaseDegrees\": 179, " DOUBLED(""), true, NULL},
+    {"\"look\": \"studio\", \"creaseDegrees\": 180, " DOUBLED(""), true, "each face is there twice"},
+    {"\"look\": \"technical\", \"creaseDegrees\": 180, " DOUBLED(""), true, "each face is there twice"},
+    {"\"look\": \"xray\", \"creaseDegrees\": 180, " DOUBLED(""), true, "each face is there twice"},
+    {"\"look\": \"studio\", \"shading\": \"normals\", \"creaseDegrees\": 180, " DOUBLED_SOUP(""), true,
+     "each face is there twice"},
+    {"\"look\": \"studio\", \"shading\": \"unlit\", \"creaseDegrees\": 180, " DOUBLED(""), true, NULL},
     {DOUBLED(", \"shading\": \"phong\", \"normals\": [[0,0,1],[0,0,1],[0,0,1],[0,0,1]]"), true, NULL},
     {"\"shading\": \"gouraud\", " MESHES("{" POSITIONS ", \"faces\": [[0,1,2],[1,2,0]]}"), true, NULL},
     {"\"shading\": \"gouraud\", " MESHES("{" POSITIONS ", \"faces\": [[0,1,2],[0,2,3]]}"), true, NULL},
