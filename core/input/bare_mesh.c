@@ -63,6 +63,7 @@ static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
         zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
                             "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
                             zr_shading_names.words[shading], format->name);
+    zr_parsed_warn_of_oddities(root);
     zr_parsed_warn_of_materials(root);
 }
 

@@ -183,6 +183,29 @@ static void window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene(void *
     }
 }
 
+static void parameters_without_effect_are_warned_of_by_name(void **state)
+{
+    (void)state;
+    static const struct {
+        struct zr_request request;
+        const char *warning; /* NULL: none */
+    } cases[] = {
+        {{.shading = "gooch", .exposure = "2"},
+         "mesh 0: exposure and toneMapping have no effect with the shading gooch"},
+        {{.look = "technical", .toneMapping = "neutral"}, "mesh 0: exposure and toneMapping have no effect"},
+        {{.look = "technical", .exposure = "1", .toneMapping = "none"}, NULL},
+        {{.exposure = "2"}, NULL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct reading *reading = read_triangle(cases[i].request);
+        const uint32_t count = reading->scene->warning_count;
+        if (count != (cases[i].warning != NULL)) fail_msg("case %zu: %u warnings", i, count);
+        if (count && !strstr(reading->scene->warnings[0], cases[i].warning))
+            fail_msg("case %zu: %s", i, reading->scene->warnings[0]);
+        reading_free(reading);
+    }
+}
+
 /* ---- a parameter is a key of a scene ---- */
 
 static const char SCENE[] = "{\"meshes\": [{\"positions\": [[0,0,0],[1,0,0],[0,1,0.5]], \"faces\": [[0,1,2]], "
@@ -319,6 +342,7 @@ int main(void)
         cmocka_unit_test(query_says_how_a_mesh_looks),
         cmocka_unit_test(wrong_query_gives_bad_request_naming_the_parameter),
         cmocka_unit_test(window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene),
+        cmocka_unit_test(parameters_without_effect_are_warned_of_by_name),
         cmocka_unit_test(bare_mesh_is_a_scene_with_the_keys_of_the_query),
         cmocka_unit_test(material_of_a_query_keeps_what_it_does_not_name),
         cmocka_unit_test(each_parameter_leads_to_a_key_that_has_what_its_kind_needs),
