@@ -58,6 +58,16 @@ static enum zr_status find_format(struct zr_request *request, struct zr_error *e
                         words ? ", which is " : "", zr_format_types_join().text);
 }
 
+/* Validates the scene; faults of keys from the query have the names of their parameters. */
+static enum zr_status validate(const struct zr_request *request, const struct zr_scene *scene,
+                               const struct zr_limits *limits, struct zr_error *error)
+{
+    struct zr_error faults = {0};
+    const enum zr_status status = zr_scene_validate(scene, limits, &faults);
+    zr_query_report(request, status, &faults, error);
+    return status;
+}
+
 static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                                  const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error)
 {
@@ -74,7 +84,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     zr_pose_matrix_warn(arena, &scene->views[0], &builder.warnings);
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    status = zr_scene_validate(scene, limits, error);
+    status = validate(request, scene, limits, error);
     if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, error);
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
 }

@@ -7,6 +7,7 @@
 #include "input/json_scene.h"
 #include "input/names.h"
 #include "input/nearest.h"
+#include "input/parameters.h"
 #include "input/text.h"
 #include "scene/defaults.h"
 
@@ -341,6 +342,12 @@ void zr_parsed_warn_of_materials(struct zr_parsed_scene *root)
     warn_of(root, &idle, " is used by nothing");
     warn_of(root, &uncut, ": alphaCutoff has no effect without \"alphaMode\": \"MASK\"");
     if (odd.count == 0) return;
+    if (root->is_bare) {
+        zr_warning_list_add(root->json.arena, &root->builder->color_warnings, "no effect of %s %s",
+                            zr_parameter_names("/materials/0", unused_keys(odd.first).text).text,
+                            shadings_in_words(odd.first).text);
+        return;
+    }
     char text[2 * sizeof(struct words) + 32];
     snprintf(text, sizeof text, ": no effect of %s %s", unused_keys(odd.first).text, shadings_in_words(odd.first).text);
     warn_of(root, &odd, text);

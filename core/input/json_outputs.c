@@ -69,8 +69,9 @@ static bool check_pixel(struct zr_json *json, const struct zr_json_path *path, u
     if (output->channel != ZR_CHANNEL_FRAGMENTS)
         return (!x && !y) ||
                zr_json_fault(json, ZR_JSON_KEY(path, fields[x ? X : Y].key), "only the channel fragments has one");
+    static const char *const missing[] = {"s x and y", " y", " x"};
     return (x && y) ||
-           zr_json_fault(json, path, "missing the key %s: fragments are of one pixel", fields[x ? Y : X].key);
+           zr_json_fault(json, path, "missing the key%s: fragments are of one pixel", missing[x ? 1 : 2 * y]);
 }
 
 static bool read_output(struct zr_json *json, const struct zr_json_path *path, struct zr_output *output)

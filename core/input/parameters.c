@@ -1,6 +1,7 @@
 #include "input/parameters.h"
 
 #include <float.h>
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -263,24 +264,58 @@ static bool put_value(const struct reading *r, struct zr_json_writer *json, cons
 
 /* ---- reading ---- */
 
-/* Returns the name of the first given parameter whose key is at the fault's pointer, within it or around it. */
+/* Finds the first given parameter whose key is at the fault's pointer, within it or around it. NULL if there is none.
+ */
 static const char *name_of(const struct zr_request *request, const char *pointer)
 {
-    for (int i = 0; i < ROWS; i++) {
+    for (int i = 0; i < ROWS && *pointer; i++) {
         const char *key = rows[i].pointer;
         const size_t length = strlen(key) < strlen(pointer) ? strlen(key) : strlen(pointer);
         const bool is_inside = strchr("/", key[length]) && strchr("/", pointer[length]);
         if (text_of(request, &rows[i]) && is_inside && memcmp(key, pointer, length) == 0) return rows[i].name;
     }
-    return "";
+    return NULL;
+}
+
+/* Finds the parameter that sets a key, of `length` bytes, of the object at `pointer`. NULL if there is none. */
+static const char *parameter_of(const char *pointer, const char *key, size_t length)
+{
+    const size_t object = strlen(pointer);
+    for (int i = 0; i < ROWS; i++) {
+        const char *at = rows[i].pointer;
+        if (strlen(at) == object + 1 + length && at[object] == '/' && memcmp(at, pointer, object) == 0 &&
+            memcmp(at + object + 1, key, length) == 0)
+            return rows[i].name;
+    }
+    return NULL;
+}
+
+struct zr_parameter_text zr_parameter_names(const char *pointer, const char *text)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+    struct zr_parameter_text out = {""};
+    for (size_t used = 0; *text && used < sizeof out.text;) {
+        const size_t word = strspn(text, letters), length = word ? word : strcspn(text, letters);
+        const char *name = word ? parameter_of(pointer, text, word) : NULL;
+        used += (size_t)snprintf(out.text + used, sizeof out.text - used, "%.*s", name ? INT_MAX : (int)length,
+                                 name ? name : text);
+        text += length;
+    }
+    return out;
 }
 
 void zr_query_report(const struct zr_request *request, enum zr_status status, const struct zr_error *faults,
                      struct zr_error *error)
 {
-    for (size_t i = 0; i < zr_error_held(faults); i++)
-        zr_error_add(error, status, NULL, "query parameter %s: %s", name_of(request, faults->items[i].pointer),
-                     faults->items[i].detail);
+    for (size_t i = 0; i < zr_error_held(faults); i++) {
+        const struct zr_error_item *item = &faults->items[i];
+        const char *name = name_of(request, item->pointer);
+        if (name)
+            zr_error_add(error, status, NULL, "query parameter %s: %s", name,
+                         zr_parameter_names(item->pointer, item->detail).text);
+        else
+            zr_error_add(error, status, item->pointer, "%s", item->detail);
+    }
 }
 
 /* Reads {"query": {...}}, or keys of a scene. */

@@ -103,8 +103,10 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
          "encoding: the channel depth cannot be had as png; allowed: npy, png16"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .scale = "2"}, "scale: only the encoding png16"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .x = "2"}, "x: only the channel fragments"},
-        {{.format = ZR_FORMAT_OBJ, .channel = "fragments"}, "channel: missing the key x"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "fragments"}, "channel: missing the keys x and y"},
         {{.format = ZR_FORMAT_OBJ, .channel = "fragments", .x = "2"}, "channel: missing the key y"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "fragments", .y = "2"}, "channel: missing the key x"},
+        {{.format = ZR_FORMAT_JSON, .channel = "fragments"}, "channel: missing the keys x and y"},
         {{.format = ZR_FORMAT_OBJ, .x = "2"}, "x: only the channel fragments"},
         {{.format = ZR_FORMAT_OBJ, .channel = "1"}, "channel: '1' is unknown; allowed: color, depth"},
         {{.format = ZR_FORMAT_OBJ, .channel = "q\"\\\x01\xff"}, "channel: 'q\"\\?"},
@@ -136,7 +138,11 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
         {{.format = ZR_FORMAT_OBJ, .environment = "true"}, "environment: 'true' is unknown; allowed: studio, outdoor"},
         {{.format = ZR_FORMAT_OBJ, .lightDirection = "1,2"}, "lightDirection: '1,2' is not three numbers"},
         {{.format = ZR_FORMAT_OBJ, .lightDirection = "0,0,0"}, "lightDirection: a direction of no length"},
-        {{.format = ZR_FORMAT_OBJ, .light = "spot"}, "light: direction is missing"},
+        {{.format = ZR_FORMAT_OBJ, .light = "spot"}, "light: lightDirection is missing"},
+        {{.format = ZR_FORMAT_OBJ, .light = "point"}, "light: lightPosition is missing"},
+        {{.format = ZR_FORMAT_OBJ, .lightColor = "red"}, "lightColor: lightDirection is missing"},
+        {{.format = ZR_FORMAT_OBJ, .lightIntensity = "2"}, "lightIntensity: lightDirection is missing"},
+        {{.format = ZR_FORMAT_OBJ, .shadows = "true"}, "shadows: lightDirection is missing"},
         {{.format = ZR_FORMAT_OBJ, .scale = "2e9", .channel = "depth", .encoding = "png16"},
          "scale: 2000000000 is outside"},
         {{.format = ZR_FORMAT_JSON, .samples = "4"}, "query parameter samples belongs to bodies that are a bare mesh"},
@@ -150,8 +156,8 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
         {{.format = ZR_FORMAT_OBJ, .azimuth = "1e7"}, "from -1e+06 to 1e+06"},
         {{.format = ZR_FORMAT_OBJ, .azimuth = "nan"}, "azimuth: 'nan'"},
         {{.format = ZR_FORMAT_OBJ, .elevation = "90.1"}, "elevation: '90.1' is not a number of degrees from -90 to 90"},
-        {{.format = ZR_FORMAT_OBJ, .elevation = "1", .preset = "top"},
-         "preset: two poses: preset and elevationDegrees"},
+        {{.format = ZR_FORMAT_OBJ, .elevation = "1", .preset = "top"}, "preset: two poses: preset and elevation"},
+        {{.format = ZR_FORMAT_OBJ, .azimuth = "1", .preset = "top"}, "preset: two poses: preset and azimuth"},
         {{.format = ZR_FORMAT_OBJ, .up = "x"}, "up: 'x' is unknown; allowed: y, z"},
         {{.format = ZR_FORMAT_OBJ, .projection = "fisheye"}, "allowed: orthographic, perspective"},
         {{.format = ZR_FORMAT_OBJ, .color = "reddish"}, "color: 'reddish' is not a colour"},
@@ -195,6 +201,9 @@ static void parameters_without_effect_are_warned_of_by_name(void **state)
         {{.look = "technical", .toneMapping = "neutral"}, "mesh 0: exposure and toneMapping have no effect"},
         {{.look = "technical", .exposure = "1", .toneMapping = "none"}, NULL},
         {{.exposure = "2"}, NULL},
+        {{.roughness = "0.5"}, NULL},
+        {{.roughness = "0.5", .metallic = "1", .shading = "phong"},
+         "no effect of metallic, roughness with the shading phong"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct reading *reading = read_triangle(cases[i].request);
@@ -204,6 +213,19 @@ static void parameters_without_effect_are_warned_of_by_name(void **state)
             fail_msg("case %zu: %s", i, reading->scene->warnings[0]);
         reading_free(reading);
     }
+}
+
+static void faults_of_the_whole_scene_name_the_parameter(void **state)
+{
+    (void)state;
+    struct zr_request request = {.format = ZR_FORMAT_OBJ, .channel = "layers", .algorithm = "painter"};
+    struct reading *reading = read_request(request, MESH, strlen(MESH), zr_limits_default(), 1 << 20);
+    assert_complaint(reading, ZR_BAD_SCENE, "", "query parameter algorithm: painter keeps no fragments");
+    reading_free(reading);
+    request = (struct zr_request){.format = ZR_FORMAT_OBJ, .look = "studio"};
+    reading = read_request(request, "v 0 0 0\n", 8, zr_limits_default(), 1 << 20);
+    assert_complaint(reading, ZR_BAD_SCENE, "", "no geometry");
+    reading_free(reading);
 }
 
 /* ---- a parameter is a key of a scene ---- */
@@ -342,6 +364,7 @@ int main(void)
         cmocka_unit_test(query_says_how_a_mesh_looks),
         cmocka_unit_test(wrong_query_gives_bad_request_naming_the_parameter),
         cmocka_unit_test(window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene),
+        cmocka_unit_test(faults_of_the_whole_scene_name_the_parameter),
         cmocka_unit_test(parameters_without_effect_are_warned_of_by_name),
         cmocka_unit_test(bare_mesh_is_a_scene_with_the_keys_of_the_query),
         cmocka_unit_test(material_of_a_query_keeps_what_it_does_not_name),
