@@ -182,13 +182,22 @@ static const struct zr_json_field environment_fields[] = {
 #undef AT
 const struct zr_json_object zr_json_object_environment = ZR_JSON_OBJECT_OF("environment", environment_fields);
 
+static bool read_name(struct zr_json *json, const struct zr_json_path *path, int *name)
+{
+    const char *word = "";
+    if (!zr_json_string(json, path, NULL, &word)) return false;
+    *name = zr_names_find(&environment_names, word);
+    return *name >= 0 ||
+           zr_json_fault(json, path, "%s; or false for none", zr_names_refuse(&environment_names, word).text);
+}
+
 static bool read_environment(struct zr_json *json, const struct zr_json_path *path, struct given_environment *given,
                              uint64_t *keys)
 {
     const enum zr_json_type type = zr_json_type(json);
     bool is_on;
     *keys = UINT64_C(1) << NAME;
-    if (type == ZR_JSON_STRING) return zr_json_choice(json, path, &environment_fields[NAME], &given->name);
+    if (type == ZR_JSON_STRING) return read_name(json, path, &given->name);
     if (type == ZR_JSON_OBJECT) return zr_json_fields(json, path, &zr_json_object_environment, given, keys);
     if (type != ZR_JSON_BOOL) return zr_json_expect(json, path, "false, a name or an object");
     return zr_json_take_bool(json, &is_on) &&
