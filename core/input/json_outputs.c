@@ -34,44 +34,52 @@ static const struct zr_json_field fields[] = {
     [Y] = {"y", zr_json_whole, AT(y), .unit = "pixels", .text = "of that pixel; the uppermost has 0"}};
 const struct zr_json_object zr_json_object_output = ZR_JSON_OBJECT_OF("output", fields);
 
-static bool check_encoding(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
+static void check_encoding(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
                            struct zr_output *output)
 {
     output->encoding = zr_channel_rows[output->channel].encodings[0];
-    if (given->encoding == UNSET) return true;
+    if (given->encoding == UNSET) return;
     output->encoding = (enum zr_encoding)given->encoding;
-    return zr_channel_has(output->channel, output->encoding) ||
-           zr_json_fault(json, ZR_JSON_KEY(path, fields[ENCODING].key),
-                         "the channel %s cannot be had as %s; allowed: %s", zr_channel_names.words[output->channel],
-                         zr_encoding_names.words[given->encoding], zr_channel_encodings_join(output->channel).text);
+    if (!zr_channel_has(output->channel, output->encoding))
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[ENCODING].key), "the channel %s cannot be had as %s; allowed: %s",
+                      zr_channel_names.words[output->channel], zr_encoding_names.words[given->encoding],
+                      zr_channel_encodings_join(output->channel).text);
 }
 
-static bool check_space(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
+/* Only png16 has a scale. A scale with an unknown encoding, which is reported, may be right. */
+static void check_scale(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
+                        const struct given_output *given, const struct zr_output *output)
+{
+    const bool is_unknown = zr_json_gives(keys, ENCODING) && given->encoding == UNSET;
+    if (zr_json_gives(keys, SCALE) && output->encoding != ZR_ENCODING_PNG16 && !is_unknown)
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[SCALE].key), "only the encoding png16 has one");
+}
+
+static void check_space(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
                         struct zr_output *output)
 {
     const int count = zr_channel_rows[output->channel].space_count;
     const struct zr_names allowed = {count, ZR_SPACE_COUNT, zr_space_names.words, NULL};
     const struct zr_json_path *at = ZR_JSON_KEY(path, fields[SPACE].key);
-    if (given->space == UNSET) return true;
+    if (given->space == UNSET) return;
     if (count == 0)
-        return zr_json_fault(json, at, "the channel %s lies in no space", zr_channel_names.words[output->channel]);
-    if (given->space >= count)
-        return zr_json_fault(json, at, "%s", zr_names_refuse(&allowed, zr_space_names.words[given->space]).text);
-    output->space = (enum zr_space)given->space;
-    return true;
+        zr_json_fault(json, at, "the channel %s lies in no space", zr_channel_names.words[output->channel]);
+    else if (given->space >= count)
+        zr_json_fault(json, at, "%s", zr_names_refuse(&allowed, zr_space_names.words[given->space]).text);
+    else
+        output->space = (enum zr_space)given->space;
 }
 
 /* x and y are required by the channel fragments and refused by others. */
-static bool check_pixel(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
+static void check_pixel(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
                         const struct zr_output *output)
 {
-    const bool x = zr_json_gives(keys, X), y = zr_json_gives(keys, Y);
-    if (output->channel != ZR_CHANNEL_FRAGMENTS)
-        return (!x && !y) ||
-               zr_json_fault(json, ZR_JSON_KEY(path, fields[x ? X : Y].key), "only the channel fragments has one");
     static const char *const missing[] = {"s x and y", " y", " x"};
-    return (x && y) ||
-           zr_json_fault(json, path, "missing the key%s: fragments are of one pixel", missing[x ? 1 : 2 * y]);
+    const bool x = zr_json_gives(keys, X), y = zr_json_gives(keys, Y);
+    if (output->channel != ZR_CHANNEL_FRAGMENTS && (x || y))
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[x ? X : Y].key), "only the channel fragments has one");
+    if (output->channel == ZR_CHANNEL_FRAGMENTS && !(x && y))
+        zr_json_fault(json, path, "missing the key%s: fragments are of one pixel", missing[x ? 1 : 2 * y]);
 }
 
 static bool read_output(struct zr_json *json, const struct zr_json_path *path, struct zr_output *output)
@@ -79,16 +87,14 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, s
     struct given_output given = {UNSET, UNSET, UNSET, 0, 0, 0};
     const size_t faults = json->error->count;
     uint64_t keys;
-    if (!zr_json_fields(json, path, &zr_json_object_output, &given, &keys) || json->error->count > faults ||
-        given.channel == UNSET)
-        return false;
+    if (!zr_json_fields(json, path, &zr_json_object_output, &given, &keys) || given.channel == UNSET) return false;
     *output =
         (struct zr_output){.channel = (enum zr_channel)given.channel, .scale = given.scale, .x = given.x, .y = given.y};
-    if (!check_encoding(json, path, &given, output) || !check_space(json, path, &given, output) ||
-        !check_pixel(json, path, keys, output))
-        return false;
-    return !zr_json_gives(keys, SCALE) || output->encoding == ZR_ENCODING_PNG16 ||
-           zr_json_fault(json, ZR_JSON_KEY(path, fields[SCALE].key), "only the encoding png16 has one");
+    check_encoding(json, path, &given, output);
+    check_scale(json, path, keys, &given, output);
+    check_space(json, path, &given, output);
+    check_pixel(json, path, keys, output);
+    return json->error->count == faults;
 }
 
 /* True, and reported, if an output has the file name of an earlier one, or its channel in another space. So few outputs

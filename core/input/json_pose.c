@@ -174,6 +174,7 @@ void zr_view_find_pose(struct zr_parsed_view *given)
     struct zr_view *view = &given->view;
     const struct form *form = find_form(given);
     check_convention(given);
+    if (given->has_faults) return;
     if (!form) {
         if (!zr_view_gives(given, ZR_VIEW_PROJECTION_MATRIX)) return;
         view->pose = ZR_POSE_MATRIX; /* as in OpenGL: projectionMatrix alone maps the world to clip space */

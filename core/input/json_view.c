@@ -62,6 +62,7 @@ static void find_projection(struct zr_parsed_view *given)
         else
             first = i;
     }
+    if (given->has_faults) return;
     if (first < 0)
         suggest_projection(&given->view);
     else
@@ -105,9 +106,10 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
     const size_t faults = json->error->count;
     (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_view, &given, &given.keys)) return false;
-    if (json->error->count > faults) return false; /* a view with faults is not checked further */
+    given.has_faults = json->error->count > faults;
     zr_view_find_pose(&given);
     find_projection(&given);
+    if (given.has_faults) return false;
     find_planes(&given);
     root->fit_mesh = given.fit_mesh;
     root->view_says_up = zr_view_gives(&given, ZR_VIEW_UP);

@@ -43,6 +43,7 @@ struct zr_parsed_view {
     struct zr_json *json;
     const struct zr_json_path *path; /* the view's */
     uint64_t keys;                   /* bit i: key i is given */
+    bool has_faults;                 /* some values are missing: only the keys are checked against each other */
     struct zr_view view;             /* defaults, overridden by the keys */
     int preset, convention;
     zr_mat4 camera_to_world;

@@ -33,6 +33,7 @@ static const struct row {
 #undef PARAMETER
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
+_Static_assert(ROWS <= 64, "a set of rows is a uint64_t");
 
 /* Required keys of objects, added if the query has other keys of the object. */
 static const struct {
@@ -318,8 +319,21 @@ void zr_query_report(const struct zr_request *request, enum zr_status status, co
     }
 }
 
-/* Reads {"query": {...}}, or keys of a scene. */
-static void read_text(const struct reading *r, const struct zr_json_writer *text, bool is_of_query)
+/* Drops the faults of rows that are reported already: bit i of `reported` is row i. */
+static void drop_reported(struct zr_error *faults, uint64_t reported)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < zr_error_held(faults); k++) {
+        bool is_new = true;
+        for (int i = 0; i < ROWS; i++)
+            if (reported >> i & 1u && strcmp(rows[i].pointer, faults->items[k].pointer) == 0) is_new = false;
+        if (is_new) faults->items[kept++] = faults->items[k];
+    }
+    faults->count = kept;
+}
+
+/* Reads {"query": {...}}, or keys of a scene. Rows in `reported` are null. */
+static void read_text(const struct reading *r, const struct zr_json_writer *text, bool is_of_query, uint64_t reported)
 {
     struct zr_query *query = r->query;
     struct zr_json *json = &query->given.json;
@@ -336,10 +350,11 @@ static void read_text(const struct reading *r, const struct zr_json_writer *text
         zr_json_fields(json, NULL, &zr_json_object_scene, &query->given, &keys);
         query->given.keys |= keys;
     }
+    drop_reported(&faults, reported);
     zr_query_report(r->request, ZR_BAD_REQUEST, &faults, r->error);
 }
 
-/* Reads the rows of one object. */
+/* Reads the rows of one object. A wrong value becomes null, so that the other keys are still checked against it. */
 static void read_rows(const struct reading *r, const struct row *row, const struct row *end)
 {
     const bool has_view = zr_format_rows[r->request->format].has_view;
@@ -348,7 +363,7 @@ static void read_rows(const struct reading *r, const struct row *row, const stru
         if (text_of(r->request, at)) room += 2 * strlen(at->pointer) + 6 * strlen(text_of(r->request, at)) + 128;
     if (room == 0) return;
     struct zr_json_writer json = {.text = zr_arena_alloc(r->query->given.json.arena, room, 1), .pointer = ""};
-    bool good = json.text != NULL;
+    uint64_t reported = 0;
     for (const struct row *at = row; json.text && at < end; at++) {
         const char *text = text_of(r->request, at);
         if (!text) continue;
@@ -360,11 +375,15 @@ static void read_rows(const struct reading *r, const struct row *row, const stru
         }
         put_required(&json, at->pointer);
         zr_json_go_to(&json, at->pointer);
-        good = put_value(r, &json, at, text) && good;
+        const size_t used = json.used;
+        if (put_value(r, &json, at, text)) continue;
+        json.used = used;
+        zr_json_put(&json, "null");
+        reported |= UINT64_C(1) << (at - rows);
     }
-    if (!good || json.used == 0) return; /* an object with a wrong value is not checked further */
+    if (json.used == 0) return;
     zr_json_go_to(&json, "");
-    read_text(r, &json, strncmp(row->pointer, query_prefix, strlen(query_prefix)) == 0);
+    read_text(r, &json, strncmp(row->pointer, query_prefix, strlen(query_prefix)) == 0, reported);
 }
 
 static void open_query(const struct zr_request *request, const struct zr_limits *limits,

@@ -176,6 +176,34 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
     }
 }
 
+static void all_faults_of_one_object_are_reported(void **state)
+{
+    (void)state;
+    static const struct {
+        struct zr_request request;
+        const char *details[3];
+    } cases[] = {
+        {{.channel = "depht", .encoding = "png17", .x = "a"},
+         {"x: 'a' is not", "channel: 'depht'", "encoding: 'png17'"}},
+        {{.preset = "zz", .azimuth = "x"}, {"azimuth: 'x' is not", "preset: 'zz'", "two poses: preset and azimuth"}},
+        {{.light = "spot", .lightDirection = "1,2"},
+         {"lightDirection: '1,2' is not", "light: lightPosition is missing"}},
+        {{.color = "zz", .metallic = "7"}, {"color: 'zz'", "metallic: '7'"}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct zr_request request = cases[i].request;
+        request.format = ZR_FORMAT_OBJ;
+        struct reading *reading = read_request(request, "", 0, zr_limits_default(), 1 << 20);
+        assert_complaint(reading, ZR_BAD_REQUEST, "", cases[i].details[0]);
+        size_t count = 0;
+        for (; count < 3 && cases[i].details[count]; count++)
+            if (!strstr(reading->error.items[count].detail, cases[i].details[count]))
+                fail_msg("case %zu: %s", i, reading->error.items[count].detail);
+        assert_int_equal(reading->error.count, count);
+        reading_free(reading);
+    }
+}
+
 static void window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene(void **state)
 {
     (void)state;
@@ -364,6 +392,7 @@ int main(void)
         cmocka_unit_test(mesh_whose_z_is_up_is_turned_upright),
         cmocka_unit_test(query_says_how_a_mesh_looks),
         cmocka_unit_test(wrong_query_gives_bad_request_naming_the_parameter),
+        cmocka_unit_test(all_faults_of_one_object_are_reported),
         cmocka_unit_test(window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene),
         cmocka_unit_test(faults_of_the_whole_scene_name_the_parameter),
         cmocka_unit_test(parameters_without_effect_are_warned_of_by_name),

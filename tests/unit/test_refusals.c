@@ -4,6 +4,7 @@
  *     let NAME = text                               then names; ${NAME} stands for its text in what follows
  *
  *     bad scene at /view/eye: three numbers         status, place (left out if it is empty) and a part of the message
+ *     and at /view/up: three numbers                lines for the next faults, if they are tested, too
  *     {"polygons": [], "view": {"eye": 1}}          the body, up to an empty line; ${0a} is the byte 0x0a
  */
 #include <dirent.h>
@@ -13,7 +14,7 @@
 #include "input_check.h"
 #include "support/files.h"
 
-enum { LETS_MAX = 16, BODY_MAX = 1 << 16, PATH_SIZE = 600 };
+enum { LETS_MAX = 16, MORE_MAX = 4, BODY_MAX = 1 << 16, PATH_SIZE = 600 };
 
 static const char *const statuses[] = {[ZR_BAD_SYNTAX] = "bad syntax",
                                        [ZR_BAD_TYPE] = "bad type",
@@ -26,6 +27,8 @@ struct cases {
     enum zr_format format;
     size_t let_count;
     char *names[LETS_MAX], *texts[LETS_MAX];
+    size_t more_count;
+    const char *more[MORE_MAX]; /* the next faults, " at PLACE: message" */
     size_t size;
     char body[BODY_MAX];
 };
@@ -59,24 +62,34 @@ static void expand(struct cases *cases, const char *text)
     put(cases, text, strlen(text));
 }
 
+/* True if fault `number` is as " at PLACE: message" has it. */
+static bool has_fault(const struct zr_error *error, size_t number, const char *wanted)
+{
+    if (number >= error->count) return false;
+    const struct zr_error_item *item = &error->items[number];
+    const char *place = strncmp(wanted, " at ", 4) == 0 ? wanted + 4 : "", *detail = strstr(wanted, ": ");
+    const size_t length = *place ? (size_t)(detail - place) : 0;
+    return strlen(item->pointer) == length && memcmp(item->pointer, place, length) == 0 &&
+           strstr(item->detail, detail + 2);
+}
+
 static void check(struct cases *cases, const char *head, int line)
 {
     enum zr_status status = ZR_BAD_SYNTAX;
     while (status <= ZR_BAD_SCENE && strncmp(head, statuses[status], strlen(statuses[status])) != 0)
         status++;
-    const char *place = "", *detail = strstr(head, ": ");
-    if (status > ZR_BAD_SCENE || !detail) fail_msg("%s, line %d: no 'STATUS at PLACE: message'", cases->path, line);
-    const char *at = head + strlen(statuses[status]);
-    if (strncmp(at, " at ", 4) == 0) place = at + 4;
-    const size_t length = *place ? (size_t)(detail - place) : 0;
+    if (status > ZR_BAD_SCENE || !strstr(head, ": "))
+        fail_msg("%s, line %d: no 'STATUS at PLACE: message'", cases->path, line);
     struct reading *reading = read_bytes(cases->format, cases->body, cases->size);
-    const struct zr_error_item *item = &reading->error.items[0];
-    const bool is_refused = reading->status == status && reading->error.status == status && reading->error.count > 0 &&
-                            !reading->scene && strlen(item->pointer) == length &&
-                            memcmp(item->pointer, place, length) == 0 && strstr(item->detail, detail + 2);
+    const struct zr_error *error = &reading->error;
+    bool is_refused = reading->status == status && error->status == status && !reading->scene &&
+                      has_fault(error, 0, head + strlen(statuses[status]));
+    for (size_t i = 0; i < cases->more_count; i++)
+        is_refused &= has_fault(error, i + 1, cases->more[i]);
     if (!is_refused) {
-        print_error("%s, line %d: status %d at %s: %s\n", cases->path, line, (int)reading->status, item->pointer,
-                    item->detail);
+        print_error("%s, line %d: status %d\n", cases->path, line, (int)reading->status);
+        for (size_t i = 0; i < zr_error_held(error); i++)
+            print_error("  at %s: %s\n", error->items[i].pointer, error->items[i].detail);
         cases->failures++;
     }
     cases->count++;
@@ -118,7 +131,10 @@ static void check_file(const char *path, int *count, int *failures)
         if (*line && !head) {
             head = line;
             head_line = cases.line;
-            cases.size = 0;
+            cases.size = cases.more_count = 0;
+        } else if (strncmp(line, "and at ", 7) == 0) {
+            assert_true(cases.more_count < MORE_MAX && strstr(line, ": "));
+            cases.more[cases.more_count++] = line + strlen("and");
         } else if (*line) {
             if (cases.size > 0) put(&cases, "\n", 1);
             expand(&cases, line);
