@@ -131,7 +131,7 @@ void problem_memory(struct answer *answer, const struct zr_arena *arena, const s
             arena->wanted, arena->ceiling);
 }
 
-void problem_late(struct answer *answer, uint64_t timeout_ms)
+void problem_timeout(struct answer *answer, uint64_t timeout_ms)
 {
     problem_answer(answer, 504, "the work took longer than renderTimeoutMs, %" PRIu64 " ms", timeout_ms);
 }

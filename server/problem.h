@@ -27,6 +27,6 @@ void problem_busy(struct answer *answer, unsigned retry_after_s, const char *det
 void problem_memory(struct answer *answer, const struct zr_arena *arena, const struct zr_cost *cost);
 
 /* Reports a request that was cancelled after its time: 504. */
-void problem_late(struct answer *answer, uint64_t timeout_ms);
+void problem_timeout(struct answer *answer, uint64_t timeout_ms);
 
 #endif

@@ -271,7 +271,7 @@ enum request_next rendering_work(const struct service *service, const struct req
         return REQUEST_LARGE;
     case BODY_CANCELLED:
         if (request->small_only) return REQUEST_LARGE;
-        problem_late(answer, service->config->render_timeout_ms);
+        problem_timeout(answer, service->config->render_timeout_ms);
         return REQUEST_ANSWERED;
     }
     if (too_large(&r, unpacked.size > REQUEST_SMALL_BYTES)) return REQUEST_LARGE;
@@ -291,7 +291,7 @@ enum request_next rendering_work(const struct service *service, const struct req
     } else if (status == ZR_NO_MEMORY) {
         problem_memory(answer, arena, &r.cost);
     } else if (status == ZR_CANCELLED) {
-        problem_late(answer, service->config->render_timeout_ms);
+        problem_timeout(answer, service->config->render_timeout_ms);
     } else {
         if (status == ZR_BAD_TYPE) add_accepted_types(answer);
         problem_answer_error(answer, problem_http_status(status), &error);

@@ -8,8 +8,8 @@ struct corners {
 static struct corners corners_of(const struct zr_edge_faces *faces, uint32_t owner)
 {
     const struct zr_draw *draw = zr_draw_of(faces->geometry, owner - 1);
-    const struct zr_draw_attributes *surface = &faces->of_draw[draw - faces->geometry->draws];
-    const zr_vec4 *points = surface->attributes[ZR_ATTRIBUTE_POINT].values;
+    const struct zr_draw_attributes *of_draw = &faces->of_draw[draw - faces->geometry->draws];
+    const zr_vec4 *points = of_draw->attributes[ZR_ATTRIBUTE_POINT].values;
     struct corners out;
     for (uint32_t k = 0; k < 3; k++) {
         const zr_vec4 *p = &points[zr_draw_corner(draw, owner - 1 - draw->first, k)];

@@ -31,7 +31,7 @@ struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width,
 /* Sets the triangles that owner ids refer to, before the first tile: parts of one surface then have no silhouette
  * between them, for any normals. Both pointers must stay valid until zr_edges_finish returns. */
 void zr_edges_know_faces(struct zr_edge_marks *marks, const struct zr_geometry *geometry,
-                         const struct zr_scene_attributes *surfaces);
+                         const struct zr_scene_attributes *attributes);
 
 /* Marks the edges within tile `number`, and keeps its sides for zr_edges_finish. Several threads may mark different
  * tiles. */

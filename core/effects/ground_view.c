@@ -15,7 +15,7 @@ static struct plane plane_under(const struct zr_scene *scene, const struct zr_bo
     struct plane plane = {.middle = zr_vec3_scale(zr_vec3_add(min, max), 0.5f),
                           .x = {1, 0, 0},
                           .y = z_is_up ? (zr_vec3){0, 1, 0} : (zr_vec3){0, 0, -1},
-                          .up = zr_look_up(scene),
+                          .up = zr_scene_up(scene),
                           .height = z_is_up ? size.z : size.y};
     const float depth = z_is_up ? size.y : size.z, widest = size.x > depth ? size.x : depth;
     if (z_is_up)

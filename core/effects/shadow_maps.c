@@ -17,7 +17,7 @@ static void axes_across(zr_vec3 back, zr_vec3 *right, zr_vec3 *up)
 static zr_vec3 back_of(const struct zr_scene *scene, const struct zr_light *light, const struct zr_camera *camera,
                        const zr_mat4 *eye_to_world)
 {
-    const zr_vec3 along = zr_look_light_direction(scene, light, &camera->world_to_eye);
+    const zr_vec3 along = zr_light_direction(scene, light, &camera->world_to_eye);
     return zr_vec3_normalize(zr_vec3_scale(zr_mat4_direction(eye_to_world, along), -1.0f));
 }
 

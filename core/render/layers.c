@@ -134,7 +134,7 @@ static bool pass_all(const struct zr_tile_source *tiles, struct zr_layers *layer
             const bool any = at < count && !done[place];
             show(layers, place, any, any ? keys[at] : 0);
         }
-        zr_paint_of(tiles->isa)->opacity(tiles->geometry, tiles->surfaces, &layers->tile, layers->front[3]);
+        zr_paint_of(tiles->isa)->opacity(tiles->geometry, tiles->attributes, &layers->tile, layers->front[3]);
         pass_layer(tiles, layers, done, tile);
     }
     for (uint32_t place = 0; place < ZR_LAYER_FLOATS; place++)
@@ -181,7 +181,7 @@ static void begin_sum(const struct zr_tile_source *tiles, const struct zr_tile *
     float *const sum[4] = {layers->sum[0], layers->sum[1], layers->sum[2], layers->sum[3]};
     const float premultiplied[4] = {background.x * background.w, background.y * background.w,
                                     background.z * background.w, background.w};
-    zr_paint_of(tiles->isa)->floats(tiles->geometry, tiles->surfaces, tile, sum);
+    zr_paint_of(tiles->isa)->floats(tiles->geometry, tiles->attributes, tile, sum);
     for (int32_t y = 0; y < tile->height; y++)
         for (int32_t x = 0; x < tile->width; x++) {
             const uint32_t i = place_of(x, y);
@@ -200,7 +200,7 @@ static void add_layers(const struct zr_tile_source *tiles, const struct zr_cance
     const float *const shaded[4] = {front[0], front[1], front[2], front[3]};
     for (uint32_t depth = 0; depth < layers->most && !zr_is_cancelled(cancel); depth++) {
         zr_layers_show(layers, ZR_MUTANT(layers_front_first, depth, layers->most - 1 - depth));
-        paint->floats(tiles->geometry, tiles->surfaces, &layers->tile, front);
+        paint->floats(tiles->geometry, tiles->attributes, &layers->tile, front);
         paint->blend(&layers->tile, shaded, sum);
     }
 }

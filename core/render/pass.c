@@ -59,16 +59,17 @@ enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const 
     pass->visibility = NULL;
     STAGE(make_textures(arena, team, desc, cancel, &wants));
     STAGE(zr_geometry_build(arena, team, scene, desc->camera, &desc->window, cancel, !in_tiles, &pass->geometry));
-    STAGE(zr_scene_attributes_make(arena, team, scene, desc->camera, &pass->geometry, &wants, cancel, &pass->surfaces));
+    STAGE(
+        zr_scene_attributes_make(arena, team, scene, desc->camera, &pass->geometry, &wants, cancel, &pass->attributes));
     if (in_tiles && wants.colors)
-        STAGE(zr_paint_prepare(arena, team, &pass->geometry, &pass->surfaces, samples_in(&desc->window), &prepaints));
+        STAGE(zr_paint_prepare(arena, team, &pass->geometry, &pass->attributes, samples_in(&desc->window), &prepaints));
     if (status == ZR_OK) find_listed(&pass->geometry, &wants, listed);
     STAGE(zr_visibility_make(arena, team, &pass->geometry, scene->algorithm, prepaints, listed, desc->base, cancel,
                              &pass->visibility));
     pass->layers = (struct zr_layers_pool){.arena = arena, .lock = PTHREAD_MUTEX_INITIALIZER};
     pass->tiles = (struct zr_tile_source){.scene = scene,
                                           .geometry = &pass->geometry,
-                                          .surfaces = &pass->surfaces,
+                                          .attributes = &pass->attributes,
                                           .visibility = pass->visibility,
                                           .isa = zr_team_isa(team)};
     if (status != ZR_OK) return status;

@@ -11,7 +11,7 @@
 
 struct zr_pass {
     struct zr_geometry geometry;
-    struct zr_scene_attributes surfaces;
+    struct zr_scene_attributes attributes;
     const struct zr_visibility *visibility;
     struct zr_layers_pool layers;
     struct zr_tile_source tiles;

@@ -105,7 +105,7 @@ static void draw_gbuffer_range(void *context, size_t begin, size_t end)
             to.normal[k] += at;
             to.point[k] += at;
         }
-        paint->samples(&g->pass->geometry, &g->pass->surfaces, &tile, &to);
+        paint->samples(&g->pass->geometry, &g->pass->attributes, &tile, &to);
     }
 }
 
@@ -152,7 +152,7 @@ static enum zr_status draw_samples(const struct drawing *d, const struct zr_samp
     const struct zr_pass_desc desc = pass_at(d, side, true);
     enum zr_status status = ZR_OK;
     STAGE(zr_pass_make(d->arena, d->team, &desc, d->cancel, pass));
-    if (status == ZR_OK && stages->edges) zr_edges_know_faces(stages->edges, &pass->geometry, &pass->surfaces);
+    if (status == ZR_OK && stages->edges) zr_edges_know_faces(stages->edges, &pass->geometry, &pass->attributes);
     STAGE(zr_supersample_light(d->team, pass, stages, side, d->cancel, d->frame));
     if (status == ZR_OK) d->frame->counts = zr_pass_counts(pass);
     return status;

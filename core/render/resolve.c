@@ -115,7 +115,7 @@ static void normals_to_space(const zr_mat4 *world_to_eye, enum zr_space space, f
                                                         : 0.0f;
 }
 
-static void shade(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+static void shade(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                   const struct zr_paint *paint, uint32_t clear_value, const struct zr_tile *tile,
                   const struct zr_frame *frame)
 {
@@ -125,14 +125,14 @@ static void shade(const struct zr_geometry *geometry, const struct zr_scene_attr
         to.channels[c] = zr_resolve_rows(frame, tile, (enum zr_channel)c);
     if (base) to.behind = rows_in(frame, tile, (void *)(uintptr_t)base->color, 1);
     normals_to_space(&frame->camera.world_to_eye, zr_frame_space(frame, ZR_CHANNEL_NORMALS), to.normals_to_space);
-    paint->shade(geometry, surfaces, tile, &to);
+    paint->shade(geometry, attributes, tile, &to);
     const struct zr_pixel_rows *faces = &to.channels[ZR_CHANNEL_FACE_ID];
     for (int32_t y = 0; frame->face_id && base && y < tile->height; y++)
         for (int32_t x = 0; x < tile->width; x++)
             if (tile->owner[y * ZR_TILE_STRIDE + x] > 0) faces->first[y * faces->stride + x] += base->first_face_id - 1;
 }
 
-struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                                    enum zr_isa isa, const struct zr_scene *scene, struct zr_tile *tile,
                                    const struct zr_frame *frame)
 {
@@ -147,7 +147,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
         return resolved;
     }
     /* Depths come last: streaming stores delay the loads that follow (fills take 7 % longer). */
-    shade(geometry, surfaces, paint, clear_value, tile, frame);
+    shade(geometry, attributes, paint, clear_value, tile, frame);
     if (frame->window_depth) {
         const struct zr_pixel_rows rows = zr_resolve_rows(frame, tile, ZR_CHANNEL_WINDOW_DEPTH);
         paint->depths(tile, &rows);

@@ -20,7 +20,7 @@ struct zr_resolved {
 
 /* Writes the tile's part of each channel of `frame`, with the kernels of `isa`. Overwrites the tile's depths. Different
  * tiles may be resolved by different threads at once. */
-struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                                    enum zr_isa isa, const struct zr_scene *scene, struct zr_tile *tile,
                                    const struct zr_frame *frame);
 

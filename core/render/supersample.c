@@ -50,7 +50,7 @@ static void average_bytes(struct drawing *d, struct zr_tile *tile, struct zr_lay
     else if (tile->is_empty)
         d->paint->fill(&to.channels[ZR_CHANNEL_COLOR], tile->width, tile->height, d->background);
     else
-        d->paint->shade(&d->pass->geometry, &d->pass->surfaces, tile, &to);
+        d->paint->shade(&d->pass->geometry, &d->pass->attributes, tile, &to);
     for (uint32_t y = 0; y < place.height; y++) {
         const size_t row = d->frame->height - 1 - (place.y + y);
         uint32_t *out = (uint32_t *)(void *)d->frame->color + row * d->frame->width + place.x;
@@ -131,12 +131,12 @@ static void blend_light(const struct drawing *d, struct zr_layers *blended, stru
     float *const color[3] = {blended->front[0], blended->front[1], blended->front[2]};
     const float *const front[4] = {color[0], color[1], color[2], blended->front[3]};
     float *const sum[4] = {blended->sum[0], blended->sum[1], blended->sum[2], blended->sum[3]};
-    const struct zr_gbuffer samples = gbuffer_of(lit, layer, d->pass->surfaces.textures.of != NULL);
+    const struct zr_gbuffer samples = gbuffer_of(lit, layer, d->pass->attributes.textures.of != NULL);
     for (uint32_t depth = 0; depth < blended->most && !zr_is_cancelled(d->cancel); depth++) {
         zr_layers_show(blended, depth);
-        d->paint->opacity(&d->pass->geometry, &d->pass->surfaces, layer, blended->front[3]);
-        d->paint->samples(&d->pass->geometry, &d->pass->surfaces, layer, &samples);
-        zr_look_light_of(d->isa)(d->stages->lighting, &samples, NULL, color);
+        d->paint->opacity(&d->pass->geometry, &d->pass->attributes, layer, blended->front[3]);
+        d->paint->samples(&d->pass->geometry, &d->pass->attributes, layer, &samples);
+        zr_linear_light_of(d->isa)(d->stages->lighting, &samples, NULL, color);
         if (d->stages->has_xrays) zr_xray_of(d->isa)(d->stages->lighting, &samples, blended->front[3]);
         d->paint->blend(layer, front, sum);
     }
@@ -183,12 +183,12 @@ static uint32_t light_tile(const struct drawing *d, uint32_t number, const struc
         if (stages->edges) zr_edges_mark_empty(stages->edges, number);
         return 0;
     }
-    const struct zr_gbuffer samples = gbuffer_of(lit, tile, d->pass->surfaces.textures.of != NULL);
-    d->paint->samples(&d->pass->geometry, &d->pass->surfaces, tile, &samples);
+    const struct zr_gbuffer samples = gbuffer_of(lit, tile, d->pass->attributes.textures.of != NULL);
+    d->paint->samples(&d->pass->geometry, &d->pass->attributes, tile, &samples);
     if (stages->occlusion)
         zr_occlusion_samples_of(d->isa)(stages->occlusion, &samples, d->side, tile->x, tile->y, lit->occlusion);
     float *const color[3] = {lit->color[0], lit->color[1], lit->color[2]};
-    zr_look_light_of(d->isa)(stages->lighting, &samples, stages->occlusion ? lit->occlusion : NULL, color);
+    zr_linear_light_of(d->isa)(stages->lighting, &samples, stages->occlusion ? lit->occlusion : NULL, color);
     if (stages->edges) zr_edges_mark_tile(stages->edges, d->isa, number, &samples);
     if (blended) return light_layers(d, tile, &place, blended, lit);
     average_light(d, &place, lit);

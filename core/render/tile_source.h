@@ -10,7 +10,7 @@ struct zr_layers_pool; /* layers.h */
 struct zr_tile_source {
     const struct zr_scene *scene;
     const struct zr_geometry *geometry;
-    const struct zr_scene_attributes *surfaces;
+    const struct zr_scene_attributes *attributes;
     const struct zr_visibility *visibility;
     enum zr_isa isa;
 

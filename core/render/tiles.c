@@ -50,7 +50,7 @@ static bool draw_tile(const struct drawing *d, uint32_t number, struct zr_tile *
         !zr_layers_blend(from, number, d->cancel, tile, true, &blended))
         return false;
     if (blended) frame.color = NULL; /* zr_layers_put writes it, from the same values */
-    *resolved = zr_resolve_tile(from->geometry, from->surfaces, d->isa, from->scene, tile, &frame);
+    *resolved = zr_resolve_tile(from->geometry, from->attributes, d->isa, from->scene, tile, &frame);
     if (!blended) return true;
     const struct zr_pixel_rows colors = zr_resolve_rows(d->frame, tile, ZR_CHANNEL_COLOR);
     resolved->covered += zr_layers_put(from, blended, tile, &colors);

@@ -4,7 +4,7 @@
 
 #include "base/rgba_simd.h"
 #include "raster/tile_simd.h"
-#include "shade/late_simd.h"
+#include "shade/per_pixel_simd.h"
 
 /* ---- pixels ---- */
 
@@ -26,13 +26,13 @@ static inline zr_vi zr_words_at(const struct zr_shader *s, uint32_t first, uint3
 /* Returns the words of samples whose parts have planes. */
 ZR_INLINED zr_vi zr_planes_at(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask)
 {
-    if (!(mask & ZR_VARY_LATE))
+    if (!(mask & ZR_VARY_PER_PIXEL))
         return zr_color_over_w(
             zr_shaded_value(in->planes, 0, in->x, in->y), zr_shaded_value(in->planes, 1, in->x, in->y),
             zr_shaded_value(in->planes, 2, in->x, in->y), zr_shaded_value(in->planes, 3, in->x, in->y));
     struct zr_vec3_v color =
         zr_varying3(in, zr_first_plane(mask, ZR_VARY_COLOR), zr_color_w(s, in, mask, zr_varying_w(in)));
-    if (s->any_late) zr_shade_late(s, in, mask, &color, NULL);
+    if (s->any_per_pixel) zr_shade_per_pixel(s, in, mask, &color, NULL);
     return zr_rgba_opaque_v(color.x, color.y, color.z);
 }
 
@@ -142,7 +142,7 @@ static inline void zr_store_smooth(const struct zr_store *to, int block, const f
 }
 
 /* Stores a block of one part that is shaded per pixel. */
-ZR_INLINED void zr_store_late(const struct zr_shader *s, int block, unsigned mask, const struct zr_store *to)
+ZR_INLINED void zr_store_per_pixel(const struct zr_shader *s, int block, unsigned mask, const struct zr_store *to)
 {
     const uint32_t part = s->parts.blocks[block].first;
     const zr_vi owner = zr_vi_set((int32_t)s->parts.owners[part]);
@@ -164,8 +164,8 @@ ZR_INLINED void zr_store_whole_block(const struct zr_shader *s, int block, unsig
     const uint32_t part = s->parts.blocks[block].first;
     if (!s->has_planes[part])
         zr_store_alike(to, block, zr_vi_set((int32_t)s->words[part]));
-    else if (mask & ZR_VARY_LATE && s->materials[part])
-        zr_store_late(s, block, mask, to);
+    else if (mask & ZR_VARY_PER_PIXEL && s->materials[part])
+        zr_store_per_pixel(s, block, mask, to);
     else
         zr_store_smooth(to, block, &s->planes[part * (uint32_t)zr_plane_count(mask)]);
 }

@@ -30,7 +30,7 @@ static inline bool zr_material_is_lit_before(const struct zr_material *material)
 }
 
 /* Returns true if the material is shaded per pixel, other than in linear light. */
-static inline bool zr_material_is_shaded_late(const struct zr_material *material)
+static inline bool zr_material_is_per_pixel(const struct zr_material *material)
 {
     return zr_shading_is_at(material->shading, ZR_SHADED_PER_PIXEL) && !zr_shading_is_linear(material->shading);
 }

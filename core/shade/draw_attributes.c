@@ -145,46 +145,46 @@ static bool find_line_colors(struct making *m)
     return true;
 }
 
-static bool color_lines(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *surface)
+static bool color_lines(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
 {
-    struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
+    struct zr_attribute *color = &of_draw->attributes[ZR_ATTRIBUTE_COLOR];
     if (m->mesh->colors) {
         if (!find_line_colors(m)) return false;
         *color = (struct zr_attribute){ZR_RATE_VERTEX, m->line_colors};
     } else {
         *color = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->base_color};
     }
-    surface->color_count = 1;
+    of_draw->color_count = 1;
     return true;
 }
 
-static bool color_faces(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *surface)
+static bool color_faces(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
 {
-    struct zr_attribute *attributes = surface->attributes;
+    struct zr_attribute *attributes = of_draw->attributes;
     const struct zr_colors *colors = &m->mesh_colors;
     if (m->wants->samples && !m->mesh->colors && !m->mesh->face_colors) {
         attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->base_color};
-        surface->color_count = 1;
+        of_draw->color_count = 1;
         return true;
     }
     if (!find_mesh_colors(m)) return false;
     enum zr_rate rate = colors->rate;
     if (rate == ZR_RATE_CORNER && !zr_material_is_smooth(m->mesh, draw->material)) rate = ZR_RATE_FIRST_CORNER;
     attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){rate, colors->front};
-    surface->packed = colors->packed;
-    surface->color_count = colors->count;
-    surface->two_sided_colors = colors->two_sided_colors && draw->material->double_sided;
-    if (surface->two_sided_colors) attributes[ZR_ATTRIBUTE_BACK_COLOR] = (struct zr_attribute){rate, colors->back};
+    of_draw->packed = colors->packed;
+    of_draw->color_count = colors->count;
+    of_draw->two_sided_colors = colors->two_sided_colors && draw->material->double_sided;
+    if (of_draw->two_sided_colors) attributes[ZR_ATTRIBUTE_BACK_COLOR] = (struct zr_attribute){rate, colors->back};
     return true;
 }
 
-static bool color(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *surface)
+static bool color(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
 {
-    if (draw->kind == ZR_DRAW_LINES || draw->kind == ZR_DRAW_POINTS) return color_lines(m, draw, surface);
+    if (draw->kind == ZR_DRAW_LINES || draw->kind == ZR_DRAW_POINTS) return color_lines(m, draw, of_draw);
     if (draw->kind != ZR_DRAW_OUTLINES || draw->material->outline != ZR_OUTLINE_COLORED)
-        return color_faces(m, draw, surface);
-    surface->attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->outline_color};
-    surface->color_count = 1;
+        return color_faces(m, draw, of_draw);
+    of_draw->attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->outline_color};
+    of_draw->color_count = 1;
     return true;
 }
 
@@ -312,23 +312,23 @@ static bool find_tangents(struct making *m, struct zr_attribute *out)
 
 /* ---- all ---- */
 
-static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *surface)
+static bool make_of_draw(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
 {
-    surface->draw = draw;
-    surface->material = (uint32_t)(draw->material - m->scene->materials);
-    if (m->colors && !color(m, draw, surface)) return false;
+    of_draw->draw = draw;
+    of_draw->material = (uint32_t)(draw->material - m->scene->materials);
+    if (m->colors && !color(m, draw, of_draw)) return false;
     const bool of_wires = zr_draw_is_of_wires(draw);
-    const bool by_normals = m->colors && !of_wires && zr_material_is_shaded_late(draw->material);
+    const bool by_normals = m->colors && !of_wires && zr_material_is_per_pixel(draw->material);
     const bool textured = is_textured(m, draw);
-    surface->is_per_pixel = by_normals || textured || (m->colors && m->out->fog.is_on);
-    if (textured && !find_texcoords(m, draw, &surface->attributes[ZR_ATTRIBUTE_TEXCOORD])) return false;
+    of_draw->is_per_pixel = by_normals || textured || (m->colors && m->out->fog.is_on);
+    if (textured && !find_texcoords(m, draw, &of_draw->attributes[ZR_ATTRIBUTE_TEXCOORD])) return false;
     if (textured && m->wants->samples && draw->material->textures[ZR_TEXTURE_NORMAL] &&
-        !find_tangents(m, &surface->attributes[ZR_ATTRIBUTE_TANGENT]))
+        !find_tangents(m, &of_draw->attributes[ZR_ATTRIBUTE_TANGENT]))
         return false;
-    if (surface->is_per_pixel || m->wants->samples)
-        surface->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
+    if (of_draw->is_per_pixel || m->wants->samples)
+        of_draw->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
     return of_wires || !(by_normals || m->wants->normals || m->wants->samples) ||
-           find_normals(m, draw, &surface->attributes[ZR_ATTRIBUTE_NORMAL]);
+           find_normals(m, draw, &of_draw->attributes[ZR_ATTRIBUTE_NORMAL]);
 }
 
 static void look_at_scene(struct making *m)
@@ -336,11 +336,11 @@ static void look_at_scene(struct making *m)
     if (m->wants->colors) m->out->fog = m->scene->fog;
     if (m->colors) m->out->textures = m->wants->textures;
     m->out->texcoords_as_given = m->wants->samples;
-    m->out->any_late = m->out->fog.is_on;
+    m->out->any_per_pixel = m->out->fog.is_on;
     for (uint32_t i = 0; m->wants->colors && i < m->scene->material_count; i++) {
         const struct zr_material *material = &m->scene->materials[i];
         m->out->any_textured |= m->out->textures.of && material->textures[ZR_TEXTURE_BASE_COLOR] > 0;
-        m->out->any_late |= zr_material_is_shaded_late(material) || m->out->any_textured;
+        m->out->any_per_pixel |= zr_material_is_per_pixel(material) || m->out->any_textured;
         m->backs |= material->double_sided && zr_material_is_lit_before(material);
     }
 }
@@ -361,30 +361,30 @@ static struct zr_attribute_wants with_masks(const struct zr_scene *scene, const 
 enum zr_status zr_scene_attributes_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                         const struct zr_camera *camera, const struct zr_geometry *geometry,
                                         const struct zr_attribute_wants *wants, const struct zr_cancel *cancel,
-                                        struct zr_scene_attributes *surfaces)
+                                        struct zr_scene_attributes *attributes)
 {
     struct making m = {.arena = arena,
                        .team = team,
                        .cancel = cancel,
                        .scene = scene,
                        .geometry = geometry,
-                       .out = surfaces,
+                       .out = attributes,
                        .vertex_normals = zr_arena_zero(arena, scene->mesh_count, sizeof *m.vertex_normals)};
     const struct zr_attribute_wants all = with_masks(scene, wants, &m.any_see_through);
     m.wants = &all;
     m.colors = all.colors || all.samples;
-    *surfaces = (struct zr_scene_attributes){.eye = zr_camera_eye(camera)};
-    surfaces->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *surfaces->of_draw);
+    *attributes = (struct zr_scene_attributes){.eye = zr_camera_eye(camera)};
+    attributes->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *attributes->of_draw);
     if (wants->samples)
-        surfaces->lighting.is_per_pixel = true;
+        attributes->lighting.is_per_pixel = true;
     else
-        surfaces->lighting = zr_lights_make(arena, scene, camera);
+        attributes->lighting = zr_lights_make(arena, scene, camera);
     look_at_scene(&m);
-    if (!zr_arena_ok(arena) || ((surfaces->any_late || wants->samples) && !make_points(&m))) return ZR_NO_MEMORY;
+    if (!zr_arena_ok(arena) || ((attributes->any_per_pixel || wants->samples) && !make_points(&m))) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < geometry->draw_count; i++) {
         const struct zr_draw *draw = &geometry->draws[i];
         if (m.instance != &geometry->instances[draw->instance]) begin_instance(&m, draw->instance);
-        if (!make_surface(&m, draw, &surfaces->of_draw[i])) return ZR_NO_MEMORY;
+        if (!make_of_draw(&m, draw, &attributes->of_draw[i])) return ZR_NO_MEMORY;
         if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
     }
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;

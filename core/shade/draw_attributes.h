@@ -34,7 +34,7 @@ struct zr_draw_attributes {
     uint32_t color_count;   /* front colours, without those of clipped vertices */
     uint32_t material;      /* number in the scene */
     bool two_sided_colors;  /* backs are drawn in colours of their own */
-    bool is_per_pixel;      /* shaded per pixel: zr_material_is_shaded_late, fog or textures */
+    bool is_per_pixel;      /* shaded per pixel: zr_material_is_per_pixel, fog or textures */
     const uint32_t *backs;  /* bits of zr_prepaint.backs, which binning fills in (zr_paint_prepare); NULL: none */
 };
 
@@ -53,7 +53,7 @@ struct zr_attribute_wants {
 
 struct zr_scene_attributes {
     struct zr_draw_attributes *of_draw; /* one per draw */
-    bool any_late, any_textured;
+    bool any_per_pixel, any_textured;
     bool texcoords_as_given; /* G-buffer: texcoords are the mesh's own; else coordinates in the base colour's image */
     struct zr_texture_maps textures;
     struct zr_fog fog;
@@ -61,16 +61,16 @@ struct zr_scene_attributes {
     struct zr_lights lighting;
 };
 
-/* Makes the attributes with the team's threads and instruction set. *surfaces points into the arena, to the scene and
+/* Makes the attributes with the team's threads and instruction set. *attributes points into the arena, to the scene and
  * to the geometry. Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_scene_attributes_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                         const struct zr_camera *camera, const struct zr_geometry *geometry,
                                         const struct zr_attribute_wants *wants, const struct zr_cancel *cancel,
-                                        struct zr_scene_attributes *surfaces);
+                                        struct zr_scene_attributes *attributes);
 
-static inline bool zr_draw_is_smooth(const struct zr_draw_attributes *surface)
+static inline bool zr_draw_is_smooth(const struct zr_draw_attributes *of_draw)
 {
-    const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
+    const struct zr_attribute *color = &of_draw->attributes[ZR_ATTRIBUTE_COLOR];
     return color->values && !zr_rate_is_flat(color->rate);
 }
 

@@ -21,8 +21,8 @@ void ZR_KERNEL(zr_early)(const struct zr_prepaint *prepaint, const uint32_t *num
                          uint32_t count, uint32_t *words)
 {
     const struct zr_draw *draw = prepaint->draw;
-    const struct zr_draw_attributes *surface = prepaint->context;
-    const struct zr_attribute color = surface->attributes[ZR_ATTRIBUTE_COLOR];
+    const struct zr_draw_attributes *of_draw = prepaint->context;
+    const struct zr_attribute color = of_draw->attributes[ZR_ATTRIBUTE_COLOR];
     struct zr_corner_v v[3];
     struct zr_vec3_v c[3];
     zr_vf opacity[3];

@@ -33,21 +33,21 @@ struct zr_tile_targets {
 };
 
 struct zr_paint {
-    void (*shade)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+    void (*shade)(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                   const struct zr_tile *tile, const struct zr_tile_targets *to);
 
     /* Writes the G-buffer of a tile whose blocks are all written. The tile's first sample is at the first of `to`. Up
      * to 15 values beyond its width and 7 rows beyond its height may be written. */
-    void (*samples)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+    void (*samples)(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                     const struct zr_tile *tile, const struct zr_gbuffer *to);
 
     /* Writes red, green, blue and opacity of a tile's samples, 0..1, in rows of ZR_TILE_STRIDE; uncovered samples get
      * 0. All blocks of the tile are written. */
-    void (*floats)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+    void (*floats)(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                    const struct zr_tile *tile, float *const out[4]);
 
     /* Writes the opacity alone. */
-    void (*opacity)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+    void (*opacity)(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                     const struct zr_tile *tile, float *out);
 
     /* Blends `front` over `to` in covered samples, in rows of ZR_TILE_STRIDE. Both have an opacity; `to` is
@@ -76,9 +76,9 @@ struct zr_paint {
 };
 
 /* Types of zr_paint.floats and zr_paint.opacity. */
-typedef void zr_paint_floats_fn(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+typedef void zr_paint_floats_fn(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                                 const struct zr_tile *tile, float *const out[4]);
-typedef void zr_paint_opacity_fn(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+typedef void zr_paint_opacity_fn(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                                  const struct zr_tile *tile, float *out);
 
 ZR_KERNEL_TABLE(zr_paint_floats_fn, zr_paint_floats)
@@ -91,17 +91,17 @@ ZR_KERNEL_TABLE(const struct zr_paint, zr_paint)
  * their neighbours in the mesh; later, each pixel loads its own (a tenth of the time of a million smooth triangles).
  * Triangles just set up would also be set up again (a quarter of the bunny's time at 512x512). Flat triangles cost the
  * same either way, and with backs drawn, half of the colours would be hidden. */
-static inline bool zr_draw_is_painted_early(const struct zr_draw_attributes *surface)
+static inline bool zr_draw_is_painted_early(const struct zr_draw_attributes *of_draw)
 {
-    return zr_draw_is_plain(surface->draw) && !zr_draw_is_see_through(surface->draw) && zr_draw_is_smooth(surface) &&
-           !surface->is_per_pixel && !surface->draw->material->double_sided;
+    return zr_draw_is_plain(of_draw->draw) && !zr_draw_is_see_through(of_draw->draw) && zr_draw_is_smooth(of_draw) &&
+           !of_draw->is_per_pixel && !of_draw->draw->material->double_sided;
 }
 
 /* Makes the zr_prepaint of each draw for raster/: early painting, the bits of backs, the first address to prefetch.
  * Also packs the colours of flat draws with few colours per pixel, which replaces three look-ups by one (0.2 ms of the
  * bunny at 1920x1080). Returns ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                                struct zr_scene_attributes *surfaces, uint64_t pixels,
+                                struct zr_scene_attributes *attributes, uint64_t pixels,
                                 const struct zr_prepaint **prepaints);
 
 #endif

@@ -17,16 +17,16 @@ static void shade_parts(struct zr_shader *s, const struct zr_tile *tile, const s
 
 /* Shades a tile. With early colours, the parts of color leave out their pixels, so other channels find parts of their
  * own. */
-static void shade(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+static void shade(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                   const struct zr_tile *tile, const struct zr_tile_targets *to)
 {
     struct zr_shader s;
     const bool together = !tile->has_early_color, colors = to->channels[ZR_CHANNEL_COLOR].first,
                others = zr_wants_parts(to);
     s.geometry = geometry;
-    s.surfaces = surfaces;
+    s.attributes = attributes;
     s.draw = &geometry->draws[0];
-    s.model = zr_model_context_of(&surfaces->lighting, surfaces->eye, &surfaces->fog);
+    s.model = zr_model_context_of(&attributes->lighting, attributes->eye, &attributes->fog);
     shade_parts(&s, tile, to, colors, others && together);
     if (!together) shade_parts(&s, tile, to, false, others);
     zr_shade_channels_of_words(&s, tile, to);
@@ -105,7 +105,7 @@ static void owner_words(const struct zr_tile *tile, const struct zr_pixel_rows *
     }
 }
 
-static void samples(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+static void samples(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                     const struct zr_tile *tile, const struct zr_gbuffer *to)
 {
     struct zr_shader s;
@@ -117,7 +117,7 @@ static void samples(const struct zr_geometry *geometry, const struct zr_scene_at
         return;
     }
     s.geometry = geometry;
-    s.surfaces = surfaces;
+    s.attributes = attributes;
     s.draw = &geometry->draws[0];
     for (int begin = 0, end; begin < all; begin = end) {
         end = zr_find_parts(&s, tile, begin, false);

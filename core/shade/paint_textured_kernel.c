@@ -11,6 +11,6 @@ void ZR_KERNEL(zr_sample_textures)(struct zr_shader *s, const struct zr_tile *ti
                                    const struct zr_gbuffer *to)
 {
     const struct zr_varying_rows rows = zr_texture_rows_of(to);
-    zr_varyings_fill(s, tile, begin, end, ZR_VARY_TEXCOORDS | ZR_VARY_TANGENT | ZR_VARY_LATE, zr_make_textures, to,
+    zr_varyings_fill(s, tile, begin, end, ZR_VARY_TEXCOORDS | ZR_VARY_TANGENT | ZR_VARY_PER_PIXEL, zr_make_textures, to,
                      ZR_TEXTURE_VALUES, &rows);
 }

@@ -182,10 +182,10 @@ ZR_INLINED struct zr_triangle_setup_v zr_way_of(const struct zr_window_vertex *v
 /* ---- colours ---- */
 
 /* Loads the colours of the visible sides; a bit of `backs` per lane. */
-ZR_INLINED void zr_colors_load(const struct zr_draw_attributes *surface, const int32_t (*numbers)[ZR_LANES],
+ZR_INLINED void zr_colors_load(const struct zr_draw_attributes *of_draw, const int32_t (*numbers)[ZR_LANES],
                                uint32_t backs, struct zr_vec3_v c[3], zr_vf opacity[3])
 {
-    const struct zr_attribute *attributes = surface->attributes;
+    const struct zr_attribute *attributes = of_draw->attributes;
     const zr_vec4 *const of_side[2] = {attributes[ZR_ATTRIBUTE_COLOR].values,
                                        attributes[ZR_ATTRIBUTE_BACK_COLOR].values};
 #define ZR_COLOR(i, k) (&of_side[(backs >> (i)) & 1u][numbers[k][i]].x)
@@ -209,12 +209,12 @@ static inline zr_vi zr_color_over_w(zr_vf oow, zr_vf red, zr_vf green, zr_vf blu
 /* ---- normals ---- */
 
 /* Loads the normals of the visible sides of a draw's triangles. */
-ZR_INLINED void zr_normals_load(const struct zr_draw_attributes *surface, zr_vi numbers, zr_vm turned,
+ZR_INLINED void zr_normals_load(const struct zr_draw_attributes *of_draw, zr_vi numbers, zr_vm turned,
                                 const struct zr_corner_numbers *corners, struct zr_vec3_v c[3])
 {
-    const struct zr_attribute *normal = &surface->attributes[ZR_ATTRIBUTE_NORMAL];
-    const struct zr_corner_numbers own = zr_corners_at_rate(surface->draw, normal->rate, numbers, corners);
-    const zr_vm backs = zr_shown_backs(surface->draw, numbers, turned);
+    const struct zr_attribute *normal = &of_draw->attributes[ZR_ATTRIBUTE_NORMAL];
+    const struct zr_corner_numbers own = zr_corners_at_rate(of_draw->draw, normal->rate, numbers, corners);
+    const zr_vm backs = zr_shown_backs(of_draw->draw, numbers, turned);
     const zr_vf one = zr_vf_set(1.0f);
     const zr_vf sign = zr_vf_select(backs, ZR_MUTANT(backs_keep_normals, zr_vf_set(-1.0f), one), one);
     zr_vf last[3];

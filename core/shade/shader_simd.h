@@ -13,7 +13,7 @@
 /* Up to ZR_LANES consecutive parts of one draw. */
 struct zr_run {
     const struct zr_draw *draw;
-    const struct zr_draw_attributes *surface;
+    const struct zr_draw_attributes *of_draw;
     uint32_t first, count;
 };
 
@@ -21,7 +21,7 @@ struct zr_run {
  * pixels and belongs to no run. */
 struct zr_shader {
     const struct zr_geometry *geometry;
-    const struct zr_scene_attributes *surfaces;
+    const struct zr_scene_attributes *attributes;
     const struct zr_draw *draw; /* draw of the last run; the first one initially */
     struct zr_parts parts;
     uint32_t run_count;
@@ -31,7 +31,7 @@ struct zr_shader {
     bool is_constant[ZR_PARTS_ROOM]; /* with fog or textures: the colour's planes are constants, not over w */
     uint32_t words[ZR_PARTS_ROOM];
     const struct zr_material *materials[ZR_PARTS_ROOM]; /* of parts shaded per pixel, else NULL; unset if no part is */
-    bool any_late;
+    bool any_per_pixel;
     struct zr_model_context model;
     /* Planes of 1/w and of each value, part after part. */
     float planes[ZR_PARTS_ROOM * ZR_PLANES_MOST][4]; /* a0, dadx, dady */
@@ -47,7 +47,7 @@ void ZR_KERNEL(zr_sample_textures)(struct zr_shader *s, const struct zr_tile *ti
 static inline const struct zr_draw_attributes *zr_attributes_of_draw(const struct zr_shader *s,
                                                                      const struct zr_draw *draw)
 {
-    return &s->surfaces->of_draw[draw - s->geometry->draws];
+    return &s->attributes->of_draw[draw - s->geometry->draws];
 }
 
 /* ---- runs of parts ---- */

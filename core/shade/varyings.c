@@ -13,27 +13,27 @@ struct line_colors {
     const zr_vec4 *values;
 };
 
-static struct line_colors line_colors_of(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
+static struct line_colors line_colors_of(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw,
                                          uint32_t number)
 {
-    const struct zr_draw *draw = surface->draw;
+    const struct zr_draw *draw = of_draw->draw;
     const struct zr_triangle line = zr_triangle_of(geometry, draw, number);
-    const bool back = surface->two_sided_colors && line.back, smooth = zr_draw_is_smooth(surface);
-    const enum zr_rate rate = surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
+    const bool back = of_draw->two_sided_colors && line.back, smooth = zr_draw_is_smooth(of_draw);
+    const enum zr_rate rate = of_draw->attributes[ZR_ATTRIBUTE_COLOR].rate;
     const uint32_t t = number - draw->first;
     const uint32_t n0 = smooth ? zr_smooth_number(draw, rate, t, 0) : zr_flat_number(draw, rate, t);
     const uint32_t n1 = smooth ? zr_smooth_number(draw, rate, t, 1) : n0;
     return (struct line_colors){
-        line, back, {n0, n1}, surface->attributes[back ? ZR_ATTRIBUTE_BACK_COLOR : ZR_ATTRIBUTE_COLOR].values};
+        line, back, {n0, n1}, of_draw->attributes[back ? ZR_ATTRIBUTE_BACK_COLOR : ZR_ATTRIBUTE_COLOR].values};
 }
 
-bool zr_line_color(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
+bool zr_line_color(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw, uint32_t number,
                    uint32_t *color)
 {
-    const struct line_colors colors = line_colors_of(geometry, surface, number);
+    const struct line_colors colors = line_colors_of(geometry, of_draw, number);
     const uint32_t n = colors.ends[0];
     if (n != colors.ends[1]) return false;
-    *color = surface->packed ? surface->packed[colors.back ? surface->color_count + n : n]
+    *color = of_draw->packed ? of_draw->packed[colors.back ? of_draw->color_count + n : n]
                              : zr_rgba_opaque(colors.values[n]);
     return true;
 }
@@ -64,14 +64,14 @@ static void put_w(const struct ends *ends, bool constant, struct zr_plane *out)
     *out = constant ? (struct zr_plane){from, 0, 0} : plane_of(ends, from, ends->values[1]->w);
 }
 
-bool zr_line_planes(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
+bool zr_line_planes(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw, uint32_t number,
                     unsigned mask, struct zr_plane planes[ZR_PLANES_MOST])
 {
-    const struct zr_draw *draw = surface->draw;
-    const struct line_colors colors = line_colors_of(geometry, surface, number);
+    const struct zr_draw *draw = of_draw->draw;
+    const struct line_colors colors = line_colors_of(geometry, of_draw, number);
     const struct zr_window_vertex *v0 = &geometry->vertices[colors.line.v[0]],
                                   *v1 = &geometry->vertices[colors.line.v[1]];
-    const zr_vec4 *points = surface->attributes[ZR_ATTRIBUTE_POINT].values;
+    const zr_vec4 *points = of_draw->attributes[ZR_ATTRIBUTE_POINT].values;
     const bool has_colors = mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY);
     const bool constant = !(mask & ZR_VARY_OVER_W) && !(has_colors && colors.ends[0] != colors.ends[1]);
     struct ends ends = {zr_line_basis_make(v0, v1), {v0->oow, v1->oow}, {NULL, NULL}};

@@ -21,7 +21,7 @@ enum {
 
     /* Groups other than colour and opacity are made only for primitives that need them: those shaded per pixel, or,
      * with ZR_VARY_TEXCOORDS, those with textures. */
-    ZR_VARY_LATE = 1 << 8,
+    ZR_VARY_PER_PIXEL = 1 << 8,
     /* Constant values get planes over w, too. Otherwise their planes are constants, not to be multiplied with w; 1/w is
      * then 1 if the set has no other groups. */
     ZR_VARY_OVER_W = 1 << 9,
@@ -40,31 +40,31 @@ static inline int zr_first_plane(unsigned mask, unsigned group)
 
 static inline int zr_plane_count(unsigned mask)
 {
-    return zr_first_plane(mask, ZR_VARY_LATE);
+    return zr_first_plane(mask, ZR_VARY_PER_PIXEL);
 }
 
 /* Returns true if colours may be constants beside groups over w. Sets of phong alone, which end as bytes, are
  * excluded. */
 static inline bool zr_mixes_constants(unsigned mask)
 {
-    return mask & ZR_VARY_LATE && mask & (ZR_VARY_DEPTH | ZR_VARY_PLACE | ZR_VARY_OPACITY);
+    return mask & ZR_VARY_PER_PIXEL && mask & (ZR_VARY_DEPTH | ZR_VARY_PLACE | ZR_VARY_OPACITY);
 }
 
 /* Returns true if 1/w is 1 for sets of constant values. */
 static inline bool zr_may_lack_w(unsigned mask)
 {
-    return !(mask & (ZR_VARY_LATE | ZR_VARY_OVER_W));
+    return !(mask & (ZR_VARY_PER_PIXEL | ZR_VARY_OVER_W));
 }
 
 /* ---- lines and points ---- */
 
 /* Returns true if primitive `number` has one constant colour, and writes it to `color`, as bytes. */
-bool zr_line_color(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
+bool zr_line_color(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw, uint32_t number,
                    uint32_t *color);
 
 /* Makes the set's planes. The set lacks ZR_VARY_TEXCOORDS; normals and texture places are 0. Returns true if colour and
  * opacity are constants. */
-bool zr_line_planes(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
+bool zr_line_planes(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw, uint32_t number,
                     unsigned mask, struct zr_plane planes[ZR_PLANES_MOST]);
 
 #endif

@@ -40,14 +40,14 @@ ZR_INLINED void zr_put_three(struct zr_shader *s, const struct zr_run *run, unsi
 ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
 {
-    const struct zr_draw_attributes *surface = run->surface;
-    const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
+    const struct zr_draw_attributes *of_draw = run->of_draw;
+    const struct zr_attribute *color = &of_draw->attributes[ZR_ATTRIBUTE_COLOR];
     const bool flat = zr_rate_is_flat(color->rate);
     struct zr_vec3_v c[3];
     zr_vf opacity[3];
     uint32_t backs = 0;
-    if (surface->two_sided_colors) backs = zr_vm_bits(zr_shown_backs(run->draw, zr_run_numbers(s, run), way->turned));
-    zr_colors_load(surface, corners->value, backs, c, opacity);
+    if (of_draw->two_sided_colors) backs = zr_vm_bits(zr_shown_backs(run->draw, zr_run_numbers(s, run), way->turned));
+    zr_colors_load(of_draw, corners->value, backs, c, opacity);
     if (mask & ZR_VARY_COLOR) zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_COLOR), way, c, flat);
     if (mask & ZR_VARY_OPACITY) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_OPACITY), way, opacity, flat);
     if (zr_mixes_constants(mask)) memset(s->is_constant + run->first, flat, ZR_LANES);
@@ -57,19 +57,19 @@ ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, uns
 ZR_INLINED void zr_put_normals(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                                const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
 {
-    const struct zr_attribute *normal = &run->surface->attributes[ZR_ATTRIBUTE_NORMAL];
+    const struct zr_attribute *normal = &run->of_draw->attributes[ZR_ATTRIBUTE_NORMAL];
     const struct zr_vec3_v none = zr_spread_v((zr_vec3){0.0f, 0.0f, 0.0f});
     struct zr_vec3_v n[3] = {none, none, none};
-    if (normal->values) zr_normals_load(run->surface, zr_run_numbers(s, run), way->turned, corners, n);
+    if (normal->values) zr_normals_load(run->of_draw, zr_run_numbers(s, run), way->turned, corners, n);
     zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_NORMAL), way, n,
-                 !(mask & ZR_VARY_LATE) && zr_rate_is_flat(normal->rate));
+                 !(mask & ZR_VARY_PER_PIXEL) && zr_rate_is_flat(normal->rate));
 }
 
 /* Makes the groups POINT and DEPTH. */
 ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
 {
-    const zr_vec4 *points = run->surface->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex;
+    const zr_vec4 *points = run->of_draw->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex;
     struct zr_vec3_v p[3];
     zr_vf depth[3];
     zr_values_load(points, corners->vertex, p, depth);
@@ -81,12 +81,12 @@ ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_run *run, uns
 ZR_INLINED void zr_put_places(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
 {
-    const struct zr_texture_map *alpha = zr_opacity_map_of(&s->surfaces->textures, run->draw->material);
+    const struct zr_texture_map *alpha = zr_opacity_map_of(&s->attributes->textures, run->draw->material);
     zr_vf c[3][4], places[2][3];
     zr_texcoords_load(run, corners->vertex, c);
     for (int k = 0; k < 3; k++) {
         zr_vf place[2] = {c[k][0], c[k][1]};
-        if (s->surfaces->texcoords_as_given && alpha) zr_texture_transform_v(alpha->texture, c[k], place);
+        if (s->attributes->texcoords_as_given && alpha) zr_texture_transform_v(alpha->texture, c[k], place);
         places[0][k] = place[0];
         places[1][k] = place[1];
     }
@@ -115,23 +115,23 @@ static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *ru
 }
 
 /* Returns the rate of the values that zr_corner_numbers.value numbers for a set. */
-static inline enum zr_rate zr_rate_of(const struct zr_draw_attributes *surface, unsigned mask)
+static inline enum zr_rate zr_rate_of(const struct zr_draw_attributes *of_draw, unsigned mask)
 {
-    if (mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY)) return surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
-    return mask & ZR_VARY_NORMAL ? surface->attributes[ZR_ATTRIBUTE_NORMAL].rate : ZR_RATE_DRAW;
+    if (mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY)) return of_draw->attributes[ZR_ATTRIBUTE_COLOR].rate;
+    return mask & ZR_VARY_NORMAL ? of_draw->attributes[ZR_ATTRIBUTE_NORMAL].rate : ZR_RATE_DRAW;
 }
 
-/* Makes all planes of a run of triangles; is_per_pixel: they have all groups of a set with ZR_VARY_LATE. */
+/* Makes all planes of a run of triangles; is_per_pixel: they have all groups of a set with ZR_VARY_PER_PIXEL. */
 ZR_INLINED void zr_put_triangles(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                                  const struct zr_corner_numbers *corners, bool is_per_pixel)
 {
     const struct zr_triangle_setup_v way = zr_way_of(s->geometry->vertices, corners->vertex);
     struct zr_plane_v oow = way.oow_plane;
-    if (zr_may_lack_w(mask) && zr_rate_is_flat(zr_rate_of(run->surface, mask)))
+    if (zr_may_lack_w(mask) && zr_rate_is_flat(zr_rate_of(run->of_draw, mask)))
         oow = (struct zr_plane_v){zr_vf_set(1.0f), zr_vf_set(0.0f), zr_vf_set(0.0f)};
     zr_put_plane(s, run->first, 0, zr_plane_count(mask), &oow);
     if (mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY)) zr_put_colors(s, run, mask, &way, corners);
-    if (mask & ZR_VARY_LATE && !is_per_pixel) return;
+    if (mask & ZR_VARY_PER_PIXEL && !is_per_pixel) return;
     if (mask & ZR_VARY_NORMAL) zr_put_normals(s, run, mask, &way, corners);
     if (mask & (ZR_VARY_POINT | ZR_VARY_DEPTH)) zr_put_points(s, run, mask, &way, corners);
     if (mask & ZR_VARY_PLACE) zr_put_places(s, run, mask, &way, corners);
@@ -143,7 +143,7 @@ static inline void zr_put_line(struct zr_shader *s, const struct zr_run *run, un
 {
     struct zr_plane planes[ZR_PLANES_MOST];
     const uint32_t count = (uint32_t)zr_plane_count(mask);
-    s->is_constant[i] = zr_line_planes(s->geometry, run->surface, s->parts.owners[i] - 1, mask, planes);
+    s->is_constant[i] = zr_line_planes(s->geometry, run->of_draw, s->parts.owners[i] - 1, mask, planes);
     for (uint32_t k = 0; k < count; k++)
         memcpy(s->planes[i * count + k], &planes[k], sizeof *planes);
 }
@@ -155,7 +155,7 @@ ZR_INLINED void zr_put_material(struct zr_shader *s, const struct zr_run *run, b
     const struct zr_material *material = zr_draw_is_of_wires(run->draw) ? &unlit : run->draw->material;
     for (uint32_t i = run->first; i < run->first + ZR_LANES; i++)
         s->materials[i] = is_per_pixel ? material : NULL;
-    s->any_late |= is_per_pixel;
+    s->any_per_pixel |= is_per_pixel;
 }
 
 ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_run *run, unsigned mask)
@@ -163,8 +163,8 @@ ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_run *run, unsign
     const struct zr_draw *draw = run->draw;
     const bool of_wires = zr_draw_is_of_wires(draw);
     const bool is_per_pixel =
-        mask & ZR_VARY_TEXCOORDS ? !of_wires && zr_material_has_textures(draw->material) : run->surface->is_per_pixel;
-    if (mask & ZR_VARY_LATE) zr_put_material(s, run, is_per_pixel);
+        mask & ZR_VARY_TEXCOORDS ? !of_wires && zr_material_has_textures(draw->material) : run->of_draw->is_per_pixel;
+    if (mask & ZR_VARY_PER_PIXEL) zr_put_material(s, run, is_per_pixel);
     if (mask & ZR_VARY_TEXCOORDS && !is_per_pixel) return;
     if (of_wires) {
         for (uint32_t i = run->first; i < run->first + run->count; i++)
@@ -172,7 +172,7 @@ ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_run *run, unsign
         return;
     }
     const struct zr_corner_numbers corners =
-        zr_corner_numbers_of(draw, zr_rate_of(run->surface, mask), zr_run_numbers(s, run));
+        zr_corner_numbers_of(draw, zr_rate_of(run->of_draw, mask), zr_run_numbers(s, run));
     zr_put_triangles(s, run, mask, &corners, is_per_pixel);
 }
 
@@ -337,11 +337,11 @@ ZR_INLINED void zr_varyings_fill(struct zr_shader *s, const struct zr_tile *tile
                                  const struct zr_varying_rows *rows)
 {
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
-    s->any_late = false;
+    s->any_per_pixel = false;
     s->materials[0] = NULL;
     for (uint32_t i = 0; i < s->run_count; i++)
         zr_put_run(s, &s->runs[i], mask);
-    if (mask & ZR_VARY_TEXCOORDS && !s->any_late) return;
+    if (mask & ZR_VARY_TEXCOORDS && !s->any_per_pixel) return;
     for (int b = begin; b < end; b++) {
         if (b % ZR_BLOCK_COLUMNS >= across || (mask & ZR_VARY_TEXCOORDS && !zr_block_is_textured(s, b))) continue;
         if (!s->parts.blocks[b].is_whole)

@@ -8,54 +8,54 @@
 
 /* ---- colours ---- */
 
-/* Returns which of primitives t of any draw show their backs. surface->backs, if present, gives the same result. */
-static inline zr_vm zr_flat_backs(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, zr_vi t)
+/* Returns which of primitives t of any draw show their backs. of_draw->backs, if present, gives the same result. */
+static inline zr_vm zr_flat_backs(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw, zr_vi t)
 {
     const zr_vi one = zr_vi_set(1);
-    if (surface->backs)
-        return zr_vi_eq(zr_vi_gather(ZR_ALL_LANES, surface->backs, t >> 5) >> (t & zr_vi_set(31)) & one, one);
-    const struct zr_corner_numbers corners = zr_corner_numbers_of(surface->draw, ZR_RATE_DRAW, t);
-    return zr_shown_backs(surface->draw, t, zr_turned_of(geometry->vertices, corners.vertex));
+    if (of_draw->backs)
+        return zr_vi_eq(zr_vi_gather(ZR_ALL_LANES, of_draw->backs, t >> 5) >> (t & zr_vi_set(31)) & one, one);
+    const struct zr_corner_numbers corners = zr_corner_numbers_of(of_draw->draw, ZR_RATE_DRAW, t);
+    return zr_shown_backs(of_draw->draw, t, zr_turned_of(geometry->vertices, corners.vertex));
 }
 
 /* Returns the colour numbers of primitives t. Backs are numbered behind all fronts. */
-static inline zr_vi zr_sided_number(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
+static inline zr_vi zr_sided_number(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw,
                                     zr_vi t)
 {
-    const zr_vi number = zr_flat_number_v(surface->draw, surface->attributes[ZR_ATTRIBUTE_COLOR].rate, t);
-    if (!surface->two_sided_colors) return number;
-    const zr_vi behind = zr_vi_set((int32_t)surface->color_count);
-    return number + zr_vi_select(zr_flat_backs(geometry, surface, t), behind, zr_vi_set(0));
+    const zr_vi number = zr_flat_number_v(of_draw->draw, of_draw->attributes[ZR_ATTRIBUTE_COLOR].rate, t);
+    if (!of_draw->two_sided_colors) return number;
+    const zr_vi behind = zr_vi_set((int32_t)of_draw->color_count);
+    return number + zr_vi_select(zr_flat_backs(geometry, of_draw, t), behind, zr_vi_set(0));
 }
 
 /* Returns the address of a colour that is not packed. */
-static inline const float *zr_flat_at(const struct zr_draw_attributes *surface, int32_t number)
+static inline const float *zr_flat_at(const struct zr_draw_attributes *of_draw, int32_t number)
 {
-    const struct zr_attribute *attributes = surface->attributes;
-    const uint32_t n = (uint32_t)number, count = surface->color_count;
+    const struct zr_attribute *attributes = of_draw->attributes;
+    const uint32_t n = (uint32_t)number, count = of_draw->color_count;
     return n < count ? &attributes[ZR_ATTRIBUTE_COLOR].values[n].x
                      : &attributes[ZR_ATTRIBUTE_BACK_COLOR].values[n - count].x;
 }
 
 /* Looks up colours of two-sided draws that are not packed: they lie in two arrays. */
-static inline zr_vi zr_flat_look_up_sided(const struct zr_draw_attributes *surface, zr_vi number)
+static inline zr_vi zr_flat_look_up_sided(const struct zr_draw_attributes *of_draw, zr_vi number)
 {
     int32_t numbers[ZR_LANES];
     zr_vf red, green, blue, alpha;
     zr_vi_store(numbers, number);
-#define ZR_FLAT_COLOR(i) zr_flat_at(surface, numbers[i])
+#define ZR_FLAT_COLOR(i) zr_flat_at(of_draw, numbers[i])
     ZR_LOAD4(red, green, blue, alpha, ZR_FLAT_COLOR);
 #undef ZR_FLAT_COLOR
     (void)alpha;
     return zr_rgba_opaque_v(red, green, blue);
 }
 
-static inline zr_vi zr_flat_look_up(const struct zr_draw_attributes *surface, zr_vi number)
+static inline zr_vi zr_flat_look_up(const struct zr_draw_attributes *of_draw, zr_vi number)
 {
     zr_vf red, green, blue;
-    if (surface->packed) return zr_vi_gather(ZR_ALL_LANES, surface->packed, number);
-    if (surface->two_sided_colors) return zr_flat_look_up_sided(surface, number);
-    zr_vf_gather_fours(&surface->attributes[ZR_ATTRIBUTE_COLOR].values->x, number, &red, &green, &blue);
+    if (of_draw->packed) return zr_vi_gather(ZR_ALL_LANES, of_draw->packed, number);
+    if (of_draw->two_sided_colors) return zr_flat_look_up_sided(of_draw, number);
+    zr_vf_gather_fours(&of_draw->attributes[ZR_ATTRIBUTE_COLOR].values->x, number, &red, &green, &blue);
     return zr_rgba_opaque_v(red, green, blue);
 }
 

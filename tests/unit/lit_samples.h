@@ -61,7 +61,7 @@ static inline void samples_set(struct lit_samples *s, size_t at, uint32_t materi
 static inline void samples_light(struct lit_samples *s, enum zr_isa isa, const struct zr_linear_lighting *lighting)
 {
     float *const out[3] = {s->out[0], s->out[1], s->out[2]};
-    zr_look_light_of(isa)(lighting, &s->g, s->open, out);
+    zr_linear_light_of(isa)(lighting, &s->g, s->open, out);
 }
 
 /* ---- anything ---- */

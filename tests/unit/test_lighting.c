@@ -119,7 +119,7 @@ static void odd_sizes_are_part_of_all(void **state)
         const struct zr_gbuffer part = part_of(&samples.g, first, (int32_t)width, (int32_t)height, STRIDE);
         float *const out[3] = {others.out[0] + first, others.out[1] + first, others.out[2] + first};
         clear_others();
-        zr_look_light_of(isa)(&lighting, &part, samples.open + first, out);
+        zr_linear_light_of(isa)(&lighting, &part, samples.open + first, out);
         for (size_t y = 0; y < height; y++)
             assert_same_outs(&samples, &others, first + y * STRIDE, width);
         for (size_t i = 0; i < ROOM; i++) {

@@ -44,7 +44,7 @@ static void light(struct row *row, enum zr_isa isa, size_t count)
         samples.normal[k] = row->normal[k];
         samples.point[k] = row->point[k];
     }
-    zr_look_light_of(isa)(&lighting, &samples, NULL, (float *const[3]){row->out[0], row->out[1], row->out[2]});
+    zr_linear_light_of(isa)(&lighting, &samples, NULL, (float *const[3]){row->out[0], row->out[1], row->out[2]});
 }
 
 static void what_is_behind_a_row_does_not_matter(void **state)

@@ -21,7 +21,7 @@
     PARTS(NORMALS, zr_shade_normals)
 
 /* Returns the words of primitives `numbers` of the surface's draw. */
-typedef zr_vi zr_words_fn(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, zr_vi numbers);
+typedef zr_vi zr_words_fn(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw, zr_vi numbers);
 
 /* Returns the words of pixels with these owners, draw by draw. s->draw is the last draw found. The lanes left are kept
  * as a mask, not as its bits: gcc 12 stored 16 of these bits by kmovw and loaded 32, and the loop never ended. */

@@ -19,34 +19,34 @@ enum { ZR_RUNS_AHEAD = 8 };
 
 static inline bool zr_run_has_planes(const struct zr_run *run)
 {
-    return zr_draw_is_smooth(run->surface) || run->surface->is_per_pixel;
+    return zr_draw_is_smooth(run->of_draw) || run->of_draw->is_per_pixel;
 }
 
 static inline void zr_look_up_smooth(const struct zr_shader *s, const struct zr_run *run, struct zr_corner_numbers *out)
 {
-    const struct zr_attribute *color = &run->surface->attributes[ZR_ATTRIBUTE_COLOR],
-                              *back = &run->surface->attributes[ZR_ATTRIBUTE_BACK_COLOR];
+    const struct zr_attribute *color = &run->of_draw->attributes[ZR_ATTRIBUTE_COLOR],
+                              *back = &run->of_draw->attributes[ZR_ATTRIBUTE_BACK_COLOR];
     *out = zr_corner_numbers_of(run->draw, color->rate, zr_run_numbers(s, run));
     for (int i = 0; i < ZR_LANES; i++)
         for (int k = 0; k < 3; k++) {
             __builtin_prefetch(&s->geometry->vertices[out->vertex[k][i]]);
             __builtin_prefetch(&color->values[out->value[k][i]]);
-            if (run->surface->two_sided_colors) __builtin_prefetch(&back->values[out->value[k][i]]);
+            if (run->of_draw->two_sided_colors) __builtin_prefetch(&back->values[out->value[k][i]]);
         }
 }
 
 static inline void zr_look_up_colors(const struct zr_shader *s, const struct zr_run *run, struct zr_color_places *out)
 {
-    const struct zr_draw_attributes *surface = run->surface;
+    const struct zr_draw_attributes *of_draw = run->of_draw;
     if (zr_draw_is_of_wires(run->draw)) return;
     if (zr_run_has_planes(run)) {
         zr_look_up_smooth(s, run, &out->smooth);
         return;
     }
-    zr_vi_store(out->flat, zr_sided_number(s->geometry, surface, zr_run_numbers(s, run)));
+    zr_vi_store(out->flat, zr_sided_number(s->geometry, of_draw, zr_run_numbers(s, run)));
     for (int i = 0; i < ZR_LANES; i++)
-        __builtin_prefetch(surface->packed ? (const void *)&surface->packed[out->flat[i]]
-                                           : (const void *)zr_flat_at(surface, out->flat[i]));
+        __builtin_prefetch(of_draw->packed ? (const void *)&of_draw->packed[out->flat[i]]
+                                           : (const void *)zr_flat_at(of_draw, out->flat[i]));
 }
 
 /* ---- making ---- */
@@ -55,8 +55,8 @@ static inline void zr_make_lines(struct zr_shader *s, const struct zr_run *run, 
 {
     for (uint32_t i = run->first; i < run->first + run->count; i++) {
         const uint32_t number = s->parts.owners[i] - 1;
-        const bool is_per_pixel = mask & ZR_VARY_LATE && s->materials[i];
-        s->has_planes[i] = is_per_pixel || !zr_line_color(s->geometry, run->surface, number, &s->words[i]);
+        const bool is_per_pixel = mask & ZR_VARY_PER_PIXEL && s->materials[i];
+        s->has_planes[i] = is_per_pixel || !zr_line_color(s->geometry, run->of_draw, number, &s->words[i]);
         s->any_planes |= s->has_planes[i];
         if (s->has_planes[i]) zr_put_line(s, run, mask, i);
     }
@@ -65,7 +65,7 @@ static inline void zr_make_lines(struct zr_shader *s, const struct zr_run *run, 
 ZR_INLINED void zr_make_smooth(struct zr_shader *s, const struct zr_run *run, const struct zr_corner_numbers *corners,
                                unsigned mask)
 {
-    zr_put_triangles(s, run, mask, corners, run->surface->is_per_pixel);
+    zr_put_triangles(s, run, mask, corners, run->of_draw->is_per_pixel);
     memset(s->has_planes + run->first, true, ZR_LANES);
     s->any_planes = true;
 }
@@ -73,22 +73,22 @@ ZR_INLINED void zr_make_smooth(struct zr_shader *s, const struct zr_run *run, co
 ZR_INLINED void zr_make_colors(struct zr_shader *s, const struct zr_run *run, const struct zr_color_places *places,
                                unsigned mask)
 {
-    if (mask & ZR_VARY_LATE) zr_put_material(s, run, run->surface->is_per_pixel);
+    if (mask & ZR_VARY_PER_PIXEL) zr_put_material(s, run, run->of_draw->is_per_pixel);
     if (zr_mixes_constants(mask)) memset(s->is_constant + run->first, false, ZR_LANES);
     if (zr_draw_is_of_wires(run->draw))
         zr_make_lines(s, run, mask);
     else if (zr_run_has_planes(run))
         zr_make_smooth(s, run, &places->smooth, mask);
     else
-        zr_put_words(s, run, zr_flat_look_up(run->surface, zr_vi_load(places->flat)));
+        zr_put_words(s, run, zr_flat_look_up(run->of_draw, zr_vi_load(places->flat)));
 }
 
 /* ---- the channel ---- */
 
 enum {
     ZR_COLOR_VARYINGS = ZR_VARY_COLOR,
-    ZR_COLOR_LATE_VARYINGS = ZR_VARY_COLOR | ZR_VARY_NORMAL | ZR_VARY_POINT | ZR_VARY_LATE,
-    ZR_COLOR_FOG_VARYINGS = ZR_COLOR_LATE_VARYINGS | ZR_VARY_DEPTH,
+    ZR_COLOR_PER_PIXEL_VARYINGS = ZR_VARY_COLOR | ZR_VARY_NORMAL | ZR_VARY_POINT | ZR_VARY_PER_PIXEL,
+    ZR_COLOR_FOG_VARYINGS = ZR_COLOR_PER_PIXEL_VARYINGS | ZR_VARY_DEPTH,
     ZR_COLOR_TEXTURED_VARYINGS = ZR_COLOR_FOG_VARYINGS | ZR_VARY_PLACE
 };
 
@@ -112,13 +112,13 @@ static inline void zr_shade_colors(struct zr_shader *s, const struct zr_tile *ti
 {
     s->words[0] = to->clear_value;
     s->materials[0] = NULL;
-    s->is_constant[0] = s->has_planes[0] = s->any_planes = s->any_late = false;
-    if (s->surfaces->any_textured)
+    s->is_constant[0] = s->has_planes[0] = s->any_planes = s->any_per_pixel = false;
+    if (s->attributes->any_textured)
         ZR_KERNEL(zr_paint_textured)(s, tile, begin, end, to);
-    else if (s->surfaces->fog.is_on)
+    else if (s->attributes->fog.is_on)
         zr_shade_colors_by(s, tile, begin, end, to, ZR_COLOR_FOG_VARYINGS);
-    else if (s->surfaces->any_late)
-        zr_shade_colors_by(s, tile, begin, end, to, ZR_COLOR_LATE_VARYINGS);
+    else if (s->attributes->any_per_pixel)
+        zr_shade_colors_by(s, tile, begin, end, to, ZR_COLOR_PER_PIXEL_VARYINGS);
     else
         zr_shade_colors_by(s, tile, begin, end, to, ZR_COLOR_VARYINGS);
 }

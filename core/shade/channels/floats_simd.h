@@ -5,7 +5,7 @@
 #ifndef ZR_FLOATS_SIMD_H
 #define ZR_FLOATS_SIMD_H
 
-#include "shade/late_simd.h"
+#include "shade/per_pixel_simd.h"
 
 static inline zr_vf zr_within_1(zr_vf v)
 {
@@ -25,7 +25,7 @@ ZR_INLINED void zr_make_floats(const struct zr_shader *s, const struct zr_sample
     zr_vf opacity = zr_varying(in, zr_first_plane(mask, ZR_VARY_OPACITY), w);
     struct zr_vec3_v color = zr_spread_v((zr_vec3){0.0f, 0.0f, 0.0f});
     if (mask & ZR_VARY_COLOR) color = zr_varying3(in, zr_first_plane(mask, ZR_VARY_COLOR), w);
-    if (mask & ZR_VARY_LATE) zr_shade_late(s, in, mask, &color, &opacity);
+    if (mask & ZR_VARY_PER_PIXEL) zr_shade_per_pixel(s, in, mask, &color, &opacity);
     values[last] = zr_within_1(opacity);
     if (last == 0) return;
     values[0] = zr_within_1(color.x);

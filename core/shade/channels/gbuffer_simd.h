@@ -56,12 +56,12 @@ static inline __attribute__((flatten)) void zr_sample_blocks(struct zr_shader *s
         zr_varyings_fill(s, tile, begin, end, PLAIN, zr_make_samples, NULL, zr_sample_values(PLAIN), &rows);
 }
 
-static inline zr_vi zr_material_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
+static inline zr_vi zr_material_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw,
                                       zr_vi numbers)
 {
     (void)geometry;
     (void)numbers;
-    return zr_vi_set((int32_t)surface->material);
+    return zr_vi_set((int32_t)of_draw->material);
 }
 
 #endif

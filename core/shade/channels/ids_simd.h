@@ -4,17 +4,17 @@
 
 #include "shade/words_simd.h"
 
-static inline zr_vi zr_face_id_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
+static inline zr_vi zr_face_id_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw,
                                      zr_vi numbers)
 {
     (void)geometry;
-    return zr_flat_number_v(surface->draw, ZR_RATE_FACE, numbers) + zr_vi_set((int32_t)surface->draw->first_id);
+    return zr_flat_number_v(of_draw->draw, ZR_RATE_FACE, numbers) + zr_vi_set((int32_t)of_draw->draw->first_id);
 }
 
-static inline zr_vi zr_instance_id_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
+static inline zr_vi zr_instance_id_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw,
                                          zr_vi numbers)
 {
-    const int32_t instance = (int32_t)surface->draw->instance;
+    const int32_t instance = (int32_t)of_draw->draw->instance;
     (void)geometry;
     (void)numbers;
     return zr_vi_set(ZR_MUTANT(instances_from_0, instance + 1, instance));

@@ -127,7 +127,7 @@ ZR_INLINED void zr_make_textures(const struct zr_shader *s, const struct zr_samp
     for (uint32_t i = in->first; i < in->first + in->count; i++) {
         const struct zr_material *material = s->materials[i];
         if (!material || material == done) continue;
-        zr_take_textures(values, &s->surfaces->textures, material, &texcoords, &frame,
+        zr_take_textures(values, &s->attributes->textures, material, &texcoords, &frame,
                          zr_samples_of_material(s, in, i));
         done = material;
     }

@@ -3,7 +3,7 @@
 #include "base/trig.h"
 #include "shade/lights/environment.h"
 
-zr_vec3 zr_look_up(const struct zr_scene *scene)
+zr_vec3 zr_scene_up(const struct zr_scene *scene)
 {
     return scene->picture.z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
 }
@@ -31,7 +31,7 @@ static void environment_axes(const struct zr_scene *scene, const zr_mat4 *world_
     axes[1] = (zr_vec3){0, 1, 0};
     axes[2] = back;
     if (scene->picture.environment.camera_frame) return;
-    axes[1] = to_eye_space(world_to_eye, zr_look_up(scene));
+    axes[1] = to_eye_space(world_to_eye, zr_scene_up(scene));
     const zr_vec3 towards = level(back, axes[1]);
     axes[2] = zr_vec3_normalize(zr_vec3_dot(towards, towards) > 1e-6f ? towards : level(down, axes[1]));
     axes[0] = zr_vec3_cross(axes[1], axes[2]);
@@ -62,7 +62,7 @@ static zr_vec3 direction_of(const struct zr_light *light, const zr_mat4 *world_t
                     zr_vec3_scale(environment[2], d.z)));
 }
 
-zr_vec3 zr_look_light_direction(const struct zr_scene *scene, const struct zr_light *light, const zr_mat4 *world_to_eye)
+zr_vec3 zr_light_direction(const struct zr_scene *scene, const struct zr_light *light, const zr_mat4 *world_to_eye)
 {
     zr_vec3 environment[3];
     turn_environment(scene, world_to_eye, environment);

@@ -8,12 +8,11 @@
 #include "shade/lights/shadow_map.h"
 
 /* Returns the scene's up direction, unit length, in world space. */
-zr_vec3 zr_look_up(const struct zr_scene *scene);
+zr_vec3 zr_scene_up(const struct zr_scene *scene);
 
 /* Returns the direction in which a directional light travels, or that to a hemisphere's sky: unit length, in eye
  * space. */
-zr_vec3 zr_look_light_direction(const struct zr_scene *scene, const struct zr_light *light,
-                                const zr_mat4 *world_to_eye);
+zr_vec3 zr_light_direction(const struct zr_scene *scene, const struct zr_light *light, const zr_mat4 *world_to_eye);
 
 /* Makes the lighting, which points into the arena, to the scene and to `shadows`. `shadows`: one per light, with depths
  * NULL if it casts none; or NULL. Fails only with the arena. */

@@ -3,8 +3,8 @@
  * Space:  eye space. E is irradiance / pi: a white diffuse surface under E = 1 is 1.
  * Models: pbr_simd.h, classic_simd.h. Unlit surfaces, lines and normals as colours stay unlit.
  */
-#ifndef ZR_LOOK_LIGHTING_H
-#define ZR_LOOK_LIGHTING_H
+#ifndef ZR_LIGHTING_H
+#define ZR_LIGHTING_H
 
 #include "base/isa.h"
 #include "scene/scene.h"
@@ -28,12 +28,12 @@ struct zr_linear_lighting {
 
 /* Writes the colours of all samples to out[0..2], laid out like the samples. Up to 15 values beyond each row's end may
  * be read and written. `occlusion`: one per sample, likewise, or NULL. Uncovered samples get 0. */
-typedef void zr_look_light_fn(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples,
-                              const float *occlusion, float *const out[3]);
+typedef void zr_linear_light_fn(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples,
+                                const float *occlusion, float *const out[3]);
 
-ZR_KERNEL_TABLE(zr_look_light_fn, zr_look_light)
+ZR_KERNEL_TABLE(zr_linear_light_fn, zr_linear_light)
 
 /* Kernels that those above call if lamps have positions. */
-ZR_KERNEL_TABLE(zr_look_light_fn, zr_look_light_placed)
+ZR_KERNEL_TABLE(zr_linear_light_fn, zr_linear_light_placed)
 
 #endif

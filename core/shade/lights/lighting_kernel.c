@@ -4,7 +4,7 @@
 
 /* lighting_placed_kernel.c includes this file under another kernel name. */
 #ifndef ZR_LIGHTING_KERNEL
-#define ZR_LIGHTING_KERNEL ZR_KERNEL(zr_look_light)
+#define ZR_LIGHTING_KERNEL ZR_KERNEL(zr_linear_light)
 #endif
 
 static inline bool is_same(zr_vf a, zr_vf b)
@@ -73,7 +73,7 @@ void ZR_LIGHTING_KERNEL(const struct zr_linear_lighting *lighting, const struct 
                         const float *occlusion, float *const out[3])
 {
     if (!ZR_LIGHTS_PLACED && lighting->lights.placed_count > 0) {
-        ZR_KERNEL(zr_look_light_placed)(lighting, samples, occlusion, out);
+        ZR_KERNEL(zr_linear_light_placed)(lighting, samples, occlusion, out);
         return;
     }
     const zr_vf zero = zr_vf_set(0.0f), none = zr_vf_set(-1.0f);

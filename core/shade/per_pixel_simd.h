@@ -1,7 +1,7 @@
-/* late_simd.h - shade: colours and opacities of samples that are shaded per pixel: by a model, by a texture with GL
- * 2.1's look-up, and by fog. For the shading kernel. */
-#ifndef ZR_LATE_SIMD_H
-#define ZR_LATE_SIMD_H
+/* per_pixel_simd.h - shade: colours and opacities of samples that are shaded per pixel: by a model, by a texture with
+ * GL 2.1's look-up, and by fog. For the shading kernel. */
+#ifndef ZR_PER_PIXEL_SIMD_H
+#define ZR_PER_PIXEL_SIMD_H
 
 #include "shade/models/models_simd.h"
 #include "shade/texture_simd.h"
@@ -63,10 +63,10 @@ ZR_INLINED zr_vf zr_color_w(const struct zr_shader *s, const struct zr_samples_v
 
 /* Shades samples of parts that are shaded per pixel: their model's colour, and their opacity times the texture's.
  * Samples of other parts keep both. `color` is used only with ZR_VARY_COLOR, `opacity` only with ZR_VARY_OPACITY. */
-ZR_INLINED void zr_shade_late(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
-                              struct zr_vec3_v *color, zr_vf *opacity)
+ZR_INLINED void zr_shade_per_pixel(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
+                                   struct zr_vec3_v *color, zr_vf *opacity)
 {
-    const struct zr_texture_maps *maps = &s->surfaces->textures;
+    const struct zr_texture_maps *maps = &s->attributes->textures;
     const int place = zr_first_plane(mask, ZR_VARY_PLACE), depth = zr_first_plane(mask, ZR_VARY_DEPTH);
     const zr_vf w = zr_varying_w(in);
     struct zr_model_inputs own; /* inputs before shading: a material may recur after others */
@@ -95,10 +95,10 @@ ZR_INLINED void zr_shade_late(const struct zr_shader *s, const struct zr_samples
             if (map)
                 of_material.color =
                     zr_mul_v(own.color, zr_texel_at_place_v(map, material, in->planes, place, in->x, in->y));
-            struct zr_vec3_v late = zr_model_color(&s->model, material, &of_material);
-            if (mask & ZR_VARY_DEPTH && s->surfaces->fog.is_on)
-                late = zr_fogged_v(&s->model, late, zr_varying(in, depth, w));
-            *color = zr_choose_v(of_it, late, *color);
+            struct zr_vec3_v shaded = zr_model_color(&s->model, material, &of_material);
+            if (mask & ZR_VARY_DEPTH && s->attributes->fog.is_on)
+                shaded = zr_fogged_v(&s->model, shaded, zr_varying(in, depth, w));
+            *color = zr_choose_v(of_it, shaded, *color);
         }
         done = material;
     }
