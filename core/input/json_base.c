@@ -30,14 +30,14 @@ struct reader {
         key, zr_json_place, offsetof(struct reader, places[number]), .text = what                                      \
     }
 static const struct zr_json_field fields[] = {
-    [COLOR] = IMAGE("color", COLOR, "the picture, a PNG of the window's size"),
-    [WINDOW_DEPTH] = IMAGE("windowDepth", WINDOW_DEPTH, "its z-buffer, an npy of float32"),
+    [COLOR] = IMAGE("color", COLOR, "picture, a PNG of the window's size"),
+    [WINDOW_DEPTH] = IMAGE("windowDepth", WINDOW_DEPTH, "z-buffer of the picture, an npy of float32"),
     [DEPTH] = IMAGE("depth", DEPTH, "depths in front of the camera, an npy of float32"),
-    [FACE_ID] = IMAGE("faceId", FACE_ID, "the id of the face at each pixel, an npy of uint32"),
+    [FACE_ID] = IMAGE("faceId", FACE_ID, "id of the face at each pixel, an npy of uint32"),
     [TIES] = {"ties", zr_json_choice, offsetof(struct reader, ties), .words = &side_names, .otherwise = "base",
-              .text = "which is seen at equal depth"},
+              .text = "side that is visible at equal depth"},
     [FIRST_FACE_ID] = {"firstFaceId", zr_json_whole, offsetof(struct reader, first_face_id),
-                       .otherwise = "the largest id of the base and one more", .text = "the id of the first new face"}};
+                       .otherwise = "the largest id of the base + 1", .text = "id of the first new face"}};
 const struct zr_json_object zr_json_object_base = ZR_JSON_OBJECT_OF("base", fields);
 
 static bool has(const struct reader *reader, int key)

@@ -13,11 +13,10 @@ struct given_color_bar {
 enum { MESH };
 #define AT(member) offsetof(struct given_color_bar, member)
 static const struct zr_json_field fields[] = {
-    [MESH] = {"mesh", zr_json_string, AT(mesh), .otherwise = "the first that is drawn and has scalars",
-              .text = "the name of the mesh whose colormap and range it shows"},
-    {"title", zr_json_string, AT(title), .otherwise = "none", .text = "a line above the bar: a quantity and its unit"},
-    {"place", zr_json_choice, AT(place), .words = &place_names, .otherwise = "right",
-     .text = "at which edge of the picture"}};
+    [MESH] = {"mesh", zr_json_string, AT(mesh), .otherwise = "the first drawn mesh with scalars",
+              .text = "name of the mesh whose colormap and range are shown"},
+    {"title", zr_json_string, AT(title), .otherwise = "none", .text = "line above the bar: a quantity and its unit"},
+    {"place", zr_json_choice, AT(place), .words = &place_names, .otherwise = "right", .text = "edge of the picture"}};
 #undef AT
 const struct zr_json_object zr_json_object_colorBar = ZR_JSON_OBJECT_OF("colorBar", fields);
 

@@ -10,10 +10,10 @@ enum { NEAR, FAR, COLOR };
 #define AT(member) offsetof(struct given_fog, member)
 static const struct zr_json_field fields[] = {
     [NEAR] = {"near", zr_json_float, AT(near), 0, (double)ZR_MATRIX_MAX, .required = true, .unit = "scene units",
-              .text = "the depth in front of the camera where fog begins"},
+              .text = "depth in front of the camera where fog begins"},
     [FAR] = {"far", zr_json_float, AT(far), 0, (double)ZR_MATRIX_MAX, .required = true, .unit = "scene units",
-             .text = "the depth in front of the camera from which on only fog is seen"},
-    [COLOR] = {"color", zr_json_color, AT(color), .otherwise = "the background", .text = "of what is far away"},
+             .text = "depth in front of the camera from which fog is opaque"},
+    [COLOR] = {"color", zr_json_color, AT(color), .otherwise = "the background", .text = "colour of the fog"},
     {.key = "mode"},
     {.key = "density"}};
 const struct zr_json_object zr_json_object_fog = ZR_JSON_OBJECT_OF("fog", fields);

@@ -144,11 +144,11 @@ static bool read_range(struct zr_json *json, const struct zr_json_path *path, co
 enum { VALUES, X, Y };
 static const struct zr_json_field fields[] = {
     [VALUES] = {"values", read_values, 0, .required = true,
-                .text = "rows of heights along z, the first at the first y; null where nothing is"},
+                .text = "rows of heights along z, the first at the first y; null for a hole"},
     [X] = {"x", read_range, offsetof(struct zr_heights, x), .unit = "scene units", .otherwise = "[0, columns - 1]",
-           .text = "where the first and the last column are"},
+           .text = "x of the first and the last column"},
     [Y] = {"y", read_range, offsetof(struct zr_heights, y), .unit = "scene units", .otherwise = "[0, rows - 1]",
-           .text = "where the first and the last row are"}};
+           .text = "y of the first and the last row"}};
 const struct zr_json_object zr_json_object_heights = ZR_JSON_OBJECT_OF("heights", fields);
 
 bool zr_read_heights(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,

@@ -68,7 +68,7 @@ static void cut_window(struct window *window, const struct zr_json *json)
     }
 }
 
-/* True if reading ends exactly at the next part, in the same list. */
+/* Reads one part. True if reading ends exactly at the next part, in the same list. */
 static bool read_part(void *context, size_t number)
 {
     struct window *window = context;

@@ -123,16 +123,17 @@ struct given_node {
 enum { NAME, MESH, MATRIX, TRANSLATION, ROTATION, SCALE, CHILDREN };
 #define AT(member) offsetof(struct given_node, member)
 static const struct zr_json_field fields[] = {
-    [NAME] = {"name", zr_json_string, AT(name), .text = "what parents may call it by; info has it"},
-    [MESH] = {"mesh", zr_json_place, AT(mesh), .otherwise = "a group", .text = "the number or the name of a mesh"},
-    [MATRIX] = {"matrix", zr_json_affine, AT(matrix), .otherwise = "the identity", .text = "from it to its parent"},
+    [NAME] = {"name", zr_json_string, AT(name), .text = "name for parents and the output info"},
+    [MESH] = {"mesh", zr_json_place, AT(mesh), .otherwise = "a group", .text = "number or name of a mesh"},
+    [MATRIX] = {"matrix", zr_json_affine, AT(matrix), .otherwise = "the identity",
+                .text = "transformation to the parent's space"},
     [TRANSLATION] = {"translation", zr_json_vec3, AT(translation), .unit = "scene units", .otherwise = "[0, 0, 0]",
-                     .text = "comes after scale and rotation"},
+                     .text = "translation, after scale and rotation"},
     [ROTATION] = {"rotation", zr_json_vec4, AT(rotation), .otherwise = "[0, 0, 0, 1]",
-                  .text = "a quaternion x, y, z, w; comes after scale"},
-    [SCALE] = {"scale", zr_json_vec3, AT(scale), .otherwise = "[1, 1, 1]", .text = "a factor for each axis"},
+                  .text = "rotation as a quaternion x, y, z, w, after scale"},
+    [SCALE] = {"scale", zr_json_vec3, AT(scale), .otherwise = "[1, 1, 1]", .text = "factor per axis"},
     [CHILDREN] = {"children", zr_json_place, AT(children), .otherwise = "[]",
-                  .text = "the numbers or the names of nodes that go with it"}};
+                  .text = "numbers or names of child nodes"}};
 const struct zr_json_object zr_json_object_node = ZR_JSON_OBJECT_OF("node", fields);
 
 /* Nodes while they are read. Children are resolved once every name is known. */

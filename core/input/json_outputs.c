@@ -23,15 +23,15 @@ enum { CHANNEL, ENCODING, SPACE, SCALE, X, Y };
 #define AT(member) offsetof(struct given_output, member)
 static const struct zr_json_field fields[] = {
     [CHANNEL] = {"channel", zr_json_choice, AT(channel), .words = &zr_channel_names, .required = true,
-                 .text = "what each pixel is to hold"},
+                 .text = "quantity per pixel"},
     [ENCODING] = {"encoding", zr_json_choice, AT(encoding), .words = &zr_encoding_names,
-                  .otherwise = "the first one of the channel", .text = "the format of the file"},
-    [SPACE] = {"space", read_space, AT(space), .otherwise = "camera", .text = "of positions and normals"},
+                  .otherwise = "the first of the channel", .text = "format of the file"},
+    [SPACE] = {"space", read_space, AT(space), .otherwise = "camera", .text = "space of positions and normals"},
     [SCALE] = {"scale", zr_json_positive, AT(scale), .unit = "scene units", .otherwise = "the far plane is 65535",
-               .text = "of one step of a png16"},
+               .text = "depth per step of a png16"},
     [X] = {"x", zr_json_whole, AT(x), .unit = "pixels",
-           .text = "of the pixel whose fragments are asked for; the leftmost has 0"},
-    [Y] = {"y", zr_json_whole, AT(y), .unit = "pixels", .text = "of that pixel; the uppermost has 0"}};
+           .text = "column of the pixel for the channel fragments, from 0 at the left"},
+    [Y] = {"y", zr_json_whole, AT(y), .unit = "pixels", .text = "row of that pixel, from 0 at the top"}};
 const struct zr_json_object zr_json_object_output = ZR_JSON_OBJECT_OF("output", fields);
 
 static void check_encoding(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,

@@ -81,9 +81,9 @@ static bool read_opaque(struct zr_json *json, const struct zr_json_path *path, c
 enum { TOP, BOTTOM };
 static const struct zr_json_field gradient_fields[] = {
     [TOP] = {"top", read_opaque, offsetof(struct zr_picture, top), .required = true,
-             .text = "the colour of the upper edge of the picture"},
+             .text = "colour of the upper edge of the picture"},
     [BOTTOM] = {"bottom", read_opaque, offsetof(struct zr_picture, bottom), .required = true,
-                .text = "the colour of the lower edge of the picture"}};
+                .text = "colour of the lower edge of the picture"}};
 const struct zr_json_object zr_json_object_gradient = ZR_JSON_OBJECT_OF("gradient", gradient_fields);
 
 bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
@@ -120,9 +120,9 @@ static bool read_effect(struct zr_json *json, const struct zr_json_path *path, c
 static const struct zr_json_field occlusion_fields[] = {
     {"radius", zr_json_float, offsetof(struct zr_occlusion, radius), RADIUS_MIN, RADIUS_MAX,
      .unit = "shares of the diagonal of the bounds", .otherwise = "the look's; 0.2",
-     .text = "how far away may be what keeps light off"},
+     .text = "largest distance of geometry that occludes"},
     {"strength", zr_json_float, offsetof(struct zr_occlusion, strength), 0, STRENGTH_MAX, .otherwise = "the look's; 2",
-     .text = "a factor of the darkening"}};
+     .text = "factor of the darkening"}};
 const struct zr_json_object zr_json_object_occlusion = ZR_JSON_OBJECT_OF("occlusion", occlusion_fields);
 
 bool zr_read_occlusion(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
@@ -135,11 +135,12 @@ bool zr_read_occlusion(struct zr_json *json, const struct zr_json_path *path, co
 }
 
 static const struct zr_json_field edge_fields[] = {
-    {"color", read_opaque, offsetof(struct zr_edges, color), .otherwise = "the look's; #1f2a36", .text = "of the ink"},
+    {"color", read_opaque, offsetof(struct zr_edges, color), .otherwise = "the look's; #1f2a36",
+     .text = "colour of the lines"},
     {"width", zr_json_float, offsetof(struct zr_edges, width), 0.1, 64, .unit = "pixels",
-     .otherwise = "the look's; 1.5", .text = "of the lines"},
+     .otherwise = "the look's; 1.5", .text = "width of the lines"},
     {"creaseDegrees", zr_json_float, offsetof(struct zr_edges, crease_degrees), 0, 180, .unit = "degrees",
-     .otherwise = "the look's; 30", .text = "faces that meet at more have an edge between them"}};
+     .otherwise = "the look's; 30", .text = "smallest angle between faces at a crease"}};
 const struct zr_json_object zr_json_object_edges = ZR_JSON_OBJECT_OF("edges", edge_fields);
 
 bool zr_read_edges(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
@@ -170,15 +171,14 @@ enum { NAME, INTENSITY, ROTATION, FRAME };
 #define AT(member) offsetof(struct given_environment, member)
 static const struct zr_json_field environment_fields[] = {
     [NAME] = {"name", zr_json_choice, AT(name), .words = &environment_names, .otherwise = "the look's",
-              .text = "which one"},
+              .text = "name of the environment"},
     [INTENSITY] = {"intensity", zr_json_float, AT(intensity), 0, INTENSITY_MAX, .otherwise = "1",
-                   .text = "a factor of its light"},
+                   .text = "factor of the light"},
     [ROTATION] = {"rotationDegrees", zr_json_number, AT(rotation_degrees), -ANGLE_MAX, ANGLE_MAX, .unit = "degrees",
-                  .otherwise = "0", .text = "around its up, counter-clockwise seen from above"},
+                  .otherwise = "0", .text = "rotation around the up axis, counter-clockwise seen from above"},
     [FRAME] = {"frame", zr_json_choice, AT(frame), .words = &frame_names,
-               .otherwise = "camera of studio, world of outdoor",
-               .text = "camera: it goes with the camera; world: its up is the scene's, and its front on the side of "
-                       "the camera"}};
+               .otherwise = "camera for studio, world for outdoor",
+               .text = "camera: moves with the camera; world: up is the scene's, and front is the camera's side"}};
 #undef AT
 const struct zr_json_object zr_json_object_environment = ZR_JSON_OBJECT_OF("environment", environment_fields);
 

@@ -42,10 +42,10 @@ struct given_angles {
 };
 #define AT(member) offsetof(struct given_angles, member)
 static const struct zr_json_field angle_fields[] = {
-    {"yfov", read_angle, AT(yfov), 0, PI, .unit = "radians", .text = "the angle of view from bottom to top"},
-    {"yfovDegrees", read_angle, AT(yfov), 0, 180, .unit = "degrees", .text = "the angle of view from bottom to top"},
-    {"xfov", read_angle, AT(xfov), 0, PI, .unit = "radians", .text = "the angle of view from left to right"},
-    {"xfovDegrees", read_angle, AT(xfov), 0, 180, .unit = "degrees", .text = "the angle of view from left to right"}};
+    {"yfov", read_angle, AT(yfov), 0, PI, .unit = "radians", .text = "vertical angle of view"},
+    {"yfovDegrees", read_angle, AT(yfov), 0, 180, .unit = "degrees", .text = "vertical angle of view"},
+    {"xfov", read_angle, AT(xfov), 0, PI, .unit = "radians", .text = "horizontal angle of view"},
+    {"xfovDegrees", read_angle, AT(xfov), 0, 180, .unit = "degrees", .text = "horizontal angle of view"}};
 #undef AT
 const struct zr_json_object zr_json_object_perspective = ZR_JSON_OBJECT_OF("perspective", angle_fields);
 
@@ -78,9 +78,9 @@ bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, 
 enum { XMAG, YMAG };
 static const struct zr_json_field orthographic_fields[] = {
     [XMAG] = {"xmag", zr_json_positive, offsetof(struct zr_parsed_view, view.xmag), .unit = "scene units",
-              .otherwise = "so that the geometry fills the window", .text = "half of the width that is seen"},
+              .otherwise = "fitted to the geometry", .text = "half of the width of the view"},
     [YMAG] = {"ymag", zr_json_positive, offsetof(struct zr_parsed_view, view.ymag), .unit = "scene units",
-              .otherwise = "so that the geometry fills the window", .text = "half of the height that is seen"}};
+              .otherwise = "fitted to the geometry", .text = "half of the height of the view"}};
 const struct zr_json_object zr_json_object_orthographic = ZR_JSON_OBJECT_OF("orthographic", orthographic_fields);
 
 bool zr_read_orthographic(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
@@ -116,11 +116,11 @@ enum { FX, FY, CX, CY, SKEW };
 #define PIXELS(key, read, member)                                                                                      \
     key, read, offsetof(struct zr_intrinsics, member), -PIXELS_MAX, PIXELS_MAX, .unit = "pixels"
 static const struct zr_json_field intrinsics_fields[] = {
-    [FX] = {PIXELS("fx", read_focal, fx), .required = true, .text = "the focal length, across"},
-    [FY] = {PIXELS("fy", read_focal, fy), .otherwise = "fx", .text = "the focal length, up and down"},
-    [CX] = {PIXELS("cx", zr_json_number, cx), .otherwise = "the middle", .text = "the optical axis, from the left"},
-    [CY] = {PIXELS("cy", zr_json_number, cy), .otherwise = "the middle", .text = "the optical axis, from the top"},
-    [SKEW] = {PIXELS("skew", zr_json_number, skew), .otherwise = "0", .text = "how far x moves with y"}};
+    [FX] = {PIXELS("fx", read_focal, fx), .required = true, .text = "horizontal focal length"},
+    [FY] = {PIXELS("fy", read_focal, fy), .otherwise = "fx", .text = "vertical focal length"},
+    [CX] = {PIXELS("cx", zr_json_number, cx), .otherwise = "the middle", .text = "principal point, from the left"},
+    [CY] = {PIXELS("cy", zr_json_number, cy), .otherwise = "the middle", .text = "principal point, from the top"},
+    [SKEW] = {PIXELS("skew", zr_json_number, skew), .otherwise = "0", .text = "skew: change of x with y"}};
 const struct zr_json_object zr_json_object_intrinsics = ZR_JSON_OBJECT_OF("intrinsics", intrinsics_fields);
 
 bool zr_read_intrinsics(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,

@@ -27,17 +27,16 @@ struct zr_scalars {
     {.key = "scalars",                                                                                                 \
      .read = zr_read_scalars,                                                                                          \
      .offset = offsetof(type, member),                                                                                 \
-     .text = "one number for each position, or for each face, to be coloured by a map"},                               \
+     .text = "numbers, one per position or per face, coloured by a colormap"},                                         \
         {.key = "colormap",                                                                                            \
          .read = zr_json_choice,                                                                                       \
          .offset = offsetof(type, member.colormap),                                                                    \
          .words = &zr_colormap_names,                                                                                  \
          .otherwise = "viridis",                                                                                       \
-         .text = "which colours numbers have; of heights without scalars: of their z"},                                \
+         .text = "colour map of the scalars, or of the heights of a mesh without scalars"},                            \
     {                                                                                                                  \
         .key = "range", .read = zr_read_scalar_range, .offset = offsetof(type, member),                                \
-        .otherwise = "the smallest and the largest of them",                                                           \
-        .text = "the numbers that have the first and the last colour of the map"                                       \
+        .otherwise = "the smallest and the largest number", .text = "numbers of the first and the last colour"         \
     }
 zr_json_read_fn zr_read_scalars, zr_read_scalar_range; /* struct zr_scalars */
 

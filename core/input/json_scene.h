@@ -183,34 +183,34 @@ struct zr_style {
      .read = zr_json_choice,                                                                                           \
      .offset = offsetof(type, faces.shading),                                                                          \
      .words = &zr_shading_names,                                                                                       \
-     .otherwise = "gouraud where there are normals or vertex colours, else flat",                                      \
-     .text = "how faces are coloured"},                                                                                \
+     .otherwise = "gouraud if there are normals or vertex colours, else flat",                                         \
+     .text = "model of reflection"},                                                                                   \
         {.key = "fill",                                                                                                \
          .read = zr_json_flag,                                                                                         \
          .offset = offsetof(type, faces.fill),                                                                         \
          .otherwise = "true",                                                                                          \
-         .text = "false: faces are left out, and only their outlines are drawn"},                                      \
+         .text = "filled faces; false: outlines only"},                                                                \
         {.key = "alphaMode",                                                                                           \
          .read = zr_json_choice,                                                                                       \
          .offset = offsetof(type, faces.alpha_mode),                                                                   \
          .words = &zr_alpha_mode_names,                                                                                \
          .otherwise = "OPAQUE",                                                                                        \
-         .text = "what opacity does: nothing, or it is compared with alphaCutoff, or what is behind shows through"},   \
+         .text = "use of opacity: OPAQUE ignores it, MASK compares it with alphaCutoff, BLEND blends"},                \
         {.key = "alphaCutoff",                                                                                         \
          .read = zr_json_float,                                                                                        \
          .offset = offsetof(type, faces.alpha_cutoff),                                                                 \
          .low = 0,                                                                                                     \
          .high = 1,                                                                                                    \
          .otherwise = "0.5",                                                                                           \
-         .text = "of MASK: where the opacity is less, nothing is there"},                                              \
+         .text = "MASK: smallest opacity that is drawn"},                                                              \
     {                                                                                                                  \
         .key = "outline", .read = zr_read_outline, .offset = offsetof(type, faces), .otherwise = "false",              \
-        .text = "the edges of faces: true, false or a colour"                                                          \
+        .text = "outlines of faces: true, false or a colour"                                                           \
     }
 #define ZR_SIDES_FIELD(type, faces)                                                                                    \
     {                                                                                                                  \
         .key = "doubleSided", .read = zr_json_flag, .offset = offsetof(type, faces.double_sided),                      \
-        .otherwise = "false", .text = "faces are seen from behind too"                                                 \
+        .otherwise = "false", .text = "both sides of faces"                                                            \
     }
 zr_json_read_fn zr_read_outline; /* struct zr_face_style */
 
@@ -289,10 +289,10 @@ void zr_parsed_check_light(struct zr_parsed_scene *root);
     {.key = ZR_BYTES_URI,                                                                                              \
      .read = zr_json_string,                                                                                           \
      .offset = offsetof(type, name.uri),                                                                               \
-     .text = "a data: URI with the bytes"},                                                                            \
+     .text = "data: URI with the bytes"},                                                                              \
     {                                                                                                                  \
         .key = ZR_BYTES_ASSET, .read = zr_json_string, .offset = offsetof(type, name.asset),                           \
-        .text = "the name of a part of the request, or sha256: and the hash of what was uploaded before"               \
+        .text = "name of a part of the request, or sha256: and the hash of an uploaded asset"                          \
     }
 
 /* json_bytes.c: the bytes of a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."}. They stay in the

@@ -48,13 +48,13 @@ static bool read_numbered(struct zr_json *json, const struct zr_json_path *path,
 #define SAMPLER(member) offsetof(struct zr_parsed_sampler, member)
 static const struct zr_json_field sampler_fields[] = {
     {"magFilter", read_numbered, SAMPLER(magnify), .words = &magnify.names, .otherwise = "linear",
-     .text = "where a texel is larger than a pixel"},
+     .text = "filter for texels larger than a pixel"},
     {"minFilter", read_numbered, SAMPLER(minify), .words = &minify.names, .otherwise = "linearMipmapLinear",
-     .text = "where it is smaller"},
+     .text = "filter for texels smaller than a pixel"},
     {"wrapS", read_numbered, SAMPLER(wrap_s), .words = &wraps.names, .otherwise = "repeat",
-     .text = "what is beyond the image along u"},
+     .text = "repetition of the image along u"},
     {"wrapT", read_numbered, SAMPLER(wrap_t), .words = &wraps.names, .otherwise = "repeat",
-     .text = "what is beyond the image along v"}};
+     .text = "repetition of the image along v"}};
 const struct zr_json_object zr_json_object_sampler = ZR_JSON_OBJECT_OF("sampler", sampler_fields);
 
 static bool read_sampler(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
@@ -98,16 +98,16 @@ static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path,
 #define TEXTURE_FIELDS                                                                                                 \
     ZR_BYTES_NAME_FIELDS(struct zr_parsed_texture, name),                                                              \
         {"texcoord", read_texcoord, TEXTURE(texcoord), .otherwise = "0",                                               \
-         .text = "which coordinates of the mesh: 0 or 1"},                                                             \
+         .text = "texture coordinates of the mesh: 0 (texcoords) or 1"},                                               \
         {"sampler", read_sampler, TEXTURE(sampler), .otherwise = "linear, with mipmaps, repeated",                     \
-         .text = "how texels become pixels"},                                                                          \
+         .text = "filters and repetition of the image"},                                                               \
         {"offset",                                                                                                     \
          read_two,                                                                                                     \
          TEXTURE(offset),                                                                                              \
          -OFFSET_MAX,                                                                                                  \
          OFFSET_MAX,                                                                                                   \
          .otherwise = "[0, 0]",                                                                                        \
-         .text = "added to the coordinates"},                                                                          \
+         .text = "offset added to the coordinates"},                                                                   \
         {"rotation",                                                                                                   \
          zr_json_number,                                                                                               \
          TEXTURE(rotation),                                                                                            \
@@ -115,10 +115,10 @@ static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path,
          1e6,                                                                                                          \
          .unit = "radians",                                                                                            \
          .otherwise = "0",                                                                                             \
-         .text = "of the coordinates, around [0, 0]; the image turns clockwise"},                                      \
+         .text = "rotation of the coordinates around [0, 0]; the image turns clockwise"},                              \
     {                                                                                                                  \
         "scale", read_two, TEXTURE(scale), -SCALE_MAX, SCALE_MAX,                                                      \
-            .otherwise = "[1, 1]", .text = "of the coordinates: 2 shows the image twice"                               \
+            .otherwise = "[1, 1]", .text = "factor of the coordinates: 2 shows the image twice"                        \
     }
 static const struct zr_json_field fields[] = {TEXTURE_FIELDS};
 const struct zr_json_object zr_json_object_texture = ZR_JSON_OBJECT_OF("texture", fields);
@@ -126,12 +126,12 @@ const struct zr_json_object zr_json_object_texture = ZR_JSON_OBJECT_OF("texture"
 static const struct zr_json_field normal_fields[] = {TEXTURE_FIELDS,
                                                      {"normalScale", zr_json_float, TEXTURE(strength), -1000, 1000,
                                                       .otherwise = "1",
-                                                      .text = "a factor of what the normals lean to"}};
+                                                      .text = "factor of the x and y of the normals"}};
 const struct zr_json_object zr_json_object_normalTexture = ZR_JSON_OBJECT_OF("normalTexture", normal_fields);
 
 static const struct zr_json_field occlusion_fields[] = {
     TEXTURE_FIELDS,
-    {"strength", zr_json_float, TEXTURE(strength), 0, 1, .otherwise = "1", .text = "how much of it is applied"}};
+    {"strength", zr_json_float, TEXTURE(strength), 0, 1, .otherwise = "1", .text = "strength of the effect"}};
 const struct zr_json_object zr_json_object_occlusionTexture = ZR_JSON_OBJECT_OF("occlusionTexture", occlusion_fields);
 
 static bool read_by(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,

@@ -18,7 +18,7 @@ enum { PATH_LINKS_MAX = 16, POINTER_ROOM = ZR_POINTER_SIZE + 8 };
 
 /* ---- faults ---- */
 
-/* RFC 6901, section 3: ~ becomes ~0 and / becomes ~1. Stops one byte early if needed, so that the text stays too long
+/* RFC 6901, section 3: ~ becomes ~0 and / becomes ~1. A key without room is cut short; the text is then still too long
  * for zr_error_add, which cuts it at a whole character. */
 static size_t write_key(char *text, size_t used, const char *key)
 {

@@ -28,7 +28,7 @@ struct zr_json_path {
 /* ---- faults ---- */
 
 /* Reports ZR_BAD_SCENE at `path` (NULL: the root); returns false. Reports nothing once the arena has failed, since
- * values that could not be kept would seem to be missing. Ends a part that is read ahead. */
+ * values that could not be kept would seem to be missing. Ends a part that json_list.h reads ahead. */
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

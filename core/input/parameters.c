@@ -47,10 +47,11 @@ static const struct zr_names projection_names = ZR_NAMES(2, projections);
 /* Parameters that are no key of a scene. */
 #define AT(member) offsetof(struct zr_query, member)
 static const struct zr_json_field query_fields[] = {
-    {"compress", zr_json_choice, AT(compress), .words = &zr_compress_names, .text = "how PNGs are compressed"},
-    {"strict", zr_json_bool, AT(is_strict), .text = "warnings are errors"},
-    {"up", zr_read_up, AT(z_is_up), .words = &zr_up_names, .text = "the axis of the mesh that points up"},
-    {"projection", zr_json_choice, AT(projection), .words = &projection_names, .text = "with the angle of the look"}};
+    {"compress", zr_json_choice, AT(compress), .words = &zr_compress_names, .text = "compression of PNGs"},
+    {"strict", zr_json_bool, AT(is_strict), .text = "errors instead of warnings"},
+    {"up", zr_read_up, AT(z_is_up), .words = &zr_up_names, .text = "axis of the mesh that points up"},
+    {"projection", zr_json_choice, AT(projection), .words = &projection_names,
+     .text = "kind of projection, with the look's angle of view"}};
 #undef AT
 static const struct zr_json_object query_object = ZR_JSON_OBJECT_OF("query", query_fields);
 static const char query_prefix[] = "/query/";
