@@ -160,7 +160,7 @@ static void make_normals(struct zr_team *team, struct creasing *c)
 struct rooms {
     char *all;
     size_t size;
-    zr_vec4 *places;
+    zr_vec4 *positions;
     uint64_t *rest;
     uint32_t *vertices;
 };
@@ -175,7 +175,7 @@ static void find_rooms(struct zr_arena *arena, const struct zr_mesh_extent *exte
     rooms->size = copied + rest + positions * sizeof(uint32_t);
     rooms->all = zr_arena_alloc(arena, rooms->size, 1);
     if (!rooms->all) return;
-    rooms->places = (zr_vec4 *)(void *)rooms->all;
+    rooms->positions = (zr_vec4 *)(void *)rooms->all;
     rooms->rest = (uint64_t *)(void *)(rooms->all + copied);
     rooms->vertices = (uint32_t *)(void *)(rooms->all + copied + rest);
 }
@@ -195,10 +195,10 @@ zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, co
     struct rooms rooms = {0};
     find_rooms(arena, &extent, &c, &rooms);
     if (!zr_arena_ok(arena)) return NULL;
-    const struct zr_weld_input places = zr_weld_input_make(team, mesh, &extent, rooms.places);
-    c.mesh.positions = places.at;
-    c.vertex_count = zr_weld_make(team, cancel, &places, rooms.rest, rooms.vertices);
-    c.vertices = c.vertex_count < places.count ? rooms.vertices : NULL;
+    const struct zr_weld_input input = zr_weld_input_make(team, mesh, &extent, rooms.positions);
+    c.mesh.positions = input.at;
+    c.vertex_count = zr_weld_make(team, cancel, &input, rooms.rest, rooms.vertices);
+    c.vertices = c.vertex_count < input.count ? rooms.vertices : NULL;
     c.slots = (uint32_t *)(void *)rooms.rest;
     c.counts = c.slots + corner_count;
     if (c.vertex_count > 0) make_normals(team, &c);

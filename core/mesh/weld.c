@@ -18,7 +18,7 @@ struct table {
 
 struct welding {
     const struct zr_cancel *cancel;
-    const struct zr_weld_input *places;
+    const struct zr_weld_input *input;
     enum zr_isa isa;
     struct zr_weld_grid grid;
     float square; /* square of the tolerance */
@@ -62,12 +62,12 @@ static bool is_near(const struct welding *w, const zr_vec4 *a, const zr_vec4 *b)
 static uint32_t find(const struct welding *w, const struct table *table, uint32_t hash, uint32_t position,
                      uint32_t *end)
 {
-    const zr_vec4 *place = &w->places->at[position];
+    const zr_vec4 *place = &w->input->at[position];
     uint32_t first = position, slot = slot_of(w, table, hash);
     for (; table->slots[slot] != 0; slot = slot + 1 == table->count ? 0 : slot + 1) {
         const uint32_t other = (uint32_t)table->slots[slot] - 1;
         if (table->slots[slot] >> 32 != hash || other >= first) continue;
-        const zr_vec4 *at = &w->places->at[other];
+        const zr_vec4 *at = &w->input->at[other];
         if (is_same(place, at)) {
             first = other;
             break;
@@ -83,7 +83,7 @@ static uint32_t find(const struct welding *w, const struct table *table, uint32_
 static void find_cells(void *context, size_t begin, size_t end)
 {
     const struct welding *w = context;
-    zr_weld_cells_of(w->isa)(w->places->at + begin, end - begin, &w->grid, w->cells + begin);
+    zr_weld_cells_of(w->isa)(w->input->at + begin, end - begin, &w->grid, w->cells + begin);
 }
 
 static void count_part(void *context, size_t begin, size_t end)
@@ -91,7 +91,7 @@ static void count_part(void *context, size_t begin, size_t end)
     struct welding *w = context;
     for (uint32_t part = (uint32_t)begin; part < end; part++) {
         uint32_t count = 0;
-        for (uint32_t i = 0; i < w->places->count; i++)
+        for (uint32_t i = 0; i < w->input->count; i++)
             count += part_of(w, w->cells[i]) == part;
         w->tables[part].count = count;
     }
@@ -105,7 +105,7 @@ struct own {
 static void list(const struct welding *w, uint32_t begin, uint32_t part, struct own *own)
 {
     const struct table *table = &w->tables[part];
-    const uint32_t left = w->places->count - begin, end = begin + (left < AT_ONCE ? left : AT_ONCE);
+    const uint32_t left = w->input->count - begin, end = begin + (left < AT_ONCE ? left : AT_ONCE);
     uint32_t count = 0;
     for (uint32_t i = begin; i < end; i++) {
         own->positions[count] = i;
@@ -120,7 +120,7 @@ static void find_firsts(const struct welding *w, const struct table *table, cons
 {
     for (uint32_t i = 0; i < own->count; i++) {
         const uint32_t entry = (uint32_t)table->slots[slot_of(w, table, hash_of(w, own->positions[i]))];
-        zr_prefetch(&w->places->at[entry != 0 ? entry - 1 : 0], 0, sizeof *w->places->at);
+        zr_prefetch(&w->input->at[entry != 0 ? entry - 1 : 0], 0, sizeof *w->input->at);
     }
     for (uint32_t i = 0; i < own->count; i++) {
         const uint32_t position = own->positions[i];
@@ -133,7 +133,7 @@ static void find_firsts(const struct welding *w, const struct table *table, cons
 static void weld_part(void *context, size_t begin, size_t end)
 {
     const struct welding *w = context;
-    const uint32_t count = w->places->count;
+    const uint32_t count = w->input->count;
     for (uint32_t part = (uint32_t)begin; part < end; part++) {
         struct own own[2];
         memset(w->tables[part].slots, 0, w->tables[part].count * sizeof *w->tables[part].slots);
@@ -165,7 +165,7 @@ static struct along along_axis(float place, float low, float cells_per_unit)
 /* Lists the hashes of up to seven neighbouring cells and returns their number. */
 static int list_neighbours(const struct welding *w, uint32_t position, uint32_t hashes[7])
 {
-    const zr_vec4 *place = &w->places->at[position];
+    const zr_vec4 *place = &w->input->at[position];
     const struct along x = along_axis(place->x, w->grid.low.x, w->grid.cells_per_unit),
                        y = along_axis(place->y, w->grid.low.y, w->grid.cells_per_unit),
                        z = along_axis(place->z, w->grid.low.z, w->grid.cells_per_unit);
@@ -236,27 +236,27 @@ static void place_tables(struct welding *w, uint64_t *room)
     }
 }
 
-uint32_t zr_weld_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_weld_input *places,
+uint32_t zr_weld_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_weld_input *input,
                       uint64_t *room, uint32_t *vertices)
 {
-    const float tolerance = ZR_WELD_TOLERANCE * places->diagonal;
+    const float tolerance = ZR_WELD_TOLERANCE * input->diagonal;
     const uint32_t threads = (uint32_t)zr_team_size(team),
                    most = threads < ZR_WELD_PARTS_MAX ? threads : ZR_WELD_PARTS_MAX;
     struct welding w = {
         .cancel = cancel,
-        .places = places,
+        .input = input,
         .isa = zr_team_isa(team),
-        .grid = {places->low, tolerance > 0.0f ? 1.0f / (ZR_WELD_CELL_TOLERANCES * tolerance) : 0.0f},
+        .grid = {input->low, tolerance > 0.0f ? 1.0f / (ZR_WELD_CELL_TOLERANCES * tolerance) : 0.0f},
         .square = tolerance * tolerance,
-        .part_count = places->count < POSITIONS_A_PART ? 1 : most,
-        .cells = (uint32_t *)(void *)(room + zr_weld_slots(places->count)),
+        .part_count = input->count < POSITIONS_A_PART ? 1 : most,
+        .cells = (uint32_t *)(void *)(room + zr_weld_slots(input->count)),
         .firsts = vertices,
     };
-    zr_team_ranges(team, places->count, POSITIONS_A_RANGE, find_cells, &w);
+    zr_team_ranges(team, input->count, POSITIONS_A_RANGE, find_cells, &w);
     zr_team_ranges(team, w.part_count, 1, count_part, &w);
     place_tables(&w, room);
     zr_team_ranges(team, w.part_count, 1, weld_part, &w);
     if (zr_is_cancelled(cancel)) return 0;
-    zr_team_ranges(team, places->count, POSITIONS_A_RANGE, join_range, &w);
-    return number(vertices, places->count);
+    zr_team_ranges(team, input->count, POSITIONS_A_RANGE, join_range, &w);
+    return number(vertices, input->count);
 }

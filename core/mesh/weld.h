@@ -29,9 +29,9 @@ static inline size_t zr_weld_room(uint32_t positions)
 }
 
 /* Sets vertices[p] to the vertex of position p: 0 .. count - 1, in the order of their first positions. Returns the
- * count; places->count means that all positions are distinct and vertices[p] is p. `room` has zr_weld_room words of
+ * count; input->count means that all positions are distinct and vertices[p] is p. `room` has zr_weld_room words of
  * scratch. If cancelled, may return 0 early. */
-uint32_t zr_weld_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_weld_input *places,
+uint32_t zr_weld_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_weld_input *input,
                       uint64_t *room, uint32_t *vertices);
 
 struct zr_weld_grid {
@@ -46,7 +46,7 @@ enum { ZR_WELD_CELL_TOLERANCES = 16, ZR_WELD_CELLS_MOST = 1 << 18 };
 #define ZR_WELD_INNER (0.5f - 1.0f / ZR_WELD_CELL_TOLERANCES - 0.015f)
 
 /* Writes the cell of each position, as zr_weld_hash, plus 1 if it is near a border. A kernel. */
-typedef void zr_weld_cells_fn(const zr_vec4 *places, size_t count, const struct zr_weld_grid *grid, uint32_t *cells);
+typedef void zr_weld_cells_fn(const zr_vec4 *positions, size_t count, const struct zr_weld_grid *grid, uint32_t *cells);
 
 ZR_KERNEL_TABLE(zr_weld_cells_fn, zr_weld_cells)
 

@@ -17,10 +17,10 @@ static inline zr_vi mix(zr_vi h, int bits, uint32_t factor)
     return (h ^ high) * zr_vi_set((int32_t)factor);
 }
 
-static inline zr_vi cells_of(const zr_vec4 *places, const struct zr_weld_grid *grid)
+static inline zr_vi cells_of(const zr_vec4 *positions, const struct zr_weld_grid *grid)
 {
     zr_vf x, y, z, w;
-#define PLACE(i) (&places[i].x)
+#define PLACE(i) (&positions[i].x)
     ZR_LOAD4(x, y, z, w, PLACE);
 #undef PLACE
     (void)w;
@@ -33,14 +33,14 @@ static inline zr_vi cells_of(const zr_vec4 *places, const struct zr_weld_grid *g
     return h + zr_vi_select(near, zr_vi_set(1), zr_vi_set(0));
 }
 
-void ZR_KERNEL(zr_weld_cells)(const zr_vec4 *places, size_t count, const struct zr_weld_grid *grid, uint32_t *cells)
+void ZR_KERNEL(zr_weld_cells)(const zr_vec4 *positions, size_t count, const struct zr_weld_grid *grid, uint32_t *cells)
 {
     size_t i = 0;
     for (; i + ZR_LANES <= count; i += ZR_LANES)
-        zr_vi_store(cells + i, cells_of(places + i, grid));
+        zr_vi_store(cells + i, cells_of(positions + i, grid));
     if (i == count) return;
     /* The remaining positions, fewer than a group. */
     zr_vec4 last[ZR_LANES] = {{0, 0, 0, 0}};
-    memcpy(last, places + i, (count - i) * sizeof *last);
+    memcpy(last, positions + i, (count - i) * sizeof *last);
     zr_vi_store_first(cells + i, cells_of(last, grid), (uint32_t)(count - i));
 }

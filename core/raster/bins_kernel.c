@@ -27,7 +27,7 @@ struct sorter {
     zr_vp last; /* last pixel of the window */
     /* Per triangle of a part, pairs as in zr_vp on the snapped grid: the pixel of corner 0, its offset from that
      * pixel's centre, and the vectors from corner 0 to corners 1 and 2. */
-    uint32_t pixel[PART], beyond[PART], way1[PART], way2[PART];
+    uint32_t pixel[PART], beyond[PART], to1[PART], to2[PART];
     struct zr_tiny tiny;
     struct in_one_tile in_one;
     struct in_several_tiles in_several;
@@ -82,7 +82,7 @@ struct snapped {
 
 /* Returns the vector from corner 0 to corner k. One that exceeds 16 bits saturates, which is far too long for a small
  * triangle. */
-static inline zr_vi way_to(const struct snapped *c, int k)
+static inline zr_vi vector_to(const struct snapped *c, int k)
 {
     return (zr_vi)zr_vp_pack(c->low[k] - c->low[0], c->high[k] - c->high[0]);
 }
@@ -100,8 +100,8 @@ static inline void snap_group(struct sorter *s, const uint32_t *corners, uint32_
     const zr_vi in_pixel = zr_vi_set(ZR_SUBPIXELS - 1);
     zr_vi_store(s->pixel + at, (zr_vi)zr_vp_pack(c.low[0] >> ZR_SUBPIXEL_BITS, c.high[0] >> ZR_SUBPIXEL_BITS));
     zr_vi_store(s->beyond + at, (zr_vi)zr_vp_pack(c.low[0] & in_pixel, c.high[0] & in_pixel));
-    zr_vi_store(s->way1 + at, way_to(&c, 1));
-    zr_vi_store(s->way2 + at, way_to(&c, 2));
+    zr_vi_store(s->to1 + at, vector_to(&c, 1));
+    zr_vi_store(s->to2 + at, vector_to(&c, 2));
 }
 
 /* Returns true if corners i and j have the same window position, a precondition for the same position in the mesh. */
@@ -164,10 +164,10 @@ static inline zr_vm has_none(zr_vp pairs, uint16_t bits)
 static inline void sort_group(struct sorter *s, uint32_t at, zr_vm valid, uint32_t first)
 {
     const zr_vi zero = zr_vi_set(0);
-    const zr_vp none = (zr_vp)zero, way1 = (zr_vp)zr_vi_load(s->way1 + at), way2 = (zr_vp)zr_vi_load(s->way2 + at);
-    const zr_vp least = zr_vp_min(zr_vp_min(way1, way2), none), most = zr_vp_max(zr_vp_max(way1, way2), none);
+    const zr_vp none = (zr_vp)zero, to1 = (zr_vp)zr_vi_load(s->to1 + at), to2 = (zr_vp)zr_vi_load(s->to2 + at);
+    const zr_vp least = zr_vp_min(zr_vp_min(to1, to2), none), most = zr_vp_max(zr_vp_max(to1, to2), none);
     const zr_vm small = zr_vm_and(valid, has_none(most - least, (uint16_t)-ZR_BIN_SMALL_SPAN));
-    const zr_vi area = zr_vp_cross(way2, way1); /* undefined if a vector saturated: then the triangle is not small */
+    const zr_vi area = zr_vp_cross(to2, to1); /* undefined if a vector saturated: then the triangle is not small */
     if (s->prepaint && s->prepaint->backs) note_backs(s, small, area, first);
     const zr_vm spanning = zr_vm_andnot(valid, small), flat = zr_vm_and(small, zr_vi_eq(area, zero));
     const zr_vm shown = shown_of(s, zr_vm_andnot(small, flat), area);
@@ -184,7 +184,7 @@ static inline void sort_group(struct sorter *s, uint32_t at, zr_vm valid, uint32
     const zr_vm tiny = ZR_FAST(tiny_fragments, zr_vm_any(is_tiny)) ? is_tiny : zr_vm_of(0);
     const zr_vm listed = zr_vm_andnot(drawn, tiny);
     const zr_vi numbers = zr_vi_set((int32_t)first) + zr_vi_ramp();
-    zr_tiny_add(&s->tiny, tiny, numbers, first_place, beyond + ((pixel - first_place) << ZR_SUBPIXEL_BITS), way1, way2);
+    zr_tiny_add(&s->tiny, tiny, numbers, first_place, beyond + ((pixel - first_place) << ZR_SUBPIXEL_BITS), to1, to2);
     if (zr_vm_any(listed)) add_small(s, listed, first_place, last_place, numbers);
 }
 _Static_assert((ZR_BIN_SMALL_SPAN & (ZR_BIN_SMALL_SPAN - 1)) == 0,

@@ -1,6 +1,6 @@
 #include "raster/fragments.h"
 
-/* Of the lists of a whole window: some milliseconds, where their memory is touched for the first time. */
+/* For the lists of a whole window: takes some milliseconds at the first access to their memory. */
 enum { PLACES_A_CANCEL_CHECK = 1 << 20 };
 
 static void *take(struct zr_arena *arena, pthread_mutex_t *lock, size_t count, size_t size)

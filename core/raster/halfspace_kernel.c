@@ -15,20 +15,20 @@ struct piece {
 };
 
 /* Operation on a sample: z-test, first write to an unwritten block, or adding to the lists. */
-enum way { NEAREST, FIRST, LISTED };
+enum operation { NEAREST, FIRST, LISTED };
 
-static inline zr_vf put(struct zr_tile *tile, size_t i, zr_vm inside, zr_vf z, uint32_t owner, enum way way)
+static inline zr_vf put(struct zr_tile *tile, size_t i, zr_vm inside, zr_vf z, uint32_t owner, enum operation op)
 {
     const zr_vi owners = zr_vi_set((int32_t)owner);
-    if (way == FIRST) return zr_tile_put_first_v(&tile->depth[i], &tile->owner[i], inside, z, owners);
-    if (way == NEAREST) return zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owners).nearest;
+    if (op == FIRST) return zr_tile_put_first_v(&tile->depth[i], &tile->owner[i], inside, z, owners);
+    if (op == NEAREST) return zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owners).nearest;
     zr_tile_list_v(tile, i, inside, z, owner);
     return z;
 }
 
 /* Draws ZR_LANES columns from x on, a multiple of ZR_LANES, for the given lanes. FIRST: the block is not written yet.
  * Returns each column's farthest depth in the rows of the piece. */
-static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes, enum way way)
+static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes, enum operation op)
 {
     const zr_vi below_zero = zr_vi_set(-1), ramp = zr_vi_ramp(), skip = zr_vi_set(x - p->x0) + ramp;
     const zr_vi up[3] = {zr_vi_set(p->up[0]), zr_vi_set(p->up[1]), zr_vi_set(p->up[2])};
@@ -41,7 +41,7 @@ static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, in
     for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE, fy = fy + zr_vf_set(1.0f)) {
         const zr_vm inside = zr_vi_lt_where(lanes, below_zero, e[0] | e[1] | e[2]);
         const zr_vf z = zr_depth_columns_at(&columns, fy);
-        far = zr_vf_max(far, put(tile, i, inside, z, p->owner, way));
+        far = zr_vf_max(far, put(tile, i, inside, z, p->owner, op));
         for (int k = 0; k < 3; k++)
             e[k] += up[k];
     }
@@ -176,13 +176,13 @@ static inline void bound_block(struct zr_tile *tile, int block, zr_vf far)
 
 /* Draws the piece within a block. Triangles that share an edge may cover the block together: then it gets a bound as
  * well (a fifth of the time of large triangles that clipping divides). */
-static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, int block, enum way way)
+static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, int block, enum operation op)
 {
     const struct piece part = part_of(tile, p, block);
     const int32_t begin = first_lane(part.x0);
     zr_vf far = zr_vf_set(0.0f);
     for (int32_t x = begin; x <= part.x1; x += ZR_LANES)
-        far = zr_vf_max(far, draw_columns(tile, &part, x, lanes_of(&part, x), way));
+        far = zr_vf_max(far, draw_columns(tile, &part, x, lanes_of(&part, x), op));
     const bool all =
         part.y1 - part.y0 == ZR_BLOCK_HEIGHT - 1 && first_lane(part.x1) - begin == ZR_BLOCK_WIDTH - ZR_LANES;
     if (all) bound_block(tile, block, far);

@@ -92,12 +92,12 @@ static bool add_all(struct binning *b, const struct zr_cancel *cancel)
 /* Counting sort: counts, then offsets, then entries, each in the order of the scene. */
 enum zr_status zr_misc_bins_build(struct zr_arena *arena, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
                                   uint32_t width, uint32_t height, const struct zr_cancel *cancel,
-                                  struct zr_misc_bins *others)
+                                  struct zr_misc_bins *bins)
 {
     bool any = false;
     for (uint32_t i = 0; i < geometry->draw_count && !any; i++)
         any = is_wanted(&geometry->draws[i], mode);
-    *others = (struct zr_misc_bins){.count = 0};
+    *bins = (struct zr_misc_bins){.count = 0};
     if (!any) return ZR_OK;
     uint32_t columns = zr_tile_across(width);
     size_t tiles = zr_tile_count(width, height), total = 0;
@@ -119,7 +119,6 @@ enum zr_status zr_misc_bins_build(struct zr_arena *arena, const struct zr_geomet
     for (size_t i = tiles; i > 0; i--)
         binning.offsets[i] = binning.offsets[i - 1];
     binning.offsets[0] = 0;
-    *others =
-        (struct zr_misc_bins){binning.count, binning.offsets, binning.entries, binning.large, binning.large_count};
+    *bins = (struct zr_misc_bins){binning.count, binning.offsets, binning.entries, binning.large, binning.large_count};
     return ZR_OK;
 }

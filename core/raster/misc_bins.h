@@ -17,8 +17,8 @@ enum { ZR_MISC_BINS_TILES = 4 };
 struct zr_misc_bins {
     uint32_t count;          /* of all primitives; if 0, nothing else is defined */
     const size_t *offsets;   /* into entries; one per tile (raster/tile.h) and one more */
-    const uint32_t *entries; /* first numbers of primitives, ascending within a tile */
-    const uint32_t *large;   /* first numbers, ascending */
+    const uint32_t *entries; /* numbers of primitives (of a shape: its first triangle), ascending within a tile */
+    const uint32_t *large;   /* numbers likewise, ascending */
     uint32_t large_count;
 };
 
@@ -26,6 +26,6 @@ struct zr_misc_bins {
  * ZR_CANCELLED, or ZR_NO_MEMORY if the arena failed. */
 enum zr_status zr_misc_bins_build(struct zr_arena *arena, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
                                   uint32_t width, uint32_t height, const struct zr_cancel *cancel,
-                                  struct zr_misc_bins *others);
+                                  struct zr_misc_bins *bins);
 
 #endif

@@ -132,13 +132,13 @@ static inline const struct zr_draw *load_mixed_corners(const struct zr_geometry 
 /* ---- one triangle ---- */
 
 /* Operation on a sample: z-test, z-test with early colours, or adding to the lists. */
-enum way { SEEN, SEEN_WITH_WORDS, LISTED };
+enum operation { SEEN, SEEN_WITH_WORDS, LISTED };
 
 /* Draws ZR_LANES columns of triangle i from x on, a multiple of ZR_LANES. Its edges exclude samples outside of it, and
  * columns beyond the window, since it lies in the view volume. Setup values are broadcast when they are loaded (a tenth
  * of the time). Such triangles have no early colours. */
 static inline void draw_columns(struct zr_tile *tile, const struct group *g, uint32_t i, int32_t x, uint32_t owner,
-                                enum way way)
+                                enum operation op)
 {
     const zr_vi below_zero = zr_vi_set(-1), ramp = zr_vi_ramp(), skip = zr_vi_set(x - g->x0[i]) + ramp;
     zr_vi e0 = zr_vi_set(g->at[0][i]) + zr_vi_set(g->right[0][i]) * skip;
@@ -152,12 +152,12 @@ static inline void draw_columns(struct zr_tile *tile, const struct group *g, uin
     for (int32_t y = g->y0[i]; y <= g->y1[i]; y++, at += ZR_TILE_STRIDE, fy = fy + zr_vf_set(1.0f)) {
         const zr_vm inside = zr_vi_lt(below_zero, e0 | e1 | e2);
         const zr_vf z = zr_depth_clamp_v(column + dady * fy);
-        if (way == LISTED) {
+        if (op == LISTED) {
             zr_tile_list_v(tile, at, inside, z, owner);
         } else {
             const zr_vi owners = zr_vi_set((int32_t)owner);
             const struct zr_put_v put = zr_tile_put_v(&tile->depth[at], &tile->owner[at], inside, z, owners);
-            if (way == SEEN_WITH_WORDS) zr_vi_store_where(&tile->early_color[at], put.seen, zr_vi_set(0));
+            if (op == SEEN_WITH_WORDS) zr_vi_store_where(&tile->early_color[at], put.seen, zr_vi_set(0));
         }
         e0 += up0;
         e1 += up1;
@@ -165,21 +165,22 @@ static inline void draw_columns(struct zr_tile *tile, const struct group *g, uin
     }
 }
 
-static inline void draw_triangle(struct zr_tile *tile, const struct group *g, uint32_t i, uint32_t owner, enum way way)
+static inline void draw_triangle(struct zr_tile *tile, const struct group *g, uint32_t i, uint32_t owner,
+                                 enum operation op)
 {
     for (int32_t x = g->x0[i] & ~(ZR_LANES - 1); x <= g->x1[i]; x += ZR_LANES)
-        draw_columns(tile, g, i, x, owner, way);
+        draw_columns(tile, g, i, x, owner, op);
 }
 
 /* ---- a group ---- */
 
 /* Draws those of the first `count` triangles that are not in stamps. */
 static inline void draw_one_by_one(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count,
-                                   enum way way)
+                                   enum operation op)
 {
     for (uint32_t bits = ZR_ALL_BITS >> (ZR_LANES - count) & ~g->in_stamp; bits; bits &= bits - 1) {
         const uint32_t i = (uint32_t)zr_lowest_bit(bits);
-        draw_triangle(tile, g, i, numbers[i] + 1, way);
+        draw_triangle(tile, g, i, numbers[i] + 1, op);
     }
 }
 
@@ -224,7 +225,7 @@ __attribute__((noinline)) static void find_words(const struct worded *of, const 
  * fifth of the time of small triangles of the bunny at 512x512. SEEN_WITH_WORDS: visible samples get their word, or 0
  * if there is none. */
 static inline void draw_stamps(struct zr_tile *tile, const struct group *g, const uint32_t *numbers,
-                               const struct worded *of, enum way way)
+                               const struct worded *of, enum operation op)
 {
     uint32_t samples[ZR_STAMP_LIST], at[ZR_LANES], owners[ZR_LANES], words[ZR_STAMP_LIST];
     float depths[ZR_LANES];
@@ -241,12 +242,12 @@ static inline void draw_stamps(struct zr_tile *tile, const struct group *g, cons
         zr_vi_store(owners, zr_vi_bits_of(zr_vf_pick(owner, places.lane)));
         const uint32_t some = count - i < ZR_LANES ? count - i : ZR_LANES;
         for (uint32_t k = 0; k < some; k++) {
-            if (way == LISTED) {
+            if (op == LISTED) {
                 zr_tile_list_at(tile, at[k], depths[k], owners[k]);
                 continue;
             }
             const bool seen = zr_tile_put_at(tile, at[k], depths[k], owners[k]);
-            if (way == SEEN_WITH_WORDS && seen) tile->early_color[at[k]] = of ? words[i + k] : 0;
+            if (op == SEEN_WITH_WORDS && seen) tile->early_color[at[k]] = of ? words[i + k] : 0;
         }
     }
 }

@@ -48,7 +48,7 @@ struct zr_tiny {
     uint32_t numbers[ZR_TINY_ROOM + ZR_LANES];
     uint32_t places[ZR_TINY_ROOM + ZR_LANES]; /* of the lower left sample: y << 16 | x */
     /* Pairs of 16 bits, as zr_vp: corner 0, and the vectors from it to corners 1 and 2. */
-    uint32_t corner[ZR_TINY_ROOM + ZR_LANES], way1[ZR_TINY_ROOM + ZR_LANES], way2[ZR_TINY_ROOM + ZR_LANES];
+    uint32_t corner[ZR_TINY_ROOM + ZR_LANES], to1[ZR_TINY_ROOM + ZR_LANES], to2[ZR_TINY_ROOM + ZR_LANES];
     /* Covered samples; the upper bit of a place means that corners 0 and 1 are swapped. */
     uint32_t sample_numbers[ZR_TINY_SAMPLES_ROOM], sample_places[ZR_TINY_SAMPLES_ROOM];
     /* The same samples with depths, as zr_tiny_samples; one word of visibility bits per group. */
@@ -59,14 +59,14 @@ struct zr_tiny {
 
 /* ---- coverage ---- */
 
-static inline void zr_tiny_add(struct zr_tiny *tiny, zr_vm which, zr_vi numbers, zr_vp place, zr_vp corner, zr_vp way1,
-                               zr_vp way2)
+static inline void zr_tiny_add(struct zr_tiny *tiny, zr_vm which, zr_vi numbers, zr_vp place, zr_vp corner, zr_vp to1,
+                               zr_vp to2)
 {
     const uint32_t count = tiny->count;
     zr_vi_compress(tiny->places + count, which, (zr_vi)place);
     zr_vi_compress(tiny->corner + count, which, (zr_vi)corner);
-    zr_vi_compress(tiny->way1 + count, which, (zr_vi)way1);
-    zr_vi_compress(tiny->way2 + count, which, (zr_vi)way2);
+    zr_vi_compress(tiny->to1 + count, which, (zr_vi)to1);
+    zr_vi_compress(tiny->to2 + count, which, (zr_vi)to2);
     tiny->count += zr_vi_compress(tiny->numbers + count, which, numbers);
 }
 
@@ -74,8 +74,8 @@ static inline void zr_tiny_add(struct zr_tiny *tiny, zr_vm which, zr_vi numbers,
  * include their samples (a < 0, or a = 0 and b > 0) are those up to INT16_MAX. */
 static inline struct zr_edge_v zr_tiny_edge(zr_vp i, zr_vp j)
 {
-    const zr_vi way = (zr_vi)(i - j), less = (zr_vi_set(INT16_MAX) - way) >> 31;
-    return (struct zr_edge_v){(zr_vi_set(0) - (way >> 16)) << ZR_SUBPIXEL_BITS, way << 16 >> (16 - ZR_SUBPIXEL_BITS),
+    const zr_vi edge = (zr_vi)(i - j), less = (zr_vi_set(INT16_MAX) - edge) >> 31;
+    return (struct zr_edge_v){(zr_vi_set(0) - (edge >> 16)) << ZR_SUBPIXEL_BITS, edge << 16 >> (16 - ZR_SUBPIXEL_BITS),
                               zr_vp_cross(j, i) + ZR_MUTANT(all_edges_kept, less, zr_vi_set(0))};
 }
 
@@ -106,10 +106,10 @@ static inline void zr_tiny_add_samples(struct zr_tiny *tiny, const struct zr_tin
 static inline void zr_tiny_cover_group(struct zr_tiny *tiny, uint32_t from, zr_vm valid, zr_vi last)
 {
     const zr_vi zero = zr_vi_set(0), place = zr_vi_load(tiny->places + from), beyond = last - place;
-    const zr_vp way1 = (zr_vp)zr_vi_load(tiny->way1 + from), way2 = (zr_vp)zr_vi_load(tiny->way2 + from);
-    const zr_vm turned = zr_vi_lt(zr_vp_cross(way2, way1), zero);
-    zr_vi corner0 = zr_vi_load(tiny->corner + from), corner1 = (zr_vi)((zr_vp)corner0 + way1);
-    const zr_vp c2 = (zr_vp)corner0 + way2;
+    const zr_vp to1 = (zr_vp)zr_vi_load(tiny->to1 + from), to2 = (zr_vp)zr_vi_load(tiny->to2 + from);
+    const zr_vm turned = zr_vi_lt(zr_vp_cross(to2, to1), zero);
+    zr_vi corner0 = zr_vi_load(tiny->corner + from), corner1 = (zr_vi)((zr_vp)corner0 + to1);
+    const zr_vp c2 = (zr_vp)corner0 + to2;
     zr_swap_vi(turned, &corner0, &corner1);
     const zr_vp c0 = (zr_vp)corner0, c1 = (zr_vp)corner1;
     const struct zr_tiny_group group = {.edges = {zr_tiny_edge(c0, c1), zr_tiny_edge(c1, c2), zr_tiny_edge(c2, c0)},

@@ -38,15 +38,15 @@ void ZR_KERNEL(zr_early)(const struct zr_prepaint *prepaint, const uint32_t *num
 #undef COLOR_2
 #undef COLOR
     (void)opacity;
-    const struct zr_triangle_setup_v way = zr_way_make(zr_vm_of(turned), v);
-    const struct zr_planes3_v planes = zr_planes3_make(&way, c);
+    const struct zr_triangle_setup_v setup = zr_triangle_setup_make(zr_vm_of(turned), v);
+    const struct zr_planes3_v planes = zr_planes3_make(&setup, c);
     if (!triangles) {
-        zr_vi_store(words, color_at(&way.oow_plane, &planes, zr_vf_load(x), zr_vf_load(y)));
+        zr_vi_store(words, color_at(&setup.oow_plane, &planes, zr_vf_load(x), zr_vf_load(y)));
         return;
     }
     for (uint32_t i = 0; i < count; i += ZR_LANES) {
         const zr_vi lane = zr_vi_load(triangles + i);
-        const struct zr_plane_v oow = zr_plane_pick(&way.oow_plane, lane);
+        const struct zr_plane_v oow = zr_plane_pick(&setup.oow_plane, lane);
         const struct zr_planes3_v own = {zr_plane_pick(&planes.x, lane), zr_plane_pick(&planes.y, lane),
                                          zr_plane_pick(&planes.z, lane)};
         zr_vi_store(words + i, color_at(&oow, &own, zr_vf_load(x + i), zr_vf_load(y + i)));

@@ -110,17 +110,17 @@ struct zr_triangle_setup_v {
     struct zr_plane_v oow_plane; /* plane of 1/w */
 };
 
-ZR_INLINED struct zr_triangle_setup_v zr_way_make(zr_vm turned, const struct zr_corner_v corners[3])
+ZR_INLINED struct zr_triangle_setup_v zr_triangle_setup_make(zr_vm turned, const struct zr_corner_v corners[3])
 {
     struct zr_corner_v v[3] = {corners[0], corners[1], corners[2]};
     const int k = zr_swapped_corner();
-    struct zr_triangle_setup_v way = {.turned = turned, .oow = {v[0].oow, v[1].oow, v[2].oow}};
+    struct zr_triangle_setup_v setup = {.turned = turned, .oow = {v[0].oow, v[1].oow, v[2].oow}};
     zr_swap_vf(turned, &v[0].x, &v[k].x);
     zr_swap_vf(turned, &v[0].y, &v[k].y);
     zr_swap_vf(turned, &v[0].oow, &v[k].oow);
-    way.basis = zr_basis_make_v(v);
-    way.oow_plane = zr_plane_make_v(&way.basis, v[0].oow, v[1].oow, v[2].oow);
-    return way;
+    setup.basis = zr_basis_make_v(v);
+    setup.oow_plane = zr_plane_make_v(&setup.basis, v[0].oow, v[1].oow, v[2].oow);
+    return setup;
 }
 
 /* Planes of x, y and z, each times 1/w. */
@@ -129,25 +129,26 @@ struct zr_planes3_v {
 };
 
 /* Makes three planes. `values` are in mesh order. */
-ZR_INLINED struct zr_planes3_v zr_planes3_make(const struct zr_triangle_setup_v *way, const struct zr_vec3_v values[3])
+ZR_INLINED struct zr_planes3_v zr_planes3_make(const struct zr_triangle_setup_v *setup,
+                                               const struct zr_vec3_v values[3])
 {
-    struct zr_vec3_v v[3] = {zr_scale_v(values[0], way->oow[0]), zr_scale_v(values[1], way->oow[1]),
-                             zr_scale_v(values[2], way->oow[2])};
+    struct zr_vec3_v v[3] = {zr_scale_v(values[0], setup->oow[0]), zr_scale_v(values[1], setup->oow[1]),
+                             zr_scale_v(values[2], setup->oow[2])};
     const int k = zr_swapped_corner();
-    zr_swap_vf(way->turned, &v[0].x, &v[k].x);
-    zr_swap_vf(way->turned, &v[0].y, &v[k].y);
-    zr_swap_vf(way->turned, &v[0].z, &v[k].z);
-    return (struct zr_planes3_v){zr_plane_make_v(&way->basis, v[0].x, v[1].x, v[2].x),
-                                 zr_plane_make_v(&way->basis, v[0].y, v[1].y, v[2].y),
-                                 zr_plane_make_v(&way->basis, v[0].z, v[1].z, v[2].z)};
+    zr_swap_vf(setup->turned, &v[0].x, &v[k].x);
+    zr_swap_vf(setup->turned, &v[0].y, &v[k].y);
+    zr_swap_vf(setup->turned, &v[0].z, &v[k].z);
+    return (struct zr_planes3_v){zr_plane_make_v(&setup->basis, v[0].x, v[1].x, v[2].x),
+                                 zr_plane_make_v(&setup->basis, v[0].y, v[1].y, v[2].y),
+                                 zr_plane_make_v(&setup->basis, v[0].z, v[1].z, v[2].z)};
 }
 
 /* Makes the plane of one value per corner, in mesh order. */
-ZR_INLINED struct zr_plane_v zr_plane1_make(const struct zr_triangle_setup_v *way, zr_vf v0, zr_vf v1, zr_vf v2)
+ZR_INLINED struct zr_plane_v zr_plane1_make(const struct zr_triangle_setup_v *setup, zr_vf v0, zr_vf v1, zr_vf v2)
 {
-    zr_vf v[3] = {v0 * way->oow[0], v1 * way->oow[1], v2 * way->oow[2]};
-    zr_swap_vf(way->turned, &v[0], &v[zr_swapped_corner()]);
-    return zr_plane_make_v(&way->basis, v[0], v[1], v[2]);
+    zr_vf v[3] = {v0 * setup->oow[0], v1 * setup->oow[1], v2 * setup->oow[2]};
+    zr_swap_vf(setup->turned, &v[0], &v[zr_swapped_corner()]);
+    return zr_plane_make_v(&setup->basis, v[0], v[1], v[2]);
 }
 
 /* Loads window vertices by their numbers. */
@@ -176,7 +177,7 @@ ZR_INLINED struct zr_triangle_setup_v zr_way_of(const struct zr_window_vertex *v
 {
     struct zr_corner_v v[3];
     zr_vertices_load(vertices, numbers, v);
-    return zr_way_make(zr_turned_v(vertices, numbers[0], numbers[1], numbers[2], v), v);
+    return zr_triangle_setup_make(zr_turned_v(vertices, numbers[0], numbers[1], numbers[2], v), v);
 }
 
 /* ---- colours ---- */

@@ -14,13 +14,13 @@
 
 /* Makes plane k of a run, from one value per corner as the corners stand in the mesh. */
 ZR_INLINED void zr_put_value(struct zr_shader *s, const struct zr_run *run, unsigned mask, int k,
-                             const struct zr_triangle_setup_v *way, const zr_vf v[3], bool flat)
+                             const struct zr_triangle_setup_v *setup, const zr_vf v[3], bool flat)
 {
     const zr_vf zero = zr_vf_set(0.0f);
-    const struct zr_plane_v *oow = &way->oow_plane;
+    const struct zr_plane_v *oow = &setup->oow_plane;
     struct zr_plane_v plane = {v[0], zero, zero};
     if (!flat)
-        plane = zr_plane1_make(way, v[0], v[1], v[2]);
+        plane = zr_plane1_make(setup, v[0], v[1], v[2]);
     else if (mask & ZR_VARY_OVER_W)
         plane = (struct zr_plane_v){oow->a0 * v[0], oow->dadx * v[0], oow->dady * v[0]};
     zr_put_plane(s, run->first, k, zr_plane_count(mask), &plane);
@@ -28,17 +28,17 @@ ZR_INLINED void zr_put_value(struct zr_shader *s, const struct zr_run *run, unsi
 
 /* Makes planes k, k + 1 and k + 2. */
 ZR_INLINED void zr_put_three(struct zr_shader *s, const struct zr_run *run, unsigned mask, int k,
-                             const struct zr_triangle_setup_v *way, const struct zr_vec3_v v[3], bool flat)
+                             const struct zr_triangle_setup_v *setup, const struct zr_vec3_v v[3], bool flat)
 {
     const zr_vf x[3] = {v[0].x, v[1].x, v[2].x}, y[3] = {v[0].y, v[1].y, v[2].y}, z[3] = {v[0].z, v[1].z, v[2].z};
-    zr_put_value(s, run, mask, k, way, x, flat);
-    zr_put_value(s, run, mask, k + 1, way, y, flat);
-    zr_put_value(s, run, mask, k + 2, way, z, flat);
+    zr_put_value(s, run, mask, k, setup, x, flat);
+    zr_put_value(s, run, mask, k + 1, setup, y, flat);
+    zr_put_value(s, run, mask, k + 2, setup, z, flat);
 }
 
 /* Makes the groups COLOR and OPACITY, which have one rate. */
 ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, unsigned mask,
-                              const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
+                              const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
     const struct zr_draw_attributes *of_draw = run->of_draw;
     const struct zr_attribute *color = &of_draw->attributes[ZR_ATTRIBUTE_COLOR];
@@ -46,40 +46,40 @@ ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, uns
     struct zr_vec3_v c[3];
     zr_vf opacity[3];
     uint32_t backs = 0;
-    if (of_draw->two_sided_colors) backs = zr_vm_bits(zr_shown_backs(run->draw, zr_run_numbers(s, run), way->turned));
+    if (of_draw->two_sided_colors) backs = zr_vm_bits(zr_shown_backs(run->draw, zr_run_numbers(s, run), setup->turned));
     zr_colors_load(of_draw, corners->value, backs, c, opacity);
-    if (mask & ZR_VARY_COLOR) zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_COLOR), way, c, flat);
-    if (mask & ZR_VARY_OPACITY) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_OPACITY), way, opacity, flat);
+    if (mask & ZR_VARY_COLOR) zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_COLOR), setup, c, flat);
+    if (mask & ZR_VARY_OPACITY) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_OPACITY), setup, opacity, flat);
     if (zr_mixes_constants(mask)) memset(s->is_constant + run->first, flat, ZR_LANES);
 }
 
 /* Makes the group NORMAL. Flat surfaces in fog have no normals: 0. */
 ZR_INLINED void zr_put_normals(struct zr_shader *s, const struct zr_run *run, unsigned mask,
-                               const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
+                               const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
     const struct zr_attribute *normal = &run->of_draw->attributes[ZR_ATTRIBUTE_NORMAL];
     const struct zr_vec3_v none = zr_spread_v((zr_vec3){0.0f, 0.0f, 0.0f});
     struct zr_vec3_v n[3] = {none, none, none};
-    if (normal->values) zr_normals_load(run->of_draw, zr_run_numbers(s, run), way->turned, corners, n);
-    zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_NORMAL), way, n,
+    if (normal->values) zr_normals_load(run->of_draw, zr_run_numbers(s, run), setup->turned, corners, n);
+    zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_NORMAL), setup, n,
                  !(mask & ZR_VARY_PER_PIXEL) && zr_rate_is_flat(normal->rate));
 }
 
 /* Makes the groups POINT and DEPTH. */
 ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_run *run, unsigned mask,
-                              const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
+                              const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
     const zr_vec4 *points = run->of_draw->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex;
     struct zr_vec3_v p[3];
     zr_vf depth[3];
     zr_values_load(points, corners->vertex, p, depth);
-    if (mask & ZR_VARY_POINT) zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_POINT), way, p, false);
-    if (mask & ZR_VARY_DEPTH) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_DEPTH), way, depth, false);
+    if (mask & ZR_VARY_POINT) zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_POINT), setup, p, false);
+    if (mask & ZR_VARY_DEPTH) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_DEPTH), setup, depth, false);
 }
 
 /* Makes the group PLACE. In a G-buffer, texture coordinates are the mesh's own, and only opacity needs places. */
 ZR_INLINED void zr_put_places(struct zr_shader *s, const struct zr_run *run, unsigned mask,
-                              const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
+                              const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
     const struct zr_texture_map *alpha = zr_opacity_map_of(&s->attributes->textures, run->draw->material);
     zr_vf c[3][4], places[2][3];
@@ -91,12 +91,12 @@ ZR_INLINED void zr_put_places(struct zr_shader *s, const struct zr_run *run, uns
         places[1][k] = place[1];
     }
     for (int i = 0; i < 2; i++)
-        zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_PLACE) + i, way, places[i], false);
+        zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_PLACE) + i, setup, places[i], false);
 }
 
 /* Makes the groups TEXCOORDS and TANGENT. */
 static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *run, unsigned mask,
-                                    const struct zr_triangle_setup_v *way, const struct zr_corner_numbers *corners)
+                                    const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
     const int first = zr_first_plane(mask, ZR_VARY_TEXCOORDS), tangent = zr_first_plane(mask, ZR_VARY_TANGENT);
     const struct zr_vec3_v none = zr_spread_v((zr_vec3){0.0f, 0.0f, 0.0f});
@@ -105,13 +105,13 @@ static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *ru
     zr_texcoords_load(run, corners->vertex, c);
     for (int k = 0; k < 4; k++) {
         const zr_vf values[3] = {c[0][k], c[1][k], c[2][k]};
-        zr_put_value(s, run, mask, first + k, way, values, false);
+        zr_put_value(s, run, mask, first + k, setup, values, false);
     }
     if (run->draw->material->textures[ZR_TEXTURE_NORMAL])
-        tangents = zr_tangents_find(s, run, way->turned, corners->vertex, c);
+        tangents = zr_tangents_find(s, run, setup->turned, corners->vertex, c);
     const zr_vf sign[3] = {tangents.sign, tangents.sign, tangents.sign};
-    zr_put_three(s, run, mask, tangent, way, tangents.along, false);
-    zr_put_value(s, run, mask, tangent + 3, way, sign, true);
+    zr_put_three(s, run, mask, tangent, setup, tangents.along, false);
+    zr_put_value(s, run, mask, tangent + 3, setup, sign, true);
 }
 
 /* Returns the rate of the values that zr_corner_numbers.value numbers for a set. */
@@ -125,17 +125,17 @@ static inline enum zr_rate zr_rate_of(const struct zr_draw_attributes *of_draw, 
 ZR_INLINED void zr_put_triangles(struct zr_shader *s, const struct zr_run *run, unsigned mask,
                                  const struct zr_corner_numbers *corners, bool is_per_pixel)
 {
-    const struct zr_triangle_setup_v way = zr_way_of(s->geometry->vertices, corners->vertex);
-    struct zr_plane_v oow = way.oow_plane;
+    const struct zr_triangle_setup_v setup = zr_way_of(s->geometry->vertices, corners->vertex);
+    struct zr_plane_v oow = setup.oow_plane;
     if (zr_may_lack_w(mask) && zr_rate_is_flat(zr_rate_of(run->of_draw, mask)))
         oow = (struct zr_plane_v){zr_vf_set(1.0f), zr_vf_set(0.0f), zr_vf_set(0.0f)};
     zr_put_plane(s, run->first, 0, zr_plane_count(mask), &oow);
-    if (mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY)) zr_put_colors(s, run, mask, &way, corners);
+    if (mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY)) zr_put_colors(s, run, mask, &setup, corners);
     if (mask & ZR_VARY_PER_PIXEL && !is_per_pixel) return;
-    if (mask & ZR_VARY_NORMAL) zr_put_normals(s, run, mask, &way, corners);
-    if (mask & (ZR_VARY_POINT | ZR_VARY_DEPTH)) zr_put_points(s, run, mask, &way, corners);
-    if (mask & ZR_VARY_PLACE) zr_put_places(s, run, mask, &way, corners);
-    if (mask & ZR_VARY_TEXCOORDS) zr_put_texcoords(s, run, mask, &way, corners);
+    if (mask & ZR_VARY_NORMAL) zr_put_normals(s, run, mask, &setup, corners);
+    if (mask & (ZR_VARY_POINT | ZR_VARY_DEPTH)) zr_put_points(s, run, mask, &setup, corners);
+    if (mask & ZR_VARY_PLACE) zr_put_places(s, run, mask, &setup, corners);
+    if (mask & ZR_VARY_TEXCOORDS) zr_put_texcoords(s, run, mask, &setup, corners);
 }
 
 /* Makes all planes of part i, a line or a point. */
