@@ -26,12 +26,12 @@ static bool share_a_corner(const struct corners *a, const struct corners *b)
     return false;
 }
 
-/* Returns the distance from the triangle's plane after moving by `way` from a point on it; 0 for a triangle without
+/* Returns the distance from the triangle's plane after moving by `between` from a point on it; 0 for a triangle without
  * area. */
-static float distance_from(const struct corners *c, zr_vec3 way)
+static float distance_from(const struct corners *c, zr_vec3 between)
 {
     const zr_vec3 normal = zr_vec3_cross(zr_vec3_sub(c->at[1], c->at[0]), zr_vec3_sub(c->at[2], c->at[0]));
-    return fabsf(zr_vec3_dot(zr_vec3_normalize(normal), way));
+    return fabsf(zr_vec3_dot(zr_vec3_normalize(normal), between));
 }
 
 static zr_vec3 point_of(const struct zr_edge_line *line, int32_t at)
@@ -50,9 +50,9 @@ static bool are_joined(const struct zr_edge_rule *rule, const struct zr_edge_lin
     if (a->owner[at] == b->owner[at]) return true;
     const struct corners c1 = corners_of(rule->faces, a->owner[at]), c2 = corners_of(rule->faces, b->owner[at]);
     if (!share_a_corner(&c1, &c2)) return false;
-    const zr_vec3 p1 = point_of(a, at), p2 = point_of(b, at), way = zr_vec3_sub(p2, p1);
+    const zr_vec3 p1 = point_of(a, at), p2 = point_of(b, at), between = zr_vec3_sub(p2, p1);
     const float limit = rule->limit * fmaxf(width_at(rule, p1), width_at(rule, p2));
-    return distance_from(&c1, way) <= limit || distance_from(&c2, way) <= limit;
+    return distance_from(&c1, between) <= limit || distance_from(&c2, between) <= limit;
 }
 
 uint32_t zr_edge_faces_apart(const struct zr_edge_rule *rule, const struct zr_edge_line *a,

@@ -27,8 +27,8 @@ struct zr_edge_faces {
     const struct zr_draw_attributes *of_draw; /* with ZR_ATTRIBUTE_POINT */
 };
 
-/* Silhouette: both points are farther from the other's plane than limit * w, with w = slope . point + offset, the
- * larger one of both points. Crease: no silhouette, and the dot product of the normals is below `cosine`. */
+/* Silhouette: each point is farther than limit * w from the plane of the other; w = slope . point + offset, the larger
+ * value of the two points. Crease: no silhouette, and the dot product of the normals is below `cosine`. */
 struct zr_edge_rule {
     float slope[3], offset;
     float limit;
@@ -96,9 +96,9 @@ struct zr_edge_marks {
 /* edge_specks.c: connected creases are dropped if their box, measured between pixel centres, is smaller than this. */
 enum { ZR_EDGE_SPECK_PIXELS = 12 };
 
-/* Drops them. Works on whole pixels, however many of their samples are marked, since the marks of a crease at a grazing
- * angle are an interrupted line. Touching corners connect. Returns false if the arena failed; if cancelled, returns
- * early. */
+/* Drops such creases. Works on whole pixels, however many of their samples are marked, since the marks of a crease at a
+ * grazing angle are an interrupted line. Touching corners connect. Returns false if the arena failed; if cancelled,
+ * returns early. */
 bool zr_edge_specks_drop(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
                          const struct zr_cancel *cancel);
 

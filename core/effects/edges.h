@@ -3,7 +3,7 @@
  * In:     tile by tile, the G-buffer of samples (owner, normal, point). Out: the share of each pixel that edges cover.
  * How:    horizontal and vertical neighbours are compared. They form a silhouette if one is uncovered. They also form
  *         one if both points are more than 1.5 sample widths (at the farther one) from the other's plane and lie on no
- *         common surface (zr_edges_know_faces). Otherwise they form a crease if their normals differ by more than an
+ *         common surface (zr_edges_set_faces). Otherwise they form a crease if their normals differ by more than an
  *         angle. Samples without a normal, of lines, form silhouettes with uncovered samples only. Both neighbours are
  *         marked. Connected creases that fit in a box of 12 x 12 pixels are dropped. Marks are widened by a disc.
  * Exact:  every instruction set, thread count and order of tiles gives the same bytes.
@@ -30,8 +30,8 @@ struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width,
 
 /* Sets the triangles that owner ids refer to, before the first tile: parts of one surface then have no silhouette
  * between them, for any normals. Both pointers must stay valid until zr_edges_finish returns. */
-void zr_edges_know_faces(struct zr_edge_marks *marks, const struct zr_geometry *geometry,
-                         const struct zr_scene_attributes *attributes);
+void zr_edges_set_faces(struct zr_edge_marks *marks, const struct zr_geometry *geometry,
+                        const struct zr_scene_attributes *attributes);
 
 /* Marks the edges within tile `number`, and keeps its sides for zr_edges_finish. Several threads may mark different
  * tiles. */

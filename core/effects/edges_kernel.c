@@ -22,10 +22,10 @@ static inline void compare_faces(const struct zr_edge_rule *rule, const struct z
                                  const struct zr_edge_line *b, int32_t at, zr_vm *apart, zr_vm *bent)
 {
     const struct zr_vec3_v n1 = load3(a->normal, at), n2 = load3(b->normal, at);
-    const struct zr_vec3_v p1 = load3(a->point, at), p2 = load3(b->point, at), way = zr_minus_v(p2, p1);
+    const struct zr_vec3_v p1 = load3(a->point, at), p2 = load3(b->point, at), between = zr_minus_v(p2, p1);
     const zr_vf zero = zr_vf_set(0.0f);
     const zr_vm are_faces = zr_vm_and(zr_vf_lt(zero, zr_dot_v(n1, n1)), zr_vf_lt(zero, zr_dot_v(n2, n2)));
-    const zr_vf distance = zr_vf_min(zr_vf_abs(zr_dot_v(way, n1)), zr_vf_abs(zr_dot_v(way, n2)));
+    const zr_vf distance = zr_vf_min(zr_vf_abs(zr_dot_v(between, n1)), zr_vf_abs(zr_dot_v(between, n2)));
     const zr_vf depth = zr_vf_max(depth_of(rule, p1), depth_of(rule, p2));
     *apart = zr_vm_and(are_faces, zr_vf_lt(depth * zr_vf_set(rule->limit), distance));
     *bent = zr_vm_and(are_faces, zr_vf_lt(zr_dot_v(n1, n2), zr_vf_set(rule->cosine)));

@@ -77,8 +77,8 @@ static inline zr_vf light_at(const struct zr_ground *ground, zr_vm met, zr_vf u,
     return low + (high - low) * b;
 }
 
-/* A ray parallel to the plane gives an infinite quotient or NaN; the position is then clamped like any other far
- * away. */
+/* Returns T where the rays meet the plane. A ray parallel to the plane gives an infinite quotient or NaN; its position
+ * is clamped like any other far away. */
 static inline zr_vf light_of_rays(const struct zr_ground *ground, const struct row *row, zr_vf x)
 {
     const zr_vf distance = zr_vf_set(0.0f) - at(&row->origin[2], x) / at(&row->direction[2], x);

@@ -50,11 +50,11 @@ static void finish_range(void *context, size_t begin, size_t end)
     }
 }
 
-void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *finishing, const struct zr_cancel *cancel)
+void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *desc, const struct zr_cancel *cancel)
 {
-    const struct zr_scene *scene = finishing->scene;
+    const struct zr_scene *scene = desc->scene;
     const struct zr_picture *picture = &scene->picture;
-    struct rows rows = {.of = finishing, .isa = zr_team_isa(team), .cancel = cancel};
+    struct rows rows = {.of = desc, .isa = zr_team_isa(team), .cancel = cancel};
     const zr_vec3 plain = {scene->background.x, scene->background.y, scene->background.z};
     const zr_vec3 top = picture->has_gradient ? picture->top : plain;
     const zr_vec3 bottom = picture->has_gradient ? picture->bottom : plain;
@@ -62,5 +62,5 @@ void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *finishin
     zr_decode_of(rows.isa)((const float[3]){top.x, top.y, top.z}, rows.top);
     zr_decode_of(rows.isa)((const float[3]){bottom.x, bottom.y, bottom.z}, rows.bottom);
     zr_decode_of(rows.isa)((const float[3]){ink.x, ink.y, ink.z}, rows.ink_color);
-    zr_team_ranges(team, finishing->light->height, ROWS_A_RANGE, finish_range, &rows);
+    zr_team_ranges(team, desc->light->height, ROWS_A_RANGE, finish_range, &rows);
 }

@@ -21,7 +21,7 @@ struct zr_post_desc {
     uint8_t *out;     /* RGBA, row 0 on top */
 };
 
-void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *finishing, const struct zr_cancel *cancel);
+void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *desc, const struct zr_cancel *cancel);
 
 /* Input of one row. `background`: linear red, green and blue, and opacity. `share`: the ground's T per pixel, or NULL.
  * `ink`: opacities of the linear `ink_color`, or NULL. The kernel reads up to 15 values past the end of each array. */

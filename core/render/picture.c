@@ -152,7 +152,7 @@ static enum zr_status draw_samples(const struct drawing *d, const struct zr_samp
     const struct zr_pass_desc desc = pass_at(d, side, true);
     enum zr_status status = ZR_OK;
     STAGE(zr_pass_make(d->arena, d->team, &desc, d->cancel, pass));
-    if (status == ZR_OK && stages->edges) zr_edges_know_faces(stages->edges, &pass->geometry, &pass->attributes);
+    if (status == ZR_OK && stages->edges) zr_edges_set_faces(stages->edges, &pass->geometry, &pass->attributes);
     STAGE(zr_supersample_light(d->team, pass, stages, side, d->cancel, d->frame));
     if (status == ZR_OK) d->frame->counts = zr_pass_counts(pass);
     return status;
@@ -166,12 +166,12 @@ static enum zr_status begin_edges(const struct drawing *d, struct zr_edge_marks 
     return status_of(d);
 }
 
-static enum zr_status finish(const struct drawing *d, struct zr_post_desc *finishing, struct zr_edge_marks *edges)
+static enum zr_status finish(const struct drawing *d, struct zr_post_desc *desc, struct zr_edge_marks *edges)
 {
-    if (edges) finishing->ink = zr_edges_finish(edges, d->arena, d->team, d->cancel);
+    if (edges) desc->ink = zr_edges_finish(edges, d->arena, d->team, d->cancel);
     if (status_of(d) != ZR_OK) return status_of(d);
-    if (!zr_rays_of(&d->frame->camera, d->frame->width, d->frame->height, &finishing->rays)) finishing->ground = NULL;
-    zr_finish_picture(d->team, finishing, d->cancel);
+    if (!zr_rays_of(&d->frame->camera, d->frame->width, d->frame->height, &desc->rays)) desc->ground = NULL;
+    zr_finish_picture(d->team, desc, d->cancel);
     return status_of(d);
 }
 
@@ -191,20 +191,19 @@ static enum zr_status draw_light(struct drawing *d)
                                       .occlusion = picture->occlusion.is_on ? &occlusion : NULL,
                                       .has_xrays = zr_any_is_xray(d->scene->materials, d->scene->material_count),
                                       .out = &light};
-    struct zr_post_desc finishing = {.scene = d->scene, .light = &light, .ground = &ground, .out = d->frame->color};
+    struct zr_post_desc desc = {.scene = d->scene, .light = &light, .ground = &ground, .out = d->frame->color};
     enum zr_status status = ZR_OK;
 
     STAGE(make_creases(d));
     if (picture->occlusion.is_on) STAGE(draw_occlusion(d, &pixels, &occlusion));
     if (picture->has_ground)
-        STAGE(zr_ground_map_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &ground,
-                                 &finishing.ground_frame));
+        STAGE(zr_ground_map_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &ground, &desc.ground_frame));
     STAGE(zr_shadow_maps_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &shadows));
     zr_linear_lighting_make(d->arena, d->scene, camera, shadows, &lighting);
     STAGE(make_light(d, &light));
     if (picture->edges.is_on) STAGE(begin_edges(d, &stages.edges));
     STAGE(draw_samples(d, &stages, &pass));
-    STAGE(finish(d, &finishing, stages.edges));
+    STAGE(finish(d, &desc, stages.edges));
     return status;
 }
 

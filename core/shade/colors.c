@@ -235,7 +235,7 @@ static bool are_alike_vertices(const struct coloring *coloring)
     return is_of_one_color(coloring, ZR_SHADED_PER_VERTEX) && coloring->mesh->normal_count == 0;
 }
 
-/* Colours vertices with computed normals, or triangles, whose normals are computed here. */
+/* Lights vertices with their computed normals, or triangles with normals computed here; all have one base colour. */
 static void color_alike(void *context, size_t begin, size_t end)
 {
     const struct coloring *coloring = context;

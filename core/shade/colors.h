@@ -14,8 +14,8 @@ struct zr_colors {
     enum zr_rate rate;           /* with ZR_RATE_CORNER, flat faces take the colour of their first corner */
     bool two_sided_colors;       /* true if front and back colours may differ */
     const zr_vec4 *front, *back; /* colours of the two sides; one array if they do not differ */
-    const uint32_t *packed;      /* instead of them, only with ZR_RATE_FACE: zr_rgba_opaque, fronts, followed by backs
-                                  * if two_sided_colors */
+    const uint32_t *packed;      /* replaces `front` and `back` at ZR_RATE_FACE: zr_rgba_opaque of fronts, followed by
+                                  * those of backs if two_sided_colors; or NULL */
     uint32_t count;              /* colours per side */
 };
 

@@ -51,9 +51,8 @@ struct zr_frame {
     struct zr_counts counts;
     uint64_t covered_pixels;  /* pixels that a primitive covers, not the base; 0 if only `color` is drawn, in passes of
                                * its own */
-    uint64_t covered_samples; /* samples of `color` that are covered, if it has passes of its own, and samples per
-                               * pixel; else 0 and 0 */
-    uint32_t samples_a_pixel;
+    uint64_t covered_samples; /* covered samples of `color`, if it has passes of its own; else 0 */
+    uint32_t samples_a_pixel; /* of `color`, likewise; else 0 */
     struct zr_column_span *spans; /* per row: columns outside hold the clear value in all channels; NULL: unknown */
     float deepest;                /* greatest finite value of `depth`; 0: none */
 };

@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Far, with a square that still fits a float. */
+/* Coordinate of uncovered samples: far, and its square still fits a float. */
 #define ZR_FAR_POINT 1e18f
 
 /* Values from textures, per sample. Without a texture of a kind: 1, and the surface's own normal. */

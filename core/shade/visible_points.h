@@ -16,8 +16,8 @@
 /* Returns true if the frame has one of the channels. */
 bool zr_visible_points_are_wanted(const struct zr_frame *frame);
 
-/* Writes the tile's part of the frame's channels among them. All samples of the tile are written. `ends`: as in struct
- * zr_paint. position: its space. */
+/* Writes the tile's part of those four channels that the frame has. All samples of the tile are written. `ends`: as in
+ * struct zr_paint. `position`: space of the channel position. */
 void zr_visible_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
                             uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
                             const struct zr_tile *tile, const struct zr_frame *frame);

@@ -116,7 +116,7 @@ struct uniforms {
     float lamp_to[LOOK_LAMPS_MAX][3];
     float lamp_place[LOOK_LAMPS_MAX][4], lamp_spot[LOOK_LAMPS_MAX][4], lamp_end[LOOK_LAMPS_MAX][2];
     zr_vec3 lamp_color[LOOK_LAMPS_MAX], lamp_ground[LOOK_LAMPS_MAX], lamp_kind[LOOK_LAMPS_MAX];
-    float split[ZR_SPLIT_SIDE * ZR_SPLIT_SIDE][2];
+    float split[ZR_DFG_SIDE * ZR_DFG_SIDE][2];
 };
 
 /* Counted from the eye, in the units of the eye's space. */
@@ -190,9 +190,9 @@ static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
     u->toe = toes[scene->picture.tone];
     u->environment = (float)scene->picture.environment.name;
     u->intensity = scene->picture.environment.intensity;
-    for (int i = 0; i < ZR_SPLIT_SIDE * ZR_SPLIT_SIDE; i++)
+    for (int i = 0; i < ZR_DFG_SIDE * ZR_DFG_SIDE; i++)
         for (int k = 0; k < 2; k++)
-            u->split[i][k] = zr_dfg_table[i / ZR_SPLIT_SIDE][k][i % ZR_SPLIT_SIDE];
+            u->split[i][k] = zr_dfg_table[i / ZR_DFG_SIDE][k][i % ZR_DFG_SIDE];
     set_lamps(twin, u);
 }
 
@@ -215,7 +215,7 @@ const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin)
         {"lamp_place", 4, LOOK_LAMPS_MAX, u.lamp_place[0]},
         {"lamp_spot", 4, LOOK_LAMPS_MAX, u.lamp_spot[0]},
         {"lamp_end", 2, LOOK_LAMPS_MAX, u.lamp_end[0]},
-        {"split", 2, ZR_SPLIT_SIDE * ZR_SPLIT_SIDE, u.split[0]},
+        {"split", 2, ZR_DFG_SIDE * ZR_DFG_SIDE, u.split[0]},
     };
     set_uniforms(twin, &u);
     return uniforms;

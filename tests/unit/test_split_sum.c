@@ -14,7 +14,7 @@
 
 static double cosine_of(int column)
 {
-    const double share = (double)column / (ZR_SPLIT_SIDE - 1);
+    const double share = (double)column / (ZR_DFG_SIDE - 1);
     return share * share;
 }
 
@@ -22,18 +22,18 @@ static void print_table(void)
 {
     printf("#include \"shade/lights/dfg.h\"\n\n/* clang-format off */\n"
            "const float zr_dfg_table[ZR_SPLIT_SIDE][2][ZR_SPLIT_SIDE] = {\n");
-    for (int row = 0; row < ZR_SPLIT_SIDE; row++) {
+    for (int row = 0; row < ZR_DFG_SIDE; row++) {
         printf("    {");
         for (int which = 0; which < 2; which++) {
             printf("%s{", which ? ",\n     " : "");
-            for (int column = 0; column < ZR_SPLIT_SIDE; column++) {
+            for (int column = 0; column < ZR_DFG_SIDE; column++) {
                 double ab[2];
-                integrate_split_sum((double)row / (ZR_SPLIT_SIDE - 1), cosine_of(column), 1024, &ab[0], &ab[1]);
-                printf("%.6ff%s", ab[which], column + 1 < ZR_SPLIT_SIDE ? (column % 8 == 7 ? ",\n      " : ", ") : "");
+                integrate_split_sum((double)row / (ZR_DFG_SIDE - 1), cosine_of(column), 1024, &ab[0], &ab[1]);
+                printf("%.6ff%s", ab[which], column + 1 < ZR_DFG_SIDE ? (column % 8 == 7 ? ",\n      " : ", ") : "");
             }
             printf("}");
         }
-        printf("}%s\n", row + 1 < ZR_SPLIT_SIDE ? "," : "");
+        printf("}%s\n", row + 1 < ZR_DFG_SIDE ? "," : "");
     }
     printf("};\n/* clang-format on */\n");
 }
@@ -42,10 +42,10 @@ static void values_are_integrals(void **state)
 {
     double worst = 0.0;
     (void)state;
-    for (int row = 0; row < ZR_SPLIT_SIDE; row++)
-        for (int column = 0; column < ZR_SPLIT_SIDE; column++) {
+    for (int row = 0; row < ZR_DFG_SIDE; row++)
+        for (int column = 0; column < ZR_DFG_SIDE; column++) {
             double a, b;
-            integrate_split_sum((double)row / (ZR_SPLIT_SIDE - 1), cosine_of(column), 160, &a, &b);
+            integrate_split_sum((double)row / (ZR_DFG_SIDE - 1), cosine_of(column), 160, &a, &b);
             worst = fmax(worst, fabs((double)zr_dfg_table[row][0][column] - a));
             worst = fmax(worst, fabs((double)zr_dfg_table[row][1][column] - b));
         }

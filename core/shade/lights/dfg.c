@@ -1,7 +1,7 @@
 #include "shade/lights/dfg.h"
 
 /* clang-format off */
-const float zr_dfg_table[ZR_SPLIT_SIDE][2][ZR_SPLIT_SIDE] = {
+const float zr_dfg_table[ZR_DFG_SIDE][2][ZR_DFG_SIDE] = {
     {{0.003617f, 0.005431f, 0.020706f, 0.045988f, 0.080538f, 0.123490f, 0.173795f, 0.230241f,
       0.291495f, 0.356135f, 0.422705f, 0.489755f, 0.555888f, 0.619803f, 0.680339f, 0.736505f,
       0.787515f, 0.832802f, 0.872038f, 0.905127f, 0.932205f, 0.953612f, 0.969871f, 0.981643f,

@@ -9,8 +9,8 @@
 #ifndef ZR_DFG_H
 #define ZR_DFG_H
 
-enum { ZR_SPLIT_SIDE = 32 };
+enum { ZR_DFG_SIDE = 32 };
 
-extern const float zr_dfg_table[ZR_SPLIT_SIDE][2][ZR_SPLIT_SIDE]; /* A of a row's columns, then B */
+extern const float zr_dfg_table[ZR_DFG_SIDE][2][ZR_DFG_SIDE]; /* A of a row's columns, then B */
 
 #endif

@@ -24,8 +24,8 @@ static inline zr_vf zr_within_1_v(zr_vf v)
 static inline struct zr_arriving_v zr_arriving_from_v(const struct zr_lamp_place *lamp, struct zr_vec3_v point)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
-    const struct zr_vec3_v way = zr_minus_v(zr_spread_v(lamp->position), point), unit = zr_normalize_v(way);
-    const zr_vf square = zr_dot_v(way, way);
+    const struct zr_vec3_v to_lamp = zr_minus_v(zr_spread_v(lamp->position), point), unit = zr_normalize_v(to_lamp);
+    const zr_vf square = zr_dot_v(to_lamp, to_lamp);
     /* Nothing arrives at the lamp's own position, which has no direction to it. */
     const zr_vm reached = zr_vm_and(zr_vf_lt(zero, square), zr_vf_lt(square, zr_vf_set(ZR_LAMP_FAR)));
     const zr_vf near = zr_vf_max(square, zr_vf_set(lamp->least)), of_range = square * zr_vf_set(lamp->end);

@@ -20,12 +20,12 @@ ZR_INLINED struct zr_vec3_v zr_shade_classic_v(const struct zr_linear_lighting *
                                                const struct zr_material *material, const struct zr_shading_v *s)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
-    struct zr_vec3_v around = zr_spread_v(lighting->lights.ambient), direct = {zero, zero, zero}, shine = direct;
+    struct zr_vec3_v ambient = zr_spread_v(lighting->lights.ambient), direct = {zero, zero, zero}, shine = direct;
     for (uint32_t i = 0; i < lighting->lights.count; i++) {
         const struct zr_lamp *lamp = &lighting->lights.lamps[i];
         if (!lamp->lights_classic) continue;
         if (lamp->is_hemisphere) {
-            around = zr_add_v(around, zr_hemisphere_v(lamp, s->normal));
+            ambient = zr_add_v(ambient, zr_hemisphere_v(lamp, s->normal));
             continue;
         }
         const struct zr_arriving_v arriving = zr_lit_by_v(lamp, s);
@@ -38,7 +38,7 @@ ZR_INLINED struct zr_vec3_v zr_shade_classic_v(const struct zr_linear_lighting *
         const zr_vf lit = zr_vf_select(zr_vf_lt(zero, facing), one, zero);
         shine = zr_add_v(shine, zr_mul_v(color, zr_scale_v(zr_highlight_v(material, cosine), lit)));
     }
-    struct zr_vec3_v reaching = zr_mul_v(around, zr_bounced3_v(s->ao, s->base));
+    struct zr_vec3_v reaching = zr_mul_v(ambient, zr_bounced3_v(s->ao, s->base));
     if (s->textured) reaching = zr_scale_v(reaching, s->textured->occlusion);
     return zr_add_v(zr_mul_v(s->base, zr_add_v(reaching, direct)), shine);
 }

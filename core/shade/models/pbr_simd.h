@@ -18,20 +18,20 @@
  * load. The last column serves only as the end of the one before. */
 struct zr_dfg_columns {
     float roughness;
-    _Alignas(16) float fours[ZR_SPLIT_SIDE - 1][4];
+    _Alignas(16) float fours[ZR_DFG_SIDE - 1][4];
 };
 
 static inline void zr_dfg_columns_make(struct zr_dfg_columns *out, float roughness)
 {
-    const float row = roughness * (float)(ZR_SPLIT_SIDE - 1);
-    const int low = row < (float)(ZR_SPLIT_SIDE - 2) ? (int)row : ZR_SPLIT_SIDE - 2;
+    const float row = roughness * (float)(ZR_DFG_SIDE - 1);
+    const int low = row < (float)(ZR_DFG_SIDE - 2) ? (int)row : ZR_DFG_SIDE - 2;
     const float share = row - (float)low;
-    float values[2][ZR_SPLIT_SIDE];
+    float values[2][ZR_DFG_SIDE];
     for (int k = 0; k < 2; k++)
-        for (int i = 0; i < ZR_SPLIT_SIDE; i++)
+        for (int i = 0; i < ZR_DFG_SIDE; i++)
             values[k][i] = zr_dfg_table[low][k][i] + (zr_dfg_table[low + 1][k][i] - zr_dfg_table[low][k][i]) * share;
     out->roughness = roughness;
-    for (int i = 0; i + 1 < ZR_SPLIT_SIDE; i++)
+    for (int i = 0; i + 1 < ZR_DFG_SIDE; i++)
         for (int k = 0; k < 2; k++) {
             out->fours[i][2 * k] = values[k][i];
             out->fours[i][2 * k + 1] = values[k][i + 1] - values[k][i];
@@ -40,8 +40,8 @@ static inline void zr_dfg_columns_make(struct zr_dfg_columns *out, float roughne
 
 static inline void zr_dfg_at_v(const struct zr_dfg_columns *columns, zr_vf facing, zr_vf *a, zr_vf *b)
 {
-    const zr_vf column = zr_vf_sqrt(facing) * zr_vf_set((float)(ZR_SPLIT_SIDE - 1)), half = zr_vf_set(0.5f);
-    const zr_vi last = zr_vi_set(ZR_SPLIT_SIDE - 2);
+    const zr_vf column = zr_vf_sqrt(facing) * zr_vf_set((float)(ZR_DFG_SIDE - 1)), half = zr_vf_set(0.5f);
+    const zr_vi last = zr_vi_set(ZR_DFG_SIDE - 2);
     const zr_vi low = zr_vi_min(zr_vi_max(zr_vi_round(column - half), zr_vi_set(0)), last);
     const zr_vf share = column - zr_vf_of(low);
     int32_t each[ZR_LANES];
@@ -57,19 +57,19 @@ static inline void zr_dfg_at_v(const struct zr_dfg_columns *columns, zr_vf facin
 /* Looks up A and B at each lane's own roughness. */
 static inline void zr_dfg_at_each_v(zr_vf roughness, zr_vf facing, zr_vf *a, zr_vf *b)
 {
-    const zr_vf side = zr_vf_set((float)(ZR_SPLIT_SIDE - 1)), half = zr_vf_set(0.5f);
+    const zr_vf side = zr_vf_set((float)(ZR_DFG_SIDE - 1)), half = zr_vf_set(0.5f);
     const zr_vf row = roughness * side, column = zr_vf_sqrt(facing) * side;
-    const zr_vi none = zr_vi_set(0), last = zr_vi_set(ZR_SPLIT_SIDE - 2), next = zr_vi_set(2 * ZR_SPLIT_SIDE);
+    const zr_vi none = zr_vi_set(0), last = zr_vi_set(ZR_DFG_SIDE - 2), next = zr_vi_set(2 * ZR_DFG_SIDE);
     const zr_vi i = zr_vi_min(zr_vi_max(zr_vi_round(row - half), none), last);
     const zr_vi j = zr_vi_min(zr_vi_max(zr_vi_round(column - half), none), last);
     const zr_vf down = row - zr_vf_of(i), right = column - zr_vf_of(j);
     zr_vf *const out[2] = {a, b};
     for (int k = 0; k < 2; k++) {
-        const zr_vi at = i * next + zr_vi_set(k * ZR_SPLIT_SIDE) + j;
+        const zr_vi at = i * next + zr_vi_set(k * ZR_DFG_SIDE) + j;
         zr_vf corners[2][2];
         for (int c = 0; c < 4; c++)
             corners[c / 2][c % 2] =
-                zr_vf_bits(zr_vi_gather(ZR_ALL_LANES, zr_dfg_table, at + zr_vi_set(c / 2 * 2 * ZR_SPLIT_SIDE + c % 2)));
+                zr_vf_bits(zr_vi_gather(ZR_ALL_LANES, zr_dfg_table, at + zr_vi_set(c / 2 * 2 * ZR_DFG_SIDE + c % 2)));
         const zr_vf left_of = zr_mix_v(corners[0][0], corners[1][0], down),
                     right_of = zr_mix_v(corners[0][1], corners[1][1], down);
         *out[k] = zr_mix_v(left_of, right_of, right);
@@ -103,13 +103,13 @@ static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, co
 
 /* ---- ambient light ---- */
 
-/* Returns one channel of the reflected ambient light. `around`: E, `mirrored`: L, both as they reach the surface. */
-static inline zr_vf zr_pbr_around_v(zr_vf f0, zr_vf diffuse, zr_vf a, zr_vf b, zr_vf around, zr_vf mirrored)
+/* Returns one channel of the reflected ambient light. `ambient`: E, `mirrored`: L, both as they reach the surface. */
+static inline zr_vf zr_pbr_ambient_v(zr_vf f0, zr_vf diffuse, zr_vf a, zr_vf b, zr_vf ambient, zr_vf mirrored)
 {
     const zr_vf one = zr_vf_set(1.0f), single = f0 * a + b, lost = one - a - b;
     const zr_vf average = f0 + (one - f0) * zr_vf_set(1.0f / 21.0f);
     const zr_vf several = ZR_MUTANT(bounces_once, single * average / (one - lost * average) * lost, zr_vf_set(0.0f));
-    return single * mirrored + (several + diffuse * (one - single - several)) * around;
+    return single * mirrored + (several + diffuse * (one - single - several)) * ambient;
 }
 
 struct zr_ambient_v {
@@ -149,24 +149,24 @@ static inline struct zr_ambient_v zr_pbr_gather_v(const struct zr_linear_lightin
     return out;
 }
 
-ZR_INLINED struct zr_vec3_v zr_pbr_from_around_v(const struct zr_linear_lighting *lighting,
-                                                 const struct zr_dfg_columns *columns, const struct zr_pbr_v *pbr,
-                                                 const struct zr_shading_v *s)
+ZR_INLINED struct zr_vec3_v zr_pbr_from_ambient_v(const struct zr_linear_lighting *lighting,
+                                                  const struct zr_dfg_columns *columns, const struct zr_pbr_v *pbr,
+                                                  const struct zr_shading_v *s)
 {
-    struct zr_ambient_v around = zr_pbr_gather_v(lighting, pbr, s);
+    struct zr_ambient_v ambient = zr_pbr_gather_v(lighting, pbr, s);
     zr_vf a, b;
-    around.diffuse = zr_mul_v(around.diffuse, zr_bounced3_v(s->ao, zr_add_v(pbr->diffuse, pbr->f0)));
-    around.specular = zr_scale_v(around.specular, s->ao);
+    ambient.diffuse = zr_mul_v(ambient.diffuse, zr_bounced3_v(s->ao, zr_add_v(pbr->diffuse, pbr->f0)));
+    ambient.specular = zr_scale_v(ambient.specular, s->ao);
     if (s->textured) {
-        around.diffuse = zr_scale_v(around.diffuse, s->textured->occlusion);
-        around.specular = zr_scale_v(around.specular, s->textured->occlusion);
+        ambient.diffuse = zr_scale_v(ambient.diffuse, s->textured->occlusion);
+        ambient.specular = zr_scale_v(ambient.specular, s->textured->occlusion);
         zr_dfg_at_each_v(s->textured->roughness, pbr->facing, &a, &b);
     } else {
         zr_dfg_at_v(columns, pbr->facing, &a, &b);
     }
-    return (struct zr_vec3_v){zr_pbr_around_v(pbr->f0.x, pbr->diffuse.x, a, b, around.diffuse.x, around.specular.x),
-                              zr_pbr_around_v(pbr->f0.y, pbr->diffuse.y, a, b, around.diffuse.y, around.specular.y),
-                              zr_pbr_around_v(pbr->f0.z, pbr->diffuse.z, a, b, around.diffuse.z, around.specular.z)};
+    return (struct zr_vec3_v){zr_pbr_ambient_v(pbr->f0.x, pbr->diffuse.x, a, b, ambient.diffuse.x, ambient.specular.x),
+                              zr_pbr_ambient_v(pbr->f0.y, pbr->diffuse.y, a, b, ambient.diffuse.y, ambient.specular.y),
+                              zr_pbr_ambient_v(pbr->f0.z, pbr->diffuse.z, a, b, ambient.diffuse.z, ambient.specular.z)};
 }
 
 /* ---- lamps ---- */
@@ -230,7 +230,7 @@ static inline struct zr_vec3_v zr_pbr_from_lamp_v(const struct zr_lamp *lamp, co
 
 /* ---- all ---- */
 
-/* Shades samples of one material. columns: for untextured ones. */
+/* Shades samples of one material. `columns` are used for untextured samples. */
 ZR_INLINED struct zr_vec3_v zr_shade_pbr_v(const struct zr_linear_lighting *lighting,
                                            const struct zr_material *material, const struct zr_dfg_columns *columns,
                                            const struct zr_shading_v *s)
@@ -238,7 +238,7 @@ ZR_INLINED struct zr_vec3_v zr_shade_pbr_v(const struct zr_linear_lighting *ligh
     const struct zr_pbr_v pbr = zr_pbr_make(material, s);
     struct zr_vec3_v emissive = zr_spread_v(material->emissive);
     if (s->textured) emissive = zr_mul_v(emissive, s->textured->emissive);
-    struct zr_vec3_v sum = zr_add_v(zr_pbr_from_around_v(lighting, columns, &pbr, s), emissive);
+    struct zr_vec3_v sum = zr_add_v(zr_pbr_from_ambient_v(lighting, columns, &pbr, s), emissive);
     for (uint32_t i = 0; i < lighting->lights.count; i++) {
         const struct zr_lamp *lamp = &lighting->lights.lamps[i];
         if (lamp->lights_pbr && !lamp->is_hemisphere) sum = zr_add_v(sum, zr_pbr_from_lamp_v(lamp, &pbr, s));

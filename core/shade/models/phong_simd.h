@@ -30,7 +30,7 @@ static inline __attribute__((always_inline)) zr_vf zr_phong_shine_v(const struct
     return zr_pow_v(cosine, zr_vf_set(material->shininess));
 }
 
-/* Shades. `placed`, a constant: lamps may have a position. */
+/* Shades by Phong's model. `placed`, a constant: lamps may have a position. */
 static inline __attribute__((always_inline)) struct zr_vec3_v zr_phong_v(const struct zr_model_context *context,
                                                                          const struct zr_material *material,
                                                                          const struct zr_model_inputs *in, bool placed)
