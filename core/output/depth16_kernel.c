@@ -7,8 +7,8 @@
 
 enum { SPAN = 64 };
 
-/* Often three quarters of a picture are uncovered: this skips their division. */
-static bool is_nothing(const float *depth)
+/* Returns true if SPAN pixels are uncovered. Often three quarters of a picture are: this skips their division. */
+static bool is_uncovered(const float *depth)
 {
     const uint32_t infinity = UINT32_C(0x7f800000);
     uint32_t different = 0;
@@ -29,10 +29,10 @@ static uint32_t make_span(const float *depth, float scale, uint32_t count, uint1
     uint32_t misfits = 0;
     for (uint32_t i = 0; i < count; i++) {
         const float step = (depth[i] / scale + no_fraction) - no_fraction;
-        const bool nothing = depth[i] == INFINITY, low = !(step >= 1.0f), high = step > most;
+        const bool uncovered = depth[i] == INFINITY, low = !(step >= 1.0f), high = step > most;
         float value = low ? 1.0f : step;
         value = high ? most : value;
-        value = nothing ? 0.0f : value;
+        value = uncovered ? 0.0f : value;
         out[i] = (uint16_t)(int32_t)value;
         misfits += (uint32_t)((depth[i] != INFINITY) & (low | high));
     }
@@ -44,7 +44,7 @@ uint32_t ZR_KERNEL(zr_depth16)(const float *depth, float scale, uint32_t width, 
     uint32_t misfits = 0;
     for (uint32_t x = 0; x < width; x += SPAN) {
         const uint32_t count = width - x < SPAN ? width - x : SPAN;
-        if (count == SPAN && is_nothing(depth + x))
+        if (count == SPAN && is_uncovered(depth + x))
             memset(out + x, 0, SPAN * sizeof *out);
         else
             misfits += make_span(depth + x, scale, count, out + x);

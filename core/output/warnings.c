@@ -9,7 +9,7 @@
 #include "scene/mesh_label.h"
 #include "scene/resolved_view.h"
 
-/* Stops at the first face that is none. */
+/* Returns true if the corners of every placed face are collinear. */
 static bool are_lines(const struct zr_scene *scene)
 {
     for (uint32_t i = 0; i < scene->instance_count; i++) {
@@ -20,14 +20,14 @@ static bool are_lines(const struct zr_scene *scene)
     return true;
 }
 
-/* ---- what it is in ---- */
+/* ---- the mesh that a warning names ---- */
 
 static struct zr_mesh_label label_of(const struct zr_scene *scene, uint32_t mesh)
 {
     return zr_mesh_label_of(mesh, scene->meshes[mesh].name);
 }
 
-/* The first of what a mesh has of a kind, in words; false: it has none. */
+/* Finds the first odd element of a mesh and describes it: "face 1 of ". False: the mesh has none. */
 struct found {
     char text[128];
 };
@@ -53,7 +53,7 @@ static bool find_line_without_length(const struct zr_mesh *mesh, struct found *f
     return false;
 }
 
-static bool find_nowhere(const struct zr_mesh *mesh, struct found *found)
+static bool find_unplaced_position(const struct zr_mesh *mesh, struct found *found)
 {
     for (uint32_t i = 0; i < mesh->position_count; i++)
         if (zr_vec4_equal(mesh->positions[i], (zr_vec4){0, 0, 0, 0})) {
@@ -63,8 +63,8 @@ static bool find_nowhere(const struct zr_mesh *mesh, struct found *found)
     return false;
 }
 
-/* ", the first: face 1 of mesh 0", counted from 0; "" where no mesh that is placed has any, such as where its matrix is
- * to blame. Walks over all meshes up to that one, which only scenes with something odd in them pay for. */
+/* Returns ", the first: face 1 of mesh 0", counted from 0; "" if no placed mesh has one, since a matrix of an instance
+ * is the cause. Walks over all meshes up to that one, but only for scenes that get a warning. */
 static struct found first_in(const struct zr_scene *scene, find_fn *find)
 {
     struct found found, text = {""};
@@ -78,9 +78,9 @@ static struct found first_in(const struct zr_scene *scene, find_fn *find)
     return text;
 }
 
-/* ---- kinds of them ---- */
+/* ---- warnings ---- */
 
-/* What was left out, replaced or moved, of what there was. */
+/* Adds warnings about dropped primitives, replaced normals and clamped depths. */
 static void add_counts(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
                        struct zr_warning_list *w)
 {
@@ -96,7 +96,7 @@ static void add_counts(struct zr_arena *arena, const struct zr_scene *scene, con
         zr_warning_list_add(arena, w,
                             "%" PRIu64 " triangles, lines and points have a corner that is nowhere, such as (0, 0, 0, "
                             "0), and were dropped%s",
-                            counts->unplaced, first_in(scene, find_nowhere).text);
+                            counts->unplaced, first_in(scene, find_unplaced_position).text);
     if (scene->counts.zero_normals > 0)
         zr_warning_list_add(arena, w,
                             "%" PRIu64 " of %" PRIu64 " normals are zero, the first in %s: they are computed "
@@ -110,8 +110,7 @@ static void add_counts(struct zr_arena *arena, const struct zr_scene *scene, con
                             frame->base->clamped_depths);
 }
 
-/* Some of what is placed is cut off by the near plane: it is before it, as far as it has a place there at all, and not
- * behind an eye. */
+/* Returns true if the near plane separates the vertices: some are cut off by it, and some lie beyond it. */
 static bool near_plane_cuts(const struct zr_scene *scene, const struct zr_camera *camera)
 {
     bool before = false, behind = false;
@@ -135,7 +134,7 @@ static bool any_is_blended(const struct zr_scene *scene)
     return false;
 }
 
-/* It has no colours, and is of all faces, turned away or not. */
+/* Returns true if the channel thickness has values. It includes faces that face away, which cover no pixel. */
 static bool has_thickness(const struct zr_frame *frame)
 {
     const float *thickness = frame->channels[ZR_CHANNEL_THICKNESS];
@@ -144,7 +143,7 @@ static bool has_thickness(const struct zr_frame *frame)
     return false;
 }
 
-/* Those that lie over one another, of what is blended, too. */
+/* Returns true if the channel layers or fragments has values. They include blended faces, which cover no pixel. */
 static bool has_layers(const struct zr_frame *frame)
 {
     const uint32_t *layers = frame->channels[ZR_CHANNEL_LAYERS];
@@ -153,20 +152,20 @@ static bool has_layers(const struct zr_frame *frame)
     return frame->fragments.count > 0;
 }
 
-/* What is blended is drawn in colours only. */
+/* Data channels omit blended faces. */
 #define ONLY_BLENDED "all that is in view has the alphaMode BLEND, which color alone shows"
 
-/* The first output of pixels without any value in it; NULL: there is none. Of channels that are 0 on lines, too, none
- * is looked at. */
+/* Returns the name of the first output whose pixels all have the clear value, or NULL. Channels that are also 0 on
+ * lines are not checked. */
 static const char *find_empty_output(const struct zr_scene *scene, const struct zr_frame *frame)
 {
-    static const enum zr_channel looked_at[] = {ZR_CHANNEL_DEPTH, ZR_CHANNEL_WINDOW_DEPTH, ZR_CHANNEL_FACE_ID,
-                                                ZR_CHANNEL_DISTANCE, ZR_CHANNEL_INSTANCE_ID};
-    for (size_t k = 0; k < sizeof looked_at / sizeof *looked_at; k++) {
-        const struct zr_channel_row *row = &zr_channel_rows[looked_at[k]];
-        const uint32_t *words = frame->channels[looked_at[k]];
+    static const enum zr_channel checked[] = {ZR_CHANNEL_DEPTH, ZR_CHANNEL_WINDOW_DEPTH, ZR_CHANNEL_FACE_ID,
+                                              ZR_CHANNEL_DISTANCE, ZR_CHANNEL_INSTANCE_ID};
+    for (size_t k = 0; k < sizeof checked / sizeof *checked; k++) {
+        const struct zr_channel_row *row = &zr_channel_rows[checked[k]];
+        const uint32_t *words = frame->channels[checked[k]];
         size_t i = 0, count = (size_t)frame->width * frame->height;
-        if (!words || !zr_view_wants(&scene->views[0], looked_at[k])) continue;
+        if (!words || !zr_view_wants(&scene->views[0], checked[k])) continue;
         while (i < count && words[i] == row->clear_value)
             i++;
         if (i == count) return row->name;
@@ -174,18 +173,18 @@ static const char *find_empty_output(const struct zr_scene *scene, const struct 
     return NULL;
 }
 
-static const char *why_nothing_is_seen(const struct zr_scene *scene, const struct zr_frame *frame)
+static const char *why_uncovered(const struct zr_scene *scene, const struct zr_frame *frame)
 {
     const struct zr_counts *counts = &frame->counts;
     const bool drawn = counts->drawn_whole + counts->drawn_pieces > 0;
-    const uint64_t things = counts->triangles + counts->lines - counts->degenerate_lines + counts->points;
+    const uint64_t primitives = counts->triangles + counts->lines - counts->degenerate_lines + counts->points;
     const uint64_t outside = counts->outside + counts->outside_lines + counts->outside_points;
     if (!drawn && counts->culled + counts->culled_pieces > 0)
         return near_plane_cuts(scene, &frame->camera)
                    ? "the near plane (znear) cuts off what faces the camera, and what is left faces away"
                    : "what is in view faces away (doubleSided draws both sides)";
     if (counts->masked_tiles > 0) return "alpha is below alphaCutoff wherever something is drawn";
-    if (outside == things && things > 0) return "all geometry is outside the view";
+    if (outside == primitives && primitives > 0) return "all geometry is outside the view";
     if (counts->triangles > 0 && are_lines(scene)) return "the corners of each polygon are collinear, on one line";
     if (!drawn && counts->zero_area > 0) return "the polygons in view are edge-on, or smaller than 1/256 pixel";
     if (!frame->color && any_is_blended(scene)) return ONLY_BLENDED;
@@ -206,7 +205,7 @@ struct zr_warning_list zr_warnings_make(struct zr_arena *arena, const struct zr_
         zr_warning_list_add(arena, &w, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
     if (frame->covered_pixels == 0 && frame->covered_samples == 0) {
         if (!has_thickness(frame) && !has_layers(frame))
-            zr_warning_list_add(arena, &w, "nothing is seen: %s", why_nothing_is_seen(scene, frame));
+            zr_warning_list_add(arena, &w, "nothing is seen: %s", why_uncovered(scene, frame));
     } else if (frame->color && any_is_blended(scene)) {
         const char *empty = find_empty_output(scene, frame);
         if (empty) zr_warning_list_add(arena, &w, "nothing is seen in the output %s: " ONLY_BLENDED, empty);
@@ -214,7 +213,7 @@ struct zr_warning_list zr_warnings_make(struct zr_arena *arena, const struct zr_
     return w;
 }
 
-/* Room for what is said of those that are left out, of which there are less than 2^32: "; and 4294967295 more". */
+/* Room for "; and 4294967295 more": fewer than 2^32 warnings are left out. */
 enum { MORE_SIZE = 24 };
 
 const char *zr_warnings_join(struct zr_arena *arena, const struct zr_warning_list *warnings)

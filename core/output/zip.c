@@ -6,14 +6,15 @@
 
 #include "base/checked.h"
 
-/* Source: PKWARE, APPNOTE.TXT 6.3.10, sections 4.3.7, 4.3.12 and 4.3.16: the sizes of records without their names. */
+/* Source: PKWARE, APPNOTE.TXT 6.3.10, sections 4.3.7, 4.3.12 and 4.3.16: sizes of records without their names. */
 enum { LOCAL_SIZE = 30, CENTRAL_SIZE = 46, END_SIZE = 22 };
 
-/* VERSION: 1.0, which knows stored files. MADE_BY: version 6.3, on Unix, whose modes are in the upper half of MODE. */
+/* VERSION needed to read: 1.0, enough for stored files. MADE_BY: version 6.3 on Unix; the upper half of MODE is the
+ * Unix mode. */
 enum { VERSION = 10, MADE_BY = 3 << 8 | 63, DOS_DATE_1980_01_01 = 0x21 };
 static const uint32_t MODE = UINT32_C(0100666) << 16;
 
-/* The next bytes of the archive. */
+/* Position of the next byte of the archive. */
 struct writer {
     unsigned char *at;
 };
@@ -30,7 +31,7 @@ static void put_bytes(struct writer *w, const void *bytes, size_t size)
     w->at += size;
 }
 
-/* What a local header and one of the central directory have in common, from the version that is needed on. */
+/* Writes the fields that local and central headers share, beginning with the version needed. */
 static void put_file(struct writer *w, const struct zr_zip_entry *entry, uint32_t crc)
 {
     put(w, VERSION, 2);
