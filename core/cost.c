@@ -220,7 +220,7 @@ static void add_point(struct tally *tally, const struct zr_mesh *mesh, uint32_t 
     add_layers(tally, &tally->scene->materials[mesh->material], POINT_LAYER_TIMES * pixels, 0.0);
 }
 
-static void add_thing(struct tally *tally, const struct zr_mesh *mesh, uint32_t number)
+static void add_primitive(struct tally *tally, const struct zr_mesh *mesh, uint32_t number)
 {
     if (number < mesh->face_count)
         add_face(tally, mesh, number);
@@ -241,16 +241,16 @@ static uint64_t scatter(uint64_t n)
 
 /* Adds one primitive from each of `samples` equal ranges, at a pseudo-random place, so that regular patterns in the
  * scene do not bias the sample. */
-static void walk(struct tally *tally, uint64_t things, uint64_t samples)
+static void walk(struct tally *tally, uint64_t primitives, uint64_t samples)
 {
     const struct zr_mesh *mesh = NULL;
-    uint64_t first = 0, end = 0; /* range of `mesh` in the numbers of things over all instances */
+    uint64_t first = 0, end = 0; /* range of `mesh` in the numbers of primitives over all instances */
     uint32_t next_instance = 0;
     for (uint64_t k = 0; k < samples; k++) {
-        const uint64_t begin = k * things / samples, size = (k + 1) * things / samples - begin;
-        const uint64_t thing = begin + scatter(k) % size;
+        const uint64_t begin = k * primitives / samples, size = (k + 1) * primitives / samples - begin;
+        const uint64_t primitive = begin + scatter(k) % size;
         const struct zr_instance *instance = NULL;
-        while (thing >= end) {
+        while (primitive >= end) {
             instance = &tally->scene->instances[next_instance++];
             mesh = &tally->scene->meshes[instance->mesh];
             first = end;
@@ -260,7 +260,7 @@ static void walk(struct tally *tally, uint64_t things, uint64_t samples)
             tally->object_to_clip = zr_mat4_mul(&tally->world_to_clip, &instance->object_to_world);
             tally->is_mirrored = zr_mat4_is_mirror(&instance->object_to_world);
         }
-        add_thing(tally, mesh, (uint32_t)(thing - first));
+        add_primitive(tally, mesh, (uint32_t)(primitive - first));
     }
 }
 
@@ -434,7 +434,7 @@ static void count_outputs(const struct zr_scene *scene, double *counts)
     }
 }
 
-/* Returns how often the channels of layers draw all faces; thickness draws both sides. */
+/* Returns how often all faces are drawn for channels of layers; thickness draws both sides. */
 static double layer_walks(const struct zr_view *view)
 {
     return (zr_view_wants(view, ZR_CHANNEL_LAYERS) ? 1.0 : 0.0) +
@@ -518,16 +518,16 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
                           .line_width = fmax((double)scene->picture.line_width, 1.0),
                           .world_to_clip = zr_mat4_mul(&resolved->camera.projection, &resolved->camera.world_to_eye)};
     struct zr_cost cost = {.counts = {[ZR_COST_REQUEST] = 1.0}, .lamp_maps = passes.lamp_maps};
-    uint64_t things = 0, corners = 0;
+    uint64_t primitives = 0, corners = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
-        things += zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
+        primitives += zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
         corners += zr_mesh_corners(&scene->meshes[scene->instances[i].mesh]);
     }
-    const double a_thing = (double)corners / fmax((double)things, 1.0);
-    const double most = fmin(fmax(SAMPLED_CORNERS / fmax(a_thing, 1.0), 1.0), SAMPLES);
-    const uint64_t samples = things < (uint64_t)most ? things : (uint64_t)most;
-    const double scale = samples > 0 ? (double)things / (double)samples : 0.0;
-    walk(&tally, things, samples);
+    const double per_primitive = (double)corners / fmax((double)primitives, 1.0);
+    const double most = fmin(fmax(SAMPLED_CORNERS / fmax(per_primitive, 1.0), 1.0), SAMPLES);
+    const uint64_t samples = primitives < (uint64_t)most ? primitives : (uint64_t)most;
+    const double scale = samples > 0 ? (double)primitives / (double)samples : 0.0;
+    walk(&tally, primitives, samples);
     count_geometry(scene, &passes, cost.counts);
     count_outputs(scene, cost.counts);
     count_fragments(&tally, &passes, scale, cost.counts);

@@ -15,7 +15,7 @@
 /* ROW(ID, ns, words: the quantity, for messages). A pass draws the scene once: at pixel centres, at samples, or into a
  * depth map. */
 #define ZR_COST_ROWS(ROW)                                                                                              \
-    ROW(REQUEST, 35e3, "what any request takes")                                                                       \
+    ROW(REQUEST, 35e3, "requests")                                                                                     \
     ROW(INSTANCE, 1600.0, "instances")                                                                                 \
     ROW(VERTEX, 25.0, "vertices")                                                                                      \
     ROW(TRIANGLE, 25.0, "triangles")                                                                                   \

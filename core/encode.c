@@ -22,7 +22,7 @@ static const struct {
                                    [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
                                    [ZR_ENCODING_JSON] = {"json", "application/json"}};
 
-/* Inputs of encoding, and results of some outputs that others report. */
+/* Inputs of encoding, and the results that the output info reports about the other outputs. */
 struct encoding {
     struct zr_arena *arena;
     struct zr_team *team;
@@ -55,9 +55,9 @@ static enum zr_status encode_normals(const struct encoding *e, struct zr_buffer 
     uint32_t *colors = zr_arena_alloc(e->arena, pixels, sizeof *colors);
     if (!colors) return ZR_NO_MEMORY;
     for (size_t i = 0; i < pixels; i++, n += 3) {
-        const bool nothing = n[0] == 0.0f && n[1] == 0.0f && n[2] == 0.0f;
+        const bool uncovered = n[0] == 0.0f && n[1] == 0.0f && n[2] == 0.0f;
         const zr_vec4 color = {n[0] * 0.5f + 0.5f, n[1] * 0.5f + 0.5f, n[2] * 0.5f + 0.5f, 1.0f};
-        colors[i] = zr_rgba_opaque(nothing ? (zr_vec4){0, 0, 0, 1} : color);
+        colors[i] = zr_rgba_opaque(uncovered ? (zr_vec4){0, 0, 0, 1} : color);
     }
     const struct zr_png png = {.kind = ZR_PNG_RGB,
                                .width = frame->width,

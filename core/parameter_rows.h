@@ -12,7 +12,7 @@
     KIND(NAME, "NAME")                                                                                                 \
     KIND(NAME_OR_FALSE, "NAME")                                                                                        \
     KIND(BOOL, "[BOOL]")                                                                                               \
-    KIND(COUNT, "COUNT")     /* a number among the values of the key */                                                \
+    KIND(COUNT, "COUNT")     /* one of the numbers that the key allows */                                              \
     KIND(NUMBER, "NUMBER")   /* within the range of the key */                                                         \
     KIND(DEGREES, "DEGREES") /* likewise */                                                                            \
     KIND(PIXELS, "PIXELS")   /* likewise */                                                                            \
@@ -24,8 +24,8 @@
     KIND(BACKGROUND, "COLOR")                                                                                          \
     KIND(OUTLINE, "COLOR") /* true, false, or opaque */
 
-/* ROW(name, pointer, ANY: for all bodies, or MESH: for meshes without a scene, kind, help). Users of help include
- * scene/shadings.h. The help of `look` follows the names of the looks. */
+/* ROW(name, pointer, ANY: for all bodies, or MESH: for meshes without a scene, kind, help). Files that
+ * expand help include scene/shadings.h. The help of `look` is printed after the names of the looks. */
 #define ZR_PARAMETER_ROWS(ROW)                                                                                         \
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
         "one output instead of the scene's: color, depth, normals or others")                                          \

@@ -105,9 +105,9 @@ struct zr_answer {
 };
 
 /* Reads and checks the scene of a request. The scene keeps pointers into request->bytes and the assets. `team` may be
- * NULL (one thread). On failure, with any status, *error holds faults and places, and *scene is unchanged. Scene and
- * error are the same for every team. If cancelled, returns soon; indivisible parts of OBJ and STL files, such as a line
- * of megabytes, are read to their end first. */
+ * NULL (one thread). On failure, with any status, *error lists the faults and their places, and *scene is unchanged.
+ * Scene and error are the same for every team. If cancelled, returns soon; indivisible parts of OBJ and STL files, such
+ * as a line of megabytes, are read to their end first. */
 enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                              const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error);
 

@@ -84,9 +84,9 @@ static void free_spares(struct zr_arena *arena)
     arena->spare_bytes = 0;
 }
 
-/* Takes the smallest spare block that is large enough, unless more than half of it would be unused; NULL: none. The
- * bytes that a new block would not have return to the system, so that a request's memory does not depend on earlier
- * ones. */
+/* Takes the smallest spare block that is large enough, unless more than half of it would be unused; NULL: none. Returns
+ * the bytes beyond `size` to the system, as a new block would not have them: a request's memory does not depend on
+ * earlier requests. */
 static struct zr_arena_block *take_spare(struct zr_arena *arena, size_t size)
 {
     struct zr_arena_block **best = NULL;
@@ -188,7 +188,7 @@ static struct zr_arena_block *add_block(struct zr_arena *arena, size_t bytes)
     return block;
 }
 
-/* Makes a block with room for `bytes` current. The free bytes of the previous one then count as held. */
+/* Makes a block with room for `bytes` the current one. The free bytes of the previous one then count as held. */
 static bool change_block(struct zr_arena *arena, size_t bytes)
 {
     const size_t left_over = room_in(arena->current);

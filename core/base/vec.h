@@ -132,14 +132,14 @@ static inline zr_vec4 zr_mat4_apply(const zr_mat4 *m, zr_vec4 v)
     return (zr_vec4){zr_mat4_row(m, 0, v), zr_mat4_row(m, 1, v), zr_mat4_row(m, 2, v), zr_mat4_row(m, 3, v)};
 }
 
-/* A direction, which the matrix does not move. */
+/* Transforms a direction, without the matrix's translation. */
 static inline zr_vec3 zr_mat4_direction(const zr_mat4 *m, zr_vec3 d)
 {
     const zr_vec4 out = zr_mat4_apply(m, (zr_vec4){d.x, d.y, d.z, 0.0f});
     return (zr_vec3){out.x, out.y, out.z};
 }
 
-/* Every entry is a number of at most `limit` in magnitude. */
+/* Returns true if every entry is a number of at most `limit` in magnitude. */
 static inline bool zr_mat4_is_within(const zr_mat4 *m, float limit)
 {
     for (int i = 0; i < 16; i++)

@@ -1,5 +1,4 @@
-/* counts.h - geometry: where polygons, triangles, lines and points went. Of draws that are not `counted` (draw.h) that
- * is known once they are sorted (raster/hidden_surface.h), before which their triangles are counted as such alone.
+/* counts.h - geometry: numbers of polygons, triangles, lines and points that were drawn, clipped, culled or dropped.
  *
  * Every triangle is counted in exactly one of outside, clipped, culled, zero_area and drawn_whole; the pieces of
  * clipped triangles have counters of their own. Lines, points and outlines are counted likewise; a line is drawn if it

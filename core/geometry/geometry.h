@@ -16,7 +16,7 @@
 #define ZR_GEOMETRY_MAX (1u << 28)
 
 /* A polygon that is not convex. The odd-even rule over its edges decides coverage; its triangles only supply depth and
- * colour. They are consecutive primitives, and span several draws if zr_placed runs full. */
+ * colour. They are consecutive primitives, and span several draws if the arrays of one draw (zr_placed) are full. */
 struct zr_shape {
     uint32_t first_edge, edge_count;
     uint32_t triangle_count;            /* at least one */

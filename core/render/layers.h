@@ -28,7 +28,7 @@ struct zr_layers_pool {
     struct zr_arena *arena;
     pthread_mutex_t lock; /* guards the arena and the members below */
     struct zr_layers *free;
-    uint64_t masked_tiles; /* tiles for geometry/counts.h */
+    uint64_t masked_tiles; /* zr_counts.masked_tiles */
 };
 
 /* Takes working memory from the pool. Returns NULL if out of memory; the arena has failed then. */

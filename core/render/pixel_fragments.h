@@ -1,7 +1,7 @@
 /* pixel_fragments.h - render: all fragments of one pixel: the channel fragments, on which picking is based.
  *
- * Draws the pixel's tile with every surface transparent (layer_pass.h). A fragment is shown if windowDepth and faceId
- * of the pixel are its own, or if it is blended in front of them.
+ * Draws the pixel's tile with every surface transparent (layer_pass.h). A fragment is `is_shown` if it contributes to
+ * the pixel: the visible opaque or masked one, which has its windowDepth and faceId, and blended ones nearer than that.
  */
 #ifndef ZR_PIXEL_FRAGMENTS_H
 #define ZR_PIXEL_FRAGMENTS_H

@@ -1,7 +1,7 @@
 /* resolved_view.h - scene, last step: resolves a view (pose, projection, fit) into a camera.
  *
- * Fit:    a pose without an eye shows the whole geometry, or one mesh. Near and far plane always hold the whole
- *         geometry, unless given.
+ * Fit:    a pose without an eye shows the whole geometry, or one mesh. Near and far plane enclose the whole geometry,
+ *         unless given.
  */
 #ifndef ZR_RESOLVED_VIEW_H
 #define ZR_RESOLVED_VIEW_H

@@ -103,7 +103,7 @@ struct zr_mesh {
     uint32_t material;
 };
 
-/* True for a given normal that is replaced by a computed one. */
+/* True if a given normal is (0, 0, 0): a computed one replaces it. */
 static inline bool zr_normal_is_zero(zr_vec3 normal)
 {
     return normal.x == 0.0f && normal.y == 0.0f && normal.z == 0.0f;

@@ -26,13 +26,13 @@ static void check_view(const struct zr_view *view, const struct zr_limits *limit
 
 static void check_geometry(const struct zr_scene *scene, struct zr_error *error)
 {
-    uint64_t things = 0, corners = 0;
+    uint64_t primitives = 0, corners = 0;
     for (uint32_t i = 0; i < scene->instance_count && corners <= ZR_SCENE_CORNERS_MAX; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
-        things += zr_mesh_ids(mesh);
+        primitives += zr_mesh_ids(mesh);
         corners += zr_mesh_corners(mesh);
     }
-    if (things == 0)
+    if (primitives == 0)
         zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the scene has no face, line or point to draw");
     if (corners > ZR_SCENE_CORNERS_MAX)
         zr_error_add(error, ZR_BAD_SCENE, NULL,

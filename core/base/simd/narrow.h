@@ -107,7 +107,7 @@ static inline uint32_t zr_vm_bits(zr_vm m)
 {
     return m;
 }
-/* Out of range: the result of SSE2. No kernel reads it. */
+/* Out of range: INT32_MIN, as with SSE2. No kernel reads it. */
 static inline zr_vi zr_vi_round(zr_vf a)
 {
     return fabsf(a) < 0x1p31f ? (int32_t)rintf(a) : INT32_MIN;
