@@ -23,7 +23,7 @@ static const struct format FORMATS[] = {
 static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "tiff", "webp", "bmp",  "ppm", "pgm",
                                       "exr", "hdr",  "svg", "pdf", "npz",  "gz",   "html", "txt", "csv"};
 
-/* Endings of request bodies. Those in FORMATS, too, are found there first. */
+/* Endings of request bodies. Endings that are also in FORMATS are found there first. */
 #define ENDING(ID, suffix, ...) suffix,
 static const char *const BODIES[] = {ZR_FORMAT_ROWS(ENDING)};
 #undef ENDING

@@ -8,7 +8,8 @@
 #include "options.h"
 
 /* Saves `picture`, with its Content-Type, and prints the name. Without options->out, the picture of standard input goes
- * to standard output; that of a file gets its name with the ending of the answer's format, in this folder. False, with
+ * to standard output. That of a file is saved in the current folder, under the file's name with the ending of the
+ * answer's format. False, with
  * the reason on stderr: it cannot be written, would overwrite its own input, has the ending of another format, or would
  * go to a terminal. */
 bool output_save(const struct options *options, const struct bytes *picture, const char *type);

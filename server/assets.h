@@ -11,7 +11,7 @@
 
 #define ASSETS_PATH "/v1/assets/"
 
-/* Set request->asset and has_asset. */
+/* Handlers for the router. assets_open sets request->asset and has_asset. */
 bool assets_open(const struct service *service, const struct load *load, struct request *request,
                  struct answer *answer);
 enum request_next assets_work(const struct service *service, const struct request *request, struct zr_arena *arena,

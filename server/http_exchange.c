@@ -256,7 +256,7 @@ static enum MHD_Result reply_early(struct exchange *exchange, bool is_chunked, b
 }
 
 /* Counts large bodies that arrive fast and will soon be in the queue. If they were refused only then, an overloaded
- * daemon would have read them for nothing. Slow bodies count as none. */
+ * daemon would have read them in vain. Slow bodies are not counted. */
 static size_t count_coming(const struct http *http)
 {
     const int64_t now = clock_ms();

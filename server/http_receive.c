@@ -70,8 +70,8 @@ static ssize_t receive(struct http *http, struct connection *connection, char *b
     return passed > 0 ? (ssize_t)passed : fail_with(EAGAIN);
 }
 
-/* Visible to libmicrohttpd, whatever the compiler's flags are. For threads without a daemon, and for other sockets, it
- * is the system's recv(). */
+/* Replaces the system's recv() for libmicrohttpd, so it is visible with any compiler flags. In threads without a
+ * daemon, and for other sockets, it acts as the system's. */
 __attribute__((visibility("default"))) ssize_t recv(int fd, void *bytes, size_t size, int flags)
 {
     struct connection *connection = receiver ? connections_find(&receiver->connections, fd) : NULL;
