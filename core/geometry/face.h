@@ -1,12 +1,8 @@
-/* face.h - geometry: classifies the faces of a mesh in object space: degenerate, collinear, concave. */
+/* face.h - geometry: classifies the faces of a mesh in object space: collinear, concave. */
 #ifndef ZR_FACE_H
 #define ZR_FACE_H
 
-#include "scene/scene.h"
-
-/* Returns true if the face has fewer than three distinct corners. Faces without area are left to the subpixel grid, as
- * in the reference. */
-bool zr_face_is_degenerate(const struct zr_mesh *mesh, uint32_t face);
+#include "scene/degenerate_face.h"
 
 /* Returns true if all corners lie on one line, or nearly: turns are at most a millionth of a right angle. */
 bool zr_face_is_line(const struct zr_mesh *mesh, uint32_t face);

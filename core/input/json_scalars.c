@@ -7,7 +7,9 @@
 
 #include "base/cancel.h"
 #include "input/json_rows.h"
+#include "scene/degenerate_face.h"
 #include "scene/mesh_label.h"
+#include "scene/unused_positions.h"
 
 #define VALUE_MAX ((double)FLT_MAX)
 
@@ -96,15 +98,45 @@ static bool is_hole(const struct coloring *coloring, size_t i)
     return coloring->z && isnan(coloring->z[i]);
 }
 
-static void find_range(struct coloring *coloring)
+static bool any_hole(const float *z, const uint32_t *corners, size_t count)
 {
+    for (size_t i = 0; i < count; i++)
+        if (isnan(z[corners ? corners[i] : i])) return true;
+    return false;
+}
+
+/* Returns one byte per number: 1 if something drawn has it. `z`: of a grid, whose cells beside holes are not drawn;
+ * else NULL. NULL if all are drawn, without memory, or after a fault, since indices may be wrong. */
+static uint8_t *find_drawn(struct zr_json *json, bool is_of_faces, const float *z, const struct zr_mesh *mesh)
+{
+    if (json->error->count > 0 || (z && !any_hole(z, NULL, mesh->position_count))) return NULL;
+    if (!is_of_faces && !z) return zr_used_positions(json->arena, json->team, mesh);
+    uint8_t *drawn = zr_arena_zero(json->arena, is_of_faces ? mesh->face_count : mesh->position_count, sizeof *drawn);
+    for (uint32_t face = 0; drawn && face < mesh->face_count; face++) {
+        const uint32_t *corners = mesh->indices + mesh->face_offsets[face];
+        const size_t count = mesh->face_offsets[face + 1] - mesh->face_offsets[face];
+        if (zr_face_is_degenerate(mesh, face) || (z && any_hole(z, corners, count))) continue;
+        if (is_of_faces)
+            drawn[face] = 1;
+        else
+            for (size_t i = 0; i < count; i++)
+                drawn[corners[i]] = 1;
+    }
+    return drawn;
+}
+
+/* Finds the least and the greatest number of what is drawn. */
+static void find_range(struct zr_json *json, const float *z, const struct zr_mesh *mesh, struct coloring *coloring)
+{
+    uint8_t *drawn = find_drawn(json, coloring->count != mesh->position_count, z, mesh);
     coloring->low = FLT_MAX;
     coloring->high = -FLT_MAX;
     for (size_t i = 0; i < coloring->count; i++) {
-        if (is_hole(coloring, i)) continue;
+        if ((drawn && !drawn[i]) || is_hole(coloring, i)) continue;
         if (coloring->values[i] < coloring->low) coloring->low = coloring->values[i];
         if (coloring->values[i] > coloring->high) coloring->high = coloring->values[i];
     }
+    if (drawn) zr_arena_trim(json->arena, drawn, coloring->count, 0, sizeof *drawn);
 }
 
 /* The place of a number in the map, 0..1. In double, so that a difference of two floats is finite. A range of length 0
@@ -188,7 +220,7 @@ void zr_scalars_apply(struct zr_json *json, const struct zr_json_path *path, con
         return;
     }
     if (coloring.count == mesh->position_count) coloring.z = z;
-    if (!scalars->has_range) find_range(&coloring);
+    if (!scalars->has_range) find_range(json, z, mesh, &coloring);
     const zr_vec4 *colors = make_colors(json, &coloring);
     if (coloring.count == mesh->position_count)
         mesh->colors = colors;

@@ -52,6 +52,33 @@ static void numbers_of_faces_become_colors_of_faces(void **state)
     reading_free(reading);
 }
 
+static void default_range_is_that_of_what_is_drawn(void **state)
+{
+    (void)state;
+    static const char *const meshes[] = {
+        "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[9,9,9]], \"faces\": [[0,1,2]], \"scalars\": [1, 2, 3, 900]",
+        "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[9,9,9]], \"faces\": [[0,1,2],[0,3,3]], \"scalars\": [1, 2, 3, -9]",
+        "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[9,9,9]], \"lines\": [[0,1],[3,3]], \"points\": [2], \"scalars\": "
+        "[1, 2, 3, -9]",
+        SQUARE ", \"scalars\": [1, 3, 2, 2], \"colormap\": \"viridis\"",
+        "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,1,0]], \"faces\": [[0,1,2],[0,2,3],[3,4,0]], \"scalars\": "
+        "[1, 3, 900]",
+        /* The last column is beside a hole, so none of its cells is drawn. */
+        "\"heights\": {\"values\": [[1, 2, null, 900], [3, 2, null, -9]]}, \"colormap\": \"viridis\"",
+        "\"heights\": {\"values\": [[7, 7, null, 7], [7, 7, null, 7]]}, \"scalars\": [1, 2, 5, 900, 3, 2, 5, -9]",
+        "\"heights\": {\"values\": [[7, 7, 7, null], [7, 7, 7, 7]]}, \"scalars\": [1, 3, 900]",
+    };
+    for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
+        struct reading *reading = read_mesh(meshes[i]);
+        assert_read(reading);
+        const struct zr_color_scale *scale = reading->scene->meshes[0].scale;
+        assert_non_null(scale);
+        if (scale->low != 1.0f || scale->high != 3.0f)
+            fail_msg("case %zu: %g to %g", i, (double)scale->low, (double)scale->high);
+        reading_free(reading);
+    }
+}
+
 static void where_there_are_as_many_they_are_of_positions(void **state)
 {
     (void)state;
@@ -172,6 +199,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_positions_become_colors_of_vertices),
         cmocka_unit_test(numbers_of_faces_become_colors_of_faces),
+        cmocka_unit_test(default_range_is_that_of_what_is_drawn),
         cmocka_unit_test(where_there_are_as_many_they_are_of_positions),
         cmocka_unit_test(each_map_has_its_name),
         cmocka_unit_test(what_is_outside_of_the_range_is_counted),
