@@ -200,44 +200,6 @@ static void put_textures(const struct zr_parsed_material *given, struct zr_mater
 
 /* ---- oddities ---- */
 
-static void note(struct zr_parsed_scene *root, const struct zr_style *style, enum zr_oddity oddity)
-{
-    zr_parsed_note_oddity(root, oddity, style->number, style->is_polygon);
-}
-
-/* `faces`: the styles of the mesh, its material and the scene, merged. */
-static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *style, const struct zr_face_style *faces,
-                          const struct zr_material *material)
-{
-    const bool has_outline = material->outline == ZR_OUTLINE_COLORED;
-    const float least = style->alpha.least * material->base_color.w, most = style->alpha.most * material->base_color.w;
-    if (style->face_style.alpha_cutoff >= 0.0f && material->alpha_mode != ZR_ALPHA_MASK)
-        note(root, style, ZR_ODD_CUTOFF);
-    const bool has_mode = faces->alpha_mode != ZR_UNSET || zr_shading_is_layered(material->shading);
-    const uint32_t texture = style->has_faces ? material->textures[ZR_TEXTURE_BASE_COLOR] : 0;
-    if (!has_mode && texture && least >= 1.0f &&
-        !zr_parsed_image_is_opaque(root, root->scene->textures[texture - 1].image))
-        note(root, style, ZR_ODD_TEXTURE_ALPHA);
-    if (!has_mode && (least < 1.0f || (has_outline && material->outline_color.w < 1.0f)))
-        note(root, style, ZR_ODD_ALPHA);
-    const struct zr_picture *picture = &root->scene->picture;
-    if (style->has_faces && zr_shading_is_in(material->shading, zr_shadings_lit(ZR_SHADED_BY_OWN_LAMP)) &&
-        ((zr_picture_gives(&root->picture, ZR_PICTURE_EXPOSURE) && picture->exposure != 1.0f) ||
-         (zr_picture_gives(&root->picture, ZR_PICTURE_TONE) && picture->tone != ZR_TONE_NONE)))
-        note(root, style, ZR_ODD_EXPOSURE);
-    if (has_outline) return; /* its outline is visible: it has its own colour */
-    if (material->alpha_mode == ZR_ALPHA_BLEND && most <= 0.0f) note(root, style, ZR_ODD_UNSEEN);
-    if (material->alpha_mode == ZR_ALPHA_MASK && zr_rgba_byte(most) < zr_rgba_byte(material->alpha_cutoff))
-        note(root, style, ZR_ODD_MASKED);
-}
-
-static void note_use(struct zr_parsed_material *given, const struct zr_style *style, const struct zr_material *material)
-{
-    given->is_used = true;
-    given->is_masked |= material->alpha_mode == ZR_ALPHA_MASK;
-    if (style->has_faces) given->shadings |= 1u << material->shading;
-}
-
 /* Returns the shadings that use a key, one bit each; 0: all draws use it, lines too. */
 static uint32_t shadings_of(int key)
 {
@@ -266,6 +228,47 @@ static uint32_t shadings_of(int key)
     }
 }
 
+static void note(struct zr_parsed_scene *root, const struct zr_style *style, enum zr_oddity oddity)
+{
+    zr_parsed_note_oddity(root, oddity, style->number, style->is_polygon);
+}
+
+/* `faces`: the styles of the mesh, its material and the scene, merged. */
+static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *style, const struct zr_face_style *faces,
+                          const struct zr_material *material)
+{
+    const bool has_outline = material->outline == ZR_OUTLINE_COLORED;
+    const float least = style->alpha.least * material->base_color.w, most = style->alpha.most * material->base_color.w;
+    if (style->face_style.alpha_cutoff >= 0.0f && material->alpha_mode != ZR_ALPHA_MASK)
+        note(root, style, ZR_ODD_CUTOFF);
+    const bool has_mode = faces->alpha_mode != ZR_UNSET || zr_shading_is_layered(material->shading);
+    const bool is_textured =
+        style->has_faces && !material->unfilled && zr_shading_is_in(material->shading, shadings_of(BASE_COLOR_TEXTURE));
+    const uint32_t texture = is_textured ? material->textures[ZR_TEXTURE_BASE_COLOR] : 0;
+    if (!has_mode && texture && least >= 1.0f &&
+        !zr_parsed_image_is_opaque(root, root->scene->textures[texture - 1].image))
+        note(root, style, ZR_ODD_TEXTURE_ALPHA);
+    if (!has_mode && (least < 1.0f || (has_outline && material->outline_color.w < 1.0f)))
+        note(root, style, ZR_ODD_ALPHA);
+    const struct zr_picture *picture = &root->scene->picture;
+    if (style->has_faces && zr_shading_is_in(material->shading, zr_shadings_lit(ZR_SHADED_BY_OWN_LAMP)) &&
+        ((zr_picture_gives(&root->picture, ZR_PICTURE_EXPOSURE) && picture->exposure != 1.0f) ||
+         (zr_picture_gives(&root->picture, ZR_PICTURE_TONE) && picture->tone != ZR_TONE_NONE)))
+        note(root, style, ZR_ODD_EXPOSURE);
+    if (has_outline) return; /* its outline is visible: it has its own colour */
+    if (material->alpha_mode == ZR_ALPHA_BLEND && most <= 0.0f) note(root, style, ZR_ODD_UNSEEN);
+    if (material->alpha_mode == ZR_ALPHA_MASK && zr_rgba_byte(most) < zr_rgba_byte(material->alpha_cutoff))
+        note(root, style, ZR_ODD_MASKED);
+}
+
+static void note_use(struct zr_parsed_material *given, const struct zr_style *style, const struct zr_material *material)
+{
+    given->is_used = true;
+    given->is_masked |= material->alpha_mode == ZR_ALPHA_MASK;
+    given->is_blended |= material->alpha_mode == ZR_ALPHA_BLEND;
+    if (style->has_faces && !material->unfilled) given->shadings |= 1u << material->shading;
+}
+
 /* Large enough for all keys, or all shadings. */
 struct words {
     char text[240];
@@ -277,21 +280,25 @@ static void add_word(struct words *words, const char *word)
     snprintf(words->text + used, sizeof words->text - used, "%s%s", used ? ", " : "", word);
 }
 
-/* Lists the keys of a material that its meshes do not use. */
-static struct words unused_keys(const struct zr_parsed_material *given)
+/* Lists the keys of a material that its meshes do not use. In linear light, BLEND uses the alpha of a texture with
+ * every shading. */
+static struct words unused_keys(const struct zr_parsed_material *given, bool is_linear)
 {
     struct words words = {""};
-    for (int key = 0; given->is_used && key <= BASE_COLOR_TEXTURE; key++)
-        if (zr_json_gives(given->keys, key) && shadings_of(key) != 0 && !(shadings_of(key) & given->shadings))
+    for (int key = 0; given->is_used && key <= BASE_COLOR_TEXTURE; key++) {
+        const bool any_shading = key == BASE_COLOR_TEXTURE && given->is_blended && is_linear;
+        const uint32_t users = any_shading ? ZR_SHADING_ALL : shadings_of(key);
+        if (zr_json_gives(given->keys, key) && users != 0 && !(users & given->shadings))
             add_word(&words, fields[key].key);
+    }
     return words;
 }
 
-/* Formats "with the shading phong", or "without faces". */
+/* Formats "with the shading phong", or "without filled faces". */
 static struct words shadings_in_words(const struct zr_parsed_material *given)
 {
     struct words words = {""};
-    if (given->shadings == 0) return (struct words){"without faces"};
+    if (given->shadings == 0) return (struct words){"without filled faces"};
     for (int shading = 0; shading < ZR_SHADING_COUNT; shading++)
         if (given->shadings >> shading & 1u) add_word(&words, zr_shading_names.words[shading]);
     struct words all;
@@ -333,24 +340,26 @@ static void warn_of(struct zr_parsed_scene *root, const struct some *some, const
 
 void zr_parsed_warn_of_materials(struct zr_parsed_scene *root)
 {
+    const bool is_linear = root->scene->picture.is_linear;
     struct some idle = {NULL, 0}, uncut = {NULL, 0}, odd = {NULL, 0};
     for (size_t i = 0; i < root->material_count; i++) {
         const struct zr_parsed_material *given = &root->materials[i];
         if (!given->is_used) add_to(&idle, given);
         if (given->is_used && given->face_style.alpha_cutoff >= 0.0f && !given->is_masked) add_to(&uncut, given);
-        if (*unused_keys(given).text) add_to(&odd, given);
+        if (*unused_keys(given, is_linear).text) add_to(&odd, given);
     }
     warn_of(root, &idle, " is used by nothing");
     warn_of(root, &uncut, ": alphaCutoff has no effect without \"alphaMode\": \"MASK\"");
     if (odd.count == 0) return;
     if (root->is_bare) {
         zr_warning_list_add(root->json.arena, &root->builder->color_warnings, "no effect of %s %s",
-                            zr_parameter_names("/materials/0", unused_keys(odd.first).text).text,
+                            zr_parameter_names("/materials/0", unused_keys(odd.first, is_linear).text).text,
                             shadings_in_words(odd.first).text);
         return;
     }
     char text[2 * sizeof(struct words) + 32];
-    snprintf(text, sizeof text, ": no effect of %s %s", unused_keys(odd.first).text, shadings_in_words(odd.first).text);
+    snprintf(text, sizeof text, ": no effect of %s %s", unused_keys(odd.first, is_linear).text,
+             shadings_in_words(odd.first).text);
     warn_of(root, &odd, text);
 }
 

@@ -47,8 +47,8 @@ struct zr_parsed_material {
     zr_vec3 emissive;
     struct zr_parsed_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
-    bool is_used, is_masked; /* used by a mesh; used by a mesh whose alphaMode is MASK */
-    uint32_t shadings;       /* bit i: a mesh with shading i uses it */
+    bool is_used, is_masked, is_blended; /* used by a mesh; by one with the alphaMode MASK; by one with BLEND */
+    uint32_t shadings;                   /* bit i: a mesh with filled faces and shading i uses it */
 };
 
 /* Oddities of meshes: keys or opacities without the effect that they suggest. Each kind is one warning, which names the

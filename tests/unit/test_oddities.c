@@ -93,11 +93,22 @@ static const struct {
      "no effect of occlusionTexture with the shading normals"},
     {WITH("\"baseColorTexture\": " PIXEL ", \"shading\": \"normals\""), true,
      "no effect of baseColorTexture with the shading normals"},
+    {WITH("\"baseColorTexture\": " HALF ", \"shading\": \"normals\""), true,
+     "material 'm': no effect of baseColorTexture with the shading normals"},
+    {WITH("\"baseColorTexture\": " HALF ", \"shading\": \"normals\", \"alphaMode\": \"MASK\""), true,
+     "material 'm': no effect of baseColorTexture with the shading normals"},
+    {"\"look\": \"studio\", " WITH("\"baseColorTexture\": " HALF
+                                   ", \"shading\": \"normals\", \"alphaMode\": \"BLEND\""),
+     true, NULL}, /* in linear light, BLEND uses its alpha */
+    {WITH("\"baseColorTexture\": " HALF ", \"fill\": false, \"outline\": true"), true,
+     "material 'm': no effect of baseColorTexture without filled faces"},
+    {WITH("\"specular\": \"white\", \"shading\": \"phong\", \"fill\": false, \"outline\": \"red\""), true,
+     "material 'm': no effect of specular without filled faces"},
     {WITH("\"cool\": \"blue\""), true, "no effect of cool with the shading flat"},
     {MESHES("{" POSITIONS ", \"lines\": [[0,1]], " TEXCOORDS
             ", \"material\": \"m\"}") ", \"materials\": [{\"name\": \"m\", "
                                       "\"baseColorTexture\": " PIXEL "}]",
-     true, "no effect of baseColorTexture without faces"},
+     true, "no effect of baseColorTexture without filled faces"},
     /* One of its meshes has a use for it. */
     {MESHES(FACE ", \"material\": \"m\", \"shading\": \"phong\"}, " FACE
                  ", \"material\": \"m\"}") ", \"materials\": [{\"name\": \"m\", \"specular\": \"white\"}]",
