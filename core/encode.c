@@ -68,11 +68,11 @@ static enum zr_status encode_normals(const struct encoding *e, struct zr_buffer 
     return zr_png_write(&png, e->team, e->cancel, out);
 }
 
-static enum zr_status encode_depth16(struct encoding *e, float asked_scale, struct zr_buffer *out)
+static enum zr_status encode_depth16(struct encoding *e, float given_scale, struct zr_buffer *out)
 {
     const struct zr_frame *frame = e->frame;
     struct zr_depth16 depth16 = {.frame = frame,
-                                 .scale = zr_depth16_scale(frame, asked_scale),
+                                 .scale = zr_depth16_scale(frame, given_scale),
                                  .make_steps = zr_depth16_of(zr_team_isa(e->team))};
     char comment[96];
     snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; 0 where nothing is", (double)depth16.scale);

@@ -140,7 +140,7 @@ static struct queue_job *take_job(struct worker *worker)
     return large->first ? take_out(queue, large->first) : NULL;
 }
 
-/* The express may still put a job back. */
+/* Returns true if a thread without a job may end. A busy express may still put a job back. */
 static bool is_over(const struct worker *worker)
 {
     return worker->queue->stopping && (worker->is_express || !worker->queue->express->is_busy);

@@ -8,9 +8,9 @@ enum { WORK_A_CHECK = 1 << 20 };
 
 bool zr_builder_go_on(struct zr_builder *builder, uint64_t work)
 {
-    builder->unlooked += work;
-    if (builder->unlooked < WORK_A_CHECK) return true;
-    builder->unlooked = 0;
+    builder->unchecked += work;
+    if (builder->unchecked < WORK_A_CHECK) return true;
+    builder->unchecked = 0;
     return !zr_is_cancelled(builder->cancel);
 }
 

@@ -28,7 +28,7 @@ struct zr_builder {
     struct zr_arena *arena;
     struct zr_team *team;
     const struct zr_cancel *cancel;
-    uint64_t unlooked; /* work since the last check of `cancel`, summed over instances */
+    uint64_t unchecked; /* work since the last check of `cancel`, summed over instances */
     const struct zr_scene *scene;
     struct zr_geometry *geometry;
     bool singly;                                                      /* each primitive is placed by itself */

@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 struct zr_counts {
-    uint64_t polygons;            /* handed in */
+    uint64_t polygons;            /* input */
     uint64_t degenerate_polygons; /* without three distinct corners: dropped */
     uint64_t concave_polygons;    /* filled by the odd-even rule: dents, crossings, holes */
     uint64_t triangles;           /* made from polygons, by fans or by ear clipping */
@@ -22,11 +22,11 @@ struct zr_counts {
     uint64_t drawn_whole;         /* handed to the rasterizer uncut */
     uint64_t drawn_pieces;        /* pieces of clipped triangles, handed to the rasterizer */
     uint64_t culled_pieces;       /* pieces of clipped triangles, facing away */
-    uint64_t lines;               /* handed in; outlines are not counted */
+    uint64_t lines;               /* input; outlines are not counted */
     uint64_t degenerate_lines;    /* both ends at one position: dropped */
     uint64_t outside_lines;       /* wholly outside the view volume, or without a window position */
     uint64_t clipped_lines;       /* cut by the view volume */
-    uint64_t points;              /* handed in */
+    uint64_t points;              /* input */
     uint64_t outside_points;      /* centre outside the view volume, or without a window position */
     uint64_t unplaced;            /* triangles, pieces of them, lines and points that have a corner without a window
                                    * position */

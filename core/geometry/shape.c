@@ -99,7 +99,7 @@ bool zr_shape_shows_back(const struct zr_builder *builder, uint32_t face)
     return volume != 0.0 && (volume < 0.0) != builder->mirrored;
 }
 
-/* Orders by value, so that equal edges become neighbours. */
+/* Orders edges by value, so that equal ones become neighbours. */
 static int compare_edges(const void *left, const void *right)
 {
     const struct zr_grid_edge *a = left, *b = right;

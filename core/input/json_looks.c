@@ -123,7 +123,7 @@ void zr_parsed_use_look(struct zr_parsed_scene *root)
     fit_samples(root);
     use_lights(root);
     if (!zr_scene_gives(root, ZR_SCENE_VIEW)) zr_look_set_view(look, &scene->views[0]);
-    if (scene->picture.z_is_up) zr_view_put_z_up(&scene->views[0], root->view_says_up);
+    if (scene->picture.z_is_up) zr_view_put_z_up(&scene->views[0], root->view_has_up);
     scene->algorithm = (enum zr_algorithm)root->algorithm;
     if (!root->fog_has_color)
         scene->fog.color = (zr_vec3){scene->background.x, scene->background.y, scene->background.z};

@@ -129,7 +129,7 @@ struct zr_parsed_scene {
     uint32_t light_count;
     struct zr_light *lights;                     /* direction 0: the scene's up, set later */
     struct zr_parsed_light_colors *light_colors; /* one per light */
-    bool view_says_up;
+    bool view_has_up;
     bool fog_has_color;
     const char *fit_mesh;       /* name of the mesh that the view is fitted to, or NULL */
     const char *color_bar_mesh; /* name of the mesh whose scale the colour bar shows, or NULL */

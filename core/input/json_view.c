@@ -112,7 +112,7 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
     if (given.has_faults) return false;
     find_planes(&given);
     root->fit_mesh = given.fit_mesh;
-    root->view_says_up = zr_view_gives(&given, ZR_VIEW_UP);
+    root->view_has_up = zr_view_gives(&given, ZR_VIEW_UP);
     root->scene->views[0] = given.view;
     return true;
 }

@@ -78,7 +78,7 @@ static void put_all_triangles(const struct zr_mesh *mesh, uint32_t first, size_t
 }
 
 /* Loads the positions of corners, one per lane. */
-static inline struct zr_vec3_v load_places(const struct zr_mesh *mesh, const uint32_t slots[ZR_LANES])
+static inline struct zr_vec3_v load_positions(const struct zr_mesh *mesh, const uint32_t slots[ZR_LANES])
 {
     struct zr_vec3_v v;
     zr_vf w;
@@ -99,8 +99,8 @@ static inline zr_vf ring_angles(const struct zr_mesh *mesh, uint32_t begin, uint
         before[i] = slot == begin ? end - 1 : slot - 1;
         behind[i] = slot + 1 == end ? begin : slot + 1;
     }
-    const struct zr_vec3_v p = load_places(mesh, slots), a = zr_minus_v(load_places(mesh, before), p),
-                           b = zr_minus_v(load_places(mesh, behind), p);
+    const struct zr_vec3_v p = load_positions(mesh, slots), a = zr_minus_v(load_positions(mesh, before), p),
+                           b = zr_minus_v(load_positions(mesh, behind), p);
     zr_vf sine;
     split(zr_cross_v(b, a), &sine);
     return zr_angle_v(sine, zr_dot_v(b, a));

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-float zr_depth16_scale(const struct zr_frame *frame, float asked)
+float zr_depth16_scale(const struct zr_frame *frame, float given)
 {
-    if (asked > 0.0f) return asked;
+    if (given > 0.0f) return given;
     const bool unknown = frame->camera.znear == 0.0f && frame->camera.zfar == 0.0f;
     const float scale = (unknown ? frame->deepest : frame->camera.zfar) / 65535.0f;
     return scale > 0.0f && isfinite(scale) ? scale : 1.0f;

@@ -10,9 +10,9 @@
 #include "output/rows.h"
 #include "shade/frame.h"
 
-/* Returns the scene units per step: `asked`, or, if that is 0, the scale at which the far plane (without one: the
+/* Returns the scene units per step: `given`, or, if that is 0, the scale at which the far plane (without one: the
  * deepest pixel) is step 65535. */
-float zr_depth16_scale(const struct zr_frame *frame, float asked);
+float zr_depth16_scale(const struct zr_frame *frame, float given);
 
 /* Converts a row and returns the number of clamped pixels. A kernel. */
 typedef uint32_t zr_depth16_fn(const float *depth, float scale, uint32_t width, uint16_t *out);

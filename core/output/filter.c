@@ -11,8 +11,8 @@
  * last 64 bytes are searched as well. */
 enum { STEP = 512, LAST_STEP = 64 };
 
-struct zr_column_span zr_filter_reach(enum zr_layout layout, const uint8_t *row, const uint8_t *above,
-                                      struct zr_column_span bounds)
+struct zr_column_span zr_filter_span(enum zr_layout layout, const uint8_t *row, const uint8_t *above,
+                                     struct zr_column_span bounds)
 {
     size_t pixel = zr_layout_memory(layout), begin = bounds.begin * pixel, end = bounds.end * pixel, size = end;
     for (size_t step = STEP; step >= LAST_STEP; step /= STEP / LAST_STEP)
@@ -138,7 +138,7 @@ void zr_filter_row(enum zr_layout layout, const uint8_t *row, const uint8_t *abo
                    struct zr_column_span bounds, uint8_t *out, struct zr_adler *sum)
 {
     const size_t memory = zr_layout_memory(layout), file = zr_layout_file(layout);
-    const struct zr_column_span span = zr_filter_reach(layout, row, above, bounds);
+    const struct zr_column_span span = zr_filter_span(layout, row, above, bounds);
     size_t count = span.end - span.begin, lead = span.begin * file, tail = (width - span.end) * file;
     *out++ = ZR_FILTER_UP;
     zr_adler_add(sum, 1, ZR_FILTER_UP, ZR_FILTER_UP);

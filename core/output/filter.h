@@ -37,8 +37,8 @@ static inline unsigned zr_layout_file(enum zr_layout layout)
 
 /* Returns the part of `bounds` outside of which all pixels equal those above. It may include up to 64 bytes of equal
  * pixels at either end. */
-struct zr_column_span zr_filter_reach(enum zr_layout layout, const uint8_t *row, const uint8_t *above,
-                                      struct zr_column_span bounds);
+struct zr_column_span zr_filter_span(enum zr_layout layout, const uint8_t *row, const uint8_t *above,
+                                     struct zr_column_span bounds);
 
 /* Writes the filter's number and the filtered row, 1 + width * zr_layout_file(layout) bytes, to `out` and adds them to
  * `sum`. Pixels outside of `bounds` must equal those above and are not read; other equal pixels take little time. */

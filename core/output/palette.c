@@ -150,7 +150,7 @@ static bool map(struct set *set, const uint8_t *pixels, uint32_t width, uint32_t
         const uint8_t *row = pixels + y * stride;
         uint8_t *out = indices + (size_t)y * width;
         struct zr_column_span span = zr_column_span_of_rows(spans, y, width);
-        if (y > 0) span = zr_filter_reach(ZR_LAYOUT_RGBA, row, row - stride, span);
+        if (y > 0) span = zr_filter_span(ZR_LAYOUT_RGBA, row, row - stride, span);
         if (span.begin < span.end && !map_span(set, row, span.begin, span.end, out)) return false;
         if (y == 0) continue;
         memcpy(out, out - width, span.begin);

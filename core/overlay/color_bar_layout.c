@@ -91,7 +91,7 @@ static bool lay_out(const struct zr_color_bar *bar, const struct zr_color_scale 
         .dot = dot,
         .line = line,
         .tick_width = TICK * dot,
-        .ticks = zr_ticks_make(scale->low, scale->high, apart > TICKS_APART ? apart : TICKS_APART, scale->is_asked)};
+        .ticks = zr_ticks_make(scale->low, scale->high, apart > TICKS_APART ? apart : TICKS_APART, scale->is_given)};
     const int32_t bar_width = zr_greater(BAR_WIDTH * dot, zr_lesser(rows, width) / BAR_WIDTHS_A_SIDE);
     const int32_t taken = 2 * line + bar_width + (TICK + GAP + label_width(&l->ticks)) * dot;
     if (taken + 2 * margin > width / 2) return false;

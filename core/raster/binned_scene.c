@@ -330,7 +330,7 @@ static bool draw_tile(const struct zr_visibility *visibility, uint32_t number, c
     if (!draw_wide_ones(binned, number, cancel, tile)) return false;
     if (!has_more(opaque, number) && zr_tile_has_whole_blocks(tile)) return true;
     binned->halfspace->flush(tile);
-    tile->knows_owners = false;
+    tile->has_block_owners = false;
     tile->has_early_color = keeps_early_color(opaque, number);
     if (tile->has_early_color) memset(tile->early_color, 0, sizeof tile->early_color);
     if (!put_small_ones(binned, &opaque->bins, number, cancel, tile)) return false;

@@ -64,11 +64,9 @@ static inline void zr_fragments_put(struct zr_fragments *fragments, uint32_t pla
 }
 
 /* Call in this order: zr_fragments_begin, put all, zr_fragments_prefix_sum, put all again, zr_fragments_sort.
- *
- * `lock`: of the arena, where threads share it; or NULL. zr_fragments_begin: room for as many places as *fragments had
- * before, or had none. False where there is no memory, where arena->cancel is raised, or are more fragments than can be
- * counted. Cancelled,
- * zr_fragments_sort leaves some lists unsorted. */
+ * `places`: the number of lists, the same in each use of *fragments. `lock`: guards an arena that threads share; else
+ * NULL. False if memory runs out, if arena->cancel is raised, or if the fragments are too many to be counted. If
+ * cancelled, zr_fragments_sort leaves some lists unsorted. */
 bool zr_fragments_begin(struct zr_arena *arena, pthread_mutex_t *lock, uint32_t places, struct zr_fragments *fragments);
 bool zr_fragments_prefix_sum(struct zr_arena *arena, pthread_mutex_t *lock, struct zr_fragments *fragments);
 void zr_fragments_sort(const struct zr_cancel *cancel, struct zr_fragments *fragments);

@@ -295,7 +295,7 @@ static void begin(struct zr_tile *tile)
         zr_vf_store(tile->block_far + first, zr_vf_select(there, zr_vf_set(1.0f), zr_vf_set(0.0f)));
     }
     memset(tile->block_owner, 0, sizeof tile->block_owner);
-    tile->knows_owners = true;
+    tile->has_block_owners = true;
     tile->unwritten = UINT32_MAX;
     tile->far = 1.0f;
     tile->is_empty = false;

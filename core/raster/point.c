@@ -12,7 +12,7 @@ static int32_t subpixels_of(float size)
     return (int32_t)ZR_MUTANT(older_lines, (subpixels + no_fraction) - no_fraction, subpixels + 0.5f);
 }
 
-/* Rounds half down. */
+/* Rounds to an integer, half down. */
 int32_t zr_point_width(float size, float scale)
 {
     const int32_t subpixels = subpixels_of(size * scale);

@@ -95,7 +95,7 @@ static inline void load_corners(const struct zr_geometry *geometry, const struct
 }
 
 /* Prefetch distance in triangles. Since binning, the corner numbers were evicted from the nearer caches. With whole
- * groups of one array (visibility.c), this saves 3 to 9 % of the bunny at 512x512. */
+ * groups of one array (binned_scene.c), this saves 3 to 9 % of the bunny at 512x512. */
 enum { PREFETCH_AHEAD = 48 };
 
 /* Prefetches corner numbers; `left` numbers remain. Does nothing unless all ZR_LANES numbers at that distance exist and

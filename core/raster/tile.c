@@ -37,7 +37,7 @@ static void load_row(float *out, const float *depth, int32_t count, bool ties_to
 void zr_tile_begin(struct zr_tile *tile, const struct zr_base *base, uint32_t width, uint32_t height)
 {
     memset(tile->owner, 0, sizeof tile->owner);
-    tile->knows_owners = false;
+    tile->has_block_owners = false;
     tile->unwritten = 0;
     tile->far = 1.0f;
     tile->is_empty = false;

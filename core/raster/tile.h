@@ -37,7 +37,7 @@ struct zr_tile {
     /* [row of blocks * ZR_BLOCK_COLUMNS + column]: no sample of the block is deeper. 0 for blocks outside the
      * window. */
     float block_far[ZR_BLOCKS];
-    bool knows_owners;               /* block_owner is valid and all blocks are whole */
+    bool has_block_owners;           /* block_owner is valid and all blocks are whole */
     uint32_t block_owner[ZR_BLOCKS]; /* owner of all samples; 0: uncovered; or ZR_BLOCK_SHARED */
     /* One bit per block whose samples are not written: all of them belong to the owner, on the plane of block_depth, or
      * are uncovered at depth 1. A frame can be resolved without writing them, which saves a sixth of the time of a

@@ -55,7 +55,7 @@ void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struc
 {
     zr_tile_place(tile, number, samples->width, samples->height);
     tile->is_empty = tile->has_early_color = false;
-    tile->knows_owners = false;
+    tile->has_block_owners = false;
     tile->unwritten = 0;
     memset(tile->owner, 0, sizeof tile->owner); /* also beyond the window */
     for (int32_t row = 0; row < tile->height; row++) {

@@ -68,7 +68,7 @@ bool zr_layers_find(const struct zr_tile_source *tiles, uint32_t number, enum zr
     layer->width = tile->width;
     layer->height = tile->height;
     layer->fragments = NULL;
-    layer->is_empty = layer->knows_owners = layer->has_early_color = false;
+    layer->is_empty = layer->has_block_owners = layer->has_early_color = false;
     layer->unwritten = 0;
     return true;
 }
@@ -155,7 +155,7 @@ static void write_all(const struct zr_tile_source *tiles, struct zr_tile *tile)
         zr_tile_begin(tile, NULL, 0, 0);
     else
         zr_halfspace_of(tiles->isa)->flush(tile);
-    tile->knows_owners = false;
+    tile->has_block_owners = false;
 }
 
 bool zr_layers_mask(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,

@@ -141,7 +141,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
     struct zr_resolved resolved = {0, 0.0f};
     /* Shortcuts for whole tiles and blocks ignore a base: its pixels and its first_face_id. zr_tile_begin disables
      * them. */
-    assert(!frame->base || (!tile->is_empty && !tile->knows_owners));
+    assert(!frame->base || (!tile->is_empty && !tile->has_block_owners));
     if (tile->is_empty) {
         fill_all(paint, frame, tile, clear_value);
         return resolved;

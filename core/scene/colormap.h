@@ -22,7 +22,7 @@ zr_vec4 zr_colormap_color(enum zr_colormap map, float at);
 struct zr_color_scale {
     enum zr_colormap map;
     float low, high;
-    bool is_asked; /* the scene gives low and high; else they are the least and the largest scalar */
+    bool is_given; /* the scene gives low and high; else they are the least and the largest scalar */
 };
 
 #endif

@@ -10,7 +10,7 @@ static const struct {
                               [ZR_PRESET_BOTTOM] = {0, -90},
                               [ZR_PRESET_ISOMETRIC] = {45, 35.264389682754654}}; /* asin(1 / sqrt(3)) */
 
-void zr_view_put_z_up(struct zr_view *view, bool says_up)
+void zr_view_put_z_up(struct zr_view *view, bool has_up)
 {
     const zr_vec3 d = zr_view_looks_along(view);
     if (view->pose == ZR_POSE_PRESET) {
@@ -20,7 +20,7 @@ void zr_view_put_z_up(struct zr_view *view, bool says_up)
         view->has_target = false;
         view->distance = 0.0f;
     }
-    if (says_up) return;
+    if (has_up) return;
     view->up = (zr_vec3){0, 0, 1};
     /* Straight down and up: y as in the presets top and bottom. */
     if (d.x == 0.0f && d.y == 0.0f && d.z != 0.0f) view->up = (zr_vec3){0, d.z < 0.0f ? 1.0f : -1.0f, 0};

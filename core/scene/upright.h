@@ -14,7 +14,7 @@ static inline zr_vec3 zr_view_looks_along(const struct zr_view *view)
 }
 
 /* Converts a y-up view to z-up. A preset becomes an orbit, whose front is on -y, as in CAD. Unless the view gives its
- * own up (says_up), z is up. */
-void zr_view_put_z_up(struct zr_view *view, bool says_up);
+ * own up (has_up), z is up. */
+void zr_view_put_z_up(struct zr_view *view, bool has_up);
 
 #endif

@@ -61,15 +61,15 @@ ZR_INLINED zr_vi zr_shade_at(const struct zr_shader *s, uint32_t first, uint32_t
 /* Destination of a tile's pixels. */
 struct zr_store {
     const struct zr_tile *tile;
-    bool with_known;                    /* the tile's early colours replace these */
+    bool with_early;                    /* the tile's early colours replace these */
     const struct zr_pixel_rows *behind; /* supplies uncovered pixels; or NULL */
     const struct zr_pixel_rows *out;
 };
 
-static inline zr_vi zr_known_or(const struct zr_tile *tile, int32_t at, zr_vi words)
+static inline zr_vi zr_early_or(const struct zr_tile *tile, int32_t at, zr_vi words)
 {
-    const zr_vi known = zr_vi_load(tile->early_color + at);
-    return zr_vi_select(zr_vi_eq(known, zr_vi_set(0)), words, known);
+    const zr_vi early = zr_vi_load(tile->early_color + at);
+    return zr_vi_select(zr_vi_eq(early, zr_vi_set(0)), words, early);
 }
 
 static inline zr_vi zr_behind_or(const struct zr_tile *tile, int32_t at, const uint32_t *behind, int32_t columns,
@@ -85,7 +85,7 @@ static inline void zr_store_pixels(const struct zr_store *to, int32_t x, int32_t
 {
     const int32_t columns = to->tile->width - x, at = y * ZR_TILE_STRIDE + x;
     if (y >= to->tile->height || columns <= 0) return;
-    if (to->with_known) words = zr_known_or(to->tile, at, words);
+    if (to->with_early) words = zr_early_or(to->tile, at, words);
     if (to->behind) words = zr_behind_or(to->tile, at, to->behind->first + y * to->behind->stride + x, columns, words);
     uint32_t *out = to->out->first + y * to->out->stride + x;
     if (columns >= ZR_LANES)
@@ -99,7 +99,7 @@ static inline void zr_store_pixels(const struct zr_store *to, int32_t x, int32_t
 /* Returns true if the block lies in the window and its pixels need no merging. */
 static inline bool zr_block_is_plain(const struct zr_store *to, int block)
 {
-    return !to->with_known && !to->behind && zr_block_left(block) + ZR_BLOCK_WIDTH <= to->tile->width &&
+    return !to->with_early && !to->behind && zr_block_left(block) + ZR_BLOCK_WIDTH <= to->tile->width &&
            zr_block_low(block) + ZR_BLOCK_HEIGHT <= to->tile->height;
 }
 

@@ -95,7 +95,7 @@ static void owner_words(const struct zr_tile *tile, const struct zr_pixel_rows *
     for (uint32_t bits = zr_tile_blocks(tile); bits; bits &= bits - 1) {
         const int block = zr_lowest_bit(bits);
         const uint32_t *owners = &tile->owner[zr_block_first(block)];
-        if (tile->knows_owners && tile->block_owner[block] != ZR_BLOCK_SHARED) {
+        if (tile->has_block_owners && tile->block_owner[block] != ZR_BLOCK_SHARED) {
             zr_store_alike(&to, block, zr_vi_set((int32_t)tile->block_owner[block]));
             continue;
         }
@@ -147,7 +147,7 @@ static uint32_t count(const struct zr_tile *tile)
     uint32_t owned = 0;
     for (uint32_t bits = zr_tile_blocks(tile); bits; bits &= bits - 1) {
         const int block = zr_lowest_bit(bits);
-        if (tile->knows_owners && tile->block_owner[block] != ZR_BLOCK_SHARED) {
+        if (tile->has_block_owners && tile->block_owner[block] != ZR_BLOCK_SHARED) {
             owned += tile->block_owner[block] > 0 ? ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT : 0;
             continue;
         }

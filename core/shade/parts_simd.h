@@ -66,11 +66,11 @@ static inline int32_t zr_patch_first(int block, int p)
            p % ZR_PATCHES_ACROSS * ZR_PATCH_COLUMNS;
 }
 
-/* Returns the owners of a patch; without_known: 0 for pixels with an early colour. */
-static inline zr_vi zr_patch_owners(const struct zr_tile *tile, int32_t at, bool without_known)
+/* Returns the owners of a patch; without_early: 0 for pixels with an early colour. */
+static inline zr_vi zr_patch_owners(const struct zr_tile *tile, int32_t at, bool without_early)
 {
     const zr_vi owner = zr_vi_load_patch(tile->owner + at, ZR_TILE_STRIDE), none = zr_vi_set(0);
-    if (!without_known) return owner;
+    if (!without_early) return owner;
     const zr_vi color = zr_vi_load_patch(tile->early_color + at, ZR_TILE_STRIDE);
     return zr_vi_select(zr_vi_eq(color, none), owner, none);
 }
@@ -81,9 +81,8 @@ static inline uint32_t zr_patch_again(zr_vi owner, zr_vi later, int n)
     return zr_vm_bits(zr_vi_eq(owner, later)) & ~0u << n;
 }
 
-/* Returns the lanes whose owner differs from that of the lane before, of the one above and of that one's neighbour. A
- * triangle has one such lane in the patch, seldom more; its first lane is always one. Lanes without an owner must be
- * 0. */
+/* Returns the lanes whose owner differs from those 1, 3 and 4 lanes before, mostly neighbours in the patch. A triangle
+ * has one such lane in the patch, seldom more; its first lane is always one. Lanes without an owner must be 0. */
 static inline uint32_t zr_patch_firsts(zr_vi owner)
 {
     uint32_t again = zr_patch_again(owner, zr_vi_later(owner, 1), 1);
@@ -116,13 +115,13 @@ static inline uint32_t zr_parts_add_whole(struct zr_parts *parts, uint32_t count
 }
 
 static inline uint32_t zr_parts_add_patches(struct zr_parts *parts, uint32_t count, const struct zr_tile *tile,
-                                            int block, bool without_known)
+                                            int block, bool without_early)
 {
     struct zr_block_parts *out = &parts->blocks[block];
     out->is_whole = false;
     out->first = count;
     for (int p = 0; p < ZR_BLOCK_PATCHES; p++) {
-        const zr_vi owner = zr_patch_owners(tile, zr_patch_first(block, p), without_known);
+        const zr_vi owner = zr_patch_owners(tile, zr_patch_first(block, p), without_early);
         const uint32_t owned = zr_vm_bits(zr_vi_lt(zr_vi_set(0), owner));
         const uint32_t firsts = owned ? owned & zr_patch_firsts(owner) : 0;
         const uint32_t of_patch = zr_vi_compress(parts->owners + count, zr_vm_of(firsts), owner);
@@ -132,15 +131,15 @@ static inline uint32_t zr_parts_add_patches(struct zr_parts *parts, uint32_t cou
     return count;
 }
 
-/* Adds the parts of a block. without_known: pixels with an early colour count as uncovered. */
+/* Adds the parts of a block. without_early: pixels with an early colour count as uncovered. */
 static inline uint32_t zr_parts_find(struct zr_parts *parts, uint32_t count, const struct zr_tile *tile, int block,
-                                     bool without_known)
+                                     bool without_early)
 {
-    if (tile->knows_owners && tile->block_owner[block] != ZR_BLOCK_SHARED)
+    if (tile->has_block_owners && tile->block_owner[block] != ZR_BLOCK_SHARED)
         return zr_parts_add_whole(parts, count, block, tile->block_owner[block]);
-    if (!without_known && zr_block_is_whole(tile, block))
+    if (!without_early && zr_block_is_whole(tile, block))
         return zr_parts_add_whole(parts, count, block, tile->owner[zr_block_first(block)]);
-    return zr_parts_add_patches(parts, count, tile, block, without_known);
+    return zr_parts_add_patches(parts, count, tile, block, without_early);
 }
 
 #endif

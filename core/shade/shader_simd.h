@@ -78,7 +78,7 @@ static inline void zr_find_runs(struct zr_shader *s)
 }
 
 /* Finds the parts and runs of blocks from `begin` on, as many rows of blocks as fit. Returns the end. */
-static inline int zr_find_parts(struct zr_shader *s, const struct zr_tile *tile, int begin, bool without_known)
+static inline int zr_find_parts(struct zr_shader *s, const struct zr_tile *tile, int begin, bool without_early)
 {
     const int end = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
@@ -87,7 +87,7 @@ static inline int zr_find_parts(struct zr_shader *s, const struct zr_tile *tile,
     s->parts.owners[0] = 0;
     for (; row < end && count + ZR_PARTS_A_ROW <= ZR_PARTS_MOST; row += ZR_BLOCK_COLUMNS)
         for (int b = row; b < row + across; b++)
-            count = zr_parts_find(&s->parts, count, tile, b, without_known);
+            count = zr_parts_find(&s->parts, count, tile, b, without_early);
     s->parts.count = count;
     for (uint32_t i = 0; i < ZR_PARTS_AT_ONCE; i++)
         s->parts.owners[count + i] = UINT32_MAX;

@@ -103,7 +103,7 @@ static void tile_of_decided_samples_is_all_of_them(void **state)
         memset(&tile, 0xff, sizeof tile);
         zr_visibility_load(&samples, number, &tile);
         assert_int_equal(tile.unwritten, 0);
-        assert_false(tile.knows_owners);
+        assert_false(tile.has_block_owners);
         for (int y = 0; y < tile.height; y++)
             for (int x = 0; x < tile.width; x++) {
                 const int i = (tile.y + y) * WIDTH + tile.x + x;

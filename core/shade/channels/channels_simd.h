@@ -20,7 +20,7 @@
     WORDS(FRONT_FACING, zr_front_facing_words)                                                                         \
     PARTS(NORMALS, zr_shade_normals)
 
-/* Returns the words of primitives `numbers` of the surface's draw. */
+/* Returns the words of primitives `numbers` of a draw. */
 typedef zr_vi zr_words_fn(const struct zr_geometry *geometry, const struct zr_draw_attributes *of_draw, zr_vi numbers);
 
 /* Returns the words of pixels with these owners, draw by draw. s->draw is the last draw found. The lanes left are kept
@@ -52,7 +52,7 @@ ZR_INLINED void zr_shade_words(struct zr_shader *s, const struct zr_tile *tile, 
     const zr_vi none = zr_vi_set((int32_t)clear_value);
     for (uint32_t bits = zr_tile_blocks(tile); bits; bits &= bits - 1) {
         const int block = zr_lowest_bit(bits);
-        const bool is_whole = tile->knows_owners && tile->block_owner[block] != ZR_BLOCK_SHARED;
+        const bool is_whole = tile->has_block_owners && tile->block_owner[block] != ZR_BLOCK_SHARED;
         const uint32_t *owners = &tile->owner[zr_block_first(block)];
         if (is_whole) {
             const zr_vi owner = zr_vi_set((int32_t)tile->block_owner[block]);

@@ -84,7 +84,7 @@ static inline void zr_take_three(zr_vf *out, zr_vm where, struct zr_vec3_v color
     out[2] = zr_vf_select(where, color.z, out[2]);
 }
 
-/* Samples the textures of one material for the samples `where`. Repetition changes nothing. */
+/* Samples the textures of one material for the samples `where`. May be repeated for one material. */
 static inline void zr_take_textures(zr_vf out[ZR_ROWS_MOST], const struct zr_texture_maps *maps,
                                     const struct zr_material *material, const struct zr_texcoords_v *texcoords,
                                     const struct zr_frame_v *frame, zr_vm where)

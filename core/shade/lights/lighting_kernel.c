@@ -28,7 +28,7 @@ static struct zr_vec3_v shade_textured(const struct zr_linear_lighting *lighting
 {
     const struct zr_shading_v copy = *s; /* passed by address, so that *s stays in registers */
     struct zr_vec3_v color;
-    ZR_KERNEL(zr_look_textured)(lighting, material, textures, at, &copy, &color);
+    ZR_KERNEL(zr_linear_light_textured)(lighting, material, textures, at, &copy, &color);
     return color;
 }
 

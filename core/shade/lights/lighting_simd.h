@@ -58,8 +58,8 @@ ZR_INLINED struct zr_vec3_v zr_shade_v(const struct zr_linear_lighting *lighting
 }
 
 /* Shades samples of a material with textures: applies the values at `at` to the surface first. */
-void ZR_KERNEL(zr_look_textured)(const struct zr_linear_lighting *lighting, const struct zr_material *material,
-                                 const struct zr_gbuffer_textures *textures, size_t at,
-                                 const struct zr_shading_v *plain, struct zr_vec3_v *color);
+void ZR_KERNEL(zr_linear_light_textured)(const struct zr_linear_lighting *lighting, const struct zr_material *material,
+                                         const struct zr_gbuffer_textures *textures, size_t at,
+                                         const struct zr_shading_v *plain, struct zr_vec3_v *color);
 
 #endif

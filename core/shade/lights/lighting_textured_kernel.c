@@ -2,9 +2,9 @@
 #define ZR_LIGHTS_PLACED true
 #include "shade/lights/lighting_simd.h"
 
-void ZR_KERNEL(zr_look_textured)(const struct zr_linear_lighting *lighting, const struct zr_material *material,
-                                 const struct zr_gbuffer_textures *textures, size_t at,
-                                 const struct zr_shading_v *plain, struct zr_vec3_v *color)
+void ZR_KERNEL(zr_linear_light_textured)(const struct zr_linear_lighting *lighting, const struct zr_material *material,
+                                         const struct zr_gbuffer_textures *textures, size_t at,
+                                         const struct zr_shading_v *plain, struct zr_vec3_v *color)
 {
     struct zr_light_cache cache = {.cool_of = NULL};
     const zr_vf one = zr_vf_set(1.0f), strength = zr_vf_set(material->occlusion_strength);
