@@ -21,7 +21,7 @@ static double cosine_of(int column)
 static void print_table(void)
 {
     printf("#include \"shade/lights/dfg.h\"\n\n/* clang-format off */\n"
-           "const float zr_dfg_table[ZR_SPLIT_SIDE][2][ZR_SPLIT_SIDE] = {\n");
+           "const float zr_dfg_table[ZR_DFG_SIDE][2][ZR_DFG_SIDE] = {\n");
     for (int row = 0; row < ZR_DFG_SIDE; row++) {
         printf("    {");
         for (int which = 0; which < 2; which++) {
