@@ -12,8 +12,8 @@
 #include "output/zip.h"
 #include "scene/looks.h"
 #include "scene/scene.h"
+#include "scene/validate.h"
 #include "shade/frame.h"
-#include "strict.h"
 
 static const struct {
     const char *extension, *type;

@@ -3,11 +3,10 @@
 #include "input/formats.h"
 #include "input/parameters.h"
 #include "input/sniff.h"
-#include "overlay/color_bar_layout.h"
+#include "overlay/color_bar.h"
+#include "scene/camera.h"
 #include "scene/defaults.h"
-#include "scene/pose_matrix.h"
 #include "scene/validate.h"
-#include "strict.h"
 
 /* False if the arena cannot hold the vertices that drawing keeps. Nodes can place a large mesh so often that a walk
  * over its points would take minutes; this check refuses such scenes first. */

@@ -131,7 +131,7 @@ enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const str
                          const struct zr_frame **frame, struct zr_error *error);
 
 /* Encodes the outputs of the frame's view: a single output as its file, several as a ZIP of files channel.extension.
- * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address (output/deflate.h).
+ * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address (output/idat.h).
  * Fails with ZR_BAD_SCENE if a strict request has warnings, or if a ZIP would have 4 GiB or more; with ZR_NO_MEMORY,
  * ZR_CANCELLED or ZR_INTERNAL. *error explains each; *answer is then undefined. */
 enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,

@@ -12,6 +12,7 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "base/team.h"
+#include "scene/camera.h"
 #include "scene/rays.h"
 
 enum { ZR_GROUND_SIDE = 192 };
@@ -47,5 +48,17 @@ typedef void zr_ground_row_fn(const struct zr_ground *ground, const struct zr_gr
                               const struct zr_rays *rays, int32_t y, int32_t width, float *out);
 
 ZR_KERNEL_TABLE(zr_ground_row_fn, zr_ground_row)
+
+/* Plane under a scene, and the camera below it that draws the map of its shadow. */
+struct zr_ground_view {
+    struct zr_camera below;       /* orthographic, with a square window of half_size to each side */
+    struct zr_ground_frame frame; /* in the eye space of the scene's camera */
+    float half_size;              /* of the map, scene units */
+};
+
+/* Finds plane and camera. `camera` and `bounds` are the scene's. False: the bounds are empty or a point, or the camera
+ * is not above the plane. */
+bool zr_ground_view_find(const struct zr_scene *scene, const struct zr_camera *camera, const struct zr_bounds *bounds,
+                         struct zr_ground_view *view);
 
 #endif

@@ -9,6 +9,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/arena.h"
+#include "base/status.h"
+#include "input/text.h"
+
 /* Returns a sufficient size of the output for `size` characters. */
 static inline size_t zr_base64_room(size_t size)
 {
@@ -18,5 +22,10 @@ static inline size_t zr_base64_room(size_t size)
 /* Decodes into `out`, which has zr_base64_room(size) bytes; *used: the bytes written. False for invalid text; *used is
  * then the index of the first bad character, or `size` if the text is too short. */
 bool zr_base64_decode(const char *text, size_t size, unsigned char *out, size_t *used);
+
+/* Decodes "data:image/png;base64,iVBO..." (RFC 2397) into the arena. ";base64" is required. The media type and its
+ * parameters are ignored: the bytes decide the format. ZR_OK, ZR_NO_MEMORY, or ZR_BAD_SCENE with the reason. */
+enum zr_status zr_data_uri_read(struct zr_arena *arena, const char *text, const void **bytes, size_t *size,
+                                struct zr_reason *reason);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "base/cancel.h"
 #include "input/input.h"
-#include "input/number_quick.h"
+#include "input/number.h"
 #include "input/text.h"
 
 /* BYTES_A_LOOK: bytes between two checks for cancellation. */

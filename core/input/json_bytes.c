@@ -1,7 +1,7 @@
 /* Bytes of a scene: in a data: URI, in a named part of the request, or stored under their hash. */
 #include <string.h>
 
-#include "input/data_uri.h"
+#include "input/base64.h"
 #include "input/input.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"

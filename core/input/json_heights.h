@@ -2,7 +2,7 @@
 #ifndef ZR_JSON_HEIGHTS_H
 #define ZR_JSON_HEIGHTS_H
 
-#include "input/growing.h"
+#include "input/json_list.h"
 #include "input/json_value.h"
 #include "scene/scene.h"
 

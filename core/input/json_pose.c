@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "scene/pose_matrix.h"
+#include "scene/camera.h"
 #include "scene/upright.h"
 
 /* Deviation of R from a rotation: enough for four digits in a file. */

@@ -11,10 +11,9 @@
 #include "base/vec.h"
 #include "input/color_names.h"
 #include "input/color_text.h"
-#include "input/growing.h"
+#include "input/json_list.h"
 #include "input/json_value.h"
 #include "input/number.h"
-#include "input/number_quick.h"
 
 static inline const char *zr_row_skip_space(const char *at, const char *end)
 {

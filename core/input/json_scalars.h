@@ -6,7 +6,7 @@
 #ifndef ZR_JSON_SCALARS_H
 #define ZR_JSON_SCALARS_H
 
-#include "input/growing.h"
+#include "input/json_list.h"
 #include "input/json_value.h"
 #include "scene/colormap.h"
 #include "scene/scene_builder.h"

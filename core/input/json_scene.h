@@ -8,9 +8,8 @@
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
 
-#include "input/growing.h"
+#include "input/json_list.h"
 #include "input/json_value.h"
-#include "scene/alpha_range.h"
 #include "scene/face_style.h"
 #include "scene/parsed_picture.h"
 #include "scene/scene_builder.h"
@@ -260,7 +259,7 @@ void zr_parsed_find_color_bar_mesh(struct zr_parsed_scene *root, const struct zr
 /* Read into the scene; lights into root->lights. */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;
 
-/* json_light_color.c: zr_vec4, a colour of light. Numbers are linear light. A text is sRGB-encoded and is stored
+/* json_light.c: zr_vec4, a colour of light. Numbers are linear light. A text is sRGB-encoded and is stored
  * negated until zr_light_color decodes it: to linear light, or to the values as written if light is not linear. */
 zr_json_read_fn zr_read_light_color;
 zr_vec3 zr_light_color(zr_vec3 given, bool is_linear);

@@ -5,7 +5,7 @@
  * fault on, one thread reads again and reports, so that faults come in the order of the text. */
 #include "input/input.h"
 
-#include "input/number_quick.h"
+#include "input/number.h"
 #include "input/obj_text.h"
 #include "input/parts.h"
 #include "input/text.h"

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "input/chunk.h"
-#include "input/number_quick.h"
+#include "input/number.h"
 #include "input/parts.h"
 #include "input/text.h"
 

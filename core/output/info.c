@@ -6,8 +6,8 @@
 #include "base/checked.h"
 #include "output/json_tree.h"
 #include "output/palette.h"
+#include "scene/camera.h"
 #include "scene/looks.h"
-#include "scene/orbit.h"
 #include "version.h"
 
 /* Pixel count and bounding box of one id; x1 and y1 are exclusive. */

@@ -1,7 +1,7 @@
 /* png.h - output: encodes pixels as PNG, by libpng.
  *
  * Row 0 is the top. There are no time stamps. The same pixels give the same bytes for any team and memory address
- * (deflate.h). The bytes may differ between versions of libpng, zlib or ISA-L, and between instruction sets for which
+ * (idat.h). The bytes may differ between versions of libpng, zlib or ISA-L, and between instruction sets for which
  * ISA-L compresses differently; the pixels do not.
  *
  * The request decides between RGB and RGBA, not the contents: a picture with a transparent background stays RGBA even

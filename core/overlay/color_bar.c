@@ -5,6 +5,160 @@
 #include "base/rgba.h"
 #include "overlay/glyphs.h"
 
+/* ---- scale ---- */
+
+const struct zr_color_scale *zr_color_bar_scale(const struct zr_scene *scene)
+{
+    if (scene->color_bar.has_mesh) return scene->meshes[scene->color_bar.mesh].scale;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_color_scale *scale = scene->meshes[scene->instances[i].mesh].scale;
+        if (scale) return scale;
+    }
+    return NULL;
+}
+
+static bool is_same(const struct zr_color_scale *a, const struct zr_color_scale *b)
+{
+    return a->map == b->map && a->low == b->low && a->high == b->high;
+}
+
+/* Counts instances with a scale other than the bar's. */
+static uint32_t count_others(const struct zr_scene *scene, const struct zr_color_scale *shown)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_color_scale *scale = scene->meshes[scene->instances[i].mesh].scale;
+        count += scale && !is_same(scale, shown);
+    }
+    return count;
+}
+
+/* ---- layout ---- */
+
+/* Sizes in dots of glyphs. */
+enum {
+    TICK = 2,
+    GAP = 4, /* between a tick and its label */
+    BAR_WIDTH = 6,
+    MARGIN = 4, /* least distance from the window's edge */
+    TITLE_GAP = 5,
+    LABELS_APART = 12 /* least distance of labels, from middle to middle */
+};
+
+/* Sizes that grow with the window: rows per dot; margins and bar widths per side of the window. */
+enum { HEIGHT_A_DOT = 320, MARGINS_A_SIDE = 32, BAR_WIDTHS_A_SIDE = 20 };
+
+/* Least distance of ticks, and its largest value that fits, as shares of the range. */
+#define TICKS_APART     0.125
+#define TICKS_APART_MAX 0.2
+
+/* Returns the width of the widest label, in dots. */
+static int32_t label_width(const struct zr_ticks *ticks)
+{
+    int32_t most = 0;
+    char text[ZR_DECIMAL_SIZE];
+    for (int i = 0; i < ticks->count; i++) {
+        zr_decimal_write(ticks->at[i], ticks->is_scientific, text);
+        most = zr_greater(most, zr_glyphs_width(text));
+    }
+    return most;
+}
+
+/* Places the title above the bar, with the largest dots that fit, at most l->dot. `begin` and `end`: columns of the
+ * block below. */
+static void place_title(struct zr_color_bar_layout *l, const char *title, bool is_left, int32_t begin, int32_t end,
+                        int32_t width)
+{
+    const int32_t wide = zr_glyphs_width(title), most = width - 2 * MARGIN * l->dot;
+    l->title_dot = wide > 0 ? zr_lesser(l->dot, most / wide) : 0;
+    if (l->title_dot < 1) return;
+    const int32_t taken = wide * l->title_dot;
+    l->title = title;
+    l->title_x = is_left || taken <= end - begin ? begin : end - taken;
+    l->title_x = zr_greater(MARGIN * l->dot, zr_lesser(l->title_x, width - MARGIN * l->dot - taken));
+    l->title_y = l->bar.y - l->line - TITLE_GAP * l->dot - ZR_GLYPH_CAPITAL_ROWS * l->title_dot;
+    l->all = zr_box_join(l->all, (struct zr_box){l->title_x, l->title_y, taken, ZR_GLYPH_ROWS * l->title_dot});
+}
+
+/* Places all parts for a size of dots. False: no room. */
+static bool lay_out(const struct zr_color_bar *bar, const struct zr_color_scale *scale, int32_t width, int32_t height,
+                    int32_t dot, struct zr_color_bar_layout *l)
+{
+    const int32_t margin = zr_greater(MARGIN * dot, zr_lesser(width, height) / MARGINS_A_SIDE), line = (dot + 1) / 2;
+    const int32_t title = bar->title && *bar->title ? (TITLE_GAP + ZR_GLYPH_CAPITAL_ROWS) * dot : 0;
+    const int32_t rows = zr_lesser(height * 7 / 10, height - 2 * (margin + 4 * dot) - title);
+    if (rows * TICKS_APART_MAX < LABELS_APART * dot) return false;
+    const double apart = (double)(LABELS_APART * dot) / rows;
+    *l = (struct zr_color_bar_layout){
+        .scale = scale,
+        .dot = dot,
+        .line = line,
+        .tick_width = TICK * dot,
+        .ticks = zr_ticks_make(scale->low, scale->high, apart > TICKS_APART ? apart : TICKS_APART, scale->is_given)};
+    const int32_t bar_width = zr_greater(BAR_WIDTH * dot, zr_lesser(rows, width) / BAR_WIDTHS_A_SIDE);
+    const int32_t taken = 2 * line + bar_width + (TICK + GAP + label_width(&l->ticks)) * dot;
+    if (taken + 2 * margin > width / 2) return false;
+    const int32_t x = bar->is_left ? margin : width - margin - taken;
+    l->bar = (struct zr_box){x + line, (height - rows + title) / 2, bar_width, rows};
+    l->tick_x = l->bar.x + bar_width + line;
+    l->label_x = l->tick_x + (TICK + GAP) * dot;
+    l->block = l->all = (struct zr_box){x, l->bar.y - 4 * dot, taken, rows + 8 * dot};
+    if (title > 0) place_title(l, bar->title, bar->is_left, x, x + taken, width);
+    l->all = zr_box_grow(l->all, dot);
+    return true;
+}
+
+bool zr_color_bar_lay_out(const struct zr_color_bar *bar, const struct zr_color_scale *scale, uint32_t width,
+                          uint32_t height, struct zr_color_bar_layout *out)
+{
+    enum { SIDE_MAX = 1 << 16 }; /* larger windows are refused, but after this call */
+    const int32_t columns = (int32_t)(width < SIDE_MAX ? width : SIDE_MAX);
+    const int32_t rows = (int32_t)(height < SIDE_MAX ? height : SIDE_MAX);
+    for (int32_t dot = zr_greater((rows + HEIGHT_A_DOT / 2) / HEIGHT_A_DOT, 1); dot >= 1; dot--)
+        if (lay_out(bar, scale, columns, rows, dot, out)) return true;
+    return false;
+}
+
+/* ---- warnings ---- */
+
+static void warn_of_title(struct zr_arena *arena, const struct zr_color_bar_layout *layout, const char *title,
+                          struct zr_warning_list *warnings)
+{
+    if (!title || !*title) return;
+    if (!layout->title)
+        zr_warning_list_add(arena, warnings, "colorBar: the title is too long for this window, and left out");
+    else if (!zr_glyphs_has_all(title))
+        zr_warning_list_add(arena, warnings, "colorBar: the title has characters that have no glyph: drawn as boxes");
+}
+
+void zr_color_bar_warn(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_view *view,
+                       struct zr_warning_list *warnings)
+{
+    const struct zr_color_bar *bar = &scene->color_bar;
+    struct zr_color_bar_layout layout;
+    if (!bar->is_on || !zr_view_wants(view, ZR_CHANNEL_COLOR)) return;
+    const struct zr_color_scale *scale = zr_color_bar_scale(scene);
+    if (!scale) {
+        zr_warning_list_add(arena, warnings,
+                            bar->has_mesh ? "colorBar: the mesh has neither scalars nor heights with a colormap: no bar"
+                                          : "colorBar: no mesh that is drawn has scalars, or heights with a colormap: "
+                                            "no bar");
+        return;
+    }
+    if (!zr_color_bar_lay_out(bar, scale, view->width, view->height, &layout)) {
+        zr_warning_list_add(arena, warnings, "colorBar: a window of %u x %u has no room for it: no bar", view->width,
+                            view->height);
+        return;
+    }
+    warn_of_title(arena, &layout, bar->title, warnings);
+    const uint32_t others = bar->has_mesh ? 0 : count_others(scene, scale);
+    if (others > 0)
+        zr_warning_list_add(arena, warnings,
+                            "colorBar: meshes have another colormap or range than the bar shows, at %u places; its "
+                            "\"mesh\" chooses one",
+                            others);
+}
+
 static void draw_tick(const struct zr_color_bar_layout *l, const struct zr_canvas *canvas, int i, int32_t grow,
                       uint32_t color)
 {

@@ -1,4 +1,4 @@
-/* ticks.h - overlay: round numbers along a range, for scales and axes.
+/* ticks.h - overlay: round numbers along a range, for scales and axes, and their text.
  *
  * Steps are 1, 2 or 5 times a power of ten, as on rulers. Source: the usual choice of plotting programs; P. S.
  * Heckbert, "Nice Numbers for Graph Labels", Graphics Gems (1990).
@@ -7,8 +7,32 @@
 #define ZR_TICKS_H
 
 #include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 
-#include "overlay/decimal.h"
+/* A decimal number of few digits: digits * 10^exponent. So the text of a label is exact: 3 * 10^-1 is "0.3", although
+ * no float is. Nothing depends on the locale or the C library's printf: the text is the same everywhere. */
+struct zr_decimal {
+    int64_t digits;
+    int exponent;
+};
+
+/* Moves trailing zeros to the exponent; 0 gets the exponent 0. */
+struct zr_decimal zr_decimal_trim(struct zr_decimal number);
+
+/* Returns the fewest digits, at most nine, that read back as this finite float. */
+struct zr_decimal zr_decimal_of_float(float value);
+
+/* Returns the value within a few units in the last place of a double; exact if digits are below 2^53 and the power is
+ * below 10^22. Exponents from -60 to 60. */
+double zr_decimal_value(struct zr_decimal number);
+
+/* Size of the longest plain text, with its terminating zero. */
+enum { ZR_DECIMAL_SIZE = 96 };
+
+/* Writes the number as "-0.25", or with `scientific` as "-2.5e-1"; 0 is "0". Returns the length. `number` must be
+ * trimmed, with an exponent from -60 to 60. */
+size_t zr_decimal_write(struct zr_decimal number, bool scientific, char out[ZR_DECIMAL_SIZE]);
 
 enum { ZR_TICKS_MAX = 24 };
 

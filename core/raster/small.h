@@ -1,6 +1,6 @@
 /* small.h - raster: draws small triangles (bins.h) into one tile. A kernel: sets up one triangle per lane.
  *
- * Triangles within stamps (stamp_simd.h) are drawn sample by sample, others one after the other, row by row. If the
+ * Triangles within stamps (small_kernel.c) are drawn sample by sample, others one after the other, row by row. If the
  * tile keeps words, a visible sample gets one if its draw has some (prepaint.h) and the triangle is in a stamp;
  * otherwise its word becomes 0. */
 #ifndef ZR_SMALL_H

@@ -1,6 +1,6 @@
 #include "render/depth_maps.h"
 
-#include "effects/ground_view.h"
+#include "effects/ground.h"
 #include "effects/shadow_maps.h"
 #include "render/pass.h"
 #include "render/stage.h"

@@ -11,7 +11,7 @@
 #include "shade/lights/shadow_map.h"
 
 /* Draws the shadow that the scene casts on the ground plane, and finds the plane's frame. Without a plane,
- * ground->light is NULL (effects/ground_view.h). Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+ * ground->light is NULL (effects/ground.h). Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_ground_map_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                   const struct zr_camera *camera, const struct zr_bounds *bounds,
                                   const struct zr_cancel *cancel, struct zr_ground *ground,

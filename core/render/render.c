@@ -12,7 +12,6 @@
 #include "render/picture.h"
 #include "render/pixel_fragments.h"
 #include "render/stage.h"
-#include "scene/base_depth.h"
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
 

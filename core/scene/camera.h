@@ -8,6 +8,7 @@
 #define ZR_CAMERA_H
 
 #include "base/status.h"
+#include "base/warning_list.h"
 #include "scene/scene.h"
 #include "zraster.h"
 
@@ -48,5 +49,33 @@ static inline bool zr_view_needs_bounds(const struct zr_view *view)
 {
     return view->pose != ZR_POSE_MATRIX || view->projection != ZR_PROJECTION_MATRIX;
 }
+
+/* Azimuth, elevation and position of a resolved camera. The channel info reports them for default views and matrices;
+ * no pixel depends on them. */
+struct zr_orbit {
+    bool has_angles; /* false if worldToCamera has no inverse */
+    /* Direction from the target to the camera, as azimuthDegrees and elevationDegrees of a view, rounded to 0.001;
+     * -180 < azimuth <= 180, and 0 straight above and below. */
+    double azimuth_degrees, elevation_degrees;
+    bool has_eye; /* false if rays are parallel */
+    zr_vec3 eye;  /* world space */
+};
+
+/* Computes them from the matrices. z_is_up: angles relative to the z axis, else to y. */
+struct zr_orbit zr_orbit_of(const struct zr_camera *camera, bool z_is_up);
+
+/* ---- pose.c: checks of a pose that is given as a matrix ----
+ *
+ * Source: a rigid motion keeps lengths and handedness: the upper 3x3 has rows of the length 1, at right angles, and a
+ *         positive determinant.
+ */
+
+/* Returns the factor by which the upper 3x3 scales lengths; 0 if it depends on the direction. Factors within 0.001 of 1
+ * come from rounding and give 1. */
+double zr_pose_matrix_scale(const zr_mat4 *world_to_eye);
+
+/* Adds a warning for a reflection, and one for a scaling matrix if outputs hold eye-space lengths, which are then not
+ * in scene units. */
+void zr_pose_matrix_warn(struct zr_arena *arena, const struct zr_view *view, struct zr_warning_list *warnings);
 
 #endif

@@ -1,5 +1,7 @@
 #include "scene/defaults.h"
 
+#include "zraster.h"
+
 void zr_scene_defaults(struct zr_scene *scene)
 {
     static const struct zr_output color = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
@@ -29,4 +31,17 @@ enum zr_shading zr_default_shading(const struct zr_look *look, bool smooth)
 {
     if (!look->shades_by_mesh) return look->material.shading;
     return smooth ? ZR_SHADING_GOURAUD : ZR_SHADING_FLAT;
+}
+
+struct zr_limits zr_limits_default(void)
+{
+    return (struct zr_limits){
+        .json_depth_max = 64,
+        .window_side_max = 8192,
+        .window_pixels_max = (uint64_t)32 * 1024 * 1024,
+        .polygon_vertices_max = 1024,
+        .instances_max = 100000,
+        .image_pixels_max = (uint64_t)64 * 1024 * 1024,
+        .coordinate_max = 1e6f,
+    };
 }

@@ -282,7 +282,7 @@ struct zr_view {
  * NULL stands for an uncovered array; zr_scene_validate refuses it if an output needs that channel. */
 struct zr_base {
     const uint8_t *color;      /* RGBA, 4 bytes per pixel */
-    const float *window_depth; /* the z-buffer, 0..1, 1 if uncovered; NULL: made from depth (scene/base_depth.h) */
+    const float *window_depth; /* the z-buffer, 0..1, 1 if uncovered; NULL: made from depth (scene/resolved_view.h) */
     const float *depth;        /* eye-space depth, scene units, +inf if uncovered */
     const uint32_t *face_id;   /* 0 if uncovered */
     bool scene_wins_ties;      /* at equal depth the scene is visible, else the base */

@@ -1,4 +1,5 @@
-/* validate.h - scene, first step: checks of a scene as a whole, for all input formats.
+/* validate.h - scene, first step: checks of a scene as a whole, for all input formats; refuses a strict request that
+ * has warnings.
  *
  * Readers check single values. This step checks the window and its limits, that there is geometry, that counts fit the
  * types of later stages, and that a base has the requested channels.
@@ -16,5 +17,9 @@
 
 /* Returns ZR_OK, or ZR_BAD_SCENE with all faults in `error`. */
 enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error);
+
+/* Returns ZR_BAD_SCENE if the scene is strict and count > 0, and adds each text as an item of *error; else ZR_OK. */
+enum zr_status zr_strict_check(const struct zr_scene *scene, const char *const *texts, size_t count,
+                               struct zr_error *error);
 
 #endif

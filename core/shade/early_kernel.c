@@ -1,5 +1,5 @@
 #include "raster/triangle_simd.h"
-#include "shade/early.h"
+#include "shade/paint.h"
 #include "shade/planes_simd.h"
 
 static inline void load_corner(const float *from, struct zr_corner_v *out)

@@ -4,7 +4,6 @@
 
 #include "base/fast.h"
 #include "base/rgba.h"
-#include "shade/early.h"
 
 /* ---- packed colours ---- */
 

@@ -3,7 +3,7 @@
  * Exact:  the reference's rule 9: values times 1/w are planes over the window. Each pixel divides by the plane of 1/w,
  *         and bytes are rounded to the nearest.
  * How:    rasterization keeps no planes; only visible primitives are set up again, except tiny and small triangles that
- *         are painted early. For colours and normals, the tile's owners are split into parts (parts_simd.h). ZR_LANES
+ *         are painted early. For colours and normals, the tile's owners are split into parts (shader_simd.h). ZR_LANES
  *         parts at a time get a word if flat, or planes; then each pixel evaluates its part, patch by patch. Ids are
  *         looked up per pixel (channels_simd.h).
  */
@@ -103,5 +103,9 @@ static inline bool zr_draw_is_painted_early(const struct zr_draw_attributes *of_
 enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
                                 struct zr_scene_attributes *attributes, uint64_t pixels,
                                 const struct zr_prepaint **prepaints);
+
+/* Colours of smooth triangles, computed at rasterization while their corners are in registers
+ * (zr_prepaint_fn). A kernel. */
+ZR_KERNEL_TABLE(zr_prepaint_fn, zr_early)
 
 #endif

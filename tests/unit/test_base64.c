@@ -4,7 +4,6 @@
 
 #include "guarded.h"
 #include "input/base64.h"
-#include "input/data_uri.h"
 #include "support/base64.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"

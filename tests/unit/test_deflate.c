@@ -4,7 +4,7 @@
 #include <sys/mman.h>
 #include <zlib.h>
 
-#include "output/deflate.h"
+#include "output/idat.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
 
@@ -13,7 +13,7 @@
 /* ISA-L's table of matches has up to so many slots at level 1; a smaller one's number of a slot is the lower bits. */
 enum { SLOTS = 8192 };
 
-/* Addresses that differ by this are other ones to the fault that deflate.h tells of: it hashed address >> 16. */
+/* Addresses that differ by this are other ones to the fault that idat.h tells of: it hashed address >> 16. */
 #define STEP ((size_t)1 << 16)
 
 /* CRC-32C without its complements, as the instruction `crc32` computes it: ISA-L's hash of 4 bytes. */

@@ -3,7 +3,6 @@
 #include "guarded.h"
 #include "input/json_rows.h"
 #include "input/number.h"
-#include "input/number_quick.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/sanitized.h"

@@ -1,4 +1,4 @@
-/* overlay/decimal.c and overlay/ticks.c: round numbers along a range, and how they are written. */
+/* overlay/ticks.c: round numbers along a range, and how they are written. */
 #include "overlay/ticks.h"
 
 #include <float.h>

@@ -2,8 +2,19 @@
 #ifndef ZR_MODELS_SIMD_H
 #define ZR_MODELS_SIMD_H
 
-#include "shade/models/normals_simd.h"
+#include "shade/models/model.h"
 #include "shade/models/phong_simd.h"
+
+/* Normals in camera space as colours: -1 .. 1 becomes 0 .. 1. */
+static inline struct zr_vec3_v zr_shade_by_normals(const struct zr_model_context *context,
+                                                   const struct zr_material *material, const struct zr_model_inputs *in)
+{
+    const struct zr_vec3_v n = zr_normalize_v(in->normal);
+    const zr_vf half = zr_vf_set(0.5f);
+    (void)context;
+    (void)material;
+    return (struct zr_vec3_v){n.x * half + half, n.y * half + half, n.z * half + half};
+}
 
 /* A model is zr_shade_by_NAME, in models/. This one keeps colours that were lit before. */
 static inline struct zr_vec3_v zr_shade_by_colors(const struct zr_model_context *context,
