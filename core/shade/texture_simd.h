@@ -1,7 +1,7 @@
 /* texture_simd.h - shade: samples textures at ZR_LANES points, for kernels.
  *
  * Exact:  for 8-bit images, equal to the last bit to Mesa's llvmpipe when it samples in floats
- *         (tests/reference/RULES.md, rule 28): coordinates times the size of the level, then wrapped; a + t (b - a),
+ *         (tests/reference/RULES.md, rule 31): coordinates times the size of the level, then wrapped; a + t (b - a),
  *         along u first.
  */
 #ifndef ZR_TEXTURE_SIMD_H

@@ -5,7 +5,7 @@
 #include "reference/glsl_unit.h"
 #include "reference/reference_gl.h"
 
-/* The way to light i, and the share of its colour that arrives: RULES.md, rule 28. What is said of lamps without a
+/* The way to light i, and the share of its colour that arrives: RULES.md, rule 32. What is said of lamps without a
  * place is a constant 1, which changes no bit. */
 #define LAMP                                                                                                           \
     "#ifdef PLACED\n"                                                                                                  \
