@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "support/cmocka_all.h"
 #include "support/geometries.h"
 #include "support/random.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 enum { TRIANGLES = 10000, TRIANGLES_A_POLYGON = 5, SCENE_TRIANGLES = 1024, CORNERS = 1024 };
 
@@ -178,9 +178,8 @@ static void make_see_through(struct random *random, struct soup *soup, struct te
     test->mesh.face_materials = face_materials;
 }
 
-static void random_scenes_give_the_same_bytes_by_every_algorithm(void **state)
+TEST_AROUND(random_scenes_give_the_same_bytes_by_every_algorithm, open_arena, close_arena)
 {
-    (void)state;
     void (*const kinds[])(struct random *, struct soup *) = {make_crossing,   make_cycles,  make_mesh,
                                                              make_duplicates, make_aligned, make_slivers};
     static struct soup soup;
@@ -363,9 +362,8 @@ static uint32_t try_shapes(struct random *random)
     return polygons;
 }
 
-static void random_shapes_are_drawn_as_the_odd_even_rule_says_by_every_algorithm(void **state)
+TEST_AROUND(random_shapes_are_drawn_as_the_odd_even_rule_says_by_every_algorithm, open_arena, close_arena)
 {
-    (void)state;
     struct random random = random_seeded(83);
     for (uint32_t drawn = 0, wanted = triangles_wanted() / TRIANGLES_A_POLYGON; drawn < wanted;)
         drawn += try_shapes(&random);
@@ -373,9 +371,8 @@ static void random_shapes_are_drawn_as_the_odd_even_rule_says_by_every_algorithm
 
 /* ---- the comparison itself ---- */
 
-static void comparison_sees_one_bit_of_depth_and_one_owner(void **state)
+TEST_AROUND(comparison_sees_one_bit_of_depth_and_one_owner, open_arena, close_arena)
 {
-    (void)state;
     struct random random = random_seeded(89);
     geometry_clear(&geometry);
     for (int t = 0; t < 20; t++)
@@ -396,9 +393,8 @@ static void comparison_sees_one_bit_of_depth_and_one_owner(void **state)
 }
 
 /* A triangle moved by the least that its depth can be moved must be seen by all. */
-static void every_algorithm_sees_a_triangle_that_has_moved_in_depth(void **state)
+TEST_AROUND(every_algorithm_sees_a_triangle_that_has_moved_in_depth, open_arena, close_arena)
 {
-    (void)state;
     struct random random = random_seeded(97);
     geometry_clear(&geometry);
     for (int t = 0; t < 20; t++)
@@ -417,15 +413,4 @@ static void every_algorithm_sees_a_triangle_that_has_moved_in_depth(void **state
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(random_scenes_give_the_same_bytes_by_every_algorithm, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(random_shapes_are_drawn_as_the_odd_even_rule_says_by_every_algorithm,
-                                        open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(comparison_sees_one_bit_of_depth_and_one_owner, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(every_algorithm_sees_a_triangle_that_has_moved_in_depth, open_arena,
-                                        close_arena),
-    };
-    return cmocka_run_group_tests_name("algorithms agree", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

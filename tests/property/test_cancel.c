@@ -9,11 +9,11 @@
 #include "input/image_read.h"
 #include "output/png.h"
 #include "scene/looks.h"
-#include "support/cmocka_all.h"
 #include "support/jpeg.h"
 #include "support/random.h"
 #include "support/sanitized.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 /* RAISED_MS: well within the work of each case. LATE_MS: of this thread's processor time, so that other processes do
  * not count. */
@@ -116,10 +116,9 @@ static void make(uint32_t points)
     test.scene.views[0].output_count = 1;
 }
 
-static void cutting_of_many_large_faces_stops(void **state)
+TEST(cutting_of_many_large_faces_stops)
 {
     enum { FACES = 20000, CORNERS = 1024 };
-    (void)state;
     make(CORNERS);
     uint32_t *offsets = zr_arena_alloc(&arena, FACES + 1, sizeof *offsets);
     uint32_t *indices = zr_arena_alloc(&arena, (size_t)FACES * CORNERS, sizeof *indices);
@@ -135,10 +134,9 @@ static void cutting_of_many_large_faces_stops(void **state)
     zr_arena_free(&arena);
 }
 
-static void drawing_of_many_lines_and_points_and_walking_over_many_points_stop(void **state)
+TEST(drawing_of_many_lines_and_points_and_walking_over_many_points_stop)
 {
     enum { POINTS = 1 << 16, LINES = 1 << 20, INSTANCES = 5000 };
-    (void)state;
     make(POINTS);
     uint32_t *lines = zr_arena_alloc(&arena, 2 * LINES, sizeof *lines);
     struct zr_instance *instances = zr_arena_alloc(&arena, INSTANCES, sizeof *instances);
@@ -164,10 +162,9 @@ static void drawing_of_many_lines_and_points_and_walking_over_many_points_stop(v
 }
 
 /* Each far below what one look at the flag is worth. */
-static void many_small_instances_stop(void **state)
+TEST(many_small_instances_stop)
 {
     enum { INSTANCES = 1000000, CORNERS = 8 };
-    (void)state;
     make(CORNERS);
     struct zr_instance *instances = zr_arena_alloc(&arena, INSTANCES, sizeof *instances);
     assert_true(zr_arena_ok(&arena));
@@ -180,11 +177,10 @@ static void many_small_instances_stop(void **state)
 }
 
 /* Stars of as many corners as one look at the flag is worth, and of fewer. */
-static void instances_of_shapes_that_cross_themselves_stop(void **state)
+TEST(instances_of_shapes_that_cross_themselves_stop)
 {
     enum { INSTANCES = 30000 };
     static const uint32_t sizes[] = {11, 101, 701, 1023};
-    (void)state;
     for (size_t size = 0; size < sizeof sizes / sizeof sizes[0]; size++) {
         const uint32_t corners = sizes[size];
         make(corners);
@@ -207,10 +203,9 @@ static void instances_of_shapes_that_cross_themselves_stop(void **state)
     }
 }
 
-static void face_of_very_many_corners_stops(void **state)
+TEST(face_of_very_many_corners_stops)
 {
     enum { CORNERS = 60001 };
-    (void)state;
     make(CORNERS);
     test.face_offsets[1] = CORNERS;
     test.mesh.indices = counting(CORNERS);
@@ -218,10 +213,9 @@ static void face_of_very_many_corners_stops(void **state)
     zr_arena_free(&arena);
 }
 
-static void every_algorithm_stops_amid_large_triangles(void **state)
+TEST(every_algorithm_stops_amid_large_triangles)
 {
     enum { TRIANGLES = 20000 };
-    (void)state;
     for (int a = 0; a < ZR_ALGORITHM_COUNT; a++) {
         make(3 * TRIANGLES);
         uint32_t *offsets = counting(TRIANGLES + 1);
@@ -316,7 +310,7 @@ static bool stops_amid(uint32_t cells, double after_ms, double *taken_ms)
 
 /* At some times from the beginning to shortly before the end: so in each stage that takes long. The same picture may
  * take half the time of the turn before, where the machine is shared: then its end moves to what it took. */
-static void pictures_of_looks_stop_in_all_stages(void **state)
+TEST(pictures_of_looks_stop_in_all_stages)
 {
     enum { TIMES = 5, TURNS = 10 };
     static const struct {
@@ -329,7 +323,6 @@ static void pictures_of_looks_stop_in_all_stages(void **state)
                  {"textbook", 2, true, 0},
                  {"studio", 1, false, 0},
                  {"outdoor", 1, false, 0}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const uint32_t cells = cases[i].large_window ? FEW : MANY;
         double whole_ms = 0, taken_ms;
@@ -376,9 +369,8 @@ static void reading_stops(const char *begin_text, const char *unit)
     free(text);
 }
 
-static void reading_of_brackets_and_of_what_is_odd_stops(void **state)
+TEST(reading_of_brackets_and_of_what_is_odd_stops)
 {
-    (void)state;
     reading_stops("[", "[[]],");
     reading_stops("{\"x\":[", "[],");
     reading_stops("{\"polygons\":[", "[],");
@@ -390,9 +382,8 @@ static void reading_of_brackets_and_of_what_is_odd_stops(void **state)
 }
 
 /* 3 GB of zeros. */
-static void touching_large_memory_stops(void **state)
+TEST(touching_large_memory_stops)
 {
-    (void)state;
     struct later later;
     zr_arena_init(&arena, (size_t)8 << 30);
     begin(&later, RAISED_MS);
@@ -416,13 +407,12 @@ static void decoding_stops(const void *bytes, size_t size, double after_ms)
 }
 
 /* Of one colour: so small that a few bytes of them are many rows. */
-static void decoding_of_large_pictures_stops(void **state)
+TEST(decoding_of_large_pictures_stops)
 {
     enum { WIDTH = 16384, HEIGHT = 4096 };
     static const struct jpeg_kind kinds[] = {
         {.colors = JPEG_GREY, .across = 1, .down = 1, .quality = 75},
         {.colors = JPEG_GREY, .across = 1, .down = 1, .is_progressive = true, .quality = 75}};
-    (void)state;
     zr_arena_init(&arena, (size_t)1 << 30);
     uint8_t *pixels = zr_arena_zero(&arena, (size_t)WIDTH * HEIGHT, 4);
     struct zr_buffer png = {.arena = &arena};
@@ -441,19 +431,4 @@ static void decoding_of_large_pictures_stops(void **state)
     zr_arena_free(&arena);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cutting_of_many_large_faces_stops),
-        cmocka_unit_test(drawing_of_many_lines_and_points_and_walking_over_many_points_stop),
-        cmocka_unit_test(many_small_instances_stop),
-        cmocka_unit_test(instances_of_shapes_that_cross_themselves_stop),
-        cmocka_unit_test(face_of_very_many_corners_stops),
-        cmocka_unit_test(reading_of_brackets_and_of_what_is_odd_stops),
-        cmocka_unit_test(decoding_of_large_pictures_stops),
-        cmocka_unit_test(touching_large_memory_stops),
-        cmocka_unit_test(every_algorithm_stops_amid_large_triangles),
-        cmocka_unit_test(pictures_of_looks_stop_in_all_stages),
-    };
-    return cmocka_run_group_tests_name("cancel", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -6,9 +6,9 @@
 
 #include "scene/scene.h"
 #include "shade/frame.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 #include "zraster.h"
 
 enum { POLYGONS_MAX = 60, POLYGON_SIZE = 600, SCENE_SIZE = POLYGONS_MAX * POLYGON_SIZE + 4096, CHANNELS = 4 };
@@ -142,9 +142,8 @@ static struct picture draw_nothing(void)
     return draw(scene_of(POLYGONS_MAX - 1, POLYGONS_MAX, ""), NULL, 0);
 }
 
-static void halves_drawn_one_into_the_other_are_the_whole(void **state)
+TEST_AROUND(halves_drawn_one_into_the_other_are_the_whole, open_arena, close_arena)
 {
-    (void)state;
     struct random random = random_seeded(71);
     uint64_t first_seen = 0, second_seen = 0;
     for (uint32_t round = 0; round < 120; round++) {
@@ -172,9 +171,8 @@ static void halves_drawn_one_into_the_other_are_the_whole(void **state)
     assert_true(first_seen > 100000 && second_seen > 100000);
 }
 
-static void layers_one_by_one_are_the_whole(void **state)
+TEST_AROUND(layers_one_by_one_are_the_whole, open_arena, close_arena)
 {
-    (void)state;
     struct random random = random_seeded(73);
     for (uint32_t round = 0; round < 12; round++) {
         enum { LAYERS = 12 };
@@ -192,11 +190,4 @@ static void layers_one_by_one_are_the_whole(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(halves_drawn_one_into_the_other_are_the_whole, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(layers_one_by_one_are_the_whole, open_arena, close_arena),
-    };
-    return cmocka_run_group_tests_name("composite", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -31,7 +31,7 @@ static void assert_same(const struct zr_frame *want, const struct zr_frame *got,
     }
 }
 
-static void every_scene_in_every_window_has_the_bytes_of_plain_c(void **state)
+TEST_EACH_ISA(every_scene_in_every_window_has_the_bytes_of_plain_c)
 {
     enum zr_isa isa = isa_under_test(state);
     static const int threads[] = {1, 2, 7};
@@ -95,7 +95,7 @@ static const struct zr_scene *spread_out(const struct zr_scene *scene)
     return out;
 }
 
-static void so_has_a_mesh_of_many_vertices(void **state)
+TEST_EACH_ISA(so_has_a_mesh_of_many_vertices)
 {
     enum zr_isa isa = isa_under_test(state);
     struct zr_team *plain = zr_team_create_for(1, ZR_ISA_SCALAR);
@@ -113,9 +113,8 @@ static void so_has_a_mesh_of_many_vertices(void **state)
 }
 
 /* A gallery that shows nothing would be the same everywhere; all but its last scene must show something. */
-static void every_scene_shows_much_in_large_windows(void **state)
+TEST(every_scene_shows_much_in_large_windows)
 {
-    (void)state;
     for (int number = 0; number < GALLERY_SCENES - 1; number++) {
         const struct zr_scene *scene = gallery_scene(&arena, number, 640, 480);
         assert_non_null(scene);
@@ -149,9 +148,8 @@ static size_t check_spans(const struct zr_frame *frame, const char *name)
     return outside;
 }
 
-static void what_is_out_of_reach_is_nothing(void **state)
+TEST(what_is_out_of_reach_is_nothing)
 {
-    (void)state;
     size_t outside = 0;
     struct zr_team *team = zr_team_create(2);
     for (int number = 0; number < GALLERY_SCENES; number++)
@@ -165,13 +163,4 @@ static void what_is_out_of_reach_is_nothing(void **state)
     assert_true(outside > 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(every_scene_in_every_window_has_the_bytes_of_plain_c),
-        TEST_EACH_ISA(so_has_a_mesh_of_many_vertices),
-        cmocka_unit_test(every_scene_shows_much_in_large_windows),
-        cmocka_unit_test(what_is_out_of_reach_is_nothing),
-    };
-    return cmocka_run_group_tests_name("isas", tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

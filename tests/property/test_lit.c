@@ -5,9 +5,9 @@
 #include "geometry/build.h"
 #include "scene/resolved_view.h"
 #include "shade/draw_attributes.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 enum { WIDTH = 400, HEIGHT = 260 };
 
@@ -44,9 +44,8 @@ static struct zr_scene_attributes surfaces_of(bool colored, bool singly, struct 
     return surfaces;
 }
 
-static void nothing_is_lit_where_no_picture_is_wanted(void **state)
+TEST(nothing_is_lit_where_no_picture_is_wanted)
 {
-    (void)state;
     zr_arena_init(&arena, 1 << 24);
     for (int singly = 0; singly <= 1; singly++) {
         struct zr_geometry geometry;
@@ -62,9 +61,8 @@ static void nothing_is_lit_where_no_picture_is_wanted(void **state)
 }
 
 /* Raised before points are made: a surface that wants them has some nevertheless. */
-static void points_are_there_though_their_making_was_cancelled(void **state)
+TEST(points_are_there_though_their_making_was_cancelled)
 {
-    (void)state;
     static const zr_vec4 p[3] = {{0, 0, 0, 1}, {0, 0.5f, 0, 1}, {0.5f, 0, 0, 1}};
     static struct test_scene test;
     const struct zr_cancel cancel = {.raised = true};
@@ -85,11 +83,4 @@ static void points_are_there_though_their_making_was_cancelled(void **state)
     zr_arena_free(&arena);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_is_lit_where_no_picture_is_wanted),
-        cmocka_unit_test(points_are_there_though_their_making_was_cancelled),
-    };
-    return cmocka_run_group_tests_name("lit", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

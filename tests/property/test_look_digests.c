@@ -54,7 +54,7 @@ static bool is_kept(struct zr_team *team, int row, int number)
     return got == want;
 }
 
-static void each_row_keeps_its_pixels(void **state)
+TEST_EACH_ISA(each_row_keeps_its_pixels)
 {
     static const int threads[] = {1, 2, 7};
     const enum zr_isa isa = isa_under_test(state);
@@ -72,9 +72,8 @@ static void each_row_keeps_its_pixels(void **state)
 }
 
 /* None is forgotten here. */
-static void each_row_is_held(void **state)
+TEST(each_row_is_held)
 {
-    (void)state;
     assert_int_equal(RELEASED, zr_look_count);
     for (int i = 0; i < zr_look_count; i++) {
         char name[64];
@@ -86,11 +85,4 @@ static void each_row_is_held(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(each_row_keeps_its_pixels),
-        cmocka_unit_test(each_row_is_held),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -2,7 +2,7 @@
  * with its scene. */
 #include <string.h>
 
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 #include "zraster.h"
 
 struct sample {
@@ -78,9 +78,8 @@ static enum zr_status serve(const struct zr_request *request, size_t ceiling, st
     return status;
 }
 
-static void every_ceiling_of_memory_is_enough_or_named(void **state)
+TEST(every_ceiling_of_memory_is_enough_or_named)
 {
-    (void)state;
     zr_arena_init(&arena, MOST);
     for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {
         struct zr_request request = {
@@ -101,8 +100,4 @@ static void every_ceiling_of_memory_is_enough_or_named(void **state)
     zr_arena_free(&arena);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_ceiling_of_memory_is_enough_or_named)};
-    return cmocka_run_group_tests_name("memory", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -3,8 +3,8 @@
  */
 #include <stdio.h>
 
-#include "support/cmocka_all.h"
 #include "support/pictures.h"
+#include "support/tests.h"
 
 #define CUBE_FACES "\"faces\":[[0,1,3,2],[4,6,7,5],[0,4,5,1],[2,3,7,6],[0,2,6,4],[1,5,7,3]]"
 #define CUBE(a, b)                                                                                                     \
@@ -81,12 +81,11 @@ static bool is_refused(const char *look, const char *body)
     return commas > 2;
 }
 
-static void odd_pictures_are_the_same_everywhere(void **state)
+TEST(odd_pictures_are_the_same_everywhere)
 {
     struct zr_team *teams[ZR_ISA_COUNT + 1];
     struct zr_arena arena;
     int count = 0, pictures = 0;
-    (void)state;
     zr_arena_init(&arena, (size_t)1 << 28);
     for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
         if (zr_isa_is_available((enum zr_isa)isa)) teams[count++] = zr_team_create_for(1, (enum zr_isa)isa);
@@ -109,8 +108,4 @@ static void odd_pictures_are_the_same_everywhere(void **state)
     zr_arena_free(&arena);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(odd_pictures_are_the_same_everywhere)};
-    return cmocka_run_group_tests_name("odd pictures", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 enum { CORNERS_MAX = 1024, RINGS_MAX = 5, SIDE_MAX = 150 };
 
@@ -136,9 +136,8 @@ static void random_polygon(struct polygon *p, struct random *r)
     }
 }
 
-static void polygons_of_any_shape_follow_the_odd_even_rule_sample_by_sample(void **state)
+TEST(polygons_of_any_shape_follow_the_odd_even_rule_sample_by_sample)
 {
-    (void)state;
     static struct polygon polygon;
     struct random random = random_seeded(31);
     for (int round = 0; round < 3000; round++) {
@@ -147,9 +146,8 @@ static void polygons_of_any_shape_follow_the_odd_even_rule_sample_by_sample(void
     }
 }
 
-static void polygon_of_1024_corners_follows_the_odd_even_rule(void **state)
+TEST(polygon_of_1024_corners_follows_the_odd_even_rule)
 {
-    (void)state;
     static struct polygon polygon;
     struct random random = random_seeded(32);
     for (int round = 0; round < 8; round++) {
@@ -163,9 +161,8 @@ static void polygon_of_1024_corners_follows_the_odd_even_rule(void **state)
 }
 
 /* The check sees a corner that has moved by one subpixel. */
-static void check_sees_one_subpixel(void **state)
+TEST(check_sees_one_subpixel)
 {
-    (void)state;
     static struct polygon polygon;
     polygon_start(&polygon, 64, 64);
     const float ring[6][2] = {{-0.984375f, -0.984375f}, {0.015625f, -0.984375f}, {0.015625f, -0.484375f},
@@ -192,9 +189,8 @@ static void check_sees_one_subpixel(void **state)
 /* ---- depth and colour ---- */
 
 /* Planar: whatever the triangles inside, each sample must lie in the polygon's plane. */
-static void planar_polygons_of_any_shape_have_the_depth_of_their_plane(void **state)
+TEST(planar_polygons_of_any_shape_have_the_depth_of_their_plane)
 {
-    (void)state;
     static struct polygon polygon;
     struct random random = random_seeded(33);
     for (int round = 0; round < 300; round++) {
@@ -221,9 +217,8 @@ static void planar_polygons_of_any_shape_have_the_depth_of_their_plane(void **st
 
 /* Corners on pixel centres and one more on each edge, as near to it as floats are: triangles that are all but
  * flat lie along the edges, and must tell nothing. */
-static void corners_on_edges_neither_lose_samples_nor_bend_the_depth(void **state)
+TEST(corners_on_edges_neither_lose_samples_nor_bend_the_depth)
 {
-    (void)state;
     enum { SIDE = 64 };
     static struct polygon polygon;
     struct random random = random_seeded(35);
@@ -267,9 +262,8 @@ static void corners_on_edges_neither_lose_samples_nor_bend_the_depth(void **stat
 }
 
 /* A bow tie whose left wing is the larger one: one-sided, it shows the side that the whole of it tells. */
-static void side_of_a_polygon_does_not_depend_on_what_the_window_cuts_off(void **state)
+TEST(side_of_a_polygon_does_not_depend_on_what_the_window_cuts_off)
 {
-    (void)state;
     static struct polygon polygon;
     const float ring[4][2] = {{-2, 2}, {2, -1}, {2, 1}, {-2, -2}};
     int sides = 0;
@@ -332,10 +326,9 @@ static void add_empty_hole(struct polygon *p)
     end_ring(p);
 }
 
-static void faces_with_corners_behind_the_eye_cover_what_their_parity_says(void **state)
+TEST(faces_with_corners_behind_the_eye_cover_what_their_parity_says)
 {
     enum { CONES = 6000 };
-    (void)state;
     struct random random = random_seeded(77);
     static struct polygon p;
     static uint32_t ids[SIDE_MAX * SIDE_MAX];
@@ -361,16 +354,4 @@ static void faces_with_corners_behind_the_eye_cover_what_their_parity_says(void 
     assert_true(wrong <= covered / 1000000); /* what rounding may cost where triangles are clipped */
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(polygons_of_any_shape_follow_the_odd_even_rule_sample_by_sample),
-        cmocka_unit_test(polygon_of_1024_corners_follows_the_odd_even_rule),
-        cmocka_unit_test(check_sees_one_subpixel),
-        cmocka_unit_test(planar_polygons_of_any_shape_have_the_depth_of_their_plane),
-        cmocka_unit_test(corners_on_edges_neither_lose_samples_nor_bend_the_depth),
-        cmocka_unit_test(side_of_a_polygon_does_not_depend_on_what_the_window_cuts_off),
-        cmocka_unit_test(faces_with_corners_behind_the_eye_cover_what_their_parity_says),
-    };
-    return cmocka_run_group_tests_name("polygons", tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 TEST_ARENA(1 << 28)
 
@@ -29,9 +29,8 @@ static uint32_t make_soup(struct random *random, zr_vec4 *positions, zr_vec4 *co
 
 /* In a window of 128 pixels with coordinates in 1/256 pixel every step is exact, so a
  * move by whole pixels must move the picture and change nothing else. */
-static void whole_pixel_translation_moves_the_picture_and_changes_nothing(void **state)
+TEST_AROUND(whole_pixel_translation_moves_the_picture_and_changes_nothing, open_arena, close_arena)
 {
-    (void)state;
     enum { SIZE = 128, TRIANGLES = 60 };
     struct random random = random_seeded(31);
     static zr_vec4 here[3 * TRIANGLES], there[3 * TRIANGLES];
@@ -60,9 +59,8 @@ static void whole_pixel_translation_moves_the_picture_and_changes_nothing(void *
     }
 }
 
-static void every_channel_tells_of_the_same_samples(void **state)
+TEST_AROUND(every_channel_tells_of_the_same_samples, open_arena, close_arena)
 {
-    (void)state;
     struct random random = random_seeded(47);
     static zr_vec4 positions[9000], colors[9000], face_colors[3000];
     static struct test_scene test;
@@ -84,12 +82,4 @@ static void every_channel_tells_of_the_same_samples(void **state)
     assert_true(seen > 1000);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(whole_pixel_translation_moves_the_picture_and_changes_nothing, open_arena,
-                                        close_arena),
-        cmocka_unit_test_setup_teardown(every_channel_tells_of_the_same_samples, open_arena, close_arena),
-    };
-    return cmocka_run_group_tests_name("properties", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

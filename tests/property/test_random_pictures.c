@@ -71,7 +71,7 @@ static void assert_enough(const struct seen *seen, uint64_t pictures)
     assert_true(seen->shown >= pictures * 3 / 4);
 }
 
-static void random_pictures_have_the_bytes_of_plain_c(void **state)
+TEST_EACH_ISA(random_pictures_have_the_bytes_of_plain_c)
 {
     enum { TEAMS = 3, DIGESTS = 100 };
     static const int threads[TEAMS] = {1, 2, 7};
@@ -100,8 +100,4 @@ static void random_pictures_have_the_bytes_of_plain_c(void **state)
     digests_check(digests, from == 1 && pictures >= DIGESTS ? "tests/scenes/random-digests.txt" : NULL);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {TEST_EACH_ISA(random_pictures_have_the_bytes_of_plain_c)};
-    return cmocka_run_group_tests_name("random pictures", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "support/cmocka_all.h"
 #include "support/digests.h"
 #include "support/files.h"
 #include "support/geometries.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 enum { PATH_SIZE = 600 };
 
@@ -152,19 +152,12 @@ static int check_folder(const char *folder)
     return count;
 }
 
-static void every_algorithm_and_instruction_set_gives_the_bytes_that_were_committed(void **state)
+TEST(every_algorithm_and_instruction_set_gives_the_bytes_that_were_committed)
 {
-    (void)state;
     digests = digests_open();
     assert_true(check_folder("tests/scenes") > 30);
     assert_true(check_folder("clients/examples") > 0);
     digests_check(digests, "tests/scenes/digests.txt");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_algorithm_and_instruction_set_gives_the_bytes_that_were_committed),
-    };
-    return cmocka_run_group_tests_name("scene_files", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT };
 
@@ -111,25 +111,16 @@ static int check_planes(uint64_t seed, bool by_spots)
     return lit;
 }
 
-static void a_plane_has_no_shadow_of_itself(void **state)
+TEST(a_plane_has_no_shadow_of_itself)
 {
-    (void)state;
     assert_true(check_planes(91, true) > 60 * PIXELS / 20);
 }
 
-static void nor_has_it_one_by_directional_lamps(void **state)
+TEST(nor_has_it_one_by_directional_lamps)
 {
-    (void)state;
     assert_true(check_planes(92, false) > 60 * PIXELS / 20);
 }
 
 /* A wall on a plane, lit from one side by a lamp that is as high as the wall is wide; seen from above. */
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_plane_has_no_shadow_of_itself),
-        cmocka_unit_test(nor_has_it_one_by_directional_lamps),
-    };
-    return cmocka_run_group_tests_name("spot_shadows", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

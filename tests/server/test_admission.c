@@ -6,7 +6,7 @@
 
 #include "client.h"
 #include "problems.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 static void write_file(const char *folder, const char *name, const char *text)
 {
@@ -25,9 +25,8 @@ static void remove_file(const char *folder, const char *name)
     unlink(path);
 }
 
-static void scene_predicted_over_the_budget_gives_422_with_the_figures(void **state)
+TEST(scene_predicted_over_the_budget_gives_422_with_the_figures)
 {
-    (void)state;
     struct daemon daemon = daemon_start((const char *const[]){"--cost-max-ms=50", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, 20000);
     struct reply reply = client_render(&daemon, scene);
@@ -63,9 +62,8 @@ static char *scene_of_lamps(unsigned lamps, bool have_shadows, const char *keys)
     return scene;
 }
 
-static void light_that_takes_too_long_is_refused_beforehand(void **state)
+TEST(light_that_takes_too_long_is_refused_beforehand)
 {
-    (void)state;
     static const struct {
         unsigned lamps;
         bool have_shadows;
@@ -91,9 +89,8 @@ static void light_that_takes_too_long_is_refused_beforehand(void **state)
     daemon_stop(&daemon);
 }
 
-static void window_that_takes_too_much_memory_is_refused_beforehand(void **state)
+TEST(window_that_takes_too_much_memory_is_refused_beforehand)
 {
-    (void)state;
     static const struct {
         const char *keys;
         bool is_refused;
@@ -117,9 +114,8 @@ static void window_that_takes_too_much_memory_is_refused_beforehand(void **state
     daemon_stop(&daemon);
 }
 
-static void lamps_that_take_too_much_memory_are_named_beforehand(void **state)
+TEST(lamps_that_take_too_much_memory_are_named_beforehand)
 {
-    (void)state;
     struct daemon daemon = daemon_start((const char *const[]){"--cost-max-ms=86400000", NULL});
     char *scene = scene_of_lamps(140, true, "\"window\":{\"width\":64,\"height\":64}");
     struct reply reply = client_render(&daemon, scene);
@@ -151,9 +147,8 @@ static void assert_well(const struct daemon *daemon)
     assert_int_equal(client_get_status(daemon, "/readyz"), 200);
 }
 
-static void control_group_nearly_full_gives_503_until_it_is_not(void **state)
+TEST(control_group_nearly_full_gives_503_until_it_is_not)
 {
-    (void)state;
     char folder[] = "/tmp/zraster-cgroup.XXXXXX";
     assert_non_null(mkdtemp(folder));
     struct daemon daemon = daemon_start((const char *const[]){"--cgroup", folder, NULL});
@@ -175,14 +170,4 @@ static void control_group_nearly_full_gives_503_until_it_is_not(void **state)
     rmdir(folder);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scene_predicted_over_the_budget_gives_422_with_the_figures),
-        cmocka_unit_test(light_that_takes_too_long_is_refused_beforehand),
-        cmocka_unit_test(window_that_takes_too_much_memory_is_refused_beforehand),
-        cmocka_unit_test(lamps_that_take_too_much_memory_are_named_beforehand),
-        cmocka_unit_test(control_group_nearly_full_gives_503_until_it_is_not),
-    };
-    return cmocka_run_group_tests_name("admission", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -8,7 +8,7 @@
 #include <zlib.h>
 
 #include "problems.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 #define TOKEN "s3cret-token"
 
@@ -30,9 +30,8 @@ static int stop(void **state)
     return 0;
 }
 
-static void scene_gives_png(void **state)
+TEST(scene_gives_png)
 {
-    (void)state;
     struct reply reply = client_render(&server, GOOD_SCENE);
     assert_int_equal(reply.status, 200);
     assert_string_equal(reply_header(&reply, "Content-Type"), "image/png");
@@ -41,19 +40,17 @@ static void scene_gives_png(void **state)
     reply_free(&reply);
 }
 
-static void same_scene_gives_same_picture(void **state)
+TEST(same_scene_gives_same_picture)
 {
-    (void)state;
     struct reply a = client_render(&server, GOOD_SCENE), b = client_render(&server, GOOD_SCENE);
     assert_true(reply_is_same(&a, &b));
     reply_free(&a);
     reply_free(&b);
 }
 
-static void every_algorithm_gives_the_same_picture(void **state)
+TEST(every_algorithm_gives_the_same_picture)
 {
     static const char *const words[] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
-    (void)state;
     struct reply plain = client_render(&server, GOOD_SCENE);
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         char scene[256];
@@ -66,9 +63,8 @@ static void every_algorithm_gives_the_same_picture(void **state)
     reply_free(&plain);
 }
 
-static void render_says_how_long_each_step_took(void **state)
+TEST(render_says_how_long_each_step_took)
 {
-    (void)state;
     struct reply reply = client_render(&server, GOOD_SCENE);
     double parse = -1, queue = -1, render = -1, encode = -1;
     assert_int_equal(sscanf(reply_header(&reply, "Server-Timing"),
@@ -85,12 +81,11 @@ static void render_says_how_long_each_step_took(void **state)
 }
 
 /* The same scene without anything odd is drawn, and so is this one where nobody is strict. */
-static void strict_requests_get_warnings_as_errors(void **state)
+TEST(strict_requests_get_warnings_as_errors)
 {
     static const char ODD[] = "{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2],[0,1,0]],"
                               "\"lines\":[[0,0]]}]}";
     static const char *const headers[] = {JSON_TYPE, NULL};
-    (void)state;
     struct reply reply = client_send(&server, "POST", "/v1/render?strict=0", headers, ODD, strlen(ODD));
     assert_int_equal(reply.status, 200);
     assert_string_equal(
@@ -113,9 +108,8 @@ static void strict_requests_get_warnings_as_errors(void **state)
     reply_free(&reply);
 }
 
-static void unknown_content_encoding_is_refused(void **state)
+TEST(unknown_content_encoding_is_refused)
 {
-    (void)state;
     const char *const headers[] = {JSON_TYPE, "Content-Encoding: br", NULL};
     struct reply reply = client_send(&server, "POST", "/v1/render", headers, "x", 1);
     assert_problem(reply, 415, "'br'");
@@ -146,9 +140,8 @@ static struct reply post_gzip(const struct daemon *daemon, const void *body, siz
                        body, size);
 }
 
-static void gzip_body_renders_the_same_picture(void **state)
+TEST(gzip_body_renders_the_same_picture)
 {
-    (void)state;
     size_t size;
     unsigned char *body = gzipped(GOOD_SCENE, strlen(GOOD_SCENE), &size);
     struct reply plain = client_render(&server, GOOD_SCENE), packed = post_gzip(&server, body, size);
@@ -159,9 +152,8 @@ static void gzip_body_renders_the_same_picture(void **state)
     free(body);
 }
 
-static void gzip_body_of_several_members_is_taken_whole(void **state)
+TEST(gzip_body_of_several_members_is_taken_whole)
 {
-    (void)state;
     size_t first, second, half = strlen(GOOD_SCENE) / 2;
     unsigned char *a = gzipped(GOOD_SCENE, half, &first);
     unsigned char *b = gzipped(&GOOD_SCENE[half], strlen(GOOD_SCENE) - half, &second);
@@ -176,9 +168,8 @@ static void gzip_body_of_several_members_is_taken_whole(void **state)
     free(both);
 }
 
-static void gzip_body_that_is_broken_gives_400(void **state)
+TEST(gzip_body_that_is_broken_gives_400)
 {
-    (void)state;
     size_t size;
     unsigned char *body = gzipped(GOOD_SCENE, strlen(GOOD_SCENE), &size);
     for (size_t cut = 0; cut < size; cut += 7) {
@@ -194,9 +185,8 @@ static void gzip_body_that_is_broken_gives_400(void **state)
 }
 
 /* 80 MB of spaces in 80 kB. */
-static void gzip_body_that_inflates_beyond_the_limit_gives_413(void **state)
+TEST(gzip_body_that_inflates_beyond_the_limit_gives_413)
 {
-    (void)state;
     size_t size, inflated = 80u << 20;
     char *spaces = malloc(inflated);
     memset(spaces, ' ', inflated);
@@ -209,17 +199,15 @@ static void gzip_body_that_inflates_beyond_the_limit_gives_413(void **state)
     assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
 }
 
-static void unknown_path_gives_404(void **state)
+TEST(unknown_path_gives_404)
 {
-    (void)state;
     struct reply reply = client_get(&server, "/v2/render");
     assert_problem(reply, 404, "/v2/render");
     assert_int_equal(client_get_status(&server, "/v1/render/"), 404);
 }
 
-static void wrong_method_gives_405_with_allow(void **state)
+TEST(wrong_method_gives_405_with_allow)
 {
-    (void)state;
     struct reply reply = client_get(&server, "/v1/render");
     assert_string_equal(reply_header(&reply, "Allow"), "POST");
     assert_problem(reply, 405, "POST");
@@ -228,10 +216,9 @@ static void wrong_method_gives_405_with_allow(void **state)
     assert_problem(reply, 405, "GET, HEAD");
 }
 
-static void health_endpoints_answer_get_and_head(void **state)
+TEST(health_endpoints_answer_get_and_head)
 {
     static const char *const PATHS[] = {"/healthz", "/readyz", "/v1/limits"};
-    (void)state;
     for (size_t i = 0; i < 3; i++) {
         struct reply get = client_get(&server, PATHS[i]);
         struct reply head = client_send(&server, "HEAD", PATHS[i], NULL, NULL, 0);
@@ -244,9 +231,8 @@ static void health_endpoints_answer_get_and_head(void **state)
     }
 }
 
-static void limits_lists_all_and_no_secret(void **state)
+TEST(limits_lists_all_and_no_secret)
 {
-    (void)state;
     struct reply reply = client_get(&server, "/v1/limits");
     cJSON *root = cJSON_Parse(reply.body);
     cJSON *limits = cJSON_GetObjectItemCaseSensitive(root, "limits");
@@ -258,9 +244,8 @@ static void limits_lists_all_and_no_secret(void **state)
     reply_free(&reply);
 }
 
-static void request_id_is_echoed_where_it_is_safe(void **state)
+TEST(request_id_is_echoed_where_it_is_safe)
 {
-    (void)state;
     struct reply reply =
         client_send(&server, "GET", "/healthz", (const char *const[]){"X-Request-Id: job_7.a-B", NULL}, NULL, 0);
     assert_string_equal(reply_header(&reply, "X-Request-Id"), "job_7.a-B");
@@ -278,11 +263,10 @@ static void request_id_is_echoed_where_it_is_safe(void **state)
     reply_free(&reply);
 }
 
-static void expect_100_continue_gets_it(void **state)
+TEST(expect_100_continue_gets_it)
 {
     static const char REQUEST[] =
         "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nExpect: 100-continue\r\nContent-Length: 2\r\n\r\n";
-    (void)state;
     int fd = client_connect(&server);
     assert_true(client_write(fd, REQUEST, sizeof REQUEST - 1));
     char *text = client_read(fd, "\r\n\r\n", 5000);
@@ -295,18 +279,16 @@ static void expect_100_continue_gets_it(void **state)
     close(fd);
 }
 
-static void proxy_form_of_a_target_is_understood(void **state)
+TEST(proxy_form_of_a_target_is_understood)
 {
     static const char REQUEST[] = "GET http://a/healthz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
-    (void)state;
     char *text = client_raw(&server, REQUEST, sizeof REQUEST - 1, 5000);
     assert_int_equal(raw_status(text), 200);
     free(text);
 }
 
-static void token_is_asked_for_but_for_health(void **state)
+TEST(token_is_asked_for_but_for_health)
 {
-    (void)state;
     assert_int_equal(client_get_status(&guarded, "/healthz"), 200);
     assert_int_equal(client_get_status(&guarded, "/readyz"), 200);
     struct reply reply = client_render(&guarded, GOOD_SCENE);
@@ -316,7 +298,7 @@ static void token_is_asked_for_but_for_health(void **state)
     assert_int_equal(client_get_status(&guarded, "/nowhere"), 401);
 }
 
-static void wrong_tokens_are_refused_and_the_right_one_is_taken(void **state)
+TEST(wrong_tokens_are_refused_and_the_right_one_is_taken)
 {
     static const char *const WRONG[] = {
         "Authorization: Bearer",
@@ -326,7 +308,6 @@ static void wrong_tokens_are_refused_and_the_right_one_is_taken(void **state)
         "Authorization: Basic " TOKEN,
         "Authorization: " TOKEN,
     };
-    (void)state;
     for (size_t i = 0; i < sizeof WRONG / sizeof WRONG[0]; i++) {
         const char *const headers[] = {JSON_TYPE, WRONG[i], NULL};
         struct reply reply = client_send(&guarded, "POST", "/v1/render", headers, GOOD_SCENE, strlen(GOOD_SCENE));
@@ -342,9 +323,8 @@ static void wrong_tokens_are_refused_and_the_right_one_is_taken(void **state)
     free(log);
 }
 
-static void space_behind_a_header_is_no_part_of_it(void **state)
+TEST(space_behind_a_header_is_no_part_of_it)
 {
-    (void)state;
     const char *const headers[] = {JSON_TYPE " ", "Authorization: Bearer " TOKEN " \t", "X-Request-Id: mine ",
                                    "Content-Encoding: identity\t", NULL};
     struct reply reply = client_send(&guarded, "POST", "/v1/render", headers, GOOD_SCENE, strlen(GOOD_SCENE));
@@ -353,10 +333,9 @@ static void space_behind_a_header_is_no_part_of_it(void **state)
     reply_free(&reply);
 }
 
-static void log_line_is_json_and_tells_of_the_request(void **state)
+TEST(log_line_is_json_and_tells_of_the_request)
 {
     static const char TRACE[] = "00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01";
-    (void)state;
     const char *const headers[] = {JSON_TYPE, "X-Request-Id: log-test",
                                    "traceparent: 00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01", NULL};
     struct reply reply = client_send(&server, "POST", "/v1/render?channel=x", headers, "{}", 2);
@@ -377,11 +356,10 @@ static void log_line_is_json_and_tells_of_the_request(void **state)
     reply_free(&reply);
 }
 
-static void log_line_of_hostile_path_is_json(void **state)
+TEST(log_line_of_hostile_path_is_json)
 {
     static const char REQUEST[] =
         "GET /\"\\\xff\xc0\xafmark?%01=\xf0\x9f HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
-    (void)state;
     free(client_raw(&server, REQUEST, sizeof REQUEST - 1, 5000));
     char *line = daemon_wait_for_log(&server, "mark");
     cJSON *root = cJSON_ParseWithOpts(line, NULL, 1);
@@ -392,31 +370,4 @@ static void log_line_of_hostile_path_is_json(void **state)
     free(line);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scene_gives_png),
-        cmocka_unit_test(same_scene_gives_same_picture),
-        cmocka_unit_test(every_algorithm_gives_the_same_picture),
-        cmocka_unit_test(render_says_how_long_each_step_took),
-        cmocka_unit_test(strict_requests_get_warnings_as_errors),
-        cmocka_unit_test(unknown_content_encoding_is_refused),
-        cmocka_unit_test(gzip_body_renders_the_same_picture),
-        cmocka_unit_test(gzip_body_of_several_members_is_taken_whole),
-        cmocka_unit_test(gzip_body_that_is_broken_gives_400),
-        cmocka_unit_test(gzip_body_that_inflates_beyond_the_limit_gives_413),
-        cmocka_unit_test(unknown_path_gives_404),
-        cmocka_unit_test(wrong_method_gives_405_with_allow),
-        cmocka_unit_test(health_endpoints_answer_get_and_head),
-        cmocka_unit_test(limits_lists_all_and_no_secret),
-        cmocka_unit_test(request_id_is_echoed_where_it_is_safe),
-        cmocka_unit_test(expect_100_continue_gets_it),
-        cmocka_unit_test(proxy_form_of_a_target_is_understood),
-        cmocka_unit_test(token_is_asked_for_but_for_health),
-        cmocka_unit_test(wrong_tokens_are_refused_and_the_right_one_is_taken),
-        cmocka_unit_test(space_behind_a_header_is_no_part_of_it),
-        cmocka_unit_test(log_line_is_json_and_tells_of_the_request),
-        cmocka_unit_test(log_line_of_hostile_path_is_json),
-    };
-    return cmocka_run_group_tests(tests, start, stop);
-}
+RUN_TESTS(start, stop)

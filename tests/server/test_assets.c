@@ -6,7 +6,7 @@
 
 #include "assets.h"
 #include "support/base64.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 static struct folder folder;
 static struct daemon server;
@@ -56,9 +56,8 @@ static void assert_kept_headers(const struct reply *reply, const char *name)
     assert_string_equal(reply_header(reply, "X-Content-Type-Options"), "nosniff");
 }
 
-static void uploaded_bytes_come_back_under_their_hash(void **state)
+TEST(uploaded_bytes_come_back_under_their_hash)
 {
-    (void)state;
     assert_int_equal(asset_status(&server, ABC_NAME), 404);
     assert_int_equal(upload_status(send("POST", "/v1/assets", NULL, "abc", 3), ABC_NAME, 3), 201);
     assert_int_equal(upload_status(send("POST", "/v1/assets", NULL, "abc", 3), ABC_NAME, 3), 200);
@@ -72,9 +71,8 @@ static void uploaded_bytes_come_back_under_their_hash(void **state)
     reply_free(&reply);
 }
 
-static void asset_of_no_bytes_is_one(void **state)
+TEST(asset_of_no_bytes_is_one)
 {
-    (void)state;
     assert_int_equal(upload_status(asset_put(&server, EMPTY_NAME, "", 0), EMPTY_NAME, 0), 201);
     struct reply reply = asset_get(&server, EMPTY_NAME);
     assert_int_equal(reply.status, 200);
@@ -83,9 +81,8 @@ static void asset_of_no_bytes_is_one(void **state)
     reply_free(&reply);
 }
 
-static void head_tells_what_get_would_send(void **state)
+TEST(head_tells_what_get_would_send)
 {
-    (void)state;
     struct asset_name name = asset_post(&server, "head", 4, 201);
     char target[ASSET_TARGET_SIZE];
     snprintf(target, sizeof target, "/v1/assets/%s", name.text);
@@ -116,9 +113,8 @@ static void assert_conditional(const char *name, const char *tags, long status)
     reply_free(&reply);
 }
 
-static void entity_tag_that_matches_gives_304(void **state)
+TEST(entity_tag_that_matches_gives_304)
 {
-    (void)state;
     char tags[200];
     struct asset_name name = asset_post(&server, "conditional", 11, 201);
     sprintf(tags, "\"%s\"", name.text);
@@ -137,9 +133,8 @@ static void entity_tag_that_matches_gives_304(void **state)
     assert_conditional(unknown, "*", 404);
 }
 
-static void wrong_hash_is_refused_with_both(void **state)
+TEST(wrong_hash_is_refused_with_both)
 {
-    (void)state;
     int before = folder_count(&folder);
     char wrong[ASSET_NAME_SIZE] = ABC_NAME;
     wrong[63] = 'e';
@@ -148,9 +143,8 @@ static void wrong_hash_is_refused_with_both(void **state)
     assert_int_equal(folder_count(&folder), before);
 }
 
-static void names_that_are_no_hash_give_404(void **state)
+TEST(names_that_are_no_hash_give_404)
 {
-    (void)state;
     const char *const names[] = {
         "../" ABC_NAME,
         "..%2f" ABC_NAME,
@@ -182,9 +176,8 @@ static void names_that_are_no_hash_give_404(void **state)
     assert_int_equal(folder_count(&folder), before);
 }
 
-static void other_methods_give_405_with_allow(void **state)
+TEST(other_methods_give_405_with_allow)
 {
-    (void)state;
     struct reply reply = send("DELETE", "/v1/assets/" ABC_NAME, NULL, NULL, 0);
     assert_string_equal(reply_header(&reply, "Allow"), "GET, HEAD, PUT");
     assert_problem(reply, 405, "GET, HEAD, PUT");
@@ -193,9 +186,8 @@ static void other_methods_give_405_with_allow(void **state)
     assert_problem(reply, 405, "POST");
 }
 
-static void gzip_upload_is_kept_inflated(void **state)
+TEST(gzip_upload_is_kept_inflated)
 {
-    (void)state;
     Bytef packed[256];
     char bytes[4000], target[ASSET_TARGET_SIZE];
     memset(bytes, 'g', sizeof bytes);
@@ -214,16 +206,14 @@ static void gzip_upload_is_kept_inflated(void **state)
     assert_problem(send("PUT", target, (const char *const[]){"Content-Encoding: br", NULL}, packed, 3), 415, "br");
 }
 
-static void form_is_not_taken_for_an_asset(void **state)
+TEST(form_is_not_taken_for_an_asset)
 {
-    (void)state;
     const char *const headers[] = {"Content-Type: multipart/form-data; boundary=x", NULL};
     assert_problem(send("POST", "/v1/assets", headers, "--x", 3), 415, "the body itself");
 }
 
-static void upload_beyond_the_limits_gives_413(void **state)
+TEST(upload_beyond_the_limits_gives_413)
 {
-    (void)state;
     int before = folder_count(&folder);
     char *bytes = calloc(1, 1000001);
     assert_problem(send("POST", "/v1/assets", NULL, bytes, 1000001), 413, "bodyMaxBytes");
@@ -241,9 +231,8 @@ static void upload_beyond_the_limits_gives_413(void **state)
 
 #define POLYGON "\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]"
 
-static void without_a_directory_it_is_said_how_to_have_one(void **state)
+TEST(without_a_directory_it_is_said_how_to_have_one)
 {
-    (void)state;
     struct daemon plain = daemon_start(NULL);
     assert_problem(asset_get(&plain, ABC_NAME), 404, "--assets-dir");
     assert_problem(asset_put(&plain, ABC_NAME, "abc", 3), 404, "--assets-dir");
@@ -256,9 +245,8 @@ static void without_a_directory_it_is_said_how_to_have_one(void **state)
     daemon_stop(&plain);
 }
 
-static void token_is_asked_for(void **state)
+TEST(token_is_asked_for)
 {
-    (void)state;
     struct folder own = folder_make();
     struct daemon closed = assets_start(&own, (const char *const[]){"--token=secret", NULL});
     assert_problem(asset_get(&closed, ABC_NAME), 401, "Bearer");
@@ -317,9 +305,8 @@ static struct picture keep_picture(struct reply reply, long status)
     return picture;
 }
 
-static void scene_with_assets_is_drawn_as_with_data_uris(void **state)
+TEST(scene_with_assets_is_drawn_as_with_data_uris)
 {
-    (void)state;
     struct picture color = keep_picture(render_first("/v1/render"), 201);
     struct picture depth = keep_picture(render_first("/v1/render?channel=windowDepth"), 201);
     const char *const targets[] = {"/v1/render", "/v1/render?channel=windowDepth"};
@@ -339,9 +326,8 @@ static void scene_with_assets_is_drawn_as_with_data_uris(void **state)
     free(depth.uri);
 }
 
-static void unknown_hash_is_refused_where_it_stands(void **state)
+TEST(unknown_hash_is_refused_where_it_stands)
 {
-    (void)state;
     char unknown[128];
     struct picture depth = keep_picture(render_first("/v1/render?channel=windowDepth"), 200);
     snprintf(unknown, sizeof unknown, "{\"asset\":\"sha256:%064d\"}", 0);
@@ -356,9 +342,8 @@ static void unknown_hash_is_refused_where_it_stands(void **state)
 }
 
 /* It goes from the disk to the client. A scene that asks for it has it in its memory. */
-static void asset_beyond_the_memory_of_a_request_is_sent_and_not_drawn(void **state)
+TEST(asset_beyond_the_memory_of_a_request_is_sent_and_not_drawn)
 {
-    (void)state;
     enum { SIZE = 3 << 20 };
     struct folder own = folder_make();
     char *bytes = calloc(1, SIZE), scene[256];
@@ -378,24 +363,4 @@ static void asset_beyond_the_memory_of_a_request_is_sent_and_not_drawn(void **st
     free(bytes);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(uploaded_bytes_come_back_under_their_hash),
-        cmocka_unit_test(asset_of_no_bytes_is_one),
-        cmocka_unit_test(head_tells_what_get_would_send),
-        cmocka_unit_test(entity_tag_that_matches_gives_304),
-        cmocka_unit_test(wrong_hash_is_refused_with_both),
-        cmocka_unit_test(names_that_are_no_hash_give_404),
-        cmocka_unit_test(other_methods_give_405_with_allow),
-        cmocka_unit_test(gzip_upload_is_kept_inflated),
-        cmocka_unit_test(form_is_not_taken_for_an_asset),
-        cmocka_unit_test(upload_beyond_the_limits_gives_413),
-        cmocka_unit_test(without_a_directory_it_is_said_how_to_have_one),
-        cmocka_unit_test(token_is_asked_for),
-        cmocka_unit_test(scene_with_assets_is_drawn_as_with_data_uris),
-        cmocka_unit_test(unknown_hash_is_refused_where_it_stands),
-        cmocka_unit_test(asset_beyond_the_memory_of_a_request_is_sent_and_not_drawn),
-    };
-    return cmocka_run_group_tests(tests, start, stop);
-}
+RUN_TESTS(start, stop)

@@ -8,8 +8,8 @@
 #include <cjson/cJSON.h>
 
 #include "client.h"
-#include "support/cmocka_all.h"
 #include "support/files.h"
+#include "support/tests.h"
 
 enum { PATH_SIZE = 1024, LARGE_BODY = 100 * 1000 * 1000 };
 
@@ -77,9 +77,8 @@ static void check_suite_file(const char *folder, const char *name)
     assert_int_equal(client_get_status(&server, "/healthz"), 200);
 }
 
-static void json_test_suite_is_told_apart(void **state)
+TEST(json_test_suite_is_told_apart)
 {
-    (void)state;
     const char *data = getenv("ZRASTER_DATA");
     char folder[PATH_SIZE / 2];
     snprintf(folder, sizeof folder, "%s/json-test-suite/test_parsing", data && *data ? data : "../shared/data");
@@ -105,55 +104,47 @@ static void json_test_suite_is_told_apart(void **state)
 
 /* ---- scenes ---- */
 
-static void index_out_of_range_gives_422_with_pointer(void **state)
+TEST(index_out_of_range_gives_422_with_pointer)
 {
-    (void)state;
     assert_scene_refused("{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2],[0,1,99]]}]}", 422,
                          TEXTS("\"/meshes/0/faces/1/2\"", "99"));
 }
 
-static void nan_gives_400(void **state)
+TEST(nan_gives_400)
 {
-    (void)state;
     assert_scene_refused("{\"polygons\":[{\"vertices\":[[NaN,0,0],[1,0,0],[0,1,0]]}]}", 400, NULL);
 }
 
-static void infinite_number_gives_422(void **state)
+TEST(infinite_number_gives_422)
 {
-    (void)state;
     assert_scene_refused("{\"polygons\":[{\"vertices\":[[1e999,0,0],[1,0,0],[0,1,0]]}]}", 422, TEXTS("/polygons/0"));
 }
 
-static void empty_body_gives_400(void **state)
+TEST(empty_body_gives_400)
 {
-    (void)state;
     assert_scene_refused("", 400, NULL);
 }
 
-static void scene_without_geometry_gives_422(void **state)
+TEST(scene_without_geometry_gives_422)
 {
-    (void)state;
     assert_scene_refused("{\"polygons\":[]}", 422, NULL);
 }
 
-static void window_too_large_gives_422_with_limit_and_value(void **state)
+TEST(window_too_large_gives_422_with_limit_and_value)
 {
-    (void)state;
     assert_scene_refused("{\"window\":{\"width\":100000,\"height\":100000},"
                          "\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}",
                          422, TEXTS("100000", "8192"));
 }
 
-static void unknown_key_gives_422_with_pointer(void **state)
+TEST(unknown_key_gives_422_with_pointer)
 {
-    (void)state;
     assert_scene_refused("{\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"colr\":\"#ffffff\"}]}", 422,
                          TEXTS("\"/polygons/0/colr\""));
 }
 
-static void more_faults_than_are_listed_are_said_to_be(void **state)
+TEST(more_faults_than_are_listed_are_said_to_be)
 {
-    (void)state;
     char scene[1024];
     for (int faults = 19; faults <= 21; faults++) {
         int used = snprintf(scene, sizeof scene, "{\"polygons\":[{\"vertices\":[[0,0,0]");
@@ -170,16 +161,14 @@ static void more_faults_than_are_listed_are_said_to_be(void **state)
     }
 }
 
-static void wrong_type_gives_422_with_pointer(void **state)
+TEST(wrong_type_gives_422_with_pointer)
 {
-    (void)state;
     assert_scene_refused("{\"polygons\":[{\"vertices\":\"many\"}]}", 422, TEXTS("\"/polygons/0/vertices\""));
 }
 
-static void deep_json_is_refused(void **state)
+TEST(deep_json_is_refused)
 {
     char scene[4096];
-    (void)state;
     memset(scene, '[', 2000);
     memset(scene + 2000, ']', 2000);
     scene[4000] = '\0';
@@ -198,17 +187,15 @@ static void assert_nodes_refused(const char *nodes, const char *const *texts)
     assert_int_equal(client_get_status(&server, "/healthz"), 200);
 }
 
-static void nodes_in_a_circle_give_422_with_pointer(void **state)
+TEST(nodes_in_a_circle_give_422_with_pointer)
 {
-    (void)state;
     assert_nodes_refused("{\"mesh\":0,\"children\":[0]}", TEXTS("\"/nodes/0/children/0\"", "cycle"));
     assert_nodes_refused("{\"mesh\":0,\"children\":[1]},{\"children\":[2]},{\"children\":[1]}",
                          TEXTS("\"/nodes/2/children/0\"", "cycle"));
 }
 
-static void nodes_with_huge_matrices_give_422_with_pointer(void **state)
+TEST(nodes_with_huge_matrices_give_422_with_pointer)
 {
-    (void)state;
     assert_nodes_refused("{\"mesh\":0,\"matrix\":[1e300,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}",
                          TEXTS("\"/nodes/0/matrix/0\""));
     assert_nodes_refused("{\"matrix\":[9e14,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],\"children\":[1]},"
@@ -240,25 +227,22 @@ static void assert_chain_refused(int length, int times, const char *const *texts
     free(text);
 }
 
-static void nodes_that_multiply_give_422(void **state)
+TEST(nodes_that_multiply_give_422)
 {
-    (void)state;
     assert_chain_refused(41, 2, TEXTS("\"/nodes\"", "100000 instances"));
     assert_chain_refused(65, 2, TEXTS("\"/nodes\"", "100000 instances"));
     assert_chain_refused(6, 1000, TEXTS("\"/nodes\"", "100000 instances"));
 }
 
-static void nodes_in_a_deep_chain_give_422(void **state)
+TEST(nodes_in_a_deep_chain_give_422)
 {
-    (void)state;
     assert_chain_refused(100000, 1, TEXTS("nested too deep"));
 }
 
 /* ---- bodies ---- */
 
-static void large_body_with_length_gives_413(void **state)
+TEST(large_body_with_length_gives_413)
 {
-    (void)state;
     char *body = malloc(LARGE_BODY);
     assert_non_null(body);
     memset(body, ' ', LARGE_BODY);
@@ -266,11 +250,10 @@ static void large_body_with_length_gives_413(void **state)
     free(body);
 }
 
-static void large_body_without_expect_gives_413(void **state)
+TEST(large_body_without_expect_gives_413)
 {
     static const char HEAD[] =
         "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 100000000\r\n\r\n";
-    (void)state;
     char *request = malloc(sizeof HEAD - 1 + LARGE_BODY);
     assert_non_null(request);
     memcpy(request, HEAD, sizeof HEAD - 1);
@@ -285,67 +268,37 @@ static void large_body_without_expect_gives_413(void **state)
     assert_still_serves();
 }
 
-static void large_chunked_body_gives_413(void **state)
+TEST(large_chunked_body_gives_413)
 {
-    (void)state;
     struct reply reply = client_send_chunked(&server, "/v1/render", LARGE_BODY);
     assert_int_equal(reply.status, 413);
     reply_free(&reply);
     assert_still_serves();
 }
 
-static void truncated_stl_gives_400(void **state)
+TEST(truncated_stl_gives_400)
 {
     /* The header, a count of 2 triangles, and half of one. */
     char stl[80 + 4 + 25] = "binary";
-    (void)state;
     stl[80] = 2;
     assert_refused("Content-Type: model/stl", stl, sizeof stl, 400, NULL);
 }
 
-static void text_that_is_no_model_gives_400(void **state)
+TEST(text_that_is_no_model_gives_400)
 {
     static const char TEXT[] = "Dear server, please draw a house.\n";
-    (void)state;
     assert_refused("Content-Type: model/stl", TEXT, sizeof TEXT - 1, 400, NULL);
     assert_refused("Content-Type: model/obj", TEXT, sizeof TEXT - 1, 400, NULL);
 }
 
-static void broken_chunks_are_refused(void **state)
+TEST(broken_chunks_are_refused)
 {
     static const char REQUEST[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE
                                   "\r\nTransfer-Encoding: chunked\r\n\r\nZZ\r\n{}\r\n0\r\n\r\n";
-    (void)state;
     char *text = client_raw(&server, REQUEST, sizeof REQUEST - 1, 5000);
     assert_int_equal(raw_status(text), 400);
     free(text);
     assert_still_serves();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(json_test_suite_is_told_apart),
-        cmocka_unit_test(index_out_of_range_gives_422_with_pointer),
-        cmocka_unit_test(nan_gives_400),
-        cmocka_unit_test(infinite_number_gives_422),
-        cmocka_unit_test(empty_body_gives_400),
-        cmocka_unit_test(scene_without_geometry_gives_422),
-        cmocka_unit_test(window_too_large_gives_422_with_limit_and_value),
-        cmocka_unit_test(unknown_key_gives_422_with_pointer),
-        cmocka_unit_test(more_faults_than_are_listed_are_said_to_be),
-        cmocka_unit_test(wrong_type_gives_422_with_pointer),
-        cmocka_unit_test(deep_json_is_refused),
-        cmocka_unit_test(nodes_in_a_circle_give_422_with_pointer),
-        cmocka_unit_test(nodes_with_huge_matrices_give_422_with_pointer),
-        cmocka_unit_test(nodes_that_multiply_give_422),
-        cmocka_unit_test(nodes_in_a_deep_chain_give_422),
-        cmocka_unit_test(large_body_with_length_gives_413),
-        cmocka_unit_test(large_body_without_expect_gives_413),
-        cmocka_unit_test(large_chunked_body_gives_413),
-        cmocka_unit_test(truncated_stl_gives_400),
-        cmocka_unit_test(text_that_is_no_model_gives_400),
-        cmocka_unit_test(broken_chunks_are_refused),
-    };
-    return cmocka_run_group_tests(tests, start, stop);
-}
+RUN_TESTS(start, stop)

@@ -4,7 +4,7 @@
 #include <zlib.h>
 
 #include "client.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 #define VIEW                                                                                                           \
     "\"window\":{\"width\":120,\"height\":90},\"view\":{\"eye\":[1,2,3],\"znear\":1,\"zfar\":8},\"shading\":\"unlit\""
@@ -93,9 +93,8 @@ static void assert_is_whole(struct reply *reply, const char *target)
     reply_free(reply);
 }
 
-static void scene_drawn_into_its_parts_is_the_whole(void **state)
+TEST(scene_drawn_into_its_parts_is_the_whole)
 {
-    (void)state;
     static struct body body;
     make_body(&body);
     struct reply reply = send_parts("/v1/render", &body);
@@ -106,9 +105,8 @@ static void scene_drawn_into_its_parts_is_the_whole(void **state)
     assert_is_whole(&reply, "/v1/render?channel=windowDepth");
 }
 
-static void parts_may_be_compressed_together(void **state)
+TEST(parts_may_be_compressed_together)
 {
-    (void)state;
     static struct body body, packed;
     make_body(&body);
     z_stream stream = {.next_in = (Bytef *)body.bytes,
@@ -131,9 +129,8 @@ static void assert_refused(struct reply reply, long status, const char *text)
     reply_free(&reply);
 }
 
-static void broken_bodies_give_400(void **state)
+TEST(broken_bodies_give_400)
 {
-    (void)state;
     static struct body body;
     assert_refused(send_body("/v1/render", (const char *const[]){"Content-Type: multipart/form-data", NULL}, "x", 1),
                    400, "without a boundary");
@@ -152,9 +149,8 @@ static void broken_bodies_give_400(void **state)
     assert_refused(send_parts("/v1/render", &body), 400, "closing boundary");
 }
 
-static void faults_of_the_scene_have_their_pointers(void **state)
+TEST(faults_of_the_scene_have_their_pointers)
 {
-    (void)state;
     static const char scene[] = "{" VIEW INTO ",\"polygons\":[" SECOND "]}";
     static struct body body;
     body.size = 0;
@@ -170,9 +166,8 @@ static void faults_of_the_scene_have_their_pointers(void **state)
     assert_refused(send_parts("/v1/render?preset=top", &body), 400, "query parameter preset");
 }
 
-static void the_scene_may_be_a_bare_mesh(void **state)
+TEST(the_scene_may_be_a_bare_mesh)
 {
-    (void)state;
     static const char mesh[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     static const char *const types[] = {"model/obj; charset=utf-8", "application/octet-stream"};
     static struct body body;
@@ -189,9 +184,8 @@ static void the_scene_may_be_a_bare_mesh(void **state)
     }
 }
 
-static void parts_that_nothing_asks_for_are_warned_of(void **state)
+TEST(parts_that_nothing_asks_for_are_warned_of)
 {
-    (void)state;
     static struct body body;
     body.size = 0;
     add_part(&body, "name=scene", GOOD_SCENE, strlen(GOOD_SCENE));
@@ -203,10 +197,9 @@ static void parts_that_nothing_asks_for_are_warned_of(void **state)
     reply_free(&reply);
 }
 
-static void warnings_without_room_are_counted_and_none_is_cut(void **state)
+TEST(warnings_without_room_are_counted_and_none_is_cut)
 {
     enum { PARTS = 31, LENGTH = 100 };
-    (void)state;
     static struct body body;
     body.size = 0;
     add_part(&body, "name=scene", GOOD_SCENE, strlen(GOOD_SCENE));
@@ -231,16 +224,4 @@ static void warnings_without_room_are_counted_and_none_is_cut(void **state)
     reply_free(&reply);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scene_drawn_into_its_parts_is_the_whole),
-        cmocka_unit_test(parts_may_be_compressed_together),
-        cmocka_unit_test(broken_bodies_give_400),
-        cmocka_unit_test(faults_of_the_scene_have_their_pointers),
-        cmocka_unit_test(the_scene_may_be_a_bare_mesh),
-        cmocka_unit_test(parts_that_nothing_asks_for_are_warned_of),
-        cmocka_unit_test(warnings_without_room_are_counted_and_none_is_cut),
-    };
-    return cmocka_run_group_tests(tests, start, stop);
-}
+RUN_TESTS(start, stop)

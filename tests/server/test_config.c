@@ -5,7 +5,7 @@
 
 #include "base/isa.h"
 #include "client.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 /* Runs with `arguments` (to NULL); its exit status and `texts` (to NULL) in its output must be these. */
 static void assert_run(const char *const *arguments, int status, const char *const *texts)
@@ -18,9 +18,8 @@ static void assert_run(const char *const *arguments, int status, const char *con
     free(output);
 }
 
-static void help_lists_every_flag(void **state)
+TEST(help_lists_every_flag)
 {
-    (void)state;
     assert_run(LIST("--help"), 0,
                LIST("--address", "--port", "--workers", "--threads", "--queue", "--max-per-client", "--max-connections",
                     "--body-max-bytes", "--upload-memory-bytes", "--header-timeout-ms", "--idle-timeout-ms",
@@ -31,10 +30,9 @@ static void help_lists_every_flag(void **state)
                     "--isa", "--health", "--version", "ZRASTER_"));
 }
 
-static void help_does_not_show_the_token(void **state)
+TEST(help_does_not_show_the_token)
 {
     char *output = NULL;
-    (void)state;
     setenv("ZRASTER_TOKEN", "hidden-token", 1);
     assert_int_equal(daemon_run(LIST("--help"), &output), 0);
     unsetenv("ZRASTER_TOKEN");
@@ -42,15 +40,13 @@ static void help_does_not_show_the_token(void **state)
     free(output);
 }
 
-static void version_is_printed(void **state)
+TEST(version_is_printed)
 {
-    (void)state;
     assert_run(LIST("--version"), 0, LIST("zrasterd 0."));
 }
 
-static void help_and_version_are_given_beside_what_is_wrong(void **state)
+TEST(help_and_version_are_given_beside_what_is_wrong)
 {
-    (void)state;
     setenv("ZRASTER_WORKERS", "many", 1);
     assert_run(LIST("--help"), 0, LIST("usage: zrasterd"));
     assert_run(LIST("--prot=80", "--version"), 0, LIST("zrasterd 0."));
@@ -58,9 +54,8 @@ static void help_and_version_are_given_beside_what_is_wrong(void **state)
     unsetenv("ZRASTER_WORKERS");
 }
 
-static void service_link_of_kubernetes_is_no_port(void **state)
+TEST(service_link_of_kubernetes_is_no_port)
 {
-    (void)state;
     setenv("ZRASTER_PORT", "tcp://10.0.0.1:8080", 1);
     struct daemon daemon = daemon_start(NULL);
     struct reply reply = client_get(&daemon, "/healthz");
@@ -73,17 +68,15 @@ static void service_link_of_kubernetes_is_no_port(void **state)
     unsetenv("ZRASTER_WORKERS");
 }
 
-static void unknown_flag_exits_2_and_is_named(void **state)
+TEST(unknown_flag_exits_2_and_is_named)
 {
-    (void)state;
     assert_run(LIST("--prot=80"), 2, LIST("'--prot=80'", "--help"));
     assert_run(LIST("serve"), 2, LIST("'serve'"));
     assert_run(LIST("--"), 2, LIST("'--'"));
 }
 
-static void bad_value_exits_2_and_says_what_is_allowed(void **state)
+TEST(bad_value_exits_2_and_says_what_is_allowed)
 {
-    (void)state;
     assert_run(LIST("--port=65536"), 2, LIST("--port", "'65536'", "0 to 65535"));
     assert_run(LIST("--port", "-1"), 2, LIST("--port", "'-1'"));
     assert_run(LIST("--port="), 2, LIST("--port"));
@@ -94,18 +87,16 @@ static void bad_value_exits_2_and_says_what_is_allowed(void **state)
     assert_run(LIST("--window-side-max=8193"), 2, LIST("--window-side-max", "1 to 8192"));
 }
 
-static void bad_variable_exits_2_and_is_named(void **state)
+TEST(bad_variable_exits_2_and_is_named)
 {
-    (void)state;
     setenv("ZRASTER_QUEUE", "x", 1);
     assert_run(LIST("--port=0"), 2, LIST("ZRASTER_QUEUE", "'x'"));
     unsetenv("ZRASTER_QUEUE");
 }
 
 /* x86 has no neon, and ARM no avx2; both have scalar. */
-static void isa_that_is_unknown_or_not_there_exits_2_and_says_what_there_is(void **state)
+TEST(isa_that_is_unknown_or_not_there_exits_2_and_says_what_there_is)
 {
-    (void)state;
     assert_run(LIST("--isa=mmx"), 2, LIST("--isa", "'mmx'", "auto, scalar"));
     assert_run(LIST("--isa="), 2, LIST("--isa", "''"));
     assert_run(LIST("--isa", "AVX2"), 2, LIST("--isa", "'AVX2'"));
@@ -129,9 +120,8 @@ static void assert_renders_with(const char *const *arguments, const char *isa)
     daemon_stop(&server);
 }
 
-static void isa_is_named_at_the_start_and_auto_is_the_best(void **state)
+TEST(isa_is_named_at_the_start_and_auto_is_the_best)
 {
-    (void)state;
     assert_renders_with(NULL, zr_isa_name(zr_isa_best()));
     assert_renders_with(LIST("--isa=auto"), zr_isa_name(zr_isa_best()));
     for (int i = 0; i < ZR_ISA_COUNT; i++)
@@ -143,9 +133,8 @@ static void isa_is_named_at_the_start_and_auto_is_the_best(void **state)
     unsetenv("ZRASTER_ISA");
 }
 
-static void port_in_use_exits_1(void **state)
+TEST(port_in_use_exits_1)
 {
-    (void)state;
     struct daemon server = daemon_start(NULL);
     char port[16];
     snprintf(port, sizeof port, "%u", server.port);
@@ -161,9 +150,8 @@ static void assert_limit(const struct daemon *server, const char *text)
     reply_free(&reply);
 }
 
-static void variable_is_read_and_flag_beats_it(void **state)
+TEST(variable_is_read_and_flag_beats_it)
 {
-    (void)state;
     setenv("ZRASTER_BODY_MAX_BYTES", "50", 1);
     setenv("ZRASTER_QUEUE", "7", 1);
     setenv("ZRASTER_WORKERS", "", 1);
@@ -177,17 +165,15 @@ static void variable_is_read_and_flag_beats_it(void **state)
     daemon_stop(&server);
 }
 
-static void queue_defaults_to_256_a_worker(void **state)
+TEST(queue_defaults_to_256_a_worker)
 {
-    (void)state;
     struct daemon server = daemon_start(LIST("--workers=3"));
     assert_limit(&server, "\"queue\":\t768");
     daemon_stop(&server);
 }
 
-static void limits_of_the_renderer_are_settings(void **state)
+TEST(limits_of_the_renderer_are_settings)
 {
-    (void)state;
     struct daemon server = daemon_start(LIST("--window-side-max=100"));
     struct reply reply = client_render(&server, GOOD_SCENE); /* 640 x 480 */
     assert_int_equal(reply.status, 422);
@@ -196,9 +182,8 @@ static void limits_of_the_renderer_are_settings(void **state)
     daemon_stop(&server);
 }
 
-static void health_tells_whether_a_daemon_answers(void **state)
+TEST(health_tells_whether_a_daemon_answers)
 {
-    (void)state;
     struct daemon server = daemon_start(LIST("--token=anything"));
     char port[16];
     snprintf(port, sizeof port, "%u", server.port);
@@ -208,24 +193,4 @@ static void health_tells_whether_a_daemon_answers(void **state)
     assert_run(LIST("--health", "--port", port), 1, LIST(""));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(help_lists_every_flag),
-        cmocka_unit_test(help_does_not_show_the_token),
-        cmocka_unit_test(version_is_printed),
-        cmocka_unit_test(help_and_version_are_given_beside_what_is_wrong),
-        cmocka_unit_test(service_link_of_kubernetes_is_no_port),
-        cmocka_unit_test(unknown_flag_exits_2_and_is_named),
-        cmocka_unit_test(bad_value_exits_2_and_says_what_is_allowed),
-        cmocka_unit_test(bad_variable_exits_2_and_is_named),
-        cmocka_unit_test(isa_that_is_unknown_or_not_there_exits_2_and_says_what_there_is),
-        cmocka_unit_test(isa_is_named_at_the_start_and_auto_is_the_best),
-        cmocka_unit_test(port_in_use_exits_1),
-        cmocka_unit_test(variable_is_read_and_flag_beats_it),
-        cmocka_unit_test(queue_defaults_to_256_a_worker),
-        cmocka_unit_test(limits_of_the_renderer_are_settings),
-        cmocka_unit_test(health_tells_whether_a_daemon_answers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 #include "client.h"
-#include "support/cmocka_all.h"
 #include "support/sanitized.h"
+#include "support/tests.h"
 
 #define HEALTH "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n"
 #define POST   "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\n"
@@ -38,11 +38,10 @@ static int raise_file_limit(void **state)
 }
 
 /* libmicrohttpd's own loop waits for ever where exactly 128 connections are ready at once. */
-static void any_number_of_ready_connections_is_answered(void **state)
+TEST(any_number_of_ready_connections_is_answered)
 {
     static const int COUNTS[] = {1, 2, 63, 64, 65, 127, 128, 129, 255, 256, 257, 512, 1000, READY_MAX};
     static int clients[READY_MAX];
-    (void)state;
     struct daemon server = daemon_start(NULL);
     for (size_t c = 0; c < sizeof COUNTS / sizeof COUNTS[0]; c++) {
         for (int i = 0; i < COUNTS[c]; i++) {
@@ -67,11 +66,10 @@ static void any_number_of_ready_connections_is_answered(void **state)
 }
 
 /* More than there is room for, and all of them older than the one that asks. */
-static void silent_connections_make_room(void **state)
+TEST(silent_connections_make_room)
 {
     static int silent[SILENT];
     static const char HALF[] = "GET /healthz HTTP/1.1\r\nHost: a\r\nX-Half";
-    (void)state;
     for (int half = 0; half < 2; half++) {
         struct daemon server = daemon_start(NULL);
         for (int i = 0; i < SILENT; i++) {
@@ -93,11 +91,10 @@ static void silent_connections_make_room(void **state)
 }
 
 /* Others' work is in every place: this machine's own health checks still get through, and others are told. */
-static void places_for_loopback_are_kept_free(void **state)
+TEST(places_for_loopback_are_kept_free)
 {
     enum { BUSY = 8 };
     int clients[BUSY];
-    (void)state;
     struct daemon server = daemon_start(LIST("--max-connections=8", "--queue=16", "--workers=1",
                                              "--cost-max-ms=86400000", "--render-timeout-ms=120000"));
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, 4000);
@@ -112,11 +109,10 @@ static void places_for_loopback_are_kept_free(void **state)
 }
 
 /* They come and go while nobody looks: first there is no place, and then no connection that anybody would look at. */
-static void a_crowd_that_has_gone_leaves_the_daemon_listening(void **state)
+TEST(a_crowd_that_has_gone_leaves_the_daemon_listening)
 {
     enum { CROWD = 30 };
     int clients[CROWD];
-    (void)state;
     struct daemon server = daemon_start(LIST("--max-connections=8"));
     kill(server.pid, SIGSTOP);
     for (int i = 0; i < CROWD; i++)
@@ -132,13 +128,12 @@ static void a_crowd_that_has_gone_leaves_the_daemon_listening(void **state)
 }
 
 /* The first bytes of the next request come with the last ones of the request before. */
-static void requests_that_overlap_count_once_for_their_client(void **state)
+TEST(requests_that_overlap_count_once_for_their_client)
 {
     static const char FIRST[] = POST "Content-Length: 53\r\n\r\n" GOOD_SCENE "PO",
                       NEXT[] = "ST /v1/render HTTP/1.1\r\n"
                                "Host: a\r\n" JSON_TYPE "\r\n"
                                "Content-Length: 53\r\n\r\n" GOOD_SCENE "PO";
-    (void)state;
     assert_int_equal(strlen(GOOD_SCENE), 53);
     struct daemon server = daemon_start(LIST("--max-per-private-client=2"));
     const int client = client_connect(&server);
@@ -166,11 +161,10 @@ static int count_in_log(const struct daemon *daemon, const char *text)
 
 /* By the end of its sending half, by closing, or by a reset; while the daemon waits for more, or with the last bytes.
  */
-static void an_upload_that_its_client_ends_frees_its_place_at_once(void **state)
+TEST(an_upload_that_its_client_ends_frees_its_place_at_once)
 {
     enum { UPLOADS = 40 };
     static const char HEAD[] = POST "Content-Length: 1000\r\nExpect: 100-continue\r\n\r\n";
-    (void)state;
     struct daemon server = daemon_start(LIST("--max-per-private-client=1"));
     for (int i = 0; i < UPLOADS; i++) {
         const bool is_reset = i % 4 == 0, is_half = i % 4 == 1, is_sudden = i % 4 == 2;
@@ -210,11 +204,10 @@ static int begin_large_answer(const struct daemon *server, int buffer)
     return fd;
 }
 
-static void answers_that_wait_for_readers_have_a_ceiling(void **state)
+TEST(answers_that_wait_for_readers_have_a_ceiling)
 {
     enum { READERS = 40 };
     int readers[READERS];
-    (void)state;
     struct daemon server = daemon_start(LIST("--answer-memory-bytes=64000000", "--workers=2", "--queue=64"));
     for (int i = 0; i < READERS; i++)
         readers[i] = begin_large_answer(&server, 4096);
@@ -241,9 +234,8 @@ static void answers_that_wait_for_readers_have_a_ceiling(void **state)
 
 /* A system takes as much as its buffers hold at once, and then nothing for long: here for more than half of the 20 s
  * that it may, while the other reader is cut off. */
-static void a_reader_below_the_least_speed_is_cut_off(void **state)
+TEST(a_reader_below_the_least_speed_is_cut_off)
 {
-    (void)state;
     struct daemon patient = daemon_start(NULL);
     int paused = begin_large_answer(&patient, 0);
     struct daemon server = daemon_start(LIST("--answer-min-bytes-per-second=100000"));
@@ -302,13 +294,12 @@ static struct daemon start_with_pipe(int log[2])
     return server;
 }
 
-static void a_log_that_nobody_reads_holds_no_answer_up(void **state)
+TEST(a_log_that_nobody_reads_holds_no_answer_up)
 {
     enum { REQUESTS = 2000 };
     static char path[1200];
     static char seen[64 << 10];
     int log[2], status = 0;
-    (void)state;
     memset(path, 'a', sizeof path - 1);
     path[0] = '/';
     struct daemon server = start_with_pipe(log);
@@ -341,12 +332,11 @@ static void a_log_that_nobody_reads_holds_no_answer_up(void **state)
 }
 
 /* No socket or asset gets their numbers. */
-static void closed_standard_files_are_opened_on_nothing(void **state)
+TEST(closed_standard_files_are_opened_on_nothing)
 {
     int out[2], status = 0;
     char line[256] = "";
     unsigned port;
-    (void)state;
     assert_int_equal(pipe(out), 0);
     pid_t pid = fork();
     if (pid == 0) {
@@ -373,10 +363,9 @@ static void closed_standard_files_are_opened_on_nothing(void **state)
 }
 
 /* It counts as gone, whether its end comes with its request or later. */
-static void a_client_that_ends_with_its_request_is_let_go(void **state)
+TEST(a_client_that_ends_with_its_request_is_let_go)
 {
     enum { TRIES = 20 };
-    (void)state;
     int fds[TRIES];
     struct daemon server = daemon_start(NULL);
     const double begun = seconds();
@@ -395,12 +384,11 @@ static void a_client_that_ends_with_its_request_is_let_go(void **state)
     daemon_stop(&server);
 }
 
-static void files_are_enough_for_each_connection_to_have_an_asset(void **state)
+TEST(files_are_enough_for_each_connection_to_have_an_asset)
 {
     struct rlimit limit, low;
     char path[64], line[256];
     unsigned long most = 0;
-    (void)state;
     assert_int_equal(getrlimit(RLIMIT_NOFILE, &limit), 0);
     low = limit;
     low.rlim_cur = 256;
@@ -417,21 +405,4 @@ static void files_are_enough_for_each_connection_to_have_an_asset(void **state)
     daemon_stop(&server);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_number_of_ready_connections_is_answered),
-        cmocka_unit_test(silent_connections_make_room),
-        cmocka_unit_test(places_for_loopback_are_kept_free),
-        cmocka_unit_test(a_crowd_that_has_gone_leaves_the_daemon_listening),
-        cmocka_unit_test(requests_that_overlap_count_once_for_their_client),
-        cmocka_unit_test(an_upload_that_its_client_ends_frees_its_place_at_once),
-        cmocka_unit_test(answers_that_wait_for_readers_have_a_ceiling),
-        cmocka_unit_test(a_reader_below_the_least_speed_is_cut_off),
-        cmocka_unit_test(a_client_that_ends_with_its_request_is_let_go),
-        cmocka_unit_test(files_are_enough_for_each_connection_to_have_an_asset),
-        cmocka_unit_test(a_log_that_nobody_reads_holds_no_answer_up),
-        cmocka_unit_test(closed_standard_files_are_opened_on_nothing),
-    };
-    return cmocka_run_group_tests(tests, raise_file_limit, NULL);
-}
+RUN_TESTS(raise_file_limit, NULL)

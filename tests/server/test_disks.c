@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "assets.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 static void assert_full_and_well(struct daemon *server, const struct folder *folder)
 {
@@ -25,9 +25,8 @@ static void assert_full_and_well(struct daemon *server, const struct folder *fol
     free(bytes);
 }
 
-static void file_beyond_the_system_limit_gives_507(void **state)
+TEST(file_beyond_the_system_limit_gives_507)
 {
-    (void)state;
     struct folder folder = folder_make();
     struct rlimit before, low;
     assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
@@ -48,9 +47,8 @@ static bool mount_small(const struct folder *folder)
            mount("none", folder->path, "tmpfs", 0, "size=64k") == 0;
 }
 
-static void full_disk_gives_507(void **state)
+TEST(full_disk_gives_507)
 {
-    (void)state;
     struct folder folder = folder_make();
     if (!mount_small(&folder)) {
         fprintf(stderr, "LEFT OUT: a full disk: mounting a small one needs root (%s)\n", strerror(errno));
@@ -73,9 +71,8 @@ static bool make_read_only(const struct folder *folder, bool on)
     return mount("none", folder->path, "tmpfs", MS_REMOUNT | MS_RDONLY, "size=64k") == 0;
 }
 
-static void read_only_directory_serves_what_it_has(void **state)
+TEST(read_only_directory_serves_what_it_has)
 {
-    (void)state;
     struct folder folder = folder_make();
     if (geteuid() == 0 && !mount_small(&folder)) {
         fprintf(stderr, "LEFT OUT: a read-only directory: root cannot mount one here (%s)\n", strerror(errno));
@@ -96,9 +93,8 @@ static void read_only_directory_serves_what_it_has(void **state)
     folder_remove(&folder);
 }
 
-static void directory_that_cannot_be_used_stops_the_start(void **state)
+TEST(directory_that_cannot_be_used_stops_the_start)
 {
-    (void)state;
     struct folder folder = folder_make();
     struct folder file = folder_file(&folder, "file");
     folder_write(&file, "", 0);
@@ -114,13 +110,4 @@ static void directory_that_cannot_be_used_stops_the_start(void **state)
     folder_remove(&folder);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(file_beyond_the_system_limit_gives_507),
-        cmocka_unit_test(full_disk_gives_507),
-        cmocka_unit_test(read_only_directory_serves_what_it_has),
-        cmocka_unit_test(directory_that_cannot_be_used_stops_the_start),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "client.h"
-#include "support/cmocka_all.h"
 #include "support/sanitized.h"
+#include "support/tests.h"
 
 enum { LARGE = 6, SMALL = 20 };
 
@@ -40,9 +40,8 @@ static void end_large(const int *clients, int count)
     }
 }
 
-static void small_requests_are_served_while_large_ones_run_and_wait(void **state)
+TEST(small_requests_are_served_while_large_ones_run_and_wait)
 {
-    (void)state;
     for (int small_body = 0; small_body < 2; small_body++) {
         struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=2", "--queue=8", NULL});
         int clients[LARGE];
@@ -56,9 +55,8 @@ static void small_requests_are_served_while_large_ones_run_and_wait(void **state
     }
 }
 
-static void small_requests_are_served_while_no_more_large_ones_are(void **state)
+TEST(small_requests_are_served_while_no_more_large_ones_are)
 {
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", NULL});
     int clients[2];
     char *scene = scene_large(true);
@@ -75,9 +73,8 @@ static void small_requests_are_served_while_no_more_large_ones_are(void **state)
 }
 
 /* A request that the express puts back, at the moment when all has to end. */
-static void large_request_behind_another_is_answered_when_the_daemon_ends(void **state)
+TEST(large_request_behind_another_is_answered_when_the_daemon_ends)
 {
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--drain-timeout-ms=100", NULL});
     int clients[3];
     char *scene = scene_large(true);
@@ -96,7 +93,7 @@ static void large_request_behind_another_is_answered_when_the_daemon_ends(void *
 /* ---- memory ---- */
 
 /* A window of 25 million pixels, then an answer of some megabytes. */
-static void memory_goes_back_to_the_system_when_nothing_happens(void **state)
+TEST(memory_goes_back_to_the_system_when_nothing_happens)
 {
     enum { LARGE_KIB = 64 << 10, SPARE_KIB = 24 << 10, WAIT_MS = 20000, TICK_MS = 100 };
 #define WITH(side, output)                                                                                             \
@@ -105,7 +102,6 @@ static void memory_goes_back_to_the_system_when_nothing_happens(void **state)
     static const char *const large[] = {WITH("5000", "{\"channel\":\"color\"}"),
                                         WITH("1024", "{\"channel\":\"depth\",\"encoding\":\"npy\"}")};
 #undef WITH
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, NULL});
     for (int i = 0; i < 4; i++)
         assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
@@ -125,13 +121,12 @@ static void memory_goes_back_to_the_system_when_nothing_happens(void **state)
     daemon_stop(&server);
 }
 
-static void what_is_announced_and_has_not_come_takes_no_memory(void **state)
+TEST(what_is_announced_and_has_not_come_takes_no_memory)
 {
     enum { BODIES = 16, SENT = 4 << 20, SENT_KIB = BODIES * SENT >> 10, SPARE_KIB = 24 << 10, TICKS = 100 };
     static const char HEADER[] =
         "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 50000000\r\n\r\n";
     static char spaces[SENT];
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, NULL});
     const long before = daemon_memory_kib(&server, "VmRSS:");
     int senders[BODIES];
@@ -153,14 +148,4 @@ static void what_is_announced_and_has_not_come_takes_no_memory(void **state)
     daemon_stop(&server);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(small_requests_are_served_while_large_ones_run_and_wait),
-        cmocka_unit_test(small_requests_are_served_while_no_more_large_ones_are),
-        cmocka_unit_test(large_request_behind_another_is_answered_when_the_daemon_ends),
-        cmocka_unit_test(memory_goes_back_to_the_system_when_nothing_happens),
-        cmocka_unit_test(what_is_announced_and_has_not_come_takes_no_memory),
-    };
-    return cmocka_run_group_tests_name("fair", tests, clients_setup, clients_teardown);
-}
+RUN_TESTS(clients_setup, clients_teardown)

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "client.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 #define POST   "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\n"
 #define SECOND "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n"
@@ -47,55 +47,48 @@ static void assert_refused(const char *request, int status)
     assert_bytes_refused(request, strlen(request), status);
 }
 
-static void two_content_lengths_are_refused(void **state)
+TEST(two_content_lengths_are_refused)
 {
-    (void)state;
     assert_refused(POST "Content-Length: 5\r\nContent-Length: 5\r\n\r\nhello" SECOND, 400);
     assert_refused(POST "Content-Length: 5\r\nContent-Length: 42\r\n\r\nhello" SECOND, 400);
     assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nContent-Length: 1\r\nContent-Length: 1\r\n\r\na" SECOND, 400);
 }
 
-static void content_length_with_transfer_encoding_is_refused(void **state)
+TEST(content_length_with_transfer_encoding_is_refused)
 {
-    (void)state;
     assert_refused(POST "Content-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n" SECOND, 400);
     assert_refused(POST "Transfer-Encoding: chunked\r\nContent-Length: 5\r\n\r\n0\r\n\r\n" SECOND, 400);
 }
 
-static void unknown_transfer_encoding_gives_501(void **state)
+TEST(unknown_transfer_encoding_gives_501)
 {
-    (void)state;
     assert_refused(POST "Transfer-Encoding: xchunked\r\n\r\n0\r\n\r\n" SECOND, 501);
     assert_refused(POST "Transfer-Encoding: gzip, chunked\r\n\r\n0\r\n\r\n" SECOND, 501);
 }
 
-static void two_transfer_encodings_are_refused(void **state)
+TEST(two_transfer_encodings_are_refused)
 {
-    (void)state;
     assert_refused(POST "Transfer-Encoding: chunked\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n" SECOND, 400);
 }
 
-static void host_must_come_once(void **state)
+TEST(host_must_come_once)
 {
-    (void)state;
     assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n" SECOND, 400);
     assert_refused("GET /healthz HTTP/1.1\r\n\r\n" SECOND, 400);
 }
 
-static void host_may_be_missing_in_http_1_0(void **state)
+TEST(host_may_be_missing_in_http_1_0)
 {
     static const char REQUEST[] = "GET /healthz HTTP/1.0\r\n\r\n";
-    (void)state;
     char *text = client_raw(&server, REQUEST, sizeof REQUEST - 1, SILENCE_MS);
     assert_int_equal(raw_status(text), 200);
     free(text);
 }
 
-static void content_length_that_is_no_number_is_refused(void **state)
+TEST(content_length_that_is_no_number_is_refused)
 {
     static const char *const LENGTHS[] = {"5x", "-5", "+5", "0x5", "5, 5", "5 5", "five"};
     char request[256];
-    (void)state;
     for (size_t i = 0; i < sizeof LENGTHS / sizeof LENGTHS[0]; i++) {
         snprintf(request, sizeof request, POST "Content-Length: %s\r\n\r\nhello" SECOND, LENGTHS[i]);
         assert_refused(request, 400);
@@ -103,11 +96,10 @@ static void content_length_that_is_no_number_is_refused(void **state)
 }
 
 /* RFC 9112, 5: it is none of the value. */
-static void space_behind_a_length_or_an_encoding_is_passed_over(void **state)
+TEST(space_behind_a_length_or_an_encoding_is_passed_over)
 {
     static const char *const REQUESTS[] = {POST "Content-Length: 5 \t \r\n\r\nhello" SECOND,
                                            POST "Transfer-Encoding: chunked \t\r\n\r\n5\r\nhello\r\n0\r\n\r\n" SECOND};
-    (void)state;
     for (size_t i = 0; i < sizeof REQUESTS / sizeof REQUESTS[0]; i++) {
         char *text = client_raw(&server, REQUESTS[i], strlen(REQUESTS[i]), SILENCE_MS);
         assert_int_equal(raw_status(text), 400);
@@ -116,10 +108,9 @@ static void space_behind_a_length_or_an_encoding_is_passed_over(void **state)
     }
 }
 
-static void space_behind_an_expectation_is_passed_over(void **state)
+TEST(space_behind_an_expectation_is_passed_over)
 {
     static const char HEAD[] = POST "Expect: 100-continue \r\nContent-Length:\t5\r\n\r\n", REST[] = "hello" SECOND;
-    (void)state;
     int fd = client_connect(&server);
     assert_true(client_write(fd, HEAD, sizeof HEAD - 1));
     char *text = client_read(fd, "\r\n\r\n", SILENCE_MS);
@@ -134,10 +125,9 @@ static void space_behind_an_expectation_is_passed_over(void **state)
 }
 
 /* libmicrohttpd would keep it beside the header. */
-static void a_trailer_has_room_beside_any_header(void **state)
+TEST(a_trailer_has_room_beside_any_header)
 {
     static char request[40000];
-    (void)state;
     int used = snprintf(request, sizeof request, POST "Transfer-Encoding: chunked\r\n");
     for (int trailer = 0; trailer < 2; trailer++) {
         for (int i = 0; i < 96; i++)
@@ -152,10 +142,9 @@ static void a_trailer_has_room_beside_any_header(void **state)
 }
 
 /* Its answer was made already: another takes its place. */
-static void a_refused_body_that_comes_too_slowly_has_one_answer(void **state)
+TEST(a_refused_body_that_comes_too_slowly_has_one_answer)
 {
     static const char SLOW[] = "DELETE /healthz HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\n\r\na";
-    (void)state;
     char *text = client_raw(&server, SLOW, sizeof SLOW - 1, SILENCE_MS);
     assert_int_equal(raw_status(text), 408);
     const char *type = strstr(text, "Content-Type");
@@ -166,9 +155,8 @@ static void a_refused_body_that_comes_too_slowly_has_one_answer(void **state)
 }
 
 /* The header's time is 400 ms here. */
-static void an_empty_line_begins_no_request(void **state)
+TEST(an_empty_line_begins_no_request)
 {
-    (void)state;
     const int client = client_connect(&server);
     assert_true(client_write(client, SECOND, strlen(SECOND)));
     free(client_read(client, "ok\"}", SILENCE_MS));
@@ -181,9 +169,8 @@ static void an_empty_line_begins_no_request(void **state)
     close(client);
 }
 
-static void bad_bytes_in_headers_are_refused(void **state)
+TEST(bad_bytes_in_headers_are_refused)
 {
-    (void)state;
     assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX-A : b\r\n\r\n" SECOND, 400);
     assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX(A): b\r\n\r\n" SECOND, 400);
     assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX-A: b\x01\r\n\r\n" SECOND, 400);
@@ -193,9 +180,8 @@ static void bad_bytes_in_headers_are_refused(void **state)
 
 #define BYTES(text, status) assert_bytes_refused(text, sizeof(text) - 1, status)
 
-static void a_zero_byte_smuggles_nothing(void **state)
+TEST(a_zero_byte_smuggles_nothing)
 {
-    (void)state;
     BYTES(POST "Content-Length: 5\0\r\n\r\nhello" SECOND, 400);
     BYTES(POST "Content-Length: 5\0junk\r\n\r\nhello" SECOND, 400);
     BYTES(POST "Transfer-Encoding: chunked\0\r\n\r\n0\r\n\r\n" SECOND, 400);
@@ -205,9 +191,8 @@ static void a_zero_byte_smuggles_nothing(void **state)
     BYTES("\0GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n" SECOND, 400);
 }
 
-static void line_ends_other_than_crlf_are_refused(void **state)
+TEST(line_ends_other_than_crlf_are_refused)
 {
-    (void)state;
     assert_refused("GET /healthz HTTP/1.1\nHost: a\n\n" SECOND, 400);
     assert_refused("GET /healthz HTTP/1.1\r\nHost: a\nX: y\r\n\r\n" SECOND, 400);
     assert_refused("GET /healthz HTTP/1.1\r\nHost: a\rX: y\r\n\r\n" SECOND, 400);
@@ -218,9 +203,8 @@ static void line_ends_other_than_crlf_are_refused(void **state)
     assert_refused(POST "Transfer-Encoding: chunked\r\n\r\n0\r\n\n" SECOND, 400);
 }
 
-static void request_lines_that_are_none_are_refused(void **state)
+TEST(request_lines_that_are_none_are_refused)
 {
-    (void)state;
     assert_refused("GET /healthz\r\n\r\n" SECOND, 400);
     assert_refused("GET /healthz HTTP/2.0\r\nHost: a\r\n\r\n" SECOND, 505);
     assert_refused("GET /healthz HTTP/1.1 x\r\nHost: a\r\n\r\n" SECOND, 400);
@@ -229,18 +213,16 @@ static void request_lines_that_are_none_are_refused(void **state)
     assert_refused("\x16\x03\x01\x02", 400);
 }
 
-static void two_content_types_are_refused(void **state)
+TEST(two_content_types_are_refused)
 {
-    (void)state;
     assert_refused(POST "Content-Type: model/obj\r\nContent-Length: 2\r\n\r\n{}" SECOND, 400);
 }
 
 /* What a fault is found in has been passed on by then, or the requests before it are still to be answered. */
-static void a_fault_behind_good_requests_or_in_small_pieces_is_refused(void **state)
+TEST(a_fault_behind_good_requests_or_in_small_pieces_is_refused)
 {
     static const char *const FAULTS[] = {"GET /healthz HTTP/1.1\r\nHost: a\r\nX : y\r\n\r\n" SECOND,
                                          POST "Transfer-Encoding: chunked\r\n\r\n3\r\nabc\r\n-\r\n" SECOND};
-    (void)state;
     for (size_t i = 0; i < sizeof FAULTS / sizeof FAULTS[0]; i++)
         for (int good = 0; good < 3; good++)
             for (int in_pieces = 0; in_pieces < 2; in_pieces++) {
@@ -278,9 +260,8 @@ static void assert_pieces_refused(const char *front, size_t filler, const char *
 }
 
 /* The fault is there before libmicrohttpd has said that it has the header: nothing more will come then. */
-static void a_fault_close_behind_a_header_is_refused(void **state)
+TEST(a_fault_close_behind_a_header_is_refused)
 {
-    (void)state;
     assert_pieces_refused(POST "Transfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\nX: ", 33000, "\r\n\r\n", 0, "", 431);
     assert_pieces_refused("POST /v1/render HTTP/1.1\r\nHost: a\r\nX: ", 32000,
                           "\r\n" JSON_TYPE "\r\nTransfer-Encoding: chunked\r\n\r\n", 120, "ZZ\r\n", 400);
@@ -289,10 +270,9 @@ static void a_fault_close_behind_a_header_is_refused(void **state)
 }
 
 /* What is refused in the body of the second request is no fault of the first. */
-static void a_fault_in_a_later_body_leaves_earlier_answers(void **state)
+TEST(a_fault_in_a_later_body_leaves_earlier_answers)
 {
     static const char REQUESTS[] = SECOND POST "Transfer-Encoding: chunked\r\n\r\n2\r\n{}\r\nZZ\r\n";
-    (void)state;
     char *text = client_raw(&server, REQUESTS, sizeof REQUESTS - 1, SILENCE_MS);
     assert_int_equal(raw_status(text), 200);
     assert_int_equal(raw_count(text), 2);
@@ -300,11 +280,10 @@ static void a_fault_in_a_later_body_leaves_earlier_answers(void **state)
     free(text);
 }
 
-static void many_empty_lines_are_refused(void **state)
+TEST(many_empty_lines_are_refused)
 {
     static const char EMPTY[] = "\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n";
     char text[256];
-    (void)state;
     snprintf(text, sizeof text, "%s\r\n" SECOND, EMPTY);
     assert_refused(text, 400);
     snprintf(text, sizeof text, "%s" SECOND, EMPTY);
@@ -313,10 +292,9 @@ static void many_empty_lines_are_refused(void **state)
     free(answer);
 }
 
-static void a_refusal_of_head_has_no_body(void **state)
+TEST(a_refusal_of_head_has_no_body)
 {
     static const char REQUEST[] = "HEAD /healthz HTTP/1.1\r\nHost: a\r\nContent-Length: 99999999999\r\n\r\n";
-    (void)state;
     char *text = client_raw(&server, REQUEST, sizeof REQUEST - 1, SILENCE_MS);
     assert_int_equal(raw_status(text), 413);
     const char *end = strstr(text, "\r\n\r\n");
@@ -325,11 +303,10 @@ static void a_refusal_of_head_has_no_body(void **state)
 }
 
 /* Nobody asked for an answer to what comes behind the last request. */
-static void bytes_behind_the_last_request_get_no_answer(void **state)
+TEST(bytes_behind_the_last_request_get_no_answer)
 {
     static const char *const LAST[] = {"GET /healthz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\nBAD\r\n\r\n",
                                        "GET /healthz HTTP/1.0\r\n\r\nBAD\r\n\r\n"};
-    (void)state;
     for (size_t i = 0; i < sizeof LAST / sizeof LAST[0]; i++) {
         char *text = client_raw(&server, LAST[i], strlen(LAST[i]), SILENCE_MS);
         assert_int_equal(raw_status(text), 200);
@@ -339,10 +316,9 @@ static void bytes_behind_the_last_request_get_no_answer(void **state)
 }
 
 /* What is promised fits into the memory that libmicrohttpd has for a connection. */
-static void headers_as_large_as_they_may_be_are_answered(void **state)
+TEST(headers_as_large_as_they_may_be_are_answered)
 {
     static char request[80000];
-    (void)state;
     /* Targets, names and values of 8192, 64 and 4096 bytes, a hundred lines, 32 parameters more than one. */
     size_t used = (size_t)sprintf(request, "GET /nowhere?");
     for (int i = 0; i < 32; i++)
@@ -359,10 +335,9 @@ static void headers_as_large_as_they_may_be_are_answered(void **state)
     free(text);
 }
 
-static void large_cookies_are_answered(void **state)
+TEST(large_cookies_are_answered)
 {
     static char request[40000];
-    (void)state;
     for (int kind = 0; kind < 2; kind++) {
         size_t used = (size_t)sprintf(request, "GET /healthz HTTP/1.1\r\nHost: a\r\nConnection: close\r\nCookie: ");
         for (int i = 0; i < 8000; i++)
@@ -386,34 +361,30 @@ static void assert_large_refused(const char *prefix, size_t count, const char *s
     free(request);
 }
 
-static void header_too_large_gives_431(void **state)
+TEST(header_too_large_gives_431)
 {
-    (void)state;
     assert_large_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX-A: ", 33000, "\r\n\r\n", 431);
     assert_large_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX-A: ", 300000, "\r\n\r\n", 431);
 }
 
-static void uri_too_large_gives_414(void **state)
+TEST(uri_too_large_gives_414)
 {
-    (void)state;
     assert_large_refused("GET /", 33000, " HTTP/1.1\r\nHost: a\r\n\r\n", 414);
     assert_large_refused("GET /healthz?a=", 33000, " HTTP/1.1\r\nHost: a\r\n\r\n", 414);
     assert_large_refused("GET /", 300000, " HTTP/1.1\r\nHost: a\r\n\r\n", 414);
 }
 
-static void kept_connection_answers_pipelined_requests(void **state)
+TEST(kept_connection_answers_pipelined_requests)
 {
     static const char REQUESTS[] = SECOND SECOND "POST /nowhere HTTP/1.1\r\nHost: a\r\nContent-Length: 3\r\n\r\nabc"
                                                  "GET /healthz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
-    (void)state;
     char *text = client_raw(&server, REQUESTS, sizeof REQUESTS - 1, SILENCE_MS);
     assert_int_equal(raw_count(text), 4);
     free(text);
 }
 
-static void every_refusal_is_logged_with_its_status(void **state)
+TEST(every_refusal_is_logged_with_its_status)
 {
-    (void)state;
     static const char *const DETAILS[] = {
         "\"status\":400,\"bytesIn\":0,\"bytesOut\":97", /* more than one Content-Length */
         "\"status\":501",
@@ -424,38 +395,4 @@ static void every_refusal_is_logged_with_its_status(void **state)
         free(daemon_wait_for_log(&server, DETAILS[i]));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_content_lengths_are_refused),
-        cmocka_unit_test(content_length_with_transfer_encoding_is_refused),
-        cmocka_unit_test(unknown_transfer_encoding_gives_501),
-        cmocka_unit_test(two_transfer_encodings_are_refused),
-        cmocka_unit_test(host_must_come_once),
-        cmocka_unit_test(host_may_be_missing_in_http_1_0),
-        cmocka_unit_test(content_length_that_is_no_number_is_refused),
-        cmocka_unit_test(space_behind_a_length_or_an_encoding_is_passed_over),
-        cmocka_unit_test(space_behind_an_expectation_is_passed_over),
-        cmocka_unit_test(a_trailer_has_room_beside_any_header),
-        cmocka_unit_test(a_refused_body_that_comes_too_slowly_has_one_answer),
-        cmocka_unit_test(an_empty_line_begins_no_request),
-        cmocka_unit_test(bad_bytes_in_headers_are_refused),
-        cmocka_unit_test(a_zero_byte_smuggles_nothing),
-        cmocka_unit_test(line_ends_other_than_crlf_are_refused),
-        cmocka_unit_test(request_lines_that_are_none_are_refused),
-        cmocka_unit_test(two_content_types_are_refused),
-        cmocka_unit_test(a_fault_behind_good_requests_or_in_small_pieces_is_refused),
-        cmocka_unit_test(a_fault_close_behind_a_header_is_refused),
-        cmocka_unit_test(a_fault_in_a_later_body_leaves_earlier_answers),
-        cmocka_unit_test(many_empty_lines_are_refused),
-        cmocka_unit_test(a_refusal_of_head_has_no_body),
-        cmocka_unit_test(bytes_behind_the_last_request_get_no_answer),
-        cmocka_unit_test(headers_as_large_as_they_may_be_are_answered),
-        cmocka_unit_test(large_cookies_are_answered),
-        cmocka_unit_test(header_too_large_gives_431),
-        cmocka_unit_test(uri_too_large_gives_414),
-        cmocka_unit_test(kept_connection_answers_pipelined_requests),
-        cmocka_unit_test(every_refusal_is_logged_with_its_status),
-    };
-    return cmocka_run_group_tests(tests, start, stop);
-}
+RUN_TESTS(start, stop)

@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "client.h"
-#include "support/cmocka_all.h"
 #include "support/sanitized.h"
+#include "support/tests.h"
 
 enum {
     CLIENTS_MAX = 32,
@@ -73,9 +73,8 @@ static bool wait_for_status(const struct daemon *daemon, const char *target, lon
     return false;
 }
 
-static void full_queue_refuses_and_serves_the_others(void **state)
+TEST(full_queue_refuses_and_serves_the_others)
 {
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=2", "--max-per-client=0",
                                                               "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW);
@@ -94,9 +93,8 @@ static void full_queue_refuses_and_serves_the_others(void **state)
     daemon_stop(&server);
 }
 
-static void full_queue_answers_health_and_not_ready(void **state)
+TEST(full_queue_answers_health_and_not_ready)
 {
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", "--max-per-client=0",
                                                               "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
@@ -114,9 +112,8 @@ static void full_queue_answers_health_and_not_ready(void **state)
     daemon_stop(&server);
 }
 
-static void client_with_too_many_requests_gets_429(void **state)
+TEST(client_with_too_many_requests_gets_429)
 {
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){
         LET_IN, "--workers=1", "--queue=8", "--max-per-private-client=2", "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW);
@@ -136,9 +133,8 @@ static void client_with_too_many_requests_gets_429(void **state)
     daemon_stop(&server);
 }
 
-static void client_that_leaves_frees_the_worker(void **state)
+TEST(client_that_leaves_frees_the_worker)
 {
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=4", "--max-per-client=0",
                                                               "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
@@ -156,9 +152,8 @@ static void client_that_leaves_frees_the_worker(void **state)
     daemon_stop(&server);
 }
 
-static void render_past_its_deadline_gives_504(void **state)
+TEST(render_past_its_deadline_gives_504)
 {
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     struct reply reply = client_render(&server, scene);
@@ -170,10 +165,9 @@ static void render_past_its_deadline_gives_504(void **state)
 }
 
 /* Work that is in the lights, not in the pixels, ends at the deadline too. */
-static void lighting_past_its_deadline_gives_504(void **state)
+TEST(lighting_past_its_deadline_gives_504)
 {
     enum { LIGHTS = 1000, FACES = 200000 };
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
     char *scene = NULL;
     size_t size = 0;
@@ -194,7 +188,7 @@ static void lighting_past_its_deadline_gives_504(void **state)
 }
 
 /* The independent algorithms take no help and no short cuts: so they have to look at the clock. */
-static void every_algorithm_past_its_deadline_gives_504(void **state)
+TEST(every_algorithm_past_its_deadline_gives_504)
 {
     /* Scan lines draw MANY within the deadline. The painter's work grows by the square: under sanitizers, the daemon
      * would predict more than it lets in. */
@@ -202,7 +196,6 @@ static void every_algorithm_past_its_deadline_gives_504(void **state)
         const char *word;
         int count;
     } algorithms[] = {{"edgelist", MANY}, {"trapezoid", MANY}, {"scanline", 4 * MANY}, {"painter", MANY}};
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
     for (size_t i = 0; i < sizeof algorithms / sizeof algorithms[0]; i++) {
         char *scene = scene_slow(algorithms[i].word, SLOW_SIDE, algorithms[i].count);
@@ -214,9 +207,8 @@ static void every_algorithm_past_its_deadline_gives_504(void **state)
     daemon_stop(&server);
 }
 
-static void request_that_never_fits_its_memory_gives_422(void **state)
+TEST(request_that_never_fits_its_memory_gives_422)
 {
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--request-memory-bytes=1048576", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, 1);
     struct reply reply = client_render(&server, scene);
@@ -231,9 +223,8 @@ static void request_that_never_fits_its_memory_gives_422(void **state)
 }
 
 /* More than two a worker, and with the queue that is there unless another is asked for. */
-static void crowd_of_small_requests_waits_and_is_served(void **state)
+TEST(crowd_of_small_requests_waits_and_is_served)
 {
-    (void)state;
     enum { CROWD = IS_SANITIZED ? CLIENTS_MAX / 2 : CLIENTS_MAX }; /* all begin within a second, or get 503 */
     struct daemon server = daemon_start((const char *const[]){"--workers=1", "--max-per-client=0", NULL});
     for (int round = 0; round < 3; round++) {
@@ -244,9 +235,8 @@ static void crowd_of_small_requests_waits_and_is_served(void **state)
     daemon_stop(&server);
 }
 
-static void upload_memory_used_up_gives_503(void **state)
+TEST(upload_memory_used_up_gives_503)
 {
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--upload-memory-bytes=100000", NULL});
     struct reply reply = client_send_chunked(&server, "/v1/render", 200000);
     assert_int_equal(reply.status, 503);
@@ -255,12 +245,11 @@ static void upload_memory_used_up_gives_503(void **state)
     daemon_stop(&server);
 }
 
-static void reader_that_stops_is_cut_off(void **state)
+TEST(reader_that_stops_is_cut_off)
 {
     static const char REQUEST[] = "POST /v1/render?channel=depth&encoding=npy&width=4096&height=4096 HTTP/1.1\r\n"
                                   "Host: a\r\nContent-Type: model/obj\r\nContent-Length: 33\r\n\r\n"
                                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n";
-    (void)state;
     struct daemon server =
         daemon_start((const char *const[]){LET_IN, "--write-timeout-ms=300", "--render-timeout-ms=120000", NULL});
     int fd = client_connect(&server);
@@ -272,10 +261,9 @@ static void reader_that_stops_is_cut_off(void **state)
     daemon_stop(&server);
 }
 
-static void sigterm_lets_renders_in_flight_end(void **state)
+TEST(sigterm_lets_renders_in_flight_end)
 {
     enum { IN_FLIGHT = 6 };
-    (void)state;
     struct daemon server =
         daemon_start((const char *const[]){LET_IN, "--workers=2", "--queue=8", "--max-per-client=0",
                                            "--render-timeout-ms=120000", "--drain-timeout-ms=120000", NULL});
@@ -306,9 +294,8 @@ static void sigterm_lets_renders_in_flight_end(void **state)
     free(scene);
 }
 
-static void drain_that_takes_too_long_is_cut_short(void **state)
+TEST(drain_that_takes_too_long_is_cut_short)
 {
-    (void)state;
     struct daemon server =
         daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", "--max-per-client=0",
                                            "--render-timeout-ms=120000", "--drain-timeout-ms=200", NULL});
@@ -326,11 +313,10 @@ static void drain_that_takes_too_long_is_cut_short(void **state)
 
 /* Requests that come on kept connections while the daemon is on its way out: it must end
  * well, whatever they meet. */
-static void sigterm_amid_requests_on_kept_connections_ends_well(void **state)
+TEST(sigterm_amid_requests_on_kept_connections_ends_well)
 {
     enum { KEPT = 48, ROUNDS = 8 };
     static const char HEALTH[] = "GET /readyz HTTP/1.1\r\nHost: a\r\n\r\n";
-    (void)state;
     for (int round = 0; round < ROUNDS; round++) {
         struct daemon server = daemon_start(NULL);
         int kept[KEPT];
@@ -350,11 +336,10 @@ static void sigterm_amid_requests_on_kept_connections_ends_well(void **state)
 }
 
 /* Connections made before the signal get an answer, also those that nobody had accepted. */
-static void sigterm_answers_those_who_wait_to_be_accepted(void **state)
+TEST(sigterm_answers_those_who_wait_to_be_accepted)
 {
     enum { CLIENTS = 60, ROUNDS = 5 };
     static const char HEALTH[] = "GET /readyz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
-    (void)state;
     for (int round = 0; round < ROUNDS; round++) {
         /* Every other time more of them than may be connected at once. */
         struct daemon server = daemon_start((const char *const[]){
@@ -377,10 +362,9 @@ static void sigterm_answers_those_who_wait_to_be_accepted(void **state)
 }
 
 /* 4 million values make a tree of hundreds of megabytes, outside of every arena. */
-static void memory_of_a_large_body_is_given_back(void **state)
+TEST(memory_of_a_large_body_is_given_back)
 {
     enum { VALUES = 2000000 };
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){"--workers=1", NULL});
     char *body = malloc(2 * VALUES + 64), *end = body + sprintf(body, "{\"polygons\":[0");
     for (int i = 0; i < VALUES; i++) {
@@ -408,10 +392,9 @@ static void memory_of_a_large_body_is_given_back(void **state)
     daemon_stop(&server);
 }
 
-static void sigterm_with_uploads_and_idle_connections_ends(void **state)
+TEST(sigterm_with_uploads_and_idle_connections_ends)
 {
     static const char HALF[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 99\r\n\r\n{";
-    (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--drain-timeout-ms=200", NULL});
     int half = client_connect(&server), silent = client_connect(&server);
     assert_true(client_write(half, HALF, sizeof HALF - 1));
@@ -421,26 +404,4 @@ static void sigterm_with_uploads_and_idle_connections_ends(void **state)
     close(silent);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(full_queue_refuses_and_serves_the_others),
-        cmocka_unit_test(full_queue_answers_health_and_not_ready),
-        cmocka_unit_test(client_with_too_many_requests_gets_429),
-        cmocka_unit_test(client_that_leaves_frees_the_worker),
-        cmocka_unit_test(render_past_its_deadline_gives_504),
-        cmocka_unit_test(lighting_past_its_deadline_gives_504),
-        cmocka_unit_test(every_algorithm_past_its_deadline_gives_504),
-        cmocka_unit_test(request_that_never_fits_its_memory_gives_422),
-        cmocka_unit_test(crowd_of_small_requests_waits_and_is_served),
-        cmocka_unit_test(upload_memory_used_up_gives_503),
-        cmocka_unit_test(reader_that_stops_is_cut_off),
-        cmocka_unit_test(sigterm_lets_renders_in_flight_end),
-        cmocka_unit_test(drain_that_takes_too_long_is_cut_short),
-        cmocka_unit_test(sigterm_amid_requests_on_kept_connections_ends_well),
-        cmocka_unit_test(sigterm_answers_those_who_wait_to_be_accepted),
-        cmocka_unit_test(memory_of_a_large_body_is_given_back),
-        cmocka_unit_test(sigterm_with_uploads_and_idle_connections_ends),
-    };
-    return cmocka_run_group_tests(tests, clients_setup, clients_teardown);
-}
+RUN_TESTS(clients_setup, clients_teardown)

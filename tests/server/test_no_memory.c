@@ -10,8 +10,8 @@
 
 #include "assets.h"
 #include "client.h"
-#include "support/cmocka_all.h"
 #include "support/failing_malloc.h"
+#include "support/tests.h"
 
 enum { TURNS_MAX = 2000, WAIT_MS = 10000, NAMES_MAX = 12 };
 
@@ -221,25 +221,16 @@ static unsigned run_all(unsigned every)
     return failed;
 }
 
-static void each_allocation_fails_in_turn(void **state)
+TEST(each_allocation_fails_in_turn)
 {
-    (void)state;
     assert_true(run_all(0) > 100);
 }
 
-static void many_allocations_fail_in_a_request(void **state)
+TEST(many_allocations_fail_in_a_request)
 {
-    (void)state;
     static const unsigned EVERY[] = {1, 2, 3, 7};
     for (size_t i = 0; i < sizeof EVERY / sizeof EVERY[0]; i++)
         assert_true(run_all(EVERY[i]) > 20);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_allocation_fails_in_turn),
-        cmocka_unit_test(many_allocations_fail_in_a_request),
-    };
-    return cmocka_run_group_tests(tests, start, stop);
-}
+RUN_TESTS(start, stop)

@@ -5,7 +5,7 @@
 #include "input/formats.h"
 #include "parameter_rows.h"
 #include "problems.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 static struct daemon server;
 
@@ -42,9 +42,8 @@ static long post_status(const char *target, const char *type, const char *body)
     return status;
 }
 
-static void meshes_are_rendered_with_parameters(void **state)
+TEST(meshes_are_rendered_with_parameters)
 {
-    (void)state;
     assert_int_equal(post_status("/v1/render", "Content-Type: model/obj", TRIANGLE_OBJ), 200);
     assert_int_equal(post_status("/v1/render", "Content-Type: model/stl", TRIANGLE_STL), 200);
     struct reply reply = post("/v1/render?preset=top&width=64&height=32&channel=depth&encoding=npy",
@@ -54,9 +53,8 @@ static void meshes_are_rendered_with_parameters(void **state)
     reply_free(&reply);
 }
 
-static void answers_tell_the_look_with_its_version(void **state)
+TEST(answers_tell_the_look_with_its_version)
 {
-    (void)state;
     static const struct {
         const char *target, *type, *body, *look;
     } cases[] = {
@@ -75,9 +73,8 @@ static void answers_tell_the_look_with_its_version(void **state)
     }
 }
 
-static void parameters_are_percent_decoded(void **state)
+TEST(parameters_are_percent_decoded)
 {
-    (void)state;
     assert_int_equal(post_status("/v1/render?chan%6eel=d%65pth", "Content-Type: model/obj", TRIANGLE_OBJ), 200);
     assert_int_equal(post_status("/v1/render?channel=%zz", "Content-Type: model/obj", TRIANGLE_OBJ), 400);
     assert_int_equal(post_status("/v1/render?channel=%00", "Content-Type: model/obj", TRIANGLE_OBJ), 400);
@@ -87,9 +84,8 @@ static void parameters_are_percent_decoded(void **state)
 #define HEIGHTS "{\"meshes\": [{\"heights\": [[0,1,3],[2,4,1]], \"colormap\": \"viridis\"}]"
 
 /* Asked for by the scene or by the query, it is the same; data have none, and what has no numbers has a warning. */
-static void colour_bars_are_drawn_over_pictures_alone(void **state)
+TEST(colour_bars_are_drawn_over_pictures_alone)
 {
-    (void)state;
     static const char with[] = HEIGHTS ", \"colorBar\": true}", without[] = HEIGHTS "}";
     struct reply plain = post("/v1/render", JSON_TYPE, without), bar = post("/v1/render", JSON_TYPE, with);
     struct reply asked = post("/v1/render?colorBar=true", JSON_TYPE, without);
@@ -118,9 +114,8 @@ static void colour_bars_are_drawn_over_pictures_alone(void **state)
                    "expected true, false or an object");
 }
 
-static void unknown_parameter_is_named_with_the_known_ones(void **state)
+TEST(unknown_parameter_is_named_with_the_known_ones)
 {
-    (void)state;
     assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400, "'colour'");
 #define ROW(name, ...) ", " #name
     static const char names[] = ZR_PARAMETER_ROWS(ROW);
@@ -128,22 +123,19 @@ static void unknown_parameter_is_named_with_the_known_ones(void **state)
     assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400, names + strlen(", "));
 }
 
-static void duplicate_parameter_is_refused(void **state)
+TEST(duplicate_parameter_is_refused)
 {
-    (void)state;
     assert_problem(post("/v1/render?channel=depth&channel=depth", JSON_TYPE, GOOD_SCENE), 400,
                    "duplicate parameter 'channel'");
 }
 
-static void view_of_a_mesh_is_refused_with_json(void **state)
+TEST(view_of_a_mesh_is_refused_with_json)
 {
-    (void)state;
     assert_int_equal(post_status("/v1/render?preset=top", JSON_TYPE, GOOD_SCENE), 400);
 }
 
-static void content_types_are_matched_as_rfc_9110_says(void **state)
+TEST(content_types_are_matched_as_rfc_9110_says)
 {
-    (void)state;
     assert_int_equal(post_status("/v1/render", "Content-Type: Application/JSON; charset=UTF-8", GOOD_SCENE), 200);
     assert_int_equal(post_status("/v1/render", "Content-Type: application/json;x=y", GOOD_SCENE), 200);
     assert_int_equal(post_status("/v1/render", "Content-Type: application/jsonx", GOOD_SCENE), 415);
@@ -153,9 +145,8 @@ static void content_types_are_matched_as_rfc_9110_says(void **state)
     assert_problem(post("/v1/render", "Content-Type: image/png", GOOD_SCENE), 415, types);
 }
 
-static void bytes_tell_what_no_content_type_tells(void **state)
+TEST(bytes_tell_what_no_content_type_tells)
 {
-    (void)state;
     static const char *const types[] = {NULL, "Content-Type: application/octet-stream", "Content-Type: text/plain",
                                         "Content-Type: application/x-www-form-urlencoded"};
     for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
@@ -169,9 +160,8 @@ static void bytes_tell_what_no_content_type_tells(void **state)
     }
 }
 
-static void wrong_content_type_is_told_what_the_bytes_look_like(void **state)
+TEST(wrong_content_type_is_told_what_the_bytes_look_like)
 {
-    (void)state;
     assert_problem(post("/v1/render", JSON_TYPE, TRIANGLE_STL), 400, "the body is said to be JSON, and looks like STL");
     assert_problem(post("/v1/render", "Content-Type: model/obj", GOOD_SCENE), 400,
                    "the body is said to be OBJ, and looks like JSON");
@@ -180,19 +170,4 @@ static void wrong_content_type_is_told_what_the_bytes_look_like(void **state)
     assert_problem(post("/v1/render", JSON_TYPE, "PK\x03\x04"), 400, "looks like a ZIP archive, as 3MF files are");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(meshes_are_rendered_with_parameters),
-        cmocka_unit_test(answers_tell_the_look_with_its_version),
-        cmocka_unit_test(parameters_are_percent_decoded),
-        cmocka_unit_test(colour_bars_are_drawn_over_pictures_alone),
-        cmocka_unit_test(unknown_parameter_is_named_with_the_known_ones),
-        cmocka_unit_test(duplicate_parameter_is_refused),
-        cmocka_unit_test(view_of_a_mesh_is_refused_with_json),
-        cmocka_unit_test(content_types_are_matched_as_rfc_9110_says),
-        cmocka_unit_test(bytes_tell_what_no_content_type_tells),
-        cmocka_unit_test(wrong_content_type_is_told_what_the_bytes_look_like),
-    };
-    return cmocka_run_group_tests_name("posting", tests, start, stop);
-}
+RUN_TESTS(start, stop)

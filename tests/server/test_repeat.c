@@ -6,8 +6,8 @@
 
 #include "base/isa.h"
 #include "client.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 enum { SMALL = 160, LARGE = 40, PICTURES = SMALL + LARGE, PROCESSES = 8 };
 
@@ -136,9 +136,8 @@ static struct daemon start(unsigned process)
     return daemon_start(LIST(isa, threads));
 }
 
-static void the_same_request_gives_the_same_bytes_in_every_process(void **state)
+TEST(the_same_request_gives_the_same_bytes_in_every_process)
 {
-    (void)state;
     const char *wanted = getenv("REPEAT_PROCESSES");
     const unsigned processes = wanted ? (unsigned)atoi(wanted) : PROCESSES;
     unsigned requests = 0, differences = 0;
@@ -159,10 +158,4 @@ static void the_same_request_gives_the_same_bytes_in_every_process(void **state)
     assert_int_equal(differences, 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_same_request_gives_the_same_bytes_in_every_process),
-    };
-    return cmocka_run_group_tests_name("repeat", tests, make_pictures, free_pictures);
-}
+RUN_TESTS(make_pictures, free_pictures)

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "assets.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 /* Many at once, and none refused for it. */
 #define CROWD "--max-per-client=0", "--queue=64", "--workers=8"
@@ -44,9 +44,8 @@ static void assert_is_number(const struct daemon *daemon, const char *name, int 
 
 /* ---- room ---- */
 
-static void least_recently_used_makes_room(void **state)
+TEST(least_recently_used_makes_room)
 {
-    (void)state;
     struct folder folder = folder_make();
     struct daemon server = assets_start(&folder, LIST("--assets-max-bytes=12288"));
     struct asset_name names[6];
@@ -69,9 +68,8 @@ static void least_recently_used_makes_room(void **state)
     folder_remove(&folder);
 }
 
-static void assets_and_their_order_outlive_a_restart(void **state)
+TEST(assets_and_their_order_outlive_a_restart)
 {
-    (void)state;
     struct folder folder = folder_make();
     struct asset_name names[4];
     struct daemon server = assets_start(&folder, LIST("--assets-max-bytes=12288"));
@@ -96,9 +94,8 @@ static void assets_and_their_order_outlive_a_restart(void **state)
 
 /* ---- what else may lie there ---- */
 
-static void only_temporary_files_that_nobody_works_on_are_removed(void **state)
+TEST(only_temporary_files_that_nobody_works_on_are_removed)
 {
-    (void)state;
     struct folder folder = folder_make();
     const char *const foreign[] = {"README", ".zraster-upload-0123456789abcde", ".zraster-upload-0123456789abcdefg",
                                    ".zraster-upload-0123456789abcdeX", "upload-0123456789abcdef"};
@@ -124,9 +121,8 @@ static void only_temporary_files_that_nobody_works_on_are_removed(void **state)
     folder_remove(&folder);
 }
 
-static void files_that_are_none_of_ours_do_no_harm(void **state)
+TEST(files_that_are_none_of_ours_do_no_harm)
 {
-    (void)state;
     char link[ASSET_NAME_SIZE], pipe[ASSET_NAME_SIZE], directory[ASSET_NAME_SIZE];
     struct folder folder = folder_make(), outside = folder_make();
     struct folder secret = folder_file(&outside, "secret");
@@ -154,9 +150,8 @@ static void files_that_are_none_of_ours_do_no_harm(void **state)
 
 /* ---- files that change ---- */
 
-static void broken_file_is_found_removed_and_healed(void **state)
+TEST(broken_file_is_found_removed_and_healed)
 {
-    (void)state;
     struct folder folder = folder_make();
     struct daemon server = assets_start(&folder, NULL);
     struct folder file = folder_file(&folder, ABC_NAME);
@@ -200,9 +195,8 @@ static void *cut_again_and_again(void *argument)
     return NULL;
 }
 
-static void file_that_shrinks_while_it_is_read_never_harms(void **state)
+TEST(file_that_shrinks_while_it_is_read_never_harms)
 {
-    (void)state;
     enum { SIZE = 1 << 22, ROUNDS = 12 };
     struct folder folder = folder_make();
     struct daemon server = assets_start(&folder, NULL);
@@ -234,9 +228,8 @@ static void file_that_shrinks_while_it_is_read_never_harms(void **state)
     free(bytes);
 }
 
-static void file_that_is_cut_while_it_is_read_is_missing(void **state)
+TEST(file_that_is_cut_while_it_is_read_is_missing)
 {
-    (void)state;
     const off_t size = 128 << 20;
     struct folder folder = folder_make();
     struct daemon server = assets_start(&folder, NULL);
@@ -260,9 +253,8 @@ static void file_that_is_cut_while_it_is_read_is_missing(void **state)
 }
 
 /* Its end will never come, and nobody else's limits are waited for. */
-static void file_that_is_cut_while_it_is_sent_ends_its_connection(void **state)
+TEST(file_that_is_cut_while_it_is_sent_ends_its_connection)
 {
-    (void)state;
     enum { SIZE = 32 << 20 }; /* more than systems hold on the way */
     struct folder folder = folder_make();
     struct daemon server = assets_start(&folder, NULL);
@@ -332,9 +324,8 @@ static struct client run_clients(struct client *clients, const struct daemon *a,
     return sum;
 }
 
-static void same_assets_put_at_once_are_new_once(void **state)
+TEST(same_assets_put_at_once_are_new_once)
 {
-    (void)state;
     static struct client clients[CLIENTS];
     struct folder folder = folder_make();
     struct daemon server = assets_start(&folder, LIST(CROWD));
@@ -347,9 +338,8 @@ static void same_assets_put_at_once_are_new_once(void **state)
     folder_remove(&folder);
 }
 
-static void different_assets_put_at_once_are_all_kept(void **state)
+TEST(different_assets_put_at_once_are_all_kept)
 {
-    (void)state;
     static struct client clients[CLIENTS];
     struct folder folder = folder_make();
     struct daemon server = assets_start(&folder, LIST(CROWD));
@@ -364,9 +354,8 @@ static void different_assets_put_at_once_are_all_kept(void **state)
     folder_remove(&folder);
 }
 
-static void bound_holds_while_many_put_at_once(void **state)
+TEST(bound_holds_while_many_put_at_once)
 {
-    (void)state;
     static struct client clients[CLIENTS];
     struct folder folder = folder_make();
     struct daemon server = assets_start(&folder, LIST(CROWD, "--assets-max-bytes=12288"));
@@ -379,9 +368,8 @@ static void bound_holds_while_many_put_at_once(void **state)
 
 /* ---- two daemons ---- */
 
-static void two_daemons_share_a_directory(void **state)
+TEST(two_daemons_share_a_directory)
 {
-    (void)state;
     static struct client clients[CLIENTS];
     struct folder folder = folder_make();
     struct daemon a = assets_start(&folder, LIST(CROWD)), b = assets_start(&folder, LIST(CROWD));
@@ -400,9 +388,8 @@ static void two_daemons_share_a_directory(void **state)
     folder_remove(&folder);
 }
 
-static void daemon_spares_what_another_has_used(void **state)
+TEST(daemon_spares_what_another_has_used)
 {
-    (void)state;
     struct folder folder = folder_make();
     struct daemon a = assets_start(&folder, LIST("--assets-max-bytes=8192"));
     struct asset_name first = post_number(&a, 1, 201), second = post_number(&a, 2, 201);
@@ -418,22 +405,4 @@ static void daemon_spares_what_another_has_used(void **state)
     folder_remove(&folder);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(least_recently_used_makes_room),
-        cmocka_unit_test(assets_and_their_order_outlive_a_restart),
-        cmocka_unit_test(only_temporary_files_that_nobody_works_on_are_removed),
-        cmocka_unit_test(files_that_are_none_of_ours_do_no_harm),
-        cmocka_unit_test(broken_file_is_found_removed_and_healed),
-        cmocka_unit_test(file_that_shrinks_while_it_is_read_never_harms),
-        cmocka_unit_test(file_that_is_cut_while_it_is_read_is_missing),
-        cmocka_unit_test(file_that_is_cut_while_it_is_sent_ends_its_connection),
-        cmocka_unit_test(same_assets_put_at_once_are_new_once),
-        cmocka_unit_test(different_assets_put_at_once_are_all_kept),
-        cmocka_unit_test(bound_holds_while_many_put_at_once),
-        cmocka_unit_test(two_daemons_share_a_directory),
-        cmocka_unit_test(daemon_spares_what_another_has_used),
-    };
-    return cmocka_run_group_tests(tests, clients_setup, clients_teardown);
-}
+RUN_TESTS(clients_setup, clients_teardown)

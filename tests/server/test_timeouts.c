@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "client.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 #define POST   "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\n"
 #define HEALTH "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n"
@@ -51,22 +51,19 @@ static void assert_dripping_ends_with_408(const char *begin, double within_s)
     close(fd);
 }
 
-static void slow_header_gives_408(void **state)
+TEST(slow_header_gives_408)
 {
-    (void)state;
     assert_dripping_ends_with_408("GET /healthz HTTP/1.1\r\nX-A: ", 1.5);
 }
 
-static void slow_body_gives_408(void **state)
+TEST(slow_body_gives_408)
 {
-    (void)state;
     assert_dripping_ends_with_408(POST "Content-Length: 1000\r\n\r\n", 1.8);
 }
 
-static void body_below_its_least_speed_gives_408(void **state)
+TEST(body_below_its_least_speed_gives_408)
 {
     static const char REQUEST[] = POST "Content-Length: 1000\r\n\r\n";
-    (void)state;
     struct daemon other = daemon_start((const char *const[]){"--body-timeout-ms=60000", NULL});
     int fd = client_connect(&other);
     assert_true(write(fd, REQUEST, sizeof REQUEST - 1) > 0);
@@ -77,9 +74,8 @@ static void body_below_its_least_speed_gives_408(void **state)
     daemon_stop(&other);
 }
 
-static void slow_header_on_kept_connection_ends_it(void **state)
+TEST(slow_header_on_kept_connection_ends_it)
 {
-    (void)state;
     int fd = client_connect(&server);
     assert_true(write(fd, HEALTH, strlen(HEALTH)) > 0);
     char *text = client_read(fd, "ok\"}", SILENCE_MS);
@@ -92,9 +88,8 @@ static void slow_header_on_kept_connection_ends_it(void **state)
     close(fd);
 }
 
-static void idle_connection_outlives_header_timeout_and_ends(void **state)
+TEST(idle_connection_outlives_header_timeout_and_ends)
 {
-    (void)state;
     int fd = client_connect(&server);
     assert_true(write(fd, HEALTH, strlen(HEALTH)) > 0);
     free(client_read(fd, "ok\"}", SILENCE_MS));
@@ -109,21 +104,9 @@ static void idle_connection_outlives_header_timeout_and_ends(void **state)
     close(fd);
 }
 
-static void slow_clients_are_logged(void **state)
+TEST(slow_clients_are_logged)
 {
-    (void)state;
     free(daemon_wait_for_log(&server, "\"status\":408"));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(slow_header_gives_408),
-        cmocka_unit_test(slow_body_gives_408),
-        cmocka_unit_test(body_below_its_least_speed_gives_408),
-        cmocka_unit_test(slow_header_on_kept_connection_ends_it),
-        cmocka_unit_test(idle_connection_outlives_header_timeout_and_ends),
-        cmocka_unit_test(slow_clients_are_logged),
-    };
-    return cmocka_run_group_tests(tests, start, stop);
-}
+RUN_TESTS(start, stop)

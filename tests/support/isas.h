@@ -1,7 +1,6 @@
 /* isas.h - support: runs a test once for each instruction set of the target, under separate names.
  *
- *     TEST_EACH_ISA(f)               in the list of tests
- *     isa_under_test(state)          in f
+ *     TEST_EACH_ISA(name) { ... isa_under_test(state) ... }
  *
  * If the machine lacks an instruction set, the test is reported as skipped, not as passed.
  */
@@ -11,7 +10,7 @@
 #include <stdio.h>
 
 #include "base/isa.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 static enum zr_isa isas_of_tests[] = {ZR_ISA_SCALAR, ZR_ISA_SSE2, ZR_ISA_AVX2, ZR_ISA_AVX512, ZR_ISA_NEON};
 
@@ -21,14 +20,18 @@ static enum zr_isa isas_of_tests[] = {ZR_ISA_SCALAR, ZR_ISA_SSE2, ZR_ISA_AVX2, Z
     }
 
 #if defined __x86_64__
-#define TEST_EACH_ISA(f)                                                                                               \
+#define TESTS_OF_ISAS(f)                                                                                               \
     TEST_WITH_ISA(f, ZR_ISA_SCALAR, "scalar"), TEST_WITH_ISA(f, ZR_ISA_SSE2, "sse2"),                                  \
         TEST_WITH_ISA(f, ZR_ISA_AVX2, "avx2"), TEST_WITH_ISA(f, ZR_ISA_AVX512, "avx512")
 #elif defined __aarch64__
-#define TEST_EACH_ISA(f) TEST_WITH_ISA(f, ZR_ISA_SCALAR, "scalar"), TEST_WITH_ISA(f, ZR_ISA_NEON, "neon")
+#define TESTS_OF_ISAS(f) TEST_WITH_ISA(f, ZR_ISA_SCALAR, "scalar"), TEST_WITH_ISA(f, ZR_ISA_NEON, "neon")
 #else
-#define TEST_EACH_ISA(f) TEST_WITH_ISA(f, ZR_ISA_SCALAR, "scalar")
+#define TESTS_OF_ISAS(f) TEST_WITH_ISA(f, ZR_ISA_SCALAR, "scalar")
 #endif
+
+#define TEST_EACH_ISA(f)                                                                                               \
+    TEST_LISTED(f, const struct CMUnitTest tests[] = {TESTS_OF_ISAS(f)};                                               \
+                for (size_t i = 0; i < sizeof tests / sizeof *tests; i++) list_test(__LINE__, tests[i]))
 
 static inline enum zr_isa isa_under_test(void **state)
 {

@@ -1,7 +1,7 @@
 /* test_arena.h - support: an arena of at most `bytes` for each test of a file, with its setup and teardown.
  *
  *     TEST_ARENA(1 << 24)                                                      defines `arena`
- *     cmocka_unit_test_setup_teardown(f, open_arena, close_arena)              in the list of tests
+ *     TEST_AROUND(f, open_arena, close_arena) { ... }
  */
 #ifndef ZR_TEST_ARENA_H
 #define ZR_TEST_ARENA_H

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "raster/textbook/piece.h"
-#include "support/cmocka_all.h"
 #include "support/geometries.h"
+#include "support/tests.h"
 
 static struct zr_arena arena;
 static struct test_geometry test;
@@ -50,9 +50,8 @@ static struct zr_samples draw_by_all(uint32_t width, uint32_t height)
     return expected;
 }
 
-static void every_name_but_production_has_a_way_of_its_own(void **state)
+TEST(every_name_but_production_has_a_way_of_its_own)
 {
-    (void)state;
     assert_null(zr_visibility_of(ZR_ALGORITHM_HALFSPACE));
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
         assert_non_null(zr_visibility_of((enum zr_algorithm)a));
@@ -61,18 +60,16 @@ static void every_name_but_production_has_a_way_of_its_own(void **state)
     }
 }
 
-static void an_empty_picture_stays_empty(void **state)
+TEST_AROUND(an_empty_picture_stays_empty, open_arena, close_arena)
 {
-    (void)state;
     struct zr_samples samples = draw_by_all(5, 3);
     for (int i = 0; i < 15; i++)
         assert_int_equal(samples.owner[i], 0);
 }
 
 /* Two sheets that cut each other in the middle. */
-static void of_two_that_cut_each_other_each_is_seen_on_its_side(void **state)
+TEST_AROUND(of_two_that_cut_each_other_each_is_seen_on_its_side, open_arena, close_arena)
 {
-    (void)state;
     add(at(-40, -40, 0.0), at(120, -40, 1.0), at(-40, 120, 0.0));
     add(at(-40, -40, 0.5), at(120, -40, 0.5), at(-40, 120, 0.5));
     struct zr_samples samples = draw_by_all(70, 30);
@@ -81,10 +78,9 @@ static void of_two_that_cut_each_other_each_is_seen_on_its_side(void **state)
 }
 
 /* Ten sheets that cut one another. */
-static void the_painter_ends_beyond_its_limit_of_work(void **state)
+TEST_AROUND(the_painter_ends_beyond_its_limit_of_work, open_arena, close_arena)
 {
     enum { SIDE = 40, SHEETS = 10, FEW = 2000, PLENTY = 10000000 };
-    (void)state;
     for (int i = 0; i < SHEETS; i++)
         add(at(-40, -40, 0.05 * i), at(120, -40, 1.0 - 0.09 * i), at(-40, 120, 0.1 + 0.07 * (i * 7 % SHEETS)));
     for (int plenty = 0; plenty < 2; plenty++) {
@@ -122,9 +118,8 @@ static void paint_whole(const int order[3], uint32_t width, uint32_t height, uin
     }
 }
 
-static void three_in_a_cycle_that_no_order_can_paint_are_cut(void **state)
+TEST_AROUND(three_in_a_cycle_that_no_order_can_paint_are_cut, open_arena, close_arena)
 {
-    (void)state;
     enum { SIZE = 40 };
     static uint32_t whole[SIZE * SIZE];
     const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -138,9 +133,8 @@ static void three_in_a_cycle_that_no_order_can_paint_are_cut(void **state)
 
 /* Tiles of a roof around a tower: each over the next and the last over the first, all through the
  * same depths; and a chain that does not come round. */
-static void a_long_chain_is_painted_in_its_order(void **state)
+TEST_AROUND(a_long_chain_is_painted_in_its_order, open_arena, close_arena)
 {
-    (void)state;
     enum { TILES = 300, WIDTH = 330, HEIGHT = 20 };
     for (int k = 0; k < TILES; k++)
         add(at(k + 0.5, 1, 0.1), at(k + 12.5, 1, 0.9), at(k + 0.5, 17 + k % 3, 0.1));
@@ -151,9 +145,8 @@ static void a_long_chain_is_painted_in_its_order(void **state)
 }
 
 /* A picture that is there already: depth 0.5 on its left half. */
-static void what_is_not_nearer_than_the_start_is_not_seen(void **state)
+TEST_AROUND(what_is_not_nearer_than_the_start_is_not_seen, open_arena, close_arena)
 {
-    (void)state;
     add(at(-1, -1, 0.6), at(30, -1, 0.6), at(-1, 30, 0.6));
     add(at(-1, -1, 0.5), at(30, -1, 0.5), at(-1, 30, 0.5));
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
@@ -170,9 +163,8 @@ static void what_is_not_nearer_than_the_start_is_not_seen(void **state)
     }
 }
 
-static void a_request_that_is_cancelled_ends(void **state)
+TEST_AROUND(a_request_that_is_cancelled_ends, open_arena, close_arena)
 {
-    (void)state;
     struct zr_cancel cancel = {.raised = true};
     make_cycle();
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
@@ -184,9 +176,8 @@ static void a_request_that_is_cancelled_ends(void **state)
 }
 
 /* With every ceiling from nothing up to what is enough: no memory or a whole picture. */
-static void memory_that_ends_anywhere_is_said(void **state)
+TEST_AROUND(memory_that_ends_anywhere_is_said, open_arena, close_arena)
 {
-    (void)state;
     make_cycle();
     struct zr_samples expected = geometry_draw(&arena, &test, ZR_ALGORITHM_HALFSPACE, 40, 40);
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
@@ -218,9 +209,8 @@ static void make_pieces(struct zr_pieces *pieces, struct zr_samples *samples)
     assert_int_equal(zr_pieces_make(&arena, &test.geometry, NULL, samples, pieces), ZR_OK);
 }
 
-static void a_piece_has_the_samples_of_its_primitive_and_knows_their_depths(void **state)
+TEST_AROUND(a_piece_has_the_samples_of_its_primitive_and_knows_their_depths, open_arena, close_arena)
 {
-    (void)state;
     add(at(2, 2, 0.25), at(6, 2, 0.75), at(2, 6, 0.25));
     add(at(2.1, 2.1, 0.25), at(2.2, 2.1, 0.75), at(2.1, 2.2, 0.25)); /* between the samples */
     struct zr_pieces pieces;
@@ -236,9 +226,8 @@ static void a_piece_has_the_samples_of_its_primitive_and_knows_their_depths(void
     assert_true(piece->near == 0.25f && piece->far == 0.625f);
 }
 
-static void a_cut_leaves_every_sample_in_one_part(void **state)
+TEST_AROUND(a_cut_leaves_every_sample_in_one_part, open_arena, close_arena)
 {
-    (void)state;
     add(at(-40, -40, 0.0), at(120, -40, 1.0), at(-40, 120, 0.0));
     add(at(-40, -40, 0.3), at(120, -40, 0.3), at(-40, 120, 0.3));
     struct zr_pieces pieces;
@@ -260,21 +249,4 @@ static void a_cut_leaves_every_sample_in_one_part(void **state)
     assert_true(pieces.span_count > spans);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_name_but_production_has_a_way_of_its_own),
-        cmocka_unit_test_setup_teardown(an_empty_picture_stays_empty, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(of_two_that_cut_each_other_each_is_seen_on_its_side, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(the_painter_ends_beyond_its_limit_of_work, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(three_in_a_cycle_that_no_order_can_paint_are_cut, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(a_long_chain_is_painted_in_its_order, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(what_is_not_nearer_than_the_start_is_not_seen, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(a_request_that_is_cancelled_ends, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(memory_that_ends_anywhere_is_said, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(a_piece_has_the_samples_of_its_primitive_and_knows_their_depths, open_arena,
-                                        close_arena),
-        cmocka_unit_test_setup_teardown(a_cut_leaves_every_sample_in_one_part, open_arena, close_arena),
-    };
-    return cmocka_run_group_tests_name("algorithms", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

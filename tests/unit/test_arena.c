@@ -5,11 +5,10 @@
 #include <unistd.h>
 
 #include "base/forbid.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
-static void arena_over_its_ceiling_fails_and_stays_failed(void **state)
+TEST(arena_over_its_ceiling_fails_and_stays_failed)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, 10000);
     assert_non_null(zr_arena_alloc(&arena, 5000, 1));
@@ -23,9 +22,8 @@ static void arena_over_its_ceiling_fails_and_stays_failed(void **state)
     zr_arena_free(&arena);
 }
 
-static void scratch_arena_shares_the_ceiling_and_gives_its_memory_back(void **state)
+TEST(scratch_arena_shares_the_ceiling_and_gives_its_memory_back)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, 10240);
     assert_non_null(zr_arena_alloc(&arena, 1024, 1));
@@ -49,9 +47,8 @@ static void scratch_arena_shares_the_ceiling_and_gives_its_memory_back(void **st
     zr_arena_free(&arena);
 }
 
-static void memory_beside_a_scratch_arena_leaves_it_what_it_has(void **state)
+TEST(memory_beside_a_scratch_arena_leaves_it_what_it_has)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, 10240);
     struct zr_arena scratch = zr_arena_open_scratch(&arena);
@@ -64,9 +61,8 @@ static void memory_beside_a_scratch_arena_leaves_it_what_it_has(void **state)
     zr_arena_free(&arena);
 }
 
-static void arena_product_that_overflows_fails(void **state)
+TEST(arena_product_that_overflows_fails)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, SIZE_MAX);
     assert_null(zr_arena_alloc(&arena, SIZE_MAX / 2, 3));
@@ -75,9 +71,8 @@ static void arena_product_that_overflows_fails(void **state)
     zr_arena_free(&arena);
 }
 
-static void arena_allocations_are_aligned_and_apart(void **state)
+TEST(arena_allocations_are_aligned_and_apart)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);
     unsigned char *blocks[100];
@@ -94,9 +89,8 @@ static void arena_allocations_are_aligned_and_apart(void **state)
 }
 
 /* What AddressSanitizer reports, so that tests under it are about arrays, not about blocks. */
-static void arena_forbids_what_is_not_allocated_under_address_sanitizer(void **state)
+TEST(arena_forbids_what_is_not_allocated_under_address_sanitizer)
 {
-    (void)state;
 #if ZR_ASAN
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);
@@ -115,9 +109,8 @@ static void arena_forbids_what_is_not_allocated_under_address_sanitizer(void **s
 }
 
 /* About the sizes of the system's pages. */
-static void arena_large_blocks_are_whole_and_too_large_ones_fail(void **state)
+TEST(arena_large_blocks_are_whole_and_too_large_ones_fail)
 {
-    (void)state;
     static const size_t pages[] = {1 << 20, 2 << 20, 6 << 20};
     struct zr_arena arena;
     zr_arena_init(&arena, SIZE_MAX);
@@ -139,9 +132,8 @@ static void arena_large_blocks_are_whole_and_too_large_ones_fail(void **state)
     zr_arena_free(&arena);
 }
 
-static void arena_newest_allocation_grows_in_place_and_others_are_copied(void **state)
+TEST(arena_newest_allocation_grows_in_place_and_others_are_copied)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);
     char *first = zr_arena_alloc(&arena, 100, 1);
@@ -155,9 +147,8 @@ static void arena_newest_allocation_grows_in_place_and_others_are_copied(void **
     zr_arena_free(&arena);
 }
 
-static void arena_charge_counts_until_it_is_refunded(void **state)
+TEST(arena_charge_counts_until_it_is_refunded)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, 10000);
     assert_true(zr_arena_charge(&arena, 6000));
@@ -168,9 +159,8 @@ static void arena_charge_counts_until_it_is_refunded(void **state)
     zr_arena_free(&arena);
 }
 
-static void arena_reset_keeps_blocks_for_the_next_request(void **state)
+TEST(arena_reset_keeps_blocks_for_the_next_request)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 26);
     void *block = zr_arena_alloc(&arena, 1 << 22, 1);
@@ -179,9 +169,8 @@ static void arena_reset_keeps_blocks_for_the_next_request(void **state)
     zr_arena_free(&arena);
 }
 
-static void arena_ends_of_blocks_are_held_once_they_are_left(void **state)
+TEST(arena_ends_of_blocks_are_held_once_they_are_left)
 {
-    (void)state;
     enum { MIB = 1 << 20, BYTES = MIB + MIB / 8 };
     struct zr_arena arena;
     zr_arena_init(&arena, (size_t)32 * MIB);
@@ -200,9 +189,8 @@ static void arena_ends_of_blocks_are_held_once_they_are_left(void **state)
     zr_arena_free(&arena);
 }
 
-static void arena_large_allocations_waste_little(void **state)
+TEST(arena_large_allocations_waste_little)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, SIZE_MAX);
     for (size_t bytes = 2 << 20; bytes < (size_t)40 << 20; bytes += bytes / 7) {
@@ -227,9 +215,8 @@ static size_t hold_some(struct zr_arena *arena, size_t unit)
     return arena->held;
 }
 
-static void arena_holds_the_same_whatever_was_before(void **state)
+TEST(arena_holds_the_same_whatever_was_before)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, (size_t)1 << 30);
     const size_t held = hold_some(&arena, 700000);
@@ -260,9 +247,8 @@ static void use_array(struct zr_arena *arena, size_t bytes)
 }
 #endif
 
-static void arena_holds_no_more_of_the_system_than_it_counts(void **state)
+TEST(arena_holds_no_more_of_the_system_than_it_counts)
 {
-    (void)state;
 #if !ZR_ASAN
     enum { MIB = 1 << 20, SLACK = 4 * MIB };
     struct zr_arena arena;
@@ -283,9 +269,8 @@ static void arena_holds_no_more_of_the_system_than_it_counts(void **state)
 #endif
 }
 
-static void arena_scratch_makes_room_in_what_a_reset_has_kept(void **state)
+TEST(arena_scratch_makes_room_in_what_a_reset_has_kept)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, (size_t)64 << 20);
     assert_non_null(zr_arena_alloc(&arena, 40 << 20, 1));
@@ -300,24 +285,4 @@ static void arena_scratch_makes_room_in_what_a_reset_has_kept(void **state)
     zr_arena_free(&arena);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(arena_over_its_ceiling_fails_and_stays_failed),
-        cmocka_unit_test(scratch_arena_shares_the_ceiling_and_gives_its_memory_back),
-        cmocka_unit_test(memory_beside_a_scratch_arena_leaves_it_what_it_has),
-        cmocka_unit_test(arena_product_that_overflows_fails),
-        cmocka_unit_test(arena_allocations_are_aligned_and_apart),
-        cmocka_unit_test(arena_forbids_what_is_not_allocated_under_address_sanitizer),
-        cmocka_unit_test(arena_large_blocks_are_whole_and_too_large_ones_fail),
-        cmocka_unit_test(arena_newest_allocation_grows_in_place_and_others_are_copied),
-        cmocka_unit_test(arena_charge_counts_until_it_is_refunded),
-        cmocka_unit_test(arena_reset_keeps_blocks_for_the_next_request),
-        cmocka_unit_test(arena_ends_of_blocks_are_held_once_they_are_left),
-        cmocka_unit_test(arena_large_allocations_waste_little),
-        cmocka_unit_test(arena_holds_the_same_whatever_was_before),
-        cmocka_unit_test(arena_holds_no_more_of_the_system_than_it_counts),
-        cmocka_unit_test(arena_scratch_makes_room_in_what_a_reset_has_kept),
-    };
-    return cmocka_run_group_tests_name("arena", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -7,12 +7,11 @@
 #include "base/team.h"
 #include "base/trig.h"
 #include "base/vec.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
-static void error_keeps_first_status_and_counts_what_it_drops(void **state)
+TEST(error_keeps_first_status_and_counts_what_it_drops)
 {
-    (void)state;
     struct zr_error error = {.count = 0};
     assert_int_equal(zr_error_add(&error, ZR_BAD_SCENE, "/a", "one %d", 1), ZR_BAD_SCENE);
     for (int i = 0; i < 30; i++)
@@ -24,9 +23,8 @@ static void error_keeps_first_status_and_counts_what_it_drops(void **state)
     assert_string_equal(error.items[0].detail, "one 1");
 }
 
-static void error_text_too_long_is_cut_at_a_whole_character(void **state)
+TEST(error_text_too_long_is_cut_at_a_whole_character)
 {
-    (void)state;
     char text[2 * ZR_DETAIL_SIZE + 2];
     for (int shift = 0; shift < 2; shift++) {
         size_t length = 0;
@@ -56,9 +54,8 @@ static void tally_range(void *context, size_t begin, size_t end)
         atomic_fetch_add(&tally->seen[i], 1u);
 }
 
-static void team_ranges_visits_everything_once_with_any_number_of_threads(void **state)
+TEST(team_ranges_visits_everything_once_with_any_number_of_threads)
 {
-    (void)state;
     static struct tally tally;
     const int threads[] = {1, 2, 7};
     for (int t = 0; t < 3; t++) {
@@ -75,9 +72,8 @@ static void team_ranges_visits_everything_once_with_any_number_of_threads(void *
     }
 }
 
-static void tangent_is_within_4_ulp_up_to_the_steepest(void **state)
+TEST(tangent_is_within_4_ulp_up_to_the_steepest)
 {
-    (void)state;
     for (double x = 1e-9; x < 1.57; x = x < 1e-3 ? x * 1.1 : x + 0.00037)
         assert_true(fabs(zr_tan(x) - tan(x)) <= 4 * (nextafter(tan(x), HUGE_VAL) - tan(x)));
     for (double left = 0.001; left > 1e-12; left *= 0.7) {
@@ -93,9 +89,8 @@ static double ulps(double got, long double want)
 }
 
 /* libm in long double is the truth: it needs more bits than a double has. */
-static void sine_and_cosine_are_within_1_and_a_half_ulp(void **state)
+TEST(sine_and_cosine_are_within_1_and_a_half_ulp)
 {
-    (void)state;
     if (LDBL_MANT_DIG < 64) skip();
     struct random random = random_seeded(5);
     for (int i = 0; i < 100000; i++) {
@@ -112,9 +107,8 @@ static void sine_and_cosine_are_within_1_and_a_half_ulp(void **state)
     }
 }
 
-static void sine_and_cosine_repeat_themselves_each_quarter_and_full_turn(void **state)
+TEST(sine_and_cosine_repeat_themselves_each_quarter_and_full_turn)
 {
-    (void)state;
     for (double degrees = -45.0; degrees <= 45.0; degrees += 0.0625) { /* exact in binary, and so are all sums */
         double s, c, sine, cosine;
         zr_sine_cosine(degrees, &s, &c);
@@ -134,9 +128,8 @@ static void sine_and_cosine_repeat_themselves_each_quarter_and_full_turn(void **
     assert_true(sine == -1.0 && cosine == 0.0 && !signbit(cosine));
 }
 
-static void unit_vector_is_the_same_at_every_scale(void **state)
+TEST(unit_vector_is_the_same_at_every_scale)
 {
-    (void)state;
     for (float scale = 1e-37f; scale < 1e37f; scale *= 10.0f) {
         zr_vec3 n = zr_vec3_normalize((zr_vec3){3 * scale, 0, 4 * scale});
         assert_true(fabsf(n.x - 0.6f) < 1e-6f && n.y == 0.0f && fabsf(n.z - 0.8f) < 1e-6f);
@@ -145,9 +138,8 @@ static void unit_vector_is_the_same_at_every_scale(void **state)
     assert_true(zero.x == 0 && zero.y == 0 && zero.z == 0);
 }
 
-static void vector_whose_square_leaves_the_range_still_has_a_direction(void **state)
+TEST(vector_whose_square_leaves_the_range_still_has_a_direction)
 {
-    (void)state;
     const float least = 0x1p-149f, most = FLT_MAX;
     const zr_vec3 small = zr_vec3_normalize((zr_vec3){0, -least, 0}),
                   large = zr_vec3_normalize((zr_vec3){most, 0, -most}),
@@ -162,9 +154,8 @@ static void vector_whose_square_leaves_the_range_still_has_a_direction(void **st
     assert_true(isnan(unknown.x) && isnan(unknown.y) && isnan(unknown.z));
 }
 
-static void matrix_times_its_inverse_is_the_identity(void **state)
+TEST(matrix_times_its_inverse_is_the_identity)
 {
-    (void)state;
     zr_mat4 m = {{2, 0.5f, 0, 0, -1, 3, 0.25f, 0, 0, 1, 1.5f, 0.125f, 4, -5, 6, 1}}, inverse;
     assert_true(zr_mat4_invert(&m, &inverse));
     zr_mat4 product = zr_mat4_mul(&m, &inverse), identity = zr_mat4_identity();
@@ -172,26 +163,10 @@ static void matrix_times_its_inverse_is_the_identity(void **state)
         assert_true(fabsf(product.m[i] - identity.m[i]) < 1e-5f);
 }
 
-static void matrix_without_inverse_is_refused(void **state)
+TEST(matrix_without_inverse_is_refused)
 {
-    (void)state;
     zr_mat4 m = {{1, 2, 3, 4, 2, 4, 6, 8, 0, 0, 1, 0, 0, 0, 0, 1}}, inverse;
     assert_false(zr_mat4_invert(&m, &inverse));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(error_keeps_first_status_and_counts_what_it_drops),
-        cmocka_unit_test(error_text_too_long_is_cut_at_a_whole_character),
-        cmocka_unit_test(team_ranges_visits_everything_once_with_any_number_of_threads),
-        cmocka_unit_test(tangent_is_within_4_ulp_up_to_the_steepest),
-        cmocka_unit_test(sine_and_cosine_are_within_1_and_a_half_ulp),
-        cmocka_unit_test(sine_and_cosine_repeat_themselves_each_quarter_and_full_turn),
-        cmocka_unit_test(unit_vector_is_the_same_at_every_scale),
-        cmocka_unit_test(vector_whose_square_leaves_the_range_still_has_a_direction),
-        cmocka_unit_test(matrix_times_its_inverse_is_the_identity),
-        cmocka_unit_test(matrix_without_inverse_is_refused),
-    };
-    return cmocka_run_group_tests_name("base", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -5,8 +5,8 @@
 #include "guarded.h"
 #include "input/base64.h"
 #include "support/base64.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 /* Decodes from a guard page to one: a byte too far on either side is a crash. */
 static bool decode(const char *text, size_t size, unsigned char *out, size_t *used)
@@ -20,9 +20,8 @@ static bool decode(const char *text, size_t size, unsigned char *out, size_t *us
 }
 
 /* RFC 4648, section 10. */
-static void vectors_of_the_rfc_are_decoded(void **state)
+TEST(vectors_of_the_rfc_are_decoded)
 {
-    (void)state;
     static const struct {
         const char *text, *bytes;
     } vectors[] = {{"", ""},
@@ -41,9 +40,8 @@ static void vectors_of_the_rfc_are_decoded(void **state)
     }
 }
 
-static void any_bytes_come_back(void **state)
+TEST(any_bytes_come_back)
 {
-    (void)state;
     struct random random = random_seeded(5);
     for (size_t size = 0; size < 300; size++) {
         unsigned char bytes[300] = {0}, out[300];
@@ -58,9 +56,8 @@ static void any_bytes_come_back(void **state)
     }
 }
 
-static void text_that_is_not_base64_is_refused_where_it_shows(void **state)
+TEST(text_that_is_not_base64_is_refused_where_it_shows)
 {
-    (void)state;
     static const struct {
         const char *text;
         size_t at;
@@ -80,9 +77,8 @@ static void text_that_is_not_base64_is_refused_where_it_shows(void **state)
 }
 
 /* Of all bytes in all places of two groups only the alphabet is taken. */
-static void every_byte_outside_the_alphabet_is_refused(void **state)
+TEST(every_byte_outside_the_alphabet_is_refused)
 {
-    (void)state;
     for (size_t at = 0; at < 8; at++)
         for (int c = 1; c < 256; c++) {
             char text[9] = "AAAAAAAA";
@@ -113,9 +109,8 @@ static enum zr_status read_uri(const char *text, const void **bytes, size_t *siz
     return status;
 }
 
-static void data_uris_of_any_type_are_read(void **state)
+TEST(data_uris_of_any_type_are_read)
 {
-    (void)state;
     static const char *const uris[] = {"data:image/png;base64,Zm9v", "data:;base64,Zm9v", "DATA:image/png;BASE64,Zm9v",
                                        "data:application/x-npy;base64,Zm9v",
                                        "data:text/plain;charset=utf-8;base64,Zm9v"};
@@ -129,9 +124,8 @@ static void data_uris_of_any_type_are_read(void **state)
     }
 }
 
-static void other_uris_are_refused_with_a_reason(void **state)
+TEST(other_uris_are_refused_with_a_reason)
 {
-    (void)state;
     static const struct {
         const char *text, *reason;
     } cases[] = {
@@ -158,9 +152,8 @@ static void other_uris_are_refused_with_a_reason(void **state)
     }
 }
 
-static void data_uri_without_memory_fails_cleanly(void **state)
+TEST(data_uri_without_memory_fails_cleanly)
 {
-    (void)state;
     struct zr_arena arena;
     struct zr_reason reason;
     const void *bytes;
@@ -170,16 +163,4 @@ static void data_uri_without_memory_fails_cleanly(void **state)
     zr_arena_free(&arena);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(vectors_of_the_rfc_are_decoded),
-        cmocka_unit_test(any_bytes_come_back),
-        cmocka_unit_test(text_that_is_not_base64_is_refused_where_it_shows),
-        cmocka_unit_test(every_byte_outside_the_alphabet_is_refused),
-        cmocka_unit_test(data_uris_of_any_type_are_read),
-        cmocka_unit_test(other_uris_are_refused_with_a_reason),
-        cmocka_unit_test(data_uri_without_memory_fails_cleanly),
-    };
-    return cmocka_run_group_tests_name("base64", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

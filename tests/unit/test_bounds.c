@@ -93,7 +93,7 @@ static struct zr_bounds bounds_one_by_one(const struct zr_scene *scene)
     return b;
 }
 
-static void bounds_hold_every_point_that_has_a_place(void **state)
+TEST_EACH_ISA(bounds_hold_every_point_that_has_a_place)
 {
     static struct subject subject;
     struct zr_team *teams[] = {zr_team_create_for(1, isa_under_test(state)),
@@ -165,7 +165,7 @@ static bool are_plain(const zr_vec4 *points, uint32_t count)
     return true;
 }
 
-static void slopes_reach_as_far_as_points_do(void **state)
+TEST_EACH_ISA(slopes_reach_as_far_as_points_do)
 {
     static struct subject subject;
     zr_fit_slopes_fn *kernel = zr_fit_slopes_of(isa_under_test(state));
@@ -209,9 +209,8 @@ static enum zr_status see(struct zr_team *team, const struct zr_scene *scene, st
     return zr_camera_resolve(scene, &scene->views[0], &bounds, team, NULL, camera, &error);
 }
 
-static void view_of_nothing_that_has_a_place_is_finite(void **state)
+TEST(view_of_nothing_that_has_a_place_is_finite)
 {
-    (void)state;
     static const zr_vec4 points[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
     const struct zr_mesh mesh = {.positions = points, .position_count = 3};
     const struct zr_instance instance = {.object_to_world = zr_mat4_identity()};
@@ -227,9 +226,8 @@ static void view_of_nothing_that_has_a_place_is_finite(void **state)
     }
 }
 
-static void walk_that_is_cancelled_ends(void **state)
+TEST(walk_that_is_cancelled_ends)
 {
-    (void)state;
     static const zr_vec4 point = {1, 2, 3, 1};
     const struct zr_mesh mesh = {.positions = &point, .position_count = 1};
     const struct zr_instance instance = {.object_to_world = zr_mat4_identity()};
@@ -239,13 +237,4 @@ static void walk_that_is_cancelled_ends(void **state)
     assert_false(zr_bounds_of(&scene, NULL, &cancel).valid);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(bounds_hold_every_point_that_has_a_place),
-        TEST_EACH_ISA(slopes_reach_as_far_as_points_do),
-        cmocka_unit_test(view_of_nothing_that_has_a_place_is_finite),
-        cmocka_unit_test(walk_that_is_cancelled_ends),
-    };
-    return cmocka_run_group_tests_name("bounds", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

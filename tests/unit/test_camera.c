@@ -3,8 +3,8 @@
 
 #include "scene/camera.h"
 #include "scene/resolved_view.h"
-#include "support/cmocka_all.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 /* A box from (-1, -2, -3) to (3, 2, 1), as 4 triangles that touch all its corners. */
 static const zr_vec4 BOX[] = {{-1, -2, -3, 1}, {3, -2, -3, 1}, {3, 2, -3, 1}, {-1, 2, -3, 1},
@@ -39,9 +39,8 @@ static zr_vec4 to_clip(const struct zr_camera *camera, zr_vec4 p)
     return zr_mat4_apply(&camera->projection, zr_mat4_apply(&camera->world_to_eye, p));
 }
 
-static void bounds_hold_every_point_but_those_at_infinity(void **state)
+TEST(bounds_hold_every_point_but_those_at_infinity)
 {
-    (void)state;
     zr_vec4 points[3] = {{2, 4, 6, 2}, {5, 5, 5, 0}, {-1, 0, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 10, 10, points, 1);
@@ -50,9 +49,8 @@ static void bounds_hold_every_point_but_those_at_infinity(void **state)
     assert_true(bounds.min.x == -1 && bounds.max.x == 1 && bounds.max.y == 2 && bounds.max.z == 3);
 }
 
-static void look_at_without_direction_or_up_is_refused(void **state)
+TEST(look_at_without_direction_or_up_is_refused)
 {
-    (void)state;
     struct test_scene *test = box_scene();
     struct zr_view *view = &test->scene.views[0];
     struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
@@ -70,9 +68,8 @@ static void look_at_without_direction_or_up_is_refused(void **state)
     assert_string_equal(error.items[0].pointer, "/view/up");
 }
 
-static void depth_range_given_is_kept_and_one_turned_round_is_refused(void **state)
+TEST(depth_range_given_is_kept_and_one_turned_round_is_refused)
 {
-    (void)state;
     struct test_scene *test = box_scene();
     struct zr_view *view = &test->scene.views[0];
     view->has_znear = view->has_zfar = true;
@@ -87,9 +84,8 @@ static void depth_range_given_is_kept_and_one_turned_round_is_refused(void **sta
                      ZR_BAD_SCENE);
 }
 
-static void eye_inside_or_before_the_geometry_still_gives_a_camera(void **state)
+TEST(eye_inside_or_before_the_geometry_still_gives_a_camera)
 {
-    (void)state;
     struct test_scene *test = box_scene();
     struct zr_view *view = &test->scene.views[0];
     view->pose = ZR_POSE_LOOK_AT;
@@ -105,9 +101,8 @@ static void eye_inside_or_before_the_geometry_still_gives_a_camera(void **state)
     }
 }
 
-static void view_beyond_the_range_of_numbers_is_refused(void **state)
+TEST(view_beyond_the_range_of_numbers_is_refused)
 {
-    (void)state;
     struct test_scene *test = box_scene();
     struct zr_view *view = &test->scene.views[0];
     struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
@@ -123,9 +118,8 @@ static void view_beyond_the_range_of_numbers_is_refused(void **state)
     }
 }
 
-static void point_as_good_as_at_infinity_leaves_the_bounds_finite(void **state)
+TEST(point_as_good_as_at_infinity_leaves_the_bounds_finite)
 {
-    (void)state;
     const zr_vec4 points[3] = {{1, 2, 3, 1}, {1, 1, 1, 1e-40f}, {-1, 0, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 10, 10, points, 1);
@@ -134,9 +128,8 @@ static void point_as_good_as_at_infinity_leaves_the_bounds_finite(void **state)
 }
 
 /* Rounding to float moves what is far from the origin: a fitted view must still show it. */
-static void fit_shows_small_flat_things_far_from_the_origin(void **state)
+TEST(fit_shows_small_flat_things_far_from_the_origin)
 {
-    (void)state;
     const float places[][2] = {{30000, 10},     {30411, 10}, {308220, 100}, {1027.4f, 0.1f},
                                {1041.1f, 0.1f}, {10000, 1},  {999000, 100}};
     static struct test_scene test;
@@ -170,9 +163,8 @@ static void fit_shows_small_flat_things_far_from_the_origin(void **state)
     zr_arena_free(&arena);
 }
 
-static void up_may_be_of_any_length(void **state)
+TEST(up_may_be_of_any_length)
 {
-    (void)state;
     struct test_scene *test = box_scene();
     struct zr_view *view = &test->scene.views[0];
     view->pose = ZR_POSE_LOOK_AT;
@@ -184,9 +176,8 @@ static void up_may_be_of_any_length(void **state)
         assert_true(fabsf(want.world_to_eye.m[i] - got.world_to_eye.m[i]) < 1e-6f);
 }
 
-static void one_single_point_still_gives_a_camera(void **state)
+TEST(one_single_point_still_gives_a_camera)
 {
-    (void)state;
     const zr_vec4 points[3] = {{7, 7, 7, 1}, {7, 7, 7, 1}, {7, 7, 7, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 10, 10, points, 1);
@@ -202,18 +193,4 @@ static void one_single_point_still_gives_a_camera(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bounds_hold_every_point_but_those_at_infinity),
-        cmocka_unit_test(look_at_without_direction_or_up_is_refused),
-        cmocka_unit_test(depth_range_given_is_kept_and_one_turned_round_is_refused),
-        cmocka_unit_test(eye_inside_or_before_the_geometry_still_gives_a_camera),
-        cmocka_unit_test(view_beyond_the_range_of_numbers_is_refused),
-        cmocka_unit_test(point_as_good_as_at_infinity_leaves_the_bounds_finite),
-        cmocka_unit_test(fit_shows_small_flat_things_far_from_the_origin),
-        cmocka_unit_test(up_may_be_of_any_length),
-        cmocka_unit_test(one_single_point_still_gives_a_camera),
-    };
-    return cmocka_run_group_tests_name("camera", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "clients.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 static struct client *join(struct clients *clients, const char *text)
 {
@@ -27,9 +27,8 @@ static bool are_one(const char *a, const char *b)
     return one;
 }
 
-static void a_network_of_64_bits_is_one_client(void **state)
+TEST(a_network_of_64_bits_is_one_client)
 {
-    (void)state;
     assert_true(are_one("2001:db8:1:2::1", "2001:db8:1:2:ffff:ffff:ffff:ffff"));
     assert_false(are_one("2001:db8:1:2::1", "2001:db8:1:3::1"));
     assert_true(are_one("8.8.8.8", "8.8.8.8"));
@@ -39,7 +38,7 @@ static void a_network_of_64_bits_is_one_client(void **state)
     assert_false(are_one("::1", "::2"));
 }
 
-static void private_networks_and_loopback_are_known(void **state)
+TEST(private_networks_and_loopback_are_known)
 {
     static const struct {
         const char *address;
@@ -55,7 +54,6 @@ static void private_networks_and_loopback_are_known(void **state)
         {"2001:db8::1", false, false},    {"::ffff:10.0.0.1", true, false},  {"::2", false, false},
     };
     struct clients clients = {0};
-    (void)state;
     for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
         struct client *client = join(&clients, CASES[i].address);
         if (client->is_private != CASES[i].is_private || client->is_loopback != CASES[i].is_loopback)
@@ -64,11 +62,4 @@ static void private_networks_and_loopback_are_known(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_network_of_64_bits_is_one_client),
-        cmocka_unit_test(private_networks_and_loopback_are_known),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -10,6 +10,7 @@
 #include "overlay/glyphs.h"
 #include "support/png.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 static const struct zr_color_bar plain_bar = {.is_on = true};
 
@@ -32,9 +33,8 @@ static const struct zr_color_bar bars[] = {{.is_on = true},
                                            {.is_on = true, .title = "a title that is long gets smaller dots"}};
 enum { BARS = sizeof bars / sizeof *bars };
 
-static void all_of_a_bar_is_in_the_window_whatever_its_size(void **state)
+TEST(all_of_a_bar_is_in_the_window_whatever_its_size)
 {
-    (void)state;
     enum { SIDE_MAX = 300 };
     uint32_t drawn = 0;
     for (uint32_t height = 1; height <= SIDE_MAX; height++)
@@ -87,9 +87,8 @@ static void paint(const struct zr_color_bar_layout *l, uint32_t width, uint32_t 
     "\"faceId\"}, {\"channel\": \"instanceId\"}, {\"channel\": \"normals\"}, {\"channel\": \"position\"}, "            \
     "{\"channel\": \"layers\"}]"
 
-static void a_scene_says_what_the_bar_is_like(void **state)
+TEST(a_scene_says_what_the_bar_is_like)
 {
-    (void)state;
     struct reading *reading = read_scene("{" MESH "\"colorBar\": true}");
     const struct zr_color_bar *bar = &reading->scene->color_bar;
     assert_true(bar->is_on && !bar->is_left && !bar->has_mesh && !bar->title);
@@ -113,9 +112,8 @@ static void a_scene_says_what_the_bar_is_like(void **state)
     }
 }
 
-static void what_is_odd_about_a_bar_is_warned_of(void **state)
+TEST(what_is_odd_about_a_bar_is_warned_of)
 {
-    (void)state;
     static const struct {
         const char *text, *warning; /* NULL: none */
     } cases[] = {
@@ -156,9 +154,8 @@ static void what_is_odd_about_a_bar_is_warned_of(void **state)
     }
 }
 
-static void queries_switch_bars_on_and_off(void **state)
+TEST(queries_switch_bars_on_and_off)
 {
-    (void)state;
     static const char with[] = "{" MESH "\"colorBar\": {\"title\": \"T\"}}",
                       without[] = "{\"meshes\": [{" SCALARS "}]}";
     static const struct {
@@ -199,9 +196,8 @@ static const char *const looks[] = {
 };
 
 /* Two pictures of a scene, with a bar and without. */
-static void only_the_color_channel_has_the_bar_and_only_where_it_is(void **state)
+TEST(only_the_color_channel_has_the_bar_and_only_where_it_is)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++) {
         char text[2][1024];
         for (int on = 0; on < 2; on++)
@@ -238,9 +234,8 @@ static void only_the_color_channel_has_the_bar_and_only_where_it_is(void **state
 }
 
 /* A base is what is behind it. */
-static void a_bar_is_drawn_over_a_base(void **state)
+TEST(a_bar_is_drawn_over_a_base)
 {
-    (void)state;
     enum { WIDTH = 200, HEIGHT = 160, PIXELS = WIDTH * HEIGHT };
     static uint32_t colors[PIXELS];
     static float depths[PIXELS];
@@ -272,15 +267,4 @@ static void a_bar_is_drawn_over_a_base(void **state)
     zr_arena_free(&files);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_of_a_bar_is_in_the_window_whatever_its_size),
-        cmocka_unit_test(a_scene_says_what_the_bar_is_like),
-        cmocka_unit_test(what_is_odd_about_a_bar_is_warned_of),
-        cmocka_unit_test(queries_switch_bars_on_and_off),
-        cmocka_unit_test(only_the_color_channel_has_the_bar_and_only_where_it_is),
-        cmocka_unit_test(a_bar_is_drawn_over_a_base),
-    };
-    return cmocka_run_group_tests_name("color_bar", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -5,11 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
-static void every_name_of_css_is_found_in_any_case(void **state)
+TEST(every_name_of_css_is_found_in_any_case)
 {
-    (void)state;
     FILE *file = fopen("tests/unit/color_names.txt", "r");
     char name[64];
     unsigned want, count = 0;
@@ -25,9 +24,8 @@ static void every_name_of_css_is_found_in_any_case(void **state)
     assert_int_equal(count, 148);
 }
 
-static void other_words_are_none(void **state)
+TEST(other_words_are_none)
 {
-    (void)state;
     static const char *const words[] = {"",
                                         "re",
                                         "redd",
@@ -43,11 +41,4 @@ static void other_words_are_none(void **state)
         assert_false(zr_color_of_name(words[i], strlen(words[i]), &rgb));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_name_of_css_is_found_in_any_case),
-        cmocka_unit_test(other_words_are_none),
-    };
-    return cmocka_run_group_tests_name("color names", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

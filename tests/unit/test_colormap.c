@@ -1,6 +1,6 @@
 /* Maps of colours against what their authors define. */
 #include "scene/colormap.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 #include <math.h>
 
@@ -20,7 +20,7 @@ static void assert_color(enum zr_colormap map, double at, const double want[3])
 enum { PUBLISHED = 18, PUBLISHED_STEP = 15, PUBLISHED_LAST = 255 };
 
 /* Each fifteenth of 256 colours. Source: matplotlib 3.6.3, _cm_listed.py, rounded to four digits. */
-static void maps_of_lists_have_what_is_published(void **state)
+TEST(maps_of_lists_have_what_is_published)
 {
     static const double viridis[PUBLISHED][3] = {
         {0.2670, 0.0049, 0.3294}, {0.2819, 0.0897, 0.4124}, {0.2803, 0.1657, 0.4765}, {0.2637, 0.2376, 0.5188},
@@ -34,7 +34,6 @@ static void maps_of_lists_have_what_is_published(void **state)
         {0.5466, 0.9991, 0.2958}, {0.7158, 0.9688, 0.2082}, {0.8587, 0.8865, 0.2123}, {0.9605, 0.7718, 0.2281},
         {0.9965, 0.6319, 0.1874}, {0.9755, 0.4574, 0.1130}, {0.9102, 0.2960, 0.0481}, {0.8080, 0.1775, 0.0166},
         {0.6645, 0.0844, 0.0042}, {0.4796, 0.0158, 0.0106}};
-    (void)state;
     for (int i = 0; i < PUBLISHED; i++) {
         const double at = (double)(i * PUBLISHED_STEP) / PUBLISHED_LAST;
         assert_color(ZR_COLORMAP_VIRIDIS, at, viridis[i]);
@@ -42,9 +41,8 @@ static void maps_of_lists_have_what_is_published(void **state)
     }
 }
 
-static void gray_is_linear(void **state)
+TEST(gray_is_linear)
 {
-    (void)state;
     for (int i = 0; i <= 1000; i++) {
         const zr_vec4 color = zr_colormap_color(ZR_COLORMAP_GRAY, (float)i / 1000.0f);
         assert_true(color.x == color.y && color.y == color.z);
@@ -52,11 +50,4 @@ static void gray_is_linear(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(maps_of_lists_have_what_is_published),
-        cmocka_unit_test(gray_is_linear),
-    };
-    return cmocka_run_group_tests_name("colormap", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

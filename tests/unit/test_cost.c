@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "support/cmocka_all.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 enum { WIDTH = 200, HEIGHT = 100, PIXELS = WIDTH * HEIGHT };
 
@@ -32,9 +32,8 @@ static void assert_near(double value, double want)
     if (!(fabs(value - want) <= 1e-6 * want)) fail_msg("%g, not %g", value, want);
 }
 
-static void sizes_are_counted(void **state)
+TEST(sizes_are_counted)
 {
-    (void)state;
     half_a_window();
     const struct zr_cost cost = scene_cost(&test.scene);
     assert_near(cost.counts[ZR_COST_REQUEST], 1);
@@ -47,9 +46,8 @@ static void sizes_are_counted(void **state)
     assert_true(zr_cost_most(&cost).ms <= cost.ms);
 }
 
-static void only_what_is_seen_in_the_window_has_fragments(void **state)
+TEST(only_what_is_seen_in_the_window_has_fragments)
 {
-    (void)state;
     /* A triangle around the whole window, which counts as half of it, since its box is twice as large; one beside the
      * window, one behind the eye, and half of the window turned away. */
     const zr_vec4 p[] = {{-9, -9, 0, 1}, {30, -9, 0, 1}, {-9, 30, 0, 1}, {5, 5, 0, 1},   {6, 5, 0, 1},  {5, 6, 0, 1},
@@ -63,9 +61,8 @@ static void only_what_is_seen_in_the_window_has_fragments(void **state)
     assert_true(isfinite(scene_cost(&test.scene).ms));
 }
 
-static void samples_lamps_shadows_and_effects_are_counted(void **state)
+TEST(samples_lamps_shadows_and_effects_are_counted)
 {
-    (void)state;
     static const struct zr_light lights[3] = {
         {.type = ZR_LIGHT_DIRECTIONAL, .direction = {0, 0, -1}, .has_shadows = true},
         {.type = ZR_LIGHT_POINT, .position = {0, 0, 1}},
@@ -93,7 +90,7 @@ static void samples_lamps_shadows_and_effects_are_counted(void **state)
 }
 
 /* By the textbook lamps light faces, vertices, or pixels. */
-static void lamps_of_the_textbook_are_counted(void **state)
+TEST(lamps_of_the_textbook_are_counted)
 {
     static struct zr_light lamps[1024];
     static const struct {
@@ -103,7 +100,6 @@ static void lamps_of_the_textbook_are_counted(void **state)
     } cases[] = {{ZR_SHADING_FLAT, ZR_COST_VERTEX_PLACED_LAMP, 2.0 * 1024},
                  {ZR_SHADING_GOURAUD, ZR_COST_VERTEX_PLACED_LAMP, 6.0 * 1024},
                  {ZR_SHADING_PHONG, ZR_COST_PLACED_LAMP_SAMPLE, 0.2 * PIXELS / 2 * 1024.0}};
-    (void)state;
     half_a_window();
     for (int i = 0; i < 1024; i++)
         lamps[i].type = ZR_LIGHT_POINT;
@@ -115,12 +111,11 @@ static void lamps_of_the_textbook_are_counted(void **state)
     }
 }
 
-static void see_through_faces_and_points_are_counted(void **state)
+TEST(see_through_faces_and_points_are_counted)
 {
     enum { POINTS = 300 };
     static zr_vec4 middles[POINTS];
     static uint32_t all[POINTS];
-    (void)state;
     half_a_window();
     test.material.alpha_mode = ZR_ALPHA_BLEND;
     assert_near(count(ZR_COST_LAYER), PIXELS / 2);
@@ -139,11 +134,10 @@ static void see_through_faces_and_points_are_counted(void **state)
 }
 
 /* Of 4096 triangles, every so many-th large, about a quarter is looked at. */
-static void sample_is_near_the_truth(void **state)
+TEST(sample_is_near_the_truth)
 {
     static zr_vec4 p[3 * TEST_TRIANGLES_MAX];
     const zr_vec4 large[3] = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}};
-    (void)state;
     for (int every = 2; every <= 8; every++) {
         double truth = 0;
         for (int t = 0; t < TEST_TRIANGLES_MAX; t++) {
@@ -157,11 +151,10 @@ static void sample_is_near_the_truth(void **state)
     }
 }
 
-static void predicted_memory_is_held(void **state)
+TEST(predicted_memory_is_held)
 {
     enum { LAYERS = 1000 };
     static zr_vec4 many[3 * TEST_TRIANGLES_MAX];
-    (void)state;
     for (int i = 0; i < 3 * TEST_TRIANGLES_MAX; i++) { /* most are small */
         const float size = i / 3 < LAYERS ? 1.0f : 0.002f;
         many[i] = (zr_vec4){i % 3 == 1 ? size : -size, i % 3 == 2 ? size : -size, 0, 1};
@@ -191,16 +184,4 @@ static void predicted_memory_is_held(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sizes_are_counted),
-        cmocka_unit_test(only_what_is_seen_in_the_window_has_fragments),
-        cmocka_unit_test(samples_lamps_shadows_and_effects_are_counted),
-        cmocka_unit_test(lamps_of_the_textbook_are_counted),
-        cmocka_unit_test(see_through_faces_and_points_are_counted),
-        cmocka_unit_test(sample_is_near_the_truth),
-        cmocka_unit_test(predicted_memory_is_held),
-    };
-    return cmocka_run_group_tests_name("cost", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,6 +1,6 @@
 /* Normals of corners of bodies that are known: sharp where they should be, and smooth elsewhere. */
 #include "crease_check.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 static struct zr_mesh soup_of(const zr_vec4 *positions, uint32_t triangles)
 {
@@ -36,9 +36,8 @@ static struct zr_mesh soup_of_cube(zr_vec4 positions[36])
     return soup_of(positions, 12);
 }
 
-static void cubes_are_sharp_up_to_90_degrees(void **state)
+TEST_AROUND(cubes_are_sharp_up_to_90_degrees, empty_arena, NULL)
 {
-    (void)state;
     zr_vec4 positions[36];
     const struct zr_mesh mesh = soup_of_cube(positions);
     static const float angles[] = {0, 35, 89.9f, 90, 180};
@@ -57,9 +56,8 @@ static void cubes_are_sharp_up_to_90_degrees(void **state)
 }
 
 /* Whatever borders of cells are between them: a point far away, on which the cells depend, is everywhere. */
-static void positions_that_nearly_agree_are_one_vertex(void **state)
+TEST_AROUND(positions_that_nearly_agree_are_one_vertex, empty_arena, NULL)
 {
-    (void)state;
     for (int round = 0; round < 2000; round++) {
         zr_vec4 positions[39];
         const zr_vec4 far = {-3.0f + any(), -3.0f + any(), -3.0f + any(), 1};
@@ -81,9 +79,8 @@ static void positions_that_nearly_agree_are_one_vertex(void **state)
     }
 }
 
-static void positions_farther_apart_are_not(void **state)
+TEST_AROUND(positions_farther_apart_are_not, empty_arena, NULL)
 {
-    (void)state;
     for (int round = 0; round < 200; round++) {
         zr_vec4 positions[36];
         const struct zr_mesh mesh = soup_of_cube(positions);
@@ -97,9 +94,8 @@ static void positions_farther_apart_are_not(void **state)
     }
 }
 
-static void faces_without_area_take_what_is_around(void **state)
+TEST_AROUND(faces_without_area_take_what_is_around, empty_arena, NULL)
 {
-    (void)state;
     const zr_vec4 positions[] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 0, 1}, {1, 0, 0, 1},
                                  {1, 0, 0, 1}, {5, 5, 5, 1}, {5, 5, 5, 1}, {5, 5, 5, 1}};
     const struct zr_mesh mesh = soup_of(positions, 3);
@@ -129,9 +125,8 @@ static struct zr_mesh cone_of(uint32_t faces)
 
 /* ---- ends ---- */
 
-static void room_is_given_back(void **state)
+TEST_AROUND(room_is_given_back, empty_arena, NULL)
 {
-    (void)state;
     zr_vec4 positions[36];
     const struct zr_mesh mesh = soup_of_cube(positions);
     make(NULL, &mesh, 35);
@@ -139,9 +134,8 @@ static void room_is_given_back(void **state)
     assert_true(arena.peak > arena.used);
 }
 
-static void without_memory_there_are_none(void **state)
+TEST_AROUND(without_memory_there_are_none, empty_arena, NULL)
 {
-    (void)state;
     zr_vec4 positions[36];
     const struct zr_mesh mesh = soup_of_cube(positions);
     struct zr_arena small;
@@ -152,9 +146,8 @@ static void without_memory_there_are_none(void **state)
     }
 }
 
-static void what_was_cancelled_ends_early(void **state)
+TEST_AROUND(what_was_cancelled_ends_early, empty_arena, NULL)
 {
-    (void)state;
     const struct zr_mesh mesh = cone_of(ROUND_MOST);
     const struct zr_cancel cancel = {.raised = true};
     struct zr_team *team = zr_team_create(3);
@@ -163,17 +156,4 @@ static void what_was_cancelled_ends_early(void **state)
     zr_team_destroy(team);
 }
 
-int main(void)
-{
-#define ALONE(f) cmocka_unit_test_setup(f, empty_arena)
-    const struct CMUnitTest tests[] = {
-        ALONE(cubes_are_sharp_up_to_90_degrees),
-        ALONE(positions_that_nearly_agree_are_one_vertex),
-        ALONE(positions_farther_apart_are_not),
-        ALONE(faces_without_area_take_what_is_around),
-        ALONE(room_is_given_back),
-        ALONE(without_memory_there_are_none),
-        ALONE(what_was_cancelled_ends_early),
-    };
-    return cmocka_run_group_tests_name("crease_bodies", tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

@@ -76,9 +76,8 @@ static void make_subject(struct subject *s, uint32_t faces, uint32_t places, enu
 
 /* ---- odd numbers ---- */
 
-static void size_does_not_matter(void **state)
+TEST_AROUND(size_does_not_matter, empty_arena, NULL)
 {
-    (void)state;
     static struct subject subject;
     static zr_vec4 want[3 * 300];
     make_subject(&subject, 300, 64, TRIANGLES, false);
@@ -98,7 +97,7 @@ static void size_does_not_matter(void **state)
     }
 }
 
-static void odd_numbers_give_units_or_zeros(void **state)
+TEST_EACH_ISA(odd_numbers_give_units_or_zeros)
 {
     static struct subject subject;
     static const float odd[] = {0, -0.0f, 1, -1, 1e15f, -1e15f, 1e-30f, -1e-30f, 1e-42f, 3e38f, -3e38f, 2, 0.5f};
@@ -125,11 +124,4 @@ static void odd_numbers_give_units_or_zeros(void **state)
     zr_team_destroy(teams[1]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(odd_numbers_give_units_or_zeros),
-        cmocka_unit_test_setup(size_does_not_matter, empty_arena),
-    };
-    return cmocka_run_group_tests_name("crease_normals", tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

@@ -1,6 +1,7 @@
 /* A scene and a bare mesh without lights get the same ones. */
 #include "json_check.h"
 #include "shade/frame.h"
+#include "support/tests.h"
 
 #define CUBE                                                                                                           \
     "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1],[0,1,1]], "                               \
@@ -43,11 +44,10 @@ static void look_at_cube(const char *color, const char *view, struct look *look)
     reading_free(reading);
 }
 
-static void a_bare_mesh_gets_the_same_light_by_the_textbook(void **state)
+TEST(a_bare_mesh_gets_the_same_light_by_the_textbook)
 {
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                               "f 5 6 7 8\nf 2 1 4 3\nf 6 2 3 7\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n";
-    (void)state;
     struct look json, bare;
     look_at_cube("[0.7, 0.7, 0.7]", "\"preset\": \"isometric\"", &json);
     struct reading *reading = read_request((struct zr_request){.format = ZR_FORMAT_OBJ, .look = "textbook"}, obj,
@@ -63,10 +63,4 @@ static void a_bare_mesh_gets_the_same_light_by_the_textbook(void **state)
     reading_free(reading);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_bare_mesh_gets_the_same_light_by_the_textbook),
-    };
-    return cmocka_run_group_tests_name("default light", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

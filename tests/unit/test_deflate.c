@@ -5,8 +5,8 @@
 #include <zlib.h>
 
 #include "output/idat.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 /* ---- addresses ---- */
 
@@ -129,9 +129,8 @@ static void assert_same_wherever(bool last)
     }
 }
 
-static void small_strips_are_the_same_wherever_the_stream_lies(void **state)
+TEST_AROUND(small_strips_are_the_same_wherever_the_stream_lies, make_room, free_room)
 {
-    (void)state;
     struct random random = random_seeded(11);
     for (int i = 0; i < 1200; i++) {
         fill(&random, 1 + random_next(&random) % (i % 4 == 0 ? 60 : 2000));
@@ -139,9 +138,8 @@ static void small_strips_are_the_same_wherever_the_stream_lies(void **state)
     }
 }
 
-static void large_strips_are_the_same_wherever_the_stream_lies(void **state)
+TEST_AROUND(large_strips_are_the_same_wherever_the_stream_lies, make_room, free_room)
 {
-    (void)state;
     struct random random = random_seeded(12);
     for (int i = 0; i < 40; i++) {
         fill(&random, 2000 + random_next(&random) % (LARGEST - 2000));
@@ -150,9 +148,8 @@ static void large_strips_are_the_same_wherever_the_stream_lies(void **state)
 }
 
 /* Whatever is left in memory by the strip before. */
-static void a_table_that_is_full_of_others_changes_nothing(void **state)
+TEST(a_table_that_is_full_of_others_changes_nothing)
 {
-    (void)state;
     static struct isal_zstream stream;
     struct random random = random_seeded(13);
     fill(&random, 1000);
@@ -165,9 +162,8 @@ static void a_table_that_is_full_of_others_changes_nothing(void **state)
     assert_memory_equal(out[0], out[1], size);
 }
 
-static void what_does_not_fit_gives_zero(void **state)
+TEST(what_does_not_fit_gives_zero)
 {
-    (void)state;
     static struct isal_zstream stream;
     struct random random = random_seeded(14);
     strip->size = 3000;
@@ -177,13 +173,4 @@ static void what_does_not_fit_gives_zero(void **state)
         assert_int_equal(zr_deflate(&stream, table, strip->bytes, strip->size, to % 2 == 0, out[0], to), 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(small_strips_are_the_same_wherever_the_stream_lies, make_room, free_room),
-        cmocka_unit_test_setup_teardown(large_strips_are_the_same_wherever_the_stream_lies, make_room, free_room),
-        cmocka_unit_test(a_table_that_is_full_of_others_changes_nothing),
-        cmocka_unit_test(what_does_not_fit_gives_zero),
-    };
-    return cmocka_run_group_tests_name("deflate", tests, make_strip, free_strip);
-}
+RUN_TESTS(make_strip, free_strip)

@@ -2,9 +2,9 @@
  * infinity, and slivers, whose samples lie on the subpixel grid but beside the triangle itself. */
 #include <math.h>
 
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 enum { WIDTH = 320, HEIGHT = 240, PIXELS = WIDTH * HEIGHT };
 
@@ -33,9 +33,8 @@ static float ulp(float value)
 }
 
 /* Of two floors in one plane, one ends at infinity. */
-static void depth_of_a_triangle_with_a_corner_at_infinity_is_that_of_its_plane(void **state)
+TEST(depth_of_a_triangle_with_a_corner_at_infinity_is_that_of_its_plane)
 {
-    (void)state;
     static const zr_vec4 finite[3] = {{-9, 0, 1, 1}, {9, 0, 1, 1}, {0.5f, 0, -90, 1}};
     static const zr_vec4 endless[3] = {{-9, 0, 1, 1}, {9, 0, 1, 1}, {0, 0, -1, 0}};
     const zr_vec3 eye = {0, 0.3f, 0.1f}, target = {0.2f, -0.7f, -2};
@@ -82,25 +81,15 @@ static void assert_slivers_stay(double nearest, double farthest, float low, floa
     zr_arena_free(&arena);
 }
 
-static void depth_of_slivers_stays_between_their_corners(void **state)
+TEST(depth_of_slivers_stays_between_their_corners)
 {
-    (void)state;
     assert_slivers_stay(0.5, 3.0, 0.5f, 3.0f);
 }
 
 /* The part behind the camera is no part of what is seen: half the distance of the near plane is the least. */
-static void depth_of_slivers_that_go_on_behind_the_camera_stays_in_front_of_it(void **state)
+TEST(depth_of_slivers_that_go_on_behind_the_camera_stays_in_front_of_it)
 {
-    (void)state;
     assert_slivers_stay(-2.0, 3.0, 0.0249f, 4.5f);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(depth_of_a_triangle_with_a_corner_at_infinity_is_that_of_its_plane),
-        cmocka_unit_test(depth_of_slivers_stays_between_their_corners),
-        cmocka_unit_test(depth_of_slivers_that_go_on_behind_the_camera_stays_in_front_of_it),
-    };
-    return cmocka_run_group_tests_name("depth range", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -7,8 +7,9 @@
 #include "guarded.h"
 #include "raster/tile.h"
 #include "support/isas.h"
+#include "support/test_arena.h"
 
-static struct zr_arena arena;
+TEST_ARENA(1 << 28)
 
 /* A tile in pages of its own, with no more room than a G-buffer must have, and full of anything beyond its samples. */
 struct guarded_tile {
@@ -97,7 +98,7 @@ static void fill(int left, int bottom, int right, int top, zr_vec3 normal, float
 
 static const zr_vec3 front = {0, 0, 1}, bent = {0.6f, 0, 0.8f};
 
-static void creases_are_dropped_up_to_12_pixels(void **state)
+TEST_EACH_ISA(creases_are_dropped_up_to_12_pixels)
 {
     const enum zr_isa isa = isa_under_test(state);
     /* Creases are a sample wider at both ends than what is bent, which begins in the second sample of a pixel: 23
@@ -118,7 +119,7 @@ static void creases_are_dropped_up_to_12_pixels(void **state)
 }
 
 /* Of two creases, 6 and 8 pixels wide, the corners of one touch the other, or are a pixel away. */
-static void corners_that_touch_connect(void **state)
+TEST_EACH_ISA(corners_that_touch_connect)
 {
     const enum zr_isa isa = isa_under_test(state);
     for (int gap = 0; gap < 2; gap++) {
@@ -134,7 +135,7 @@ static void corners_that_touch_connect(void **state)
 }
 
 /* Of each pixel in a row one sample is bent, so that marks of no two pixels touch: 13 pixels, and 12. */
-static void creases_connect_by_pixels(void **state)
+TEST_EACH_ISA(creases_connect_by_pixels)
 {
     const enum zr_isa isa = isa_under_test(state);
     for (uint32_t side = 4; side <= 8; side *= 2)
@@ -149,7 +150,7 @@ static void creases_connect_by_pixels(void **state)
 }
 
 /* Two creases of 8 pixels, and between them 8 more where what is bent is also nearer: a silhouette alone. */
-static void silhouettes_connect_no_creases(void **state)
+TEST_EACH_ISA(silhouettes_connect_no_creases)
 {
     const enum zr_isa isa = isa_under_test(state);
     for (int step = 0; step < 2; step++) {
@@ -165,7 +166,7 @@ static void silhouettes_connect_no_creases(void **state)
     }
 }
 
-static void steps_are_silhouettes_and_lines_are_not(void **state)
+TEST_EACH_ISA(steps_are_silhouettes_and_lines_are_not)
 {
     const enum zr_isa isa = isa_under_test(state);
     begin_picture(40, 40, 4, true); /* samples are 1/80 apart: a step of 1/50 is one, of 1/60 is none */
@@ -185,7 +186,7 @@ static void steps_are_silhouettes_and_lines_are_not(void **state)
         }
 }
 
-static void nothing_has_no_edges(void **state)
+TEST_EACH_ISA(nothing_has_no_edges)
 {
     const enum zr_isa isa = isa_under_test(state);
     begin_picture(50, 33, 4, false);
@@ -197,9 +198,8 @@ static void nothing_has_no_edges(void **state)
 
 /* ---- failures ---- */
 
-static void a_failed_arena_gives_no_edges(void **state)
+TEST(a_failed_arena_gives_no_edges)
 {
-    (void)state;
     begin_picture(60, 60, 4, true);
     draw_patches(20);
     bool has_succeeded = false;
@@ -219,9 +219,8 @@ static void a_failed_arena_gives_no_edges(void **state)
     }
 }
 
-static void cancelled_it_returns(void **state)
+TEST(cancelled_it_returns)
 {
-    (void)state;
     begin_picture(60, 60, 4, true);
     struct zr_edge_marks *marks = zr_edge_marks_make(&arena, 60, 60, 4, &picture.edges, &picture.scale);
     assert_non_null(marks);
@@ -230,16 +229,4 @@ static void cancelled_it_returns(void **state)
     assert_non_null(zr_edges_finish(marks, &arena, NULL, &cancel)); /* no tile was marked */
 }
 
-int main(void)
-{
-    zr_arena_init(&arena, 1 << 28);
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(creases_are_dropped_up_to_12_pixels),     TEST_EACH_ISA(creases_connect_by_pixels),
-        TEST_EACH_ISA(silhouettes_connect_no_creases),          TEST_EACH_ISA(corners_that_touch_connect),
-        TEST_EACH_ISA(steps_are_silhouettes_and_lines_are_not), TEST_EACH_ISA(nothing_has_no_edges),
-        cmocka_unit_test(a_failed_arena_gives_no_edges),        cmocka_unit_test(cancelled_it_returns),
-    };
-    const int failed = cmocka_run_group_tests_name("edges", tests, NULL, NULL);
-    zr_arena_free(&arena);
-    return failed;
-}
+RUN_TESTS(open_arena, close_arena)

@@ -1,12 +1,12 @@
 /* Views that leave the place of the camera to the geometry: known corners on known pixels, worked
  * out by hand, in a window of 40 x 20. */
+#include "support/tests.h"
 #include "view_check.h"
 
 #define SMALL "{\"width\": 40, \"height\": 20}"
 
-static void fitted_cube_touches_the_borders(void **state)
+TEST(fitted_cube_touches_the_borders)
 {
-    (void)state;
     static const struct sight sights[] = {
         /* 5 % free above: 1 unit is 9 of the 10 pixels to the top. */
         {"\"preset\": \"front\"", {1, 1, 1}, {29, 1}},
@@ -26,9 +26,8 @@ static void fitted_cube_touches_the_borders(void **state)
 
 /* fx = 10: x / z is seen from (0 - cx) / 10 to (40 - cx) / 10; cy = 10: y / z from -1 to 1, for which the eye
  * must be 1 away from the near face, at z = 2. */
-static void fitted_cube_is_seen_whole_wherever_the_principal_point_is(void **state)
+TEST(fitted_cube_is_seen_whole_wherever_the_principal_point_is)
 {
-    (void)state;
 #define K_AT(cx)                                                                                                       \
     "\"preset\": \"front\", \"fit\": {\"padding\": 0}, \"intrinsics\": {\"fx\": 10, \"cx\": " cx ", \"cy\": 10}"
 #define SKEWED(cy) "\"preset\": \"front\", \"fit\": {\"padding\": 0}, \"K\": [20,10,20, 0,10," cy ", 0,0,1]"
@@ -51,9 +50,8 @@ static void fitted_cube_is_seen_whole_wherever_the_principal_point_is(void **sta
     assert_seen(SMALL, CUBE, sights, sizeof sights / sizeof *sights);
 }
 
-static void views_without_a_solution_are_refused(void **state)
+TEST(views_without_a_solution_are_refused)
 {
-    (void)state;
     static const struct {
         const char *view, *pointer, *detail;
     } cases[] = {
@@ -75,9 +73,8 @@ static void views_without_a_solution_are_refused(void **state)
     }
 }
 
-static void fit_to_a_mesh_shows_it_alone_but_keeps_all_between_the_planes(void **state)
+TEST(fit_to_a_mesh_shows_it_alone_but_keeps_all_between_the_planes)
 {
-    (void)state;
     static const struct sight sights[] = {
         /* Half a unit is 8 of the 10 pixels to the top. */
         {"\"preset\": \"front\", \"fit\": {\"mesh\": \"nut\", \"padding\": 0.1}", {10.5f, 0.5f, 0.5f}, {28, 2}},
@@ -105,9 +102,8 @@ static void fit_to_a_mesh_shows_it_alone_but_keeps_all_between_the_planes(void *
     }
 }
 
-static void fit_to_a_tiny_mesh_is_not_cut_by_a_near_plane_made_for_a_large_scene(void **state)
+TEST(fit_to_a_tiny_mesh_is_not_cut_by_a_near_plane_made_for_a_large_scene)
 {
-    (void)state;
 #define TINY  "{\"name\": \"tiny\", \"positions\": [[0,0,0],[0.001,0,0],[0,0.001,0.001]], \"faces\": [[0,1,2]]}"
 #define LARGE "{\"positions\": [[-1000,0,-1000],[1000,0,-1000],[0,0,1000]], \"faces\": [[0,1,2]]}"
     static const zr_vec4 corners[3] = {{0, 0, 0, 1}, {0.001f, 0, 0, 1}, {0, 0.001f, 0.001f, 1}};
@@ -123,9 +119,8 @@ static void fit_to_a_tiny_mesh_is_not_cut_by_a_near_plane_made_for_a_large_scene
 #undef TINY
 }
 
-static void azimuth_and_direction_fit_as_the_presets_do(void **state)
+TEST(azimuth_and_direction_fit_as_the_presets_do)
 {
-    (void)state;
     static const char *const same[][3] = {
         {"\"preset\": \"front\"", "\"azimuthDegrees\": 0", "\"direction\": [0,0,-3]"},
         {"\"preset\": \"right\"", "\"azimuthDegrees\": 90", "\"direction\": [-1,0,0]"},
@@ -151,9 +146,8 @@ static void azimuth_and_direction_fit_as_the_presets_do(void **state)
 }
 
 /* A cube of 2 units that is moved along x: the room that is left for rounding is told, wherever something is fitted. */
-static void room_for_rounding_far_from_the_origin_is_told(void **state)
+TEST(room_for_rounding_far_from_the_origin_is_told)
 {
-    (void)state;
     static const struct {
         const char *view;
         bool fitted;
@@ -181,16 +175,4 @@ static void room_for_rounding_far_from_the_origin_is_told(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(room_for_rounding_far_from_the_origin_is_told),
-        cmocka_unit_test(fitted_cube_touches_the_borders),
-        cmocka_unit_test(fitted_cube_is_seen_whole_wherever_the_principal_point_is),
-        cmocka_unit_test(views_without_a_solution_are_refused),
-        cmocka_unit_test(fit_to_a_mesh_shows_it_alone_but_keeps_all_between_the_planes),
-        cmocka_unit_test(fit_to_a_tiny_mesh_is_not_cut_by_a_near_plane_made_for_a_large_scene),
-        cmocka_unit_test(azimuth_and_direction_fit_as_the_presets_do),
-    };
-    return cmocka_run_group_tests_name("fit", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -4,11 +4,10 @@
 
 #include "input/formats.h"
 #include "input/sniff.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
-static void each_media_type_leads_to_its_format(void **state)
+TEST(each_media_type_leads_to_its_format)
 {
-    (void)state;
     static const struct {
         const char *type;
         enum zr_format format;
@@ -30,9 +29,8 @@ static void each_media_type_leads_to_its_format(void **state)
         assert_int_equal(zr_format_of_type(cases[i].type), cases[i].format);
 }
 
-static void types_that_say_nothing_are_generic(void **state)
+TEST(types_that_say_nothing_are_generic)
 {
-    (void)state;
     static const char *const generic[] = {NULL,
                                           "",
                                           "; q",
@@ -60,9 +58,8 @@ static void expect(const char *bytes, size_t size, enum zr_format format, const 
     free(copy);
 }
 
-static void bytes_look_like_what_they_are(void **state)
+TEST(bytes_look_like_what_they_are)
 {
-    (void)state;
     static const struct {
         const char *text;
         enum zr_format format;
@@ -92,9 +89,8 @@ static void bytes_look_like_what_they_are(void **state)
         expect(cases[i].text, strlen(cases[i].text), cases[i].format, cases[i].words);
 }
 
-static void binary_stl_is_known_by_its_size(void **state)
+TEST(binary_stl_is_known_by_its_size)
 {
-    (void)state;
     char bytes[84 + 2 * 50] = {[80] = 2};
     expect(bytes, sizeof bytes, ZR_FORMAT_STL, "STL");
     expect(bytes, sizeof bytes - 1, ZR_FORMAT_UNKNOWN, NULL);
@@ -103,17 +99,15 @@ static void binary_stl_is_known_by_its_size(void **state)
     expect(bytes, sizeof bytes, ZR_FORMAT_JSON, "JSON");
 }
 
-static void zeros_among_blanks_end_them(void **state)
+TEST(zeros_among_blanks_end_them)
 {
-    (void)state;
     expect(" \0{", 3, ZR_FORMAT_UNKNOWN, NULL);
     expect("#\0\nv 1", 6, ZR_FORMAT_OBJ, "OBJ");
     expect("v\0 1", 4, ZR_FORMAT_UNKNOWN, NULL);
 }
 
-static void large_remarks_are_not_searched_to_their_end(void **state)
+TEST(large_remarks_are_not_searched_to_their_end)
 {
-    (void)state;
     enum { SIZE = 1 << 20 };
     char *text = malloc(SIZE);
     assert_non_null(text);
@@ -123,15 +117,4 @@ static void large_remarks_are_not_searched_to_their_end(void **state)
     free(text);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_media_type_leads_to_its_format),
-        cmocka_unit_test(types_that_say_nothing_are_generic),
-        cmocka_unit_test(bytes_look_like_what_they_are),
-        cmocka_unit_test(binary_stl_is_known_by_its_size),
-        cmocka_unit_test(zeros_among_blanks_end_them),
-        cmocka_unit_test(large_remarks_are_not_searched_to_their_end),
-    };
-    return cmocka_run_group_tests_name("formats", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

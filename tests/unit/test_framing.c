@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "framing.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 #define GET    "GET / HTTP/1.1\r\nHost: a\r\n"
 #define POST   "POST / HTTP/1.1\r\nHost: a\r\n"
@@ -57,9 +57,8 @@ static void assert_passes(const char *text, uint64_t passed)
     }
 }
 
-static void whole_requests_pass(void **state)
+TEST(whole_requests_pass)
 {
-    (void)state;
     assert_passes(GET "\r\n", 1);
     assert_passes(GET "\r\n" SECOND SECOND, 3);
     assert_passes("\r\n" GET "\r\n\r\n" SECOND, 2);
@@ -83,7 +82,7 @@ struct fault {
     uint64_t passed;
 };
 
-static void faults_are_refused_with_status_and_reason(void **state)
+TEST(faults_are_refused_with_status_and_reason)
 {
     static const struct fault FAULTS[] = {
         /* the request line */
@@ -156,15 +155,13 @@ static void faults_are_refused_with_status_and_reason(void **state)
         {GET "\r\n" POST "Content-Length: 5\r\nContent-Length: 5\r\n\r\n", 400, "more than one", 1},
         {GET "\r\n" SECOND "\x01", 400, "request line", 2},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof FAULTS / sizeof FAULTS[0]; i++)
         assert_refused(FAULTS[i].text, strlen(FAULTS[i].text), FAULTS[i].status, FAULTS[i].detail, FAULTS[i].passed);
 }
 
-static void a_zero_byte_is_refused_wherever_it_stands_before_a_body(void **state)
+TEST(a_zero_byte_is_refused_wherever_it_stands_before_a_body)
 {
     static const char REQUEST[] = POST "Content-Length: 5\r\nTransfer: chunked\r\n\r\n";
-    (void)state;
     for (size_t at = 0; at < sizeof REQUEST - 1; at++) {
         char text[sizeof REQUEST + 1];
         memcpy(text, REQUEST, at);
@@ -176,7 +173,7 @@ static void a_zero_byte_is_refused_wherever_it_stands_before_a_body(void **state
     }
 }
 
-static void faults_in_chunks_are_those_of_a_body(void **state)
+TEST(faults_in_chunks_are_those_of_a_body)
 {
     static const struct fault FAULTS[] = {
         {"x\r\n", 400, "hexadecimal", 1},
@@ -196,7 +193,6 @@ static void faults_in_chunks_are_those_of_a_body(void **state)
         {"0\r\nTrailer : x\r\n", 400, "token", 1},
         {"0\r\n\n", 400, "LF alone", 1},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof FAULTS / sizeof FAULTS[0]; i++) {
         struct framing framing = {0};
         char header[] = CHUNK, rest[64];
@@ -230,11 +226,10 @@ static int status_of_long(const char *prefix, char filler, size_t count, const c
     return framing.status;
 }
 
-static void limits_hold_to_the_byte(void **state)
+TEST(limits_hold_to_the_byte)
 {
     static char text[COPY_SIZE];
     struct framing framing;
-    (void)state;
     assert_int_equal(status_of_long("GET /", 'a', FRAMING_TARGET_MAX - 1, " HTTP/1.1\r\nHost: a\r\n\r\n"), 0);
     assert_int_equal(status_of_long("GET /", 'a', FRAMING_TARGET_MAX, " HTTP/1.1\r\nHost: a\r\n\r\n"), 414);
     /* "Host: a\r\n", "X:", "\r\n" and the CR of the last line are header bytes, too. */
@@ -260,7 +255,7 @@ static void limits_hold_to_the_byte(void **state)
     }
 }
 
-static void values_that_nobody_reads_go_no_further(void **state)
+TEST(values_that_nobody_reads_go_no_further)
 {
     static const char REQUEST[] = POST
         "Cookie: a=b; c\r\nX-Request-Id: i\r\nhosts: d\r\ncontent-TYPE: e\r\nContent-Length: 4 \t\r\n\r\nA: b" CHUNK
@@ -268,7 +263,6 @@ static void values_that_nobody_reads_go_no_further(void **state)
     static const char WANTED[] =
         POST "Cookie:\r\nX-Request-Id: i\r\nhosts:\r\ncontent-TYPE: e\r\nContent-Length: 4\r\n\r\nA: b" CHUNK
              "0\r\n\r\n" SECOND;
-    (void)state;
     for (size_t step = 1; step <= sizeof REQUEST - 1; step++) {
         char text[sizeof REQUEST], out[sizeof REQUEST] = "";
         struct framing framing = {0};
@@ -285,18 +279,17 @@ static void values_that_nobody_reads_go_no_further(void **state)
     }
 }
 
-static void good_bytes_before_a_fault_pass_and_none_behind_it(void **state)
+TEST(good_bytes_before_a_fault_pass_and_none_behind_it)
 {
     static const char TEXT[] = SECOND SECOND GET "A : b\r\n\r\n" SECOND;
     struct framing framing;
-    (void)state;
     assert_int_equal(scan(&framing, TEXT, sizeof TEXT - 1, sizeof TEXT - 1), 2 * strlen(SECOND));
     assert_int_equal(framing.passed, 2);
 }
 
 /* Whatever the bytes and however they are cut: the same verdict, and the same number of requests where nothing is
  * refused. */
-static void random_bytes_get_the_same_verdict_in_any_pieces(void **state)
+TEST(random_bytes_get_the_same_verdict_in_any_pieces)
 {
     static const char *const PARTS[] = {GET,
                                         POST,
@@ -318,7 +311,6 @@ static void random_bytes_get_the_same_verdict_in_any_pieces(void **state)
                                         "Cookie: c\r\n"};
     struct random random = random_seeded(20);
     int refused = 0, fine = 0;
-    (void)state;
     for (int round = 0; round < 200000; round++) {
         char text[400] = GET;
         size_t used = strlen(text);
@@ -338,17 +330,4 @@ static void random_bytes_get_the_same_verdict_in_any_pieces(void **state)
     assert_true(refused > 10000 && fine > 1000);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(whole_requests_pass),
-        cmocka_unit_test(faults_are_refused_with_status_and_reason),
-        cmocka_unit_test(a_zero_byte_is_refused_wherever_it_stands_before_a_body),
-        cmocka_unit_test(faults_in_chunks_are_those_of_a_body),
-        cmocka_unit_test(limits_hold_to_the_byte),
-        cmocka_unit_test(values_that_nobody_reads_go_no_further),
-        cmocka_unit_test(good_bytes_before_a_fault_pass_and_none_behind_it),
-        cmocka_unit_test(random_bytes_get_the_same_verdict_in_any_pieces),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -6,8 +6,8 @@
 #include "geometry/face.h"
 #include "mesh/face_normals.h"
 #include "shade/lights/light.h"
-#include "support/cmocka_all.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 /* ---- clip ---- */
 
@@ -19,9 +19,8 @@ static int clip(const zr_vec4 positions[3], struct zr_clipped *out)
     return zr_clip_triangle(positions, any, NULL, out);
 }
 
-static void clip_by_all_planes_stays_within_room_and_volume(void **state)
+TEST(clip_by_all_planes_stays_within_room_and_volume)
 {
-    (void)state;
     const zr_vec4 p[3] = {{-30, -20, -9, 1}, {40, -10, 3, 1}, {3, 50, 8, 1}};
     struct zr_clipped out;
     int count = clip(p, &out);
@@ -33,9 +32,8 @@ static void clip_by_all_planes_stays_within_room_and_volume(void **state)
     }
 }
 
-static void clip_outcode_of_nan_is_outside_of_everything(void **state)
+TEST(clip_outcode_of_nan_is_outside_of_everything)
 {
-    (void)state;
     assert_int_equal(zr_clip_outcode((zr_vec4){NAN, NAN, NAN, NAN}), 63);
     assert_int_equal(zr_clip_outcode((zr_vec4){0, 0, 0, 1}), 0);
     assert_int_equal(zr_clip_outcode((zr_vec4){1, -1, 1, 1}), 0);
@@ -43,9 +41,8 @@ static void clip_outcode_of_nan_is_outside_of_everything(void **state)
 
 /* ---- viewport ---- */
 
-static void viewport_without_a_place_is_refused(void **state)
+TEST(viewport_without_a_place_is_refused)
 {
-    (void)state;
     struct zr_viewport viewport = zr_viewport_make(64, 64);
     struct zr_window_vertex v;
     assert_false(zr_viewport_apply(&viewport, (zr_vec4){0, 0, 0, 0}, &v));
@@ -87,9 +84,8 @@ static bool is_concave(const zr_vec4 *ring, uint32_t count)
     return concave > 0;
 }
 
-static void faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not(void **state)
+TEST(faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not)
 {
-    (void)state;
     const zr_vec4 dent[4] = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0.5f, 0.5f, 0, 1}, {0, 2, 0, 1}};
     assert_true(is_concave(dent, 4));
     const zr_vec4 small_notch[6] = {{0, 0, 0, 1},    {1000, 0, 0, 1}, {1000, 1000, 0, 1},
@@ -113,9 +109,8 @@ static void faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not(vo
     assert_false(is_concave(needle, 4));
 }
 
-static void faces_are_convex_only_if_they_are_exactly(void **state)
+TEST(faces_are_convex_only_if_they_are_exactly)
 {
-    (void)state;
     const zr_vec4 dent[5] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0.5f, 1.0f - 1e-6f, 0, 1}, {0, 1, 0, 1}};
     assert_true(is_concave(dent, 5));
     const zr_vec4 bulge[5] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0.5f, 1.0f + 1e-6f, 0, 1}, {0, 1, 0, 1}};
@@ -137,9 +132,8 @@ static void faces_are_convex_only_if_they_are_exactly(void **state)
 }
 
 /* A square whose third corner is the same point, but behind the eye: its edges go through infinity. */
-static void faces_with_corners_behind_the_eye_are_judged_as_cones(void **state)
+TEST(faces_with_corners_behind_the_eye_are_judged_as_cones)
 {
-    (void)state;
     const zr_vec4 turned[4] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {-1, -1, 0, -1}, {0, 1, 0, 1}};
     assert_true(is_concave(turned, 4));
     const zr_vec4 all_behind[4] = {{0, 0, 0, -1}, {-1, 0, 0, -1}, {-1, -1, 0, -1}, {0, -1, 0, -1}};
@@ -182,9 +176,8 @@ static struct zr_counts counts_of(const zr_vec4 *positions, uint32_t triangles, 
     return counts;
 }
 
-static void geometry_survives_points_at_infinity_and_the_zero_vertex(void **state)
+TEST(geometry_survives_points_at_infinity_and_the_zero_vertex)
 {
-    (void)state;
     const zr_vec4 p[] = {{0, 0, 0, 0},        {0.5f, 0, 0, 1}, {0, 0.5f, 0, 1}, {1, 0, 0, 0},
                          {0, 1, 0, 0},        {0, 0, 1, 0},    {0, 0, 0, 0},    {0, 0, 0, 0},
                          {INFINITY, 0, 0, 1}, {0, 0, 0, 1},    {1, 1, 1, 1},    {1e30f, 1e30f, 0, 1e-30f}};
@@ -193,16 +186,4 @@ static void geometry_survives_points_at_infinity_and_the_zero_vertex(void **stat
     assert_int_equal(c.outside + c.clipped + c.culled + c.zero_area + c.drawn_whole, c.triangles);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(clip_by_all_planes_stays_within_room_and_volume),
-        cmocka_unit_test(clip_outcode_of_nan_is_outside_of_everything),
-        cmocka_unit_test(viewport_without_a_place_is_refused),
-        cmocka_unit_test(faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not),
-        cmocka_unit_test(faces_are_convex_only_if_they_are_exactly),
-        cmocka_unit_test(faces_with_corners_behind_the_eye_are_judged_as_cones),
-        cmocka_unit_test(geometry_survives_points_at_infinity_and_the_zero_vertex),
-    };
-    return cmocka_run_group_tests_name("geometry", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 enum { SIDE = 160 };
 static uint32_t pixels[SIDE * SIDE];
@@ -28,9 +28,8 @@ static struct zr_box drawn(void)
     return box;
 }
 
-static void units_can_be_written_and_what_has_no_glyph_is_a_box(void **state)
+TEST(units_can_be_written_and_what_has_no_glyph_is_a_box)
 {
-    (void)state;
     assert_true(zr_glyphs_has_all("T, °C ± 2 µm·s⁻¹ × m² m³ −1 ΔΩÅλρσ"));
     static const char *const without[] = {"∂", "日本", "😀", "\x80", "\xC3", "\xF0\x9F", "a\tb"};
     for (size_t i = 0; i < sizeof without / sizeof without[0]; i++) {
@@ -44,9 +43,8 @@ static void units_can_be_written_and_what_has_no_glyph_is_a_box(void **state)
 }
 
 /* Wherever the text is, pixels outside of the canvas stay as they are. */
-static void what_is_outside_of_the_canvas_is_left_out(void **state)
+TEST(what_is_outside_of_the_canvas_is_left_out)
 {
-    (void)state;
     enum { INSIDE = 10, GUARD = 12 };
     for (int32_t y = -30; y <= 30; y++)
         for (int32_t x = -30; x <= 30; x++) {
@@ -58,11 +56,4 @@ static void what_is_outside_of_the_canvas_is_left_out(void **state)
         }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(units_can_be_written_and_what_has_no_glyph_is_a_box),
-        cmocka_unit_test(what_is_outside_of_the_canvas_is_left_out),
-    };
-    return cmocka_run_group_tests_name("glyphs", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

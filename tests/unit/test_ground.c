@@ -21,9 +21,8 @@ static float between(double low, double high)
 
 /* ---- the map ---- */
 
-static void light_is_full_where_nothing_is_near(void **state)
+TEST_AROUND(light_is_full_where_nothing_is_near, open_arena, close_arena)
 {
-    (void)state;
     static float heights[TEXELS];
     for (int i = 0; i < TEXELS; i++)
         heights[i] = INFINITY;
@@ -35,9 +34,8 @@ static void light_is_full_where_nothing_is_near(void **state)
             if (x > 24 || y > 24) assert_true(ground.light[y * SIDE + x] == 1.0f);
 }
 
-static void maps_of_no_size_give_numbers(void **state)
+TEST_AROUND(maps_of_no_size_give_numbers, open_arena, close_arena)
 {
-    (void)state;
     static float heights[TEXELS];
     heights[5] = INFINITY;
     heights[6] = -1.0f;
@@ -51,9 +49,8 @@ static void maps_of_no_size_give_numbers(void **state)
     }
 }
 
-static void a_failed_arena_gives_no_map(void **state)
+TEST(a_failed_arena_gives_no_map)
 {
-    (void)state;
     static float heights[TEXELS];
     struct zr_arena small;
     zr_arena_init(&small, 1000);
@@ -77,7 +74,7 @@ struct place {
 };
 
 /* What is asked for one place is what a ray straight down has. */
-static void a_ray_straight_down_has_the_light_of_its_place(void **state)
+TEST_EACH_ISA(a_ray_straight_down_has_the_light_of_its_place)
 {
     const enum zr_isa isa = isa_under_test(state);
     const struct zr_ground ground = rough_ground(2.0f);
@@ -91,13 +88,4 @@ static void a_ray_straight_down_has_the_light_of_its_place(void **state)
         assert_true(row[x] == zr_ground_at(&ground, -2.25f + ((float)x + 0.5f) * step, -1.0f + 20.5f * step));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(light_is_full_where_nothing_is_near, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(maps_of_no_size_give_numbers, open_arena, close_arena),
-        cmocka_unit_test(a_failed_arena_gives_no_map),
-        TEST_EACH_ISA(a_ray_straight_down_has_the_light_of_its_place),
-    };
-    return cmocka_run_group_tests_name("ground", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -2,6 +2,7 @@
 #include "base/cancel.h"
 #include "image_check.h"
 #include "png_files.h"
+#include "support/tests.h"
 
 static const int COLORS[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_PALETTE, PNG_COLOR_TYPE_GRAY_ALPHA,
                              PNG_COLOR_TYPE_RGB_ALPHA};
@@ -27,9 +28,8 @@ static size_t list_kinds(struct png_kind kinds[KINDS_MAX])
     return count;
 }
 
-static void every_kind_of_png_gives_its_values(void **state)
+TEST(every_kind_of_png_gives_its_values)
 {
-    (void)state;
     struct random random = random_seeded(17);
     struct png_kind kinds[KINDS_MAX];
     static struct png_file file;
@@ -62,9 +62,8 @@ static struct png_file a_file(int color, int bits, int interlace)
     return file;
 }
 
-static void files_cut_anywhere_are_refused(void **state)
+TEST(files_cut_anywhere_are_refused)
 {
-    (void)state;
     for (int interlace = 0; interlace < 2; interlace++) {
         const struct png_file rgba = a_file(PNG_COLOR_TYPE_RGB_ALPHA, 16, interlace),
                               palette = a_file(PNG_COLOR_TYPE_PALETTE, 2, interlace);
@@ -74,9 +73,8 @@ static void files_cut_anywhere_are_refused(void **state)
 }
 
 /* Of a file that is whole, each bit of what stands behind the header. */
-static void no_bit_may_be_wrong(void **state)
+TEST(no_bit_may_be_wrong)
 {
-    (void)state;
     enum { BEHIND_HEADER = 33 };
     struct png_file file = a_file(PNG_COLOR_TYPE_RGB, 8, 0);
     int skipped = 0;
@@ -91,9 +89,8 @@ static void no_bit_may_be_wrong(void **state)
 }
 
 /* The stream of the rows says where it ends, and more than the rows need is none of theirs. */
-static void more_data_than_rows_are_refused(void **state)
+TEST(more_data_than_rows_are_refused)
 {
-    (void)state;
     struct png_file file = a_file(PNG_COLOR_TYPE_RGB, 8, 0), longer = {.size = 33};
     const unsigned char *data = memmem(file.bytes, file.size, "IDAT", 4);
     assert_non_null(data);
@@ -111,17 +108,15 @@ static void more_data_than_rows_are_refused(void **state)
     assert_refused(longer.bytes, longer.size, "a broken PNG: Extra compress");
 }
 
-static void what_follows_the_end_is_not_looked_at(void **state)
+TEST(what_follows_the_end_is_not_looked_at)
 {
-    (void)state;
     struct png_file file = a_file(PNG_COLOR_TYPE_RGB, 8, 1);
     memset(file.bytes + file.size, 0xff, 5000);
     assert_int_equal(read_image(file.bytes, file.size + 5000).status, ZR_OK);
 }
 
-static void huge_pictures_cost_nothing(void **state)
+TEST(huge_pictures_cost_nothing)
 {
-    (void)state;
     static const struct {
         uint32_t width, height;
         const char *why;
@@ -143,25 +138,22 @@ static void huge_pictures_cost_nothing(void **state)
     }
 }
 
-static void libraries_give_back_what_they_took(void **state)
+TEST(libraries_give_back_what_they_took)
 {
-    (void)state;
     const struct png_file file = a_file(PNG_COLOR_TYPE_RGB_ALPHA, 16, 1);
     assert_int_equal(read_image(file.bytes, file.size).status, ZR_OK);
     assert_true(arena.used < PNG_PIXELS * 8 + ZR_ARENA_ALIGN);
     assert_true(arena.peak > arena.used + (8 << 10));
 }
 
-static void every_ceiling_is_enough_or_fails_cleanly(void **state)
+TEST(every_ceiling_is_enough_or_fails_cleanly)
 {
-    (void)state;
     const struct png_file file = a_file(PNG_COLOR_TYPE_RGB_ALPHA, 16, 1);
     assert_in_range(try_ceilings(file.bytes, file.size, 64), 100, 1000);
 }
 
-static void cancelled_reading_ends(void **state)
+TEST(cancelled_reading_ends)
 {
-    (void)state;
     const struct png_file file = a_file(PNG_COLOR_TYPE_RGB, 8, 0);
     struct zr_cancel cancel = {.raised = true};
     struct zr_image image;
@@ -173,9 +165,8 @@ static void cancelled_reading_ends(void **state)
     arena.cancel = NULL;
 }
 
-static void what_is_no_picture_is_named(void **state)
+TEST(what_is_no_picture_is_named)
 {
-    (void)state;
     static const struct {
         const char *bytes;
         size_t size;
@@ -196,9 +187,8 @@ static void what_is_no_picture_is_named(void **state)
         assert_refused(cases[i].bytes, cases[i].size, cases[i].why);
 }
 
-static void files_with_any_bytes_changed_never_read_too_far_or_show_old_memory(void **state)
+TEST(files_with_any_bytes_changed_never_read_too_far_or_show_old_memory)
 {
-    (void)state;
     struct random random = random_seeded(21);
     struct png_kind kinds[KINDS_MAX];
     static struct png_file file;
@@ -226,20 +216,4 @@ static void files_with_any_bytes_changed_never_read_too_far_or_show_old_memory(v
     assert_true(read > 50 && refused > 1000);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_kind_of_png_gives_its_values),
-        cmocka_unit_test(files_cut_anywhere_are_refused),
-        cmocka_unit_test(no_bit_may_be_wrong),
-        cmocka_unit_test(more_data_than_rows_are_refused),
-        cmocka_unit_test(what_follows_the_end_is_not_looked_at),
-        cmocka_unit_test(huge_pictures_cost_nothing),
-        cmocka_unit_test(libraries_give_back_what_they_took),
-        cmocka_unit_test(every_ceiling_is_enough_or_fails_cleanly),
-        cmocka_unit_test(cancelled_reading_ends),
-        cmocka_unit_test(what_is_no_picture_is_named),
-        cmocka_unit_test(files_with_any_bytes_changed_never_read_too_far_or_show_old_memory),
-    };
-    return cmocka_run_group_tests_name("image_read", tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

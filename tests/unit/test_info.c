@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "output/info.h"
-#include "support/cmocka_all.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 TEST_ARENA(1 << 27)
 static const struct zr_output info_output = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
@@ -20,9 +20,8 @@ static struct zr_answer info_of(struct test_scene *test)
     return scene_encode(&arena, NULL, &test->scene);
 }
 
-static void info_counts_pixels_and_boxes_and_warns(void **state)
+TEST_AROUND(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena)
 {
-    (void)state;
     const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}, {5, 5, 0, 1}, {6, 5, 0, 1}, {5, 6, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 16, 16, p, 2);
@@ -47,9 +46,8 @@ static void info_counts_pixels_and_boxes_and_warns(void **state)
     cJSON_Delete(info);
 }
 
-static void nothing_seen_says_why(void **state)
+TEST_AROUND(nothing_seen_says_why, open_arena, close_arena)
 {
-    (void)state;
     static const struct {
         zr_vec4 p[3];
         const char *warning;
@@ -69,9 +67,8 @@ static void nothing_seen_says_why(void **state)
     }
 }
 
-static void room_that_a_fitted_view_leaves_for_rounding_is_warned_of(void **state)
+TEST_AROUND(room_that_a_fitted_view_leaves_for_rounding_is_warned_of, open_arena, close_arena)
 {
-    (void)state;
     static struct test_scene test;
     for (int i = 0; i < 2; i++) {
         const float x = i ? 500000.0f : 5.0f;
@@ -84,9 +81,8 @@ static void room_that_a_fitted_view_leaves_for_rounding_is_warned_of(void **stat
     }
 }
 
-static void info_names_meshes_and_the_nodes_that_place_them(void **state)
+TEST_AROUND(info_names_meshes_and_the_nodes_that_place_them, open_arena, close_arena)
 {
-    (void)state;
     const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
     static struct test_scene test;
     struct zr_instance instances[2];
@@ -105,9 +101,8 @@ static void info_names_meshes_and_the_nodes_that_place_them(void **state)
 }
 
 /* Of meshes and nodes: as they are, so that a reader finds what he wrote. */
-static void names_in_info_keep_quotes_and_utf8(void **state)
+TEST_AROUND(names_in_info_keep_quotes_and_utf8, open_arena, close_arena)
 {
-    (void)state;
     static const char quoted[] = "a \"b\" \\ \n c", greek[] = "\xce\xbb \xf0\x9f\x90\xb0"; /* lambda, rabbit */
     static const struct {
         const char *name, *node;
@@ -147,9 +142,8 @@ static void names_in_info_keep_quotes_and_utf8(void **state)
     cJSON_Delete(info);
 }
 
-static void info_lists_the_first_thousand_instances(void **state)
+TEST_AROUND(info_lists_the_first_thousand_instances, open_arena, close_arena)
 {
-    (void)state;
     enum { PLACED = ZR_INFO_MESHES_MAX + 234 };
     const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
     static struct test_scene test;
@@ -190,9 +184,8 @@ static cJSON *info_beside_color(struct test_scene *test)
     return info;
 }
 
-static void picture_says_how_much_is_covered_and_whether_that_leaves_the_window(void **state)
+TEST_AROUND(picture_says_how_much_is_covered_and_whether_that_leaves_the_window, open_arena, close_arena)
 {
-    (void)state;
     static const struct {
         float x0, y0, x1, y1; /* of a rectangle's lower left and upper right corner, in a window of 16 x 16 */
         double share;
@@ -226,9 +219,8 @@ static void picture_says_how_much_is_covered_and_whether_that_leaves_the_window(
 }
 
 /* A thin rectangle beside the centres of row 9, on the lower of its two rows of samples. */
-static void what_no_pixel_centre_is_on_is_not_blank(void **state)
+TEST_AROUND(what_no_pixel_centre_is_on_is_not_blank, open_arena, close_arena)
 {
-    (void)state;
     const float low = 9.15f / 8.0f - 1.0f, high = 9.35f / 8.0f - 1.0f; /* that are at 9.25 */
     const zr_vec4 p[] = {{-1, low, 0, 1}, {1, low, 0, 1},  {-1, high, 0, 1},
                          {1, low, 0, 1},  {1, high, 0, 1}, {-1, high, 0, 1}};
@@ -266,9 +258,8 @@ static double colors_of(uint32_t triangles)
     return count;
 }
 
-static void colors_are_counted_up_to_256(void **state)
+TEST_AROUND(colors_are_counted_up_to_256, open_arena, close_arena)
 {
-    (void)state;
     assert_true(colors_of(1) == 2);
     assert_true(colors_of(100) == 101);
     assert_true(colors_of(255) == 256);
@@ -276,9 +267,8 @@ static void colors_are_counted_up_to_256(void **state)
     assert_true(colors_of(400) == 257);
 }
 
-static void picture_is_missing_where_color_is_no_output(void **state)
+TEST_AROUND(picture_is_missing_where_color_is_no_output, open_arena, close_arena)
 {
-    (void)state;
     const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 16, 16, p, 1);
@@ -318,9 +308,8 @@ static void assert_angles(cJSON *info, const char *up, double azimuth, double el
     assert_string_equal(cJSON_GetObjectItem(camera, "up")->valuestring, up);
 }
 
-static void default_views_of_looks_are_seen_in_info(void **state)
+TEST_AROUND(default_views_of_looks_are_seen_in_info, open_arena, close_arena)
 {
-    (void)state;
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\n";
     static const char stl[] = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1\n"
                               "endloop\nendfacet\nendsolid a\n";
@@ -341,9 +330,8 @@ static void default_views_of_looks_are_seen_in_info(void **state)
 
 #define SCENE(view) "{\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,1]]}]," view "}"
 
-static void angles_of_views_are_those_that_they_say(void **state)
+TEST_AROUND(angles_of_views_are_those_that_they_say, open_arena, close_arena)
 {
-    (void)state;
     static const struct {
         const char *text, *up;
         double azimuth, elevation;
@@ -370,9 +358,8 @@ static void angles_of_views_are_those_that_they_say(void **state)
     }
 }
 
-static void eye_is_where_the_view_has_it(void **state)
+TEST_AROUND(eye_is_where_the_view_has_it, open_arena, close_arena)
 {
-    (void)state;
     cJSON *info = info_of_text(ZR_FORMAT_JSON, SCENE("\"view\":{\"eye\":[3,1,-2],\"target\":[0,0,0]}"), NULL);
     const cJSON *eye = cJSON_GetObjectItem(cJSON_GetObjectItem(info, "camera"), "eye");
     const double want[3] = {3, 1, -2};
@@ -408,9 +395,8 @@ static int close_counted(void **state)
 }
 
 /* 1200 times a mesh whose name has 2000 bytes, each of which is six in JSON. */
-static void info_takes_no_memory_that_a_request_may_not_have(void **state)
+TEST_AROUND(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_counted)
 {
-    (void)state;
     enum { PLACED = 1200, NAME_SIZE = 1000 };
     const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
     static struct test_scene test;
@@ -443,25 +429,4 @@ static void info_takes_no_memory_that_a_request_may_not_have(void **state)
     assert_true(most < 8 << 20);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(nothing_seen_says_why, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(room_that_a_fitted_view_leaves_for_rounding_is_warned_of, open_arena,
-                                        close_arena),
-        cmocka_unit_test_setup_teardown(info_names_meshes_and_the_nodes_that_place_them, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(names_in_info_keep_quotes_and_utf8, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(picture_says_how_much_is_covered_and_whether_that_leaves_the_window, open_arena,
-                                        close_arena),
-        cmocka_unit_test_setup_teardown(what_no_pixel_centre_is_on_is_not_blank, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(colors_are_counted_up_to_256, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(picture_is_missing_where_color_is_no_output, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(default_views_of_looks_are_seen_in_info, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(angles_of_views_are_those_that_they_say, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(eye_is_where_the_view_has_it, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_counted),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,9 +1,9 @@
 /* Instances: what their matrices do to pictures. */
 #include <string.h>
 
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 /* A tetrahedron, its sides all turned the same way. */
 static void make_solid(zr_vec4 out[12])
@@ -60,9 +60,8 @@ static void assert_placed_equals_moved(const zr_vec4 *solid, zr_mat4 matrix, con
     zr_arena_free(&arena);
 }
 
-static void placed_mesh_equals_the_mesh_with_moved_vertices(void **state)
+TEST(placed_mesh_equals_the_mesh_with_moved_vertices)
 {
-    (void)state;
     zr_vec4 solid[12], moved[12];
     make_solid(solid);
     for (int i = 0; i < 12; i++)
@@ -70,9 +69,8 @@ static void placed_mesh_equals_the_mesh_with_moved_vertices(void **state)
     assert_placed_equals_moved(solid, (zr_mat4){{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0.25f, -0.5f, -0.125f, 1}}, moved);
 }
 
-static void mirrors_are_told_by_the_determinant(void **state)
+TEST(mirrors_are_told_by_the_determinant)
 {
-    (void)state;
     zr_mat4 m = zr_mat4_identity();
     assert_false(zr_mat4_is_mirror(&m));
     m.m[5] = -1e-15f;
@@ -88,9 +86,8 @@ static void mirrors_are_told_by_the_determinant(void **state)
 }
 
 /* Three matrices at their limits multiply to more than a float can hold. */
-static void matrices_at_their_limits_draw_something_or_nothing(void **state)
+TEST(matrices_at_their_limits_draw_something_or_nothing)
 {
-    (void)state;
     struct random random = random_seeded(7);
     zr_vec4 solid[12];
     make_solid(solid);
@@ -113,12 +110,4 @@ static void matrices_at_their_limits_draw_something_or_nothing(void **state)
     zr_arena_free(&arena);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(placed_mesh_equals_the_mesh_with_moved_vertices),
-        cmocka_unit_test(mirrors_are_told_by_the_determinant),
-        cmocka_unit_test(matrices_at_their_limits_draw_something_or_nothing),
-    };
-    return cmocka_run_group_tests_name("instances", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -3,6 +3,7 @@
 #include "image_check.h"
 #include "support/jpeg.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 enum { WIDTH = 37, HEIGHT = 21, PIXELS = WIDTH * HEIGHT };
 
@@ -72,9 +73,8 @@ static void assert_as_libjpeg_has_it(const struct file *file, const struct zr_im
     free(wanted);
 }
 
-static void every_kind_of_jpeg_gives_its_values(void **state)
+TEST(every_kind_of_jpeg_gives_its_values)
 {
-    (void)state;
     static const uint32_t sizes[][2] = {{1, 1}, {8, 8}, {WIDTH, HEIGHT}, {16, 33}, {129, 3}, {2, 100}};
     for (size_t k = 0; k < KIND_COUNT; k++)
         for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
@@ -88,9 +88,8 @@ static void every_kind_of_jpeg_gives_its_values(void **state)
 
 /* What the values mean does not rest on libjpeg's word alone: a picture of one colour has it, to the rounding of its
  * conversion. */
-static void colors_are_what_was_written(void **state)
+TEST(colors_are_what_was_written)
 {
-    (void)state;
     static const uint8_t colors[][3] = {{0, 0, 0}, {255, 255, 255}, {200, 30, 90}, {10, 220, 130}, {0, 0, 255}};
     const struct jpeg_kind kind = {.colors = JPEG_YCBCR, .across = 2, .down = 2, .quality = 100};
     for (size_t k = 0; k < sizeof colors / sizeof colors[0]; k++) {
@@ -109,9 +108,8 @@ static void colors_are_what_was_written(void **state)
     }
 }
 
-static void colors_of_print_are_refused(void **state)
+TEST(colors_of_print_are_refused)
 {
-    (void)state;
     for (enum jpeg_colors colors = JPEG_CMYK; colors <= JPEG_YCCK; colors++) {
         const struct jpeg_kind kind = {.colors = colors, .across = 1, .down = 1, .quality = 90};
         const struct file file = make_file(&kind);
@@ -129,18 +127,16 @@ static uint8_t *find_frame(const struct file *file)
     return NULL;
 }
 
-static void twelve_bits_are_refused(void **state)
+TEST(twelve_bits_are_refused)
 {
-    (void)state;
     const struct file file = make_file(&KINDS[2]);
     find_frame(&file)[4] = 12;
     assert_refused(file.bytes, file.size, "12");
     free(file.bytes);
 }
 
-static void huge_pictures_cost_nothing(void **state)
+TEST(huge_pictures_cost_nothing)
 {
-    (void)state;
     static const struct {
         uint16_t width, height;
         const char *why;
@@ -161,9 +157,8 @@ static void huge_pictures_cost_nothing(void **state)
     }
 }
 
-static void files_cut_anywhere_are_refused(void **state)
+TEST(files_cut_anywhere_are_refused)
 {
-    (void)state;
     for (size_t k = 0; k < KIND_COUNT; k++) {
         const struct file file = make_sized(&KINDS[k], 19, 10);
         refuse_cut(file.bytes, file.size);
@@ -172,9 +167,8 @@ static void files_cut_anywhere_are_refused(void **state)
 }
 
 /* What libjpeg only warns of. */
-static void broken_data_are_refused(void **state)
+TEST(broken_data_are_refused)
 {
-    (void)state;
     const struct file file = make_file(&KINDS[2]);
     uint8_t *data = file.bytes + file.size - 100; /* of the last rows */
     while (data[0] == 0xFF || data[-1] == 0xFF || data[1] == 0xFF)
@@ -186,9 +180,8 @@ static void broken_data_are_refused(void **state)
     free(file.bytes);
 }
 
-static void what_follows_the_end_is_not_looked_at(void **state)
+TEST(what_follows_the_end_is_not_looked_at)
 {
-    (void)state;
     struct file file = make_file(&KINDS[7]);
     file.bytes = realloc(file.bytes, file.size + 1000);
     assert_non_null(file.bytes);
@@ -199,10 +192,9 @@ static void what_follows_the_end_is_not_looked_at(void **state)
 }
 
 /* As cameras write them: how the picture was held, and a small picture inside, which is not the one that is read. */
-static void notes_of_cameras_are_passed_over(void **state)
+TEST(notes_of_cameras_are_passed_over)
 {
     enum { BEHIND_BEGIN = 2, HEAD = 4 };
-    (void)state;
     const struct file file = make_file(&KINDS[5]), thumbnail = make_sized(&KINDS[0], 8, 8);
     const size_t size = HEAD + thumbnail.size, length = size - 2;
     struct file noted = {malloc(file.size + size), file.size + size};
@@ -221,9 +213,8 @@ static void notes_of_cameras_are_passed_over(void **state)
 }
 
 /* 253 scans, each of which goes over all of the picture. */
-static void endless_scans_are_refused(void **state)
+TEST(endless_scans_are_refused)
 {
-    (void)state;
     const struct jpeg_kind kind = {
         .colors = JPEG_GREY, .across = 1, .down = 1, .is_progressive = true, .has_refinements = true, .quality = 90};
     const struct file file = make_file(&kind);
@@ -232,9 +223,8 @@ static void endless_scans_are_refused(void **state)
 }
 
 /* Of fewer, the more texels there are. Arithmetic coding counts four times. */
-static void many_scans_of_large_pictures_are_refused(void **state)
+TEST(many_scans_of_large_pictures_are_refused)
 {
-    (void)state;
     for (int arithmetic = 0; arithmetic < 2; arithmetic++) {
         const struct jpeg_kind kind = {.colors = JPEG_GREY,
                                        .across = 1,
@@ -251,9 +241,8 @@ static void many_scans_of_large_pictures_are_refused(void **state)
     }
 }
 
-static void libjpeg_gives_back_what_it_took(void **state)
+TEST(libjpeg_gives_back_what_it_took)
 {
-    (void)state;
     const struct file file = make_file(&KINDS[7]);
     assert_int_equal(read_image(file.bytes, file.size).status, ZR_OK);
     assert_true(arena.used < PIXELS * 4 + ZR_ARENA_ALIGN);
@@ -261,9 +250,8 @@ static void libjpeg_gives_back_what_it_took(void **state)
     free(file.bytes);
 }
 
-static void every_ceiling_is_enough_or_fails_cleanly(void **state)
+TEST(every_ceiling_is_enough_or_fails_cleanly)
 {
-    (void)state;
     const struct file baseline = make_file(&KINDS[5]), progressive = make_file(&KINDS[7]);
     assert_in_range(try_ceilings(baseline.bytes, baseline.size, 64), 100, 1000);
     assert_in_range(try_ceilings(progressive.bytes, progressive.size, 64), 100, 2000);
@@ -271,9 +259,8 @@ static void every_ceiling_is_enough_or_fails_cleanly(void **state)
     free(progressive.bytes);
 }
 
-static void cancelled_reading_ends(void **state)
+TEST(cancelled_reading_ends)
 {
-    (void)state;
     struct zr_cancel cancel = {.raised = true};
     struct zr_reason reason;
     for (size_t k = 0; k < KIND_COUNT; k++) {
@@ -289,9 +276,8 @@ static void cancelled_reading_ends(void **state)
     }
 }
 
-static void files_with_any_bytes_changed_never_read_too_far_or_show_old_memory(void **state)
+TEST(files_with_any_bytes_changed_never_read_too_far_or_show_old_memory)
 {
-    (void)state;
     struct random random = random_seeded(23);
     static uint8_t first[1 << 16];
     int read = 0, refused = 0;
@@ -314,24 +300,4 @@ static void files_with_any_bytes_changed_never_read_too_far_or_show_old_memory(v
     assert_true(read > 50 && refused > 1000);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_kind_of_jpeg_gives_its_values),
-        cmocka_unit_test(colors_are_what_was_written),
-        cmocka_unit_test(colors_of_print_are_refused),
-        cmocka_unit_test(twelve_bits_are_refused),
-        cmocka_unit_test(huge_pictures_cost_nothing),
-        cmocka_unit_test(files_cut_anywhere_are_refused),
-        cmocka_unit_test(broken_data_are_refused),
-        cmocka_unit_test(what_follows_the_end_is_not_looked_at),
-        cmocka_unit_test(notes_of_cameras_are_passed_over),
-        cmocka_unit_test(endless_scans_are_refused),
-        cmocka_unit_test(many_scans_of_large_pictures_are_refused),
-        cmocka_unit_test(libjpeg_gives_back_what_it_took),
-        cmocka_unit_test(every_ceiling_is_enough_or_fails_cleanly),
-        cmocka_unit_test(cancelled_reading_ends),
-        cmocka_unit_test(files_with_any_bytes_changed_never_read_too_far_or_show_old_memory),
-    };
-    return cmocka_run_group_tests_name("jpeg_read", tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

@@ -2,8 +2,8 @@
 
 #include "guarded.h"
 #include "json_strict.h"
-#include "support/cmocka_all.h"
 #include "support/files.h"
+#include "support/tests.h"
 
 static struct zr_error error;
 
@@ -38,18 +38,16 @@ static void expect_detail(const char *text, const char *detail)
     if (!strstr(error.items[0].detail, detail)) fail_msg("'%s' does not say '%s'", error.items[0].detail, detail);
 }
 
-static void valid_texts_are_accepted(void **state)
+TEST(valid_texts_are_accepted)
 {
-    (void)state;
     expect_status("{\"a\": [1, -2.5e+3, true, false, null, \"x\"], \"b\": {}}", ZR_OK);
     expect_status(" \t\r\n0 \n", ZR_OK);
     expect_status("\"a long string that takes more than one word of eight bytes\"", ZR_OK);
     expect_status("\"\\ud83d\\uDE00 \xF0\x9F\x98\x80 \xC3\xA4 \xE2\x82\xAC\"", ZR_OK);
 }
 
-static void malformed_texts_are_refused(void **state)
+TEST(malformed_texts_are_refused)
 {
-    (void)state;
     static const char *const texts[] = {
         "",           " ",        "[1,]",      "[,1]",         "[1 2]",     "{\"a\"}",  "{\"a\":}",
         "{\"a\":1,}", "{a:1}",    "[1}",       "{\"a\":1]",    "[",         "]",        "01",
@@ -65,9 +63,8 @@ static void malformed_texts_are_refused(void **state)
     assert_int_equal(scan_limited(NULL, 0, zr_limits_default(), 4096), ZR_BAD_SYNTAX);
 }
 
-static void every_prefix_of_a_text_is_refused_within_its_bytes(void **state)
+TEST(every_prefix_of_a_text_is_refused_within_its_bytes)
 {
-    (void)state;
     static const char text[] =
         "{\"k\\u00e9y\": [true, false, null, -1.5e-7, \"\\ud83d\\ude00 \xE2\x82\xAC\"], \"b\": {}}";
     for (size_t size = 0; size < sizeof text - 1; size++)
@@ -75,9 +72,8 @@ static void every_prefix_of_a_text_is_refused_within_its_bytes(void **state)
     expect_status(text, ZR_OK);
 }
 
-static void invalid_utf8_is_refused(void **state)
+TEST(invalid_utf8_is_refused)
 {
-    (void)state;
     static const char *const texts[] = {"\"\x80\"",
                                         "\"\xC0\xAF\"",
                                         "\"\xC1\xBF\"",
@@ -97,9 +93,8 @@ static void invalid_utf8_is_refused(void **state)
     }
 }
 
-static void escaped_surrogate_without_partner_is_refused(void **state)
+TEST(escaped_surrogate_without_partner_is_refused)
 {
-    (void)state;
     static const char *const texts[] = {"\"\\ud800\"",       "\"\\udc00\"",        "\"\\ud800x\"",
                                         "\"\\ud800\\n\"",    "\"\\ud800\\ud800\"", "\"\\udc00\\ud800\"",
                                         "\"\\ud800\\u0041\""};
@@ -107,25 +102,22 @@ static void escaped_surrogate_without_partner_is_refused(void **state)
         expect_status(texts[i], ZR_BAD_SYNTAX);
 }
 
-static void byte_order_mark_is_refused_by_name(void **state)
+TEST(byte_order_mark_is_refused_by_name)
 {
-    (void)state;
     expect_detail("\xEF\xBB\xBF{}", "byte order mark");
     assert_int_equal(error.status, ZR_BAD_SYNTAX);
 }
 
-static void complaint_names_line_and_column_in_characters(void **state)
+TEST(complaint_names_line_and_column_in_characters)
 {
-    (void)state;
     expect_detail("{\n  \"\xC3\xA4\": x}", "line 2, column 8: expected a value, found 'x'");
     expect_detail("[1,\n2,\n3", "line 3, column 2: expected ',' or ']', found the end of the text");
     expect_detail("[1,]", "line 1, column 4: expected a value, found ']'");
     expect_detail("[01]", "line 1, column 2: expected a number without leading zeros");
 }
 
-static void too_deep_gives_bad_scene(void **state)
+TEST(too_deep_gives_bad_scene)
 {
-    (void)state;
     struct zr_limits limits = zr_limits_default();
     limits.json_depth_max = 3;
     assert_int_equal(scan_limited("[[[1]]]", 7, limits, 4096), ZR_OK);
@@ -134,9 +126,8 @@ static void too_deep_gives_bad_scene(void **state)
 }
 
 /* Nothing behind it is looked at: as many brackets as a body has bytes cost nothing. */
-static void too_deep_a_text_is_refused_where_it_is_too_deep(void **state)
+TEST(too_deep_a_text_is_refused_where_it_is_too_deep)
 {
-    (void)state;
     size_t size = 200000;
     char *text = malloc(size);
     assert_non_null(text);
@@ -146,9 +137,8 @@ static void too_deep_a_text_is_refused_where_it_is_too_deep(void **state)
     free(text);
 }
 
-static void kinds_of_all_levels_are_kept(void **state)
+TEST(kinds_of_all_levels_are_kept)
 {
-    (void)state;
     enum { LEVELS = ZR_JSON_DEPTH_MAX };
     static char text[LEVELS * 8];
     char *at = text;
@@ -168,9 +158,8 @@ static void kinds_of_all_levels_are_kept(void **state)
     }
 }
 
-static void escaped_zero_gives_bad_scene(void **state)
+TEST(escaped_zero_gives_bad_scene)
 {
-    (void)state;
     expect_status("[\"a\\u0000\"]", ZR_BAD_SCENE);
     assert_string_equal(error.items[0].detail, "line 1, column 4: U+0000 in a string");
     expect_status("{\"\\u0000\": 1}", ZR_BAD_SCENE);
@@ -178,9 +167,8 @@ static void escaped_zero_gives_bad_scene(void **state)
     expect_status("[\"a\" \"\\u0000", ZR_BAD_SYNTAX);
 }
 
-static void numbers_may_have_any_length(void **state)
+TEST(numbers_may_have_any_length)
 {
-    (void)state;
     static char text[2000] = "0.";
     memset(text + 2, '1', sizeof text - 3);
     expect_status(text, ZR_OK);
@@ -196,9 +184,8 @@ static struct guarded load(const char *path)
     return copy;
 }
 
-static void json_test_suite_is_judged_as_its_names_say(void **state)
+TEST(json_test_suite_is_judged_as_its_names_say)
 {
-    (void)state;
     const char *data = getenv("ZRASTER_DATA");
     char folder[512], path[1024];
     snprintf(folder, sizeof folder, "%s/json-test-suite/test_parsing", data ? data : "../shared/data");
@@ -225,22 +212,4 @@ static void json_test_suite_is_judged_as_its_names_say(void **state)
     assert_true(refused >= 180 && accepted >= 90);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(valid_texts_are_accepted),
-        cmocka_unit_test(malformed_texts_are_refused),
-        cmocka_unit_test(every_prefix_of_a_text_is_refused_within_its_bytes),
-        cmocka_unit_test(invalid_utf8_is_refused),
-        cmocka_unit_test(escaped_surrogate_without_partner_is_refused),
-        cmocka_unit_test(byte_order_mark_is_refused_by_name),
-        cmocka_unit_test(complaint_names_line_and_column_in_characters),
-        cmocka_unit_test(too_deep_gives_bad_scene),
-        cmocka_unit_test(too_deep_a_text_is_refused_where_it_is_too_deep),
-        cmocka_unit_test(kinds_of_all_levels_are_kept),
-        cmocka_unit_test(escaped_zero_gives_bad_scene),
-        cmocka_unit_test(numbers_may_have_any_length),
-        cmocka_unit_test(json_test_suite_is_judged_as_its_names_say),
-    };
-    return cmocka_run_group_tests_name("json", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

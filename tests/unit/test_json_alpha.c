@@ -1,9 +1,9 @@
 /* alphaMode and alphaCutoff in JSON, and what is said of alphas that nothing is made of. */
 #include "json_check.h"
+#include "support/tests.h"
 
-static void alpha_gives_one_warning(void **state)
+TEST(alpha_gives_one_warning)
 {
-    (void)state;
     static const char *const texts[] = {
         "{\"polygons\": [{" TRIANGLE ", \"color\": \"#ff000080\"}, {" TRIANGLE ", \"color\": \"#ff000080\"}]}",
         "{\"polygons\": [{" TRIANGLE ", \"material\": \"glass\"}], \"materials\": [{\"name\": \"glass\", "
@@ -25,9 +25,8 @@ static void alpha_gives_one_warning(void **state)
 }
 
 /* Said of what has an alpha below 1: by the mesh, its material or the scene. */
-static void explicit_opaque_is_meant(void **state)
+TEST(explicit_opaque_is_meant)
 {
-    (void)state;
     static const char *const texts[] = {
         "{\"polygons\": [{" TRIANGLE ", \"color\": \"#ff000080\", \"alphaMode\": \"OPAQUE\"}]}",
         "{\"alphaMode\": \"OPAQUE\", \"polygons\": [{" TRIANGLE ", \"color\": \"#ff000080\"}]}",
@@ -44,9 +43,8 @@ static void explicit_opaque_is_meant(void **state)
 }
 
 /* The nearest alphaMode counts; alpha is then nothing to warn of. */
-static void alpha_modes_are_those_of_the_nearest_that_say_one(void **state)
+TEST(alpha_modes_are_those_of_the_nearest_that_say_one)
 {
-    (void)state;
     struct reading *reading = read_scene(
         "{\"alphaMode\": \"BLEND\", \"materials\": [{\"name\": \"m\", \"alphaMode\": \"MASK\", \"alphaCutoff\": "
         "0.25}], "
@@ -64,9 +62,8 @@ static void alpha_modes_are_those_of_the_nearest_that_say_one(void **state)
     reading_free(reading);
 }
 
-static void alpha_modes_that_are_none_and_what_cannot_have_any_are_refused(void **state)
+TEST(alpha_modes_that_are_none_and_what_cannot_have_any_are_refused)
 {
-    (void)state;
     static const struct {
         const char *rest, *pointer, *detail;
     } cases[] = {{"\"alphaMode\": \"blend\"", "/alphaMode", "BLEND"},
@@ -85,13 +82,4 @@ static void alpha_modes_that_are_none_and_what_cannot_have_any_are_refused(void 
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(alpha_gives_one_warning),
-        cmocka_unit_test(explicit_opaque_is_meant),
-        cmocka_unit_test(alpha_modes_are_those_of_the_nearest_that_say_one),
-        cmocka_unit_test(alpha_modes_that_are_none_and_what_cannot_have_any_are_refused),
-    };
-    return cmocka_run_group_tests_name("json_alpha", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

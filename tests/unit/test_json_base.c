@@ -1,9 +1,9 @@
 /* Scenes with a base: what is read, and what is drawn. */
 #include "base_scenes.h"
+#include "support/tests.h"
 
-static void base_is_seen_where_it_is_nearer_and_at_equal_depth(void **state)
+TEST(base_is_seen_where_it_is_nearer_and_at_equal_depth)
 {
-    (void)state;
     struct reading *reading = read_good(HEAD OUTPUTS "," BASE(ALL) "}");
     const struct zr_frame *frame = render(reading);
     assert_seen(frame, "...####.");
@@ -19,17 +19,15 @@ static void base_is_seen_where_it_is_nearer_and_at_equal_depth(void **state)
     reading_free(reading);
 }
 
-static void scene_that_wins_ties_is_seen_at_equal_depth_too(void **state)
+TEST(scene_that_wins_ties_is_seen_at_equal_depth_too)
 {
-    (void)state;
     struct reading *reading = read_good(HEAD OUTPUTS "," BASE(ALL ",\"ties\":\"scene\"") "}");
     assert_seen(render(reading), "..#####.");
     reading_free(reading);
 }
 
-static void depth_alone_is_converted_by_the_view(void **state)
+TEST(depth_alone_is_converted_by_the_view)
 {
-    (void)state;
     /* The identity has z = -depth: from 1 in front, window depth 0, to -1, window depth 1. */
     const float depth[PIXELS] = {1, 0.5f, 0, -0.5f, INFINITY, NAN, 2, -2};
     const float want[PIXELS] = {0, 0.25f, 0.5f, 0.75f, 1, 1, 0, 1};
@@ -44,9 +42,8 @@ static void depth_alone_is_converted_by_the_view(void **state)
 }
 
 /* znear 1, zfar 3: window depth 1.5 (d - 1) / d. */
-static void depth_in_perspective_is_converted_too(void **state)
+TEST(depth_in_perspective_is_converted_too)
 {
-    (void)state;
     const float depth[PIXELS] = {0.5f, 1, 1.5f, 2, 3, 4, -1, 0};
     struct reading *reading =
         read_with("{\"window\":{\"width\":4,\"height\":2},\"view\":{\"eye\":[0,0,2],\"perspective\":{\"yfov\":1},"
@@ -84,9 +81,8 @@ static int number(const cJSON *object, const char *key)
     return (int)item->valuedouble;
 }
 
-static void info_tells_new_faces_from_the_base(void **state)
+TEST(info_tells_new_faces_from_the_base)
 {
-    (void)state;
     static const struct {
         const char *base;
         int first;
@@ -106,9 +102,8 @@ static void info_tells_new_faces_from_the_base(void **state)
     }
 }
 
-static void data_uris_do_as_well_as_assets(void **state)
+TEST(data_uris_do_as_well_as_assets)
 {
-    (void)state;
     static const char *const forms[] = {"\"%s\"", "{\"uri\":\"%s\"}"};
     for (int i = 0; i < 2; i++) {
         char text[8192], part[2048];
@@ -150,9 +145,8 @@ static const struct zr_request KEPT = {.format = ZR_FORMAT_JSON, .stored = {read
     HEAD "\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"windowDepth\"}]," BASE(                                  \
         "\"color\":{\"asset\":\"sha256:" color "\"},\"windowDepth\":{\"asset\":\"sha256:" depth "\"}") "}"
 
-static void assets_are_found_by_their_hash(void **state)
+TEST(assets_are_found_by_their_hash)
 {
-    (void)state;
     static const char text[] = KEPT_SCENE(HASH_C, HASH_W);
     const float want[PIXELS] = {0, 0.25f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.49999f};
     struct reading *reading = read_request(KEPT, text, sizeof text - 1, zr_limits_default(), (size_t)1 << 26);
@@ -162,9 +156,8 @@ static void assets_are_found_by_their_hash(void **state)
     assert_in_range(smallest_ceiling(KEPT, text, sizeof text - 1, 1 << 18), 10000, 1 << 18);
 }
 
-static void unknown_hashes_are_refused_each_where_it_stands(void **state)
+TEST(unknown_hashes_are_refused_each_where_it_stands)
 {
-    (void)state;
     static const struct {
         const char *text, *pointer, *detail;
     } cases[] = {
@@ -192,9 +185,8 @@ static enum zr_status fail_to_read(void *context, const char *sha256, struct zr_
 }
 
 /* No fault of the scene: it may well be kept. */
-static void assets_that_cannot_be_read_are_not_called_missing(void **state)
+TEST(assets_that_cannot_be_read_are_not_called_missing)
 {
-    (void)state;
     static const char text[] = KEPT_SCENE(HASH_C, HASH_W);
     enum zr_status cases[] = {ZR_INTERNAL, ZR_CANCELLED};
     for (size_t i = 0; i < 2; i++) {
@@ -206,9 +198,8 @@ static void assets_that_cannot_be_read_are_not_called_missing(void **state)
     }
 }
 
-static void what_may_be_meant_otherwise_is_warned_of(void **state)
+TEST(what_may_be_meant_otherwise_is_warned_of)
 {
-    (void)state;
     static const char middle[] = ",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}],\"window\":{\"width\":4,"
                                  "\"height\":2},\"outputs\":[{\"channel\":\"%s\"}],\"base\":{";
     static const char metric[] = "\"depth\":{\"asset\":\"d\"}";
@@ -240,9 +231,8 @@ static void what_may_be_meant_otherwise_is_warned_of(void **state)
     reading_free(reading);
 }
 
-static void geometry_hidden_by_the_base_is_warned_of(void **state)
+TEST(geometry_hidden_by_the_base_is_warned_of)
 {
-    (void)state;
     const float zeros[PIXELS] = {0};
     struct reading *reading =
         read_with(HEAD "\"outputs\":[{\"channel\":\"windowDepth\"}]," BASE("\"windowDepth\":{\"asset\":\"x\"}") "}",
@@ -255,20 +245,4 @@ static void geometry_hidden_by_the_base_is_warned_of(void **state)
     reading_free(reading);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(base_is_seen_where_it_is_nearer_and_at_equal_depth),
-        cmocka_unit_test(scene_that_wins_ties_is_seen_at_equal_depth_too),
-        cmocka_unit_test(depth_alone_is_converted_by_the_view),
-        cmocka_unit_test(depth_in_perspective_is_converted_too),
-        cmocka_unit_test(info_tells_new_faces_from_the_base),
-        cmocka_unit_test(data_uris_do_as_well_as_assets),
-        cmocka_unit_test(assets_are_found_by_their_hash),
-        cmocka_unit_test(unknown_hashes_are_refused_each_where_it_stands),
-        cmocka_unit_test(assets_that_cannot_be_read_are_not_called_missing),
-        cmocka_unit_test(what_may_be_meant_otherwise_is_warned_of),
-        cmocka_unit_test(geometry_hidden_by_the_base_is_warned_of),
-    };
-    return cmocka_run_group_tests_name("json_base", tests, make_assets, free_assets);
-}
+RUN_TESTS(make_assets, free_assets)

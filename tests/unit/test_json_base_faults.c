@@ -1,10 +1,10 @@
 /* Scenes with a base that are refused, and what is said of them. */
 #include "base_scenes.h"
+#include "support/tests.h"
 
 /* A z-buffer means nothing without the planes that it was drawn between; eye-space depth needs none. */
-static void window_depth_without_its_planes_is_refused(void **state)
+TEST(window_depth_without_its_planes_is_refused)
 {
-    (void)state;
     static const struct {
         const char *view;
         bool good;
@@ -30,9 +30,8 @@ static void window_depth_without_its_planes_is_refused(void **state)
         NO_EXTRA, "/view", "znear and zfar are missing");
 }
 
-static void depth_in_an_oblique_projection_is_refused(void **state)
+TEST(depth_in_an_oblique_projection_is_refused)
 {
-    (void)state;
     struct reading *reading = read_good(
         "{\"window\":{\"width\":4,\"height\":2},\"view\":{\"projectionMatrix\":[1,0,0.5,0,0,1,0,0,0,0,1,0,0,0,0,"
         "1]},\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}],\"outputs\":[{\"channel\":\"depth\"}]," BASE(
@@ -45,9 +44,8 @@ static void depth_in_an_oblique_projection_is_refused(void **state)
     reading_free(reading);
 }
 
-static void ids_that_clash_or_do_not_fit_are_refused(void **state)
+TEST(ids_that_clash_or_do_not_fit_are_refused)
 {
-    (void)state;
     const uint32_t highest[PIXELS] = {UINT32_MAX}, last_but_one[PIXELS] = {UINT32_MAX - 1};
     const char *text =
         HEAD BASE("\"color\":{\"asset\":\"c\"},\"windowDepth\":{\"asset\":\"w\"},\"faceId\":{\"asset\":\"x\"}") "}";
@@ -61,9 +59,8 @@ static void ids_that_clash_or_do_not_fit_are_refused(void **state)
     refuses_with(HEAD BASE(ALL ",\"firstFaceId\":-1") "}", NO_EXTRA, "/base/firstFaceId", "outside of 0");
 }
 
-static void what_the_outputs_need_must_be_there(void **state)
+TEST(what_the_outputs_need_must_be_there)
 {
-    (void)state;
     static const char only_depth[] = HEAD BASE("\"windowDepth\":{\"asset\":\"w\"}") "}";
     static const struct {
         const char *channel, *pointer;
@@ -84,9 +81,8 @@ static void what_the_outputs_need_must_be_there(void **state)
     refuses_with(HEAD BASE("") "}", NO_EXTRA, "/base", "windowDepth is missing");
 }
 
-static void bases_that_are_not_one_are_refused_where_it_shows(void **state)
+TEST(bases_that_are_not_one_are_refused_where_it_shows)
 {
-    (void)state;
     static const struct {
         const char *text, *pointer, *detail;
     } cases[] = {
@@ -115,9 +111,8 @@ static void bases_that_are_not_one_are_refused_where_it_shows(void **state)
         refuses_with(cases[i].text, NO_EXTRA, cases[i].pointer, cases[i].detail);
 }
 
-static void values_outside_of_their_range_are_refused_by_pixel(void **state)
+TEST(values_outside_of_their_range_are_refused_by_pixel)
 {
-    (void)state;
     static const char depth_text[] = HEAD BASE("\"windowDepth\":{\"asset\":\"w\"},\"depth\":{\"asset\":\"x\"}") "}";
     static const char window_text[] = HEAD BASE("\"windowDepth\":{\"asset\":\"x\"}") "}";
     const float bad[] = {NAN, INFINITY, -INFINITY, -0.001f, 1.0000001f};
@@ -131,41 +126,24 @@ static void values_outside_of_their_range_are_refused_by_pixel(void **state)
     refuses_with(depth_text, npy_asset("x", ZR_NPY_FLOAT32, values), "/base/depth", "pixel (1, 1)");
 }
 
-static void picture_of_another_size_is_refused(void **state)
+TEST(picture_of_another_size_is_refused)
 {
-    (void)state;
     refuses_with(HEAD BASE("\"windowDepth\":{\"asset\":\"w\"},\"color\":{\"asset\":\"x\"}") "}",
                  png_asset("x", ZR_PNG_RGB, 64, 64), "/base/color", "64 x 64 pixels, not the window's 4 x 2");
 }
 
-static void window_beyond_its_limits_is_refused_for_itself(void **state)
+TEST(window_beyond_its_limits_is_refused_for_itself)
 {
-    (void)state;
     refuses_with("{\"window\":{\"width\":0},\"view\":{\"znear\":1,\"zfar\":9},\"polygons\":[{\"vertices\":[[0,0,0],[1,"
                  "0,0],[0,1,0]]}]," BASE(ALL) "}",
                  NO_EXTRA, "/window/width", "0 pixels");
 }
 
-static void memory_that_is_short_is_said_so(void **state)
+TEST(memory_that_is_short_is_said_so)
 {
-    (void)state;
     static const char text[] = HEAD OUTPUTS "," BASE(ALL) "}";
     struct zr_request request = {.format = ZR_FORMAT_JSON, .assets = assets, .asset_count = ASSETS - 1};
     assert_in_range(smallest_ceiling(request, text, sizeof text - 1, 1 << 18), 10000, 1 << 18);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(window_depth_without_its_planes_is_refused),
-        cmocka_unit_test(depth_in_an_oblique_projection_is_refused),
-        cmocka_unit_test(ids_that_clash_or_do_not_fit_are_refused),
-        cmocka_unit_test(what_the_outputs_need_must_be_there),
-        cmocka_unit_test(bases_that_are_not_one_are_refused_where_it_shows),
-        cmocka_unit_test(values_outside_of_their_range_are_refused_by_pixel),
-        cmocka_unit_test(picture_of_another_size_is_refused),
-        cmocka_unit_test(window_beyond_its_limits_is_refused_for_itself),
-        cmocka_unit_test(memory_that_is_short_is_said_so),
-    };
-    return cmocka_run_group_tests_name("json_base_faults", tests, make_assets, free_assets);
-}
+RUN_TESTS(make_assets, free_assets)

@@ -2,6 +2,7 @@
 #include "json_check.h"
 
 #include "shade/frame.h"
+#include "support/tests.h"
 
 #define QUAD "\"vertices\": [[0,0,0],[9,0,0],[9,9,0],[0,9,0]]"
 #define HOLE "[[1,1,0],[2,1,0],[2,2,0]]"
@@ -11,9 +12,8 @@ static const struct zr_material *material_of_first_face(const struct reading *re
     return &reading->scene->materials[reading->scene->meshes[0].face_materials[0]];
 }
 
-static void outline_alone_is_black_on_faces_and_their_own_colour_without(void **state)
+TEST(outline_alone_is_black_on_faces_and_their_own_colour_without)
 {
-    (void)state;
     struct reading *reading = read_scene("{\"polygons\": [{" TRIANGLE ", \"outline\": true}]}");
     const struct zr_material *material = material_of_first_face(reading);
     assert_int_equal(material->outline, ZR_OUTLINE_COLORED);
@@ -26,9 +26,8 @@ static void outline_alone_is_black_on_faces_and_their_own_colour_without(void **
     reading_free(reading);
 }
 
-static void outline_may_be_a_colour(void **state)
+TEST(outline_may_be_a_colour)
 {
-    (void)state;
     struct reading *reading = read_scene("{\"polygons\": [{" TRIANGLE ", \"outline\": \"#ff0000\"},"
                                          "{" TRIANGLE ", \"outline\": [0, 1, 0], \"fill\": false},"
                                          "{" TRIANGLE ", \"outline\": [0, 1, 0], \"fill\": false}]}");
@@ -42,9 +41,8 @@ static void outline_may_be_a_colour(void **state)
     reading_free(reading);
 }
 
-static void nearest_word_on_faces_counts(void **state)
+TEST(nearest_word_on_faces_counts)
 {
-    (void)state;
     struct reading *reading =
         read_scene("{\"outline\": \"#0000ff\", \"fill\": false, \"shading\": \"unlit\","
                    "\"materials\": [{\"name\": \"m\", \"outline\": false, \"doubleSided\": true}],"
@@ -62,9 +60,8 @@ static void nearest_word_on_faces_counts(void **state)
     reading_free(reading);
 }
 
-static void lines_are_pairs_of_positions(void **state)
+TEST(lines_are_pairs_of_positions)
 {
-    (void)state;
     struct reading *reading = read_scene("{\"meshes\": [{" POSITIONS ", \"lines\": [[0,1],[3,2]]}]}");
     assert_read(reading);
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
@@ -76,9 +73,8 @@ static void lines_are_pairs_of_positions(void **state)
     reading_free(reading);
 }
 
-static void holes_become_rings_of_the_face(void **state)
+TEST(holes_become_rings_of_the_face)
 {
-    (void)state;
     struct reading *reading = read_scene("{\"polygons\": [{" TRIANGLE "}, {" QUAD ", \"holes\": [" HOLE ", " HOLE "]},"
                                          "{" TRIANGLE "}]}");
     assert_read(reading);
@@ -91,9 +87,8 @@ static void holes_become_rings_of_the_face(void **state)
     reading_free(reading);
 }
 
-static void colours_of_a_polygon_with_holes_count_all_its_vertices(void **state)
+TEST(colours_of_a_polygon_with_holes_count_all_its_vertices)
 {
-    (void)state;
     struct reading *reading = read_scene("{\"polygons\": [{" TRIANGLE ", \"holes\": [" HOLE "], \"colors\":"
                                          "[[1,0,0],[1,0,0],[1,0,0],[0,1,0],[0,1,0],[0,0,1]]}]}");
     assert_read(reading);
@@ -101,9 +96,8 @@ static void colours_of_a_polygon_with_holes_count_all_its_vertices(void **state)
     reading_free(reading);
 }
 
-static void bad_holes_are_refused_with_pointer_to_them(void **state)
+TEST(bad_holes_are_refused_with_pointer_to_them)
 {
-    (void)state;
     struct zr_limits limits = zr_limits_default();
     limits.polygon_vertices_max = 6;
     static const char text[] = "{\"polygons\": [{" QUAD ", \"holes\": [" HOLE "]}]}";
@@ -114,9 +108,8 @@ static void bad_holes_are_refused_with_pointer_to_them(void **state)
 }
 
 /* A grey face, and far from it one with colours: its pixels must be what they are without the other. */
-static void colours_of_one_polygon_do_not_change_another(void **state)
+TEST(colours_of_one_polygon_do_not_change_another)
 {
-    (void)state;
     static const char one[] =
         "{\"shading\": \"unlit\", \"window\": {\"width\": 96, \"height\": 70}, \"view\": {\"eye\": "
         "[-0.375,-1,3], \"znear\": 0.1, \"zfar\": 10, \"perspective\": {\"yfovDegrees\": 50}},"
@@ -138,17 +131,4 @@ static void colours_of_one_polygon_do_not_change_another(void **state)
     assert_memory_equal(bytes[0], bytes[1], sizeof bytes[0]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(outline_alone_is_black_on_faces_and_their_own_colour_without),
-        cmocka_unit_test(outline_may_be_a_colour),
-        cmocka_unit_test(nearest_word_on_faces_counts),
-        cmocka_unit_test(lines_are_pairs_of_positions),
-        cmocka_unit_test(holes_become_rings_of_the_face),
-        cmocka_unit_test(colours_of_a_polygon_with_holes_count_all_its_vertices),
-        cmocka_unit_test(colours_of_one_polygon_do_not_change_another),
-        cmocka_unit_test(bad_holes_are_refused_with_pointer_to_them),
-    };
-    return cmocka_run_group_tests_name("json_face_style", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

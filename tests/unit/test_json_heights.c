@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "shade/frame.h"
+#include "support/tests.h"
 
 static const char *with_mesh(const char *mesh)
 {
@@ -33,9 +34,8 @@ static void assert_quads(const struct zr_mesh *mesh, uint32_t count, const uint3
     assert_memory_equal(mesh->indices, corners, 4 * (size_t)count * sizeof *corners);
 }
 
-static void rows_become_quads_row_by_row(void **state)
+TEST(rows_become_quads_row_by_row)
 {
-    (void)state;
     struct reading *reading = read_mesh("\"heights\": [[1,2,3],[4,5,6],[7,8,9]]");
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
     static const uint32_t corners[16] = {0, 1, 4, 3, 1, 2, 5, 4, 3, 4, 7, 6, 4, 5, 8, 7};
@@ -49,9 +49,8 @@ static void rows_become_quads_row_by_row(void **state)
     reading_free(reading);
 }
 
-static void ranges_spread_columns_and_rows(void **state)
+TEST(ranges_spread_columns_and_rows)
 {
-    (void)state;
     struct reading *reading =
         read_mesh("\"heights\": {\"values\": [[0,0,0,0],[1,1,1,1]], \"x\": [-1,0.5], \"y\": [0.1,0.7]}");
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
@@ -65,9 +64,8 @@ static void ranges_spread_columns_and_rows(void **state)
     reading_free(reading);
 }
 
-static void cells_stay_counter_clockwise_where_an_axis_runs_down(void **state)
+TEST(cells_stay_counter_clockwise_where_an_axis_runs_down)
 {
-    (void)state;
     static const char *const ranges[] = {"", ", \"x\": [1,0]", ", \"y\": [1,0]", ", \"x\": [1,0], \"y\": [1,0]"};
     for (int i = 0; i < 4; i++) {
         char text[256];
@@ -83,9 +81,8 @@ static void cells_stay_counter_clockwise_where_an_axis_runs_down(void **state)
     }
 }
 
-static void cells_that_touch_a_hole_are_left_out_with_all_that_is_theirs(void **state)
+TEST(cells_that_touch_a_hole_are_left_out_with_all_that_is_theirs)
 {
-    (void)state;
     /* 4 columns, 3 rows: the hole takes four of the six cells, and nothing is left around 0, 1, 2, 4, 6, 8, 9 but
      * the two cells on the right. */
     struct reading *reading = read_mesh(
@@ -109,9 +106,8 @@ static void cells_that_touch_a_hole_are_left_out_with_all_that_is_theirs(void **
     reading_free(reading);
 }
 
-static void looks_may_be_said_otherwise(void **state)
+TEST(looks_may_be_said_otherwise)
 {
-    (void)state;
     struct reading *reading = read_scene(
         "{\"shading\": \"flat\", \"materials\": [{\"name\": \"m\", \"doubleSided\": false}], \"meshes\": "
         "[{\"heights\": "
@@ -128,9 +124,8 @@ static void looks_may_be_said_otherwise(void **state)
     reading_free(reading);
 }
 
-static void rows_longer_than_coordinates_reach_need_a_range(void **state)
+TEST(rows_longer_than_coordinates_reach_need_a_range)
 {
-    (void)state;
     struct zr_limits limits = zr_limits_default();
     limits.coordinate_max = 2;
     const char *text = with_mesh("\"heights\": [[1,1,1,1],[1,1,1,1]]");
@@ -140,9 +135,8 @@ static void rows_longer_than_coordinates_reach_need_a_range(void **state)
     reading_free(reading);
 }
 
-static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
+TEST(small_arena_gives_no_memory_naming_the_ceiling)
 {
-    (void)state;
     const char *text = with_mesh("\"heights\": [[0,1,2],[3,4,5],[6,7,null]], \"colors\": [[0,0,0],[0,0,0],[0,0,0],"
                                  "[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0]], \"normals\": [[0,0,1],[0,0,1],"
                                  "[0,0,1],[0,0,1],[0,0,1],[0,0,1],[0,0,1],[0,0,1],[0,0,1]], \"faceColors\": "
@@ -162,9 +156,8 @@ static const struct zr_frame *render(struct reading *reading)
     return frame;
 }
 
-static void tilted_plane_has_the_depth_of_the_same_polygons(void **state)
+TEST(tilted_plane_has_the_depth_of_the_same_polygons)
 {
-    (void)state;
     struct reading *grid = read_scene(
         "{" PICTURE "[{\"heights\": {\"values\": [[1,0.75,0.5],[0.5,0.25,0]], \"x\": [-1,1], \"y\": [0,1]}}]}");
     struct reading *mesh = read_scene("{" PICTURE "[{\"doubleSided\": true, \"positions\": [[-1,0,1],[0,0,0.75],"
@@ -176,9 +169,8 @@ static void tilted_plane_has_the_depth_of_the_same_polygons(void **state)
     reading_free(mesh);
 }
 
-static void steep_cells_are_no_concave_polygons(void **state)
+TEST(steep_cells_are_no_concave_polygons)
 {
-    (void)state;
     /* In its mean plane this quad has a dent; above x and y it has none. */
     struct reading *reading = read_scene("{" PICTURE "[{\"heights\": [[0,-2],[-2,2]]}]}");
     const struct zr_frame *frame = render(reading);
@@ -190,18 +182,4 @@ static void steep_cells_are_no_concave_polygons(void **state)
     reading_free(reading);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_become_quads_row_by_row),
-        cmocka_unit_test(ranges_spread_columns_and_rows),
-        cmocka_unit_test(cells_stay_counter_clockwise_where_an_axis_runs_down),
-        cmocka_unit_test(cells_that_touch_a_hole_are_left_out_with_all_that_is_theirs),
-        cmocka_unit_test(looks_may_be_said_otherwise),
-        cmocka_unit_test(rows_longer_than_coordinates_reach_need_a_range),
-        cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
-        cmocka_unit_test(tilted_plane_has_the_depth_of_the_same_polygons),
-        cmocka_unit_test(steep_cells_are_no_concave_polygons),
-    };
-    return cmocka_run_group_tests_name("json_heights", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

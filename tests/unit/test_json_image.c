@@ -2,9 +2,9 @@
 #include "base/cancel.h"
 #include "input/json_scene.h"
 #include "support/base64.h"
-#include "support/cmocka_all.h"
 #include "support/png.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -105,9 +105,8 @@ static void refuse(struct fixture *f, const char *uri, const char *asset, const 
     if (!strstr(f->error.items[0].detail, why)) fail_msg("'%s' does not say '%s'", f->error.items[0].detail, why);
 }
 
-static void the_same_bytes_are_one_image_by_whatever_name(void **state)
+TEST(the_same_bytes_are_one_image_by_whatever_name)
 {
-    (void)state;
     struct fixture *f = open_fixture();
     char *plain = base64_of("data:;base64,", pngs[RED], sizes[RED]);
     assert_int_equal(find(f, NULL, "red"), 0);
@@ -127,9 +126,8 @@ static void the_same_bytes_are_one_image_by_whatever_name(void **state)
     free(plain);
 }
 
-static void images_have_their_own_texels(void **state)
+TEST(images_have_their_own_texels)
 {
-    (void)state;
     struct fixture *f = open_fixture();
     assert_int_equal(find(f, NULL, "blue"), 0);
     assert_int_equal(find(f, red_uri, NULL), 1);
@@ -141,9 +139,8 @@ static void images_have_their_own_texels(void **state)
     }
 }
 
-static void what_is_no_image_is_refused_where_it_is_named(void **state)
+TEST(what_is_no_image_is_refused_where_it_is_named)
 {
-    (void)state;
     struct fixture *f = open_fixture();
     refuse(f, NULL, NULL, "/t", "one of uri and asset is needed");
     refuse(f, red_uri, "red", "/t", "only one of uri and asset is needed");
@@ -157,9 +154,8 @@ static void what_is_no_image_is_refused_where_it_is_named(void **state)
     assert_int_equal(find(f, NULL, "blue"), 0); /* and what is good is still found */
 }
 
-static void pixels_of_all_images_are_counted_together(void **state)
+TEST(pixels_of_all_images_are_counted_together)
 {
-    (void)state;
     struct fixture *f = open_fixture();
     f->limits.image_pixels_max = 11;
     assert_int_equal(find(f, NULL, "red"), 0);
@@ -169,9 +165,8 @@ static void pixels_of_all_images_are_counted_together(void **state)
     assert_int_equal(find(f, NULL, "blue"), 1);
 }
 
-static void names_are_counted(void **state)
+TEST(names_are_counted)
 {
-    (void)state;
     enum { NAMES = 1024 };
     struct fixture *f = open_fixture();
     char name[] = "sha256:" HASH;
@@ -189,9 +184,8 @@ static void names_are_counted(void **state)
     assert_int_equal(f->times_read, NAMES);
 }
 
-static void memory_that_is_short_is_no_fault_of_the_scene(void **state)
+TEST(memory_that_is_short_is_no_fault_of_the_scene)
 {
-    (void)state;
     struct fixture *f = open_fixture();
     uint32_t number = 77;
     arena.ceiling = arena.used + 1024;
@@ -202,9 +196,8 @@ static void memory_that_is_short_is_no_fault_of_the_scene(void **state)
     assert_int_equal(zr_json_close(&f->root.json), ZR_NO_MEMORY);
 }
 
-static void cancelled_requests_decode_nothing(void **state)
+TEST(cancelled_requests_decode_nothing)
 {
-    (void)state;
     struct fixture *f = open_fixture();
     struct zr_cancel cancel = {.raised = true};
     uint32_t number = 77;
@@ -215,16 +208,4 @@ static void cancelled_requests_decode_nothing(void **state)
     assert_int_equal(f->scene.image_count, 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_same_bytes_are_one_image_by_whatever_name),
-        cmocka_unit_test(images_have_their_own_texels),
-        cmocka_unit_test(what_is_no_image_is_refused_where_it_is_named),
-        cmocka_unit_test(pixels_of_all_images_are_counted_together),
-        cmocka_unit_test(names_are_counted),
-        cmocka_unit_test(memory_that_is_short_is_no_fault_of_the_scene),
-        cmocka_unit_test(cancelled_requests_decode_nothing),
-    };
-    return cmocka_run_group_tests_name("json_image", tests, make_pngs, free_pngs);
-}
+RUN_TESTS(make_pngs, free_pngs)

@@ -1,10 +1,10 @@
 #include <math.h>
 
 #include "json_check.h"
+#include "support/tests.h"
 
-static void direction_of_a_light_may_have_any_length(void **state)
+TEST(direction_of_a_light_may_have_any_length)
 {
-    (void)state;
     struct reading *reading = read_text(ZR_FORMAT_JSON, "{\"lights\": [{\"type\": \"directional\", \"direction\": "
                                                         "[0,0,-1e-25]}], \"polygons\": [{" TRIANGLE "}]}");
     assert_int_equal(reading->status, ZR_OK);
@@ -12,9 +12,8 @@ static void direction_of_a_light_may_have_any_length(void **state)
     reading_free(reading);
 }
 
-static void lights_are_normalised_and_scaled(void **state)
+TEST(lights_are_normalised_and_scaled)
 {
-    (void)state;
     struct reading *reading =
         read_rest("\"ambient\": [0, 0.5, 1], \"lights\": [{\"type\": \"directional\", \"direction\": [0,0,-4], "
                   "\"color\": [1,0.5,0], "
@@ -40,9 +39,8 @@ static void lights_are_normalised_and_scaled(void **state)
 }
 
 /* "#808080" is sRGB-encoded, and 0.5 is not; names are texts, too. */
-static void texts_of_light_are_decoded_where_light_is_linear(void **state)
+TEST(texts_of_light_are_decoded_where_light_is_linear)
 {
-    (void)state;
     static const char *const lamps =
         "\"ambient\": \"#808080\", \"materials\": [{\"name\": \"m\", \"shading\": \"phong\", \"specular\": "
         "\"#808080\"},"
@@ -78,9 +76,8 @@ static void texts_of_light_are_decoded_where_light_is_linear(void **state)
 
 #define POINT "\"lights\": [{\"type\": \"point\", \"position\": [1,2,3]"
 
-static void lamps_have_places_ranges_and_cones(void **state)
+TEST(lamps_have_places_ranges_and_cones)
 {
-    (void)state;
     struct reading *reading =
         read_rest(POINT ", \"intensity\": 1e12, \"color\": [1,0.5,0]}, {\"type\": \"spot\", \"position\": [0,0,1],"
                         " \"direction\": [0,0,-2], \"range\": 5, \"frame\": \"camera\", \"innerConeAngle\": 0.5},"
@@ -108,9 +105,8 @@ static struct reading *read_lights(uint32_t count)
     return read_text(ZR_FORMAT_JSON, text);
 }
 
-static void lights_are_up_to_1024(void **state)
+TEST(lights_are_up_to_1024)
 {
-    (void)state;
     struct reading *reading = read_lights(1024);
     assert_read(reading);
     assert_int_equal(reading->scene->light_count, 1024);
@@ -120,14 +116,4 @@ static void lights_are_up_to_1024(void **state)
     reading_free(reading);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(direction_of_a_light_may_have_any_length),
-        cmocka_unit_test(texts_of_light_are_decoded_where_light_is_linear),
-        cmocka_unit_test(lights_are_normalised_and_scaled),
-        cmocka_unit_test(lamps_have_places_ranges_and_cones),
-        cmocka_unit_test(lights_are_up_to_1024),
-    };
-    return cmocka_run_group_tests_name("json_lights", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

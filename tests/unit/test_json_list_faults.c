@@ -3,6 +3,7 @@
 
 #include "base/team.h"
 #include "json_texts.h"
+#include "support/tests.h"
 
 struct list_case {
     const char *before, *item, *after; /* the text around a list, and a good item of it */
@@ -100,9 +101,8 @@ static struct text list_with(const struct list_case *list, size_t count, size_t 
     return text;
 }
 
-static void fault_anywhere_in_a_list_has_its_pointer(void **state)
+TEST(fault_anywhere_in_a_list_has_its_pointer)
 {
-    (void)state;
     /* The last in several parts, for several threads. */
     static const size_t counts[] = {4, 5000, 40000}, none = SIZE_MAX;
     struct zr_team *team = zr_team_create(3);
@@ -131,9 +131,8 @@ static void fault_anywhere_in_a_list_has_its_pointer(void **state)
 }
 
 /* Reading stops there, and what would follow is not measured against the half of it. */
-static void last_fault_that_is_kept_is_the_last_complaint(void **state)
+TEST(last_fault_that_is_kept_is_the_last_complaint)
 {
-    (void)state;
     struct text text = {0};
     add(&text, "{\"meshes\":[{" POSITIONS ",\"faces\":[[0,1]");
     for (int i = 1; i < ZR_ERROR_ITEMS; i++)
@@ -149,9 +148,8 @@ static void last_fault_that_is_kept_is_the_last_complaint(void **state)
     drop(&text);
 }
 
-static void bad_syntax_in_a_list_comes_before_other_faults(void **state)
+TEST(bad_syntax_in_a_list_comes_before_other_faults)
 {
-    (void)state;
     static const char *const bad[] = {
         "[1,2,3",           "[1,2,03]",  "[1,2,3.]", "[1,2,+3]",  "[1,2,.5]", "[1,2,3,]", "[1 2,3]",
         "[1,2,3}",          "[1,2,\"a]", "[1,2,3]]", "[1,2,3],",  "",         "[1,,3]",   "[1,2,3]x",
@@ -176,9 +174,8 @@ static void bad_syntax_in_a_list_comes_before_other_faults(void **state)
             }
 }
 
-static void text_cut_short_anywhere_is_bad_syntax(void **state)
+TEST(text_cut_short_anywhere_is_bad_syntax)
 {
-    (void)state;
     struct text text = make_scene(12);
     for (size_t size = 0; size < text.size; size++) {
         struct reading *reading = read_bytes(ZR_FORMAT_JSON, text.bytes, size);
@@ -188,9 +185,8 @@ static void text_cut_short_anywhere_is_bad_syntax(void **state)
     drop(&text);
 }
 
-static void text_cut_in_a_list_names_the_bracket_of_the_list(void **state)
+TEST(text_cut_in_a_list_names_the_bracket_of_the_list)
 {
-    (void)state;
     static const char *const cuts[][2] = {
         {"{\"polygons\":[", "expected a value or ']', found the end"},
         {"{\"meshes\":[{\"positions\":[", "expected a value or ']', found the end"},
@@ -206,9 +202,8 @@ static void text_cut_in_a_list_names_the_bracket_of_the_list(void **state)
         refuses(ZR_FORMAT_JSON, cuts[i][0], ZR_BAD_SYNTAX, "", cuts[i][1]);
 }
 
-static void indices_before_their_positions_have_the_same_complaints(void **state)
+TEST(indices_before_their_positions_have_the_same_complaints)
 {
-    (void)state;
     static const char *const words[] = {"expected an index, found a string", "index -1",
                                         "index 2.5 is not a whole number"};
     struct reading *first = read_text(ZR_FORMAT_JSON, "{\"meshes\":[{" POSITIONS ",\"faces\":[[\"0\",-1,2.5]]}]}"),
@@ -222,9 +217,8 @@ static void indices_before_their_positions_have_the_same_complaints(void **state
     reading_free(last);
 }
 
-static void each_polygon_is_judged_by_itself(void **state)
+TEST(each_polygon_is_judged_by_itself)
 {
-    (void)state;
     struct reading *reading =
         read_text(ZR_FORMAT_JSON, "{\"nodez\":1,\"polygons\":[" CORNERS ",\"colors\":[\"red\",\"red\",\"red\"]},"
                                   "{\"vertices\":[[0,0,0],[1,0]],\"colors\":[\"red\"]}," CORNERS
@@ -240,9 +234,8 @@ static void each_polygon_is_judged_by_itself(void **state)
 }
 
 /* A suggestion for each of thousands, out of thousands, would take minutes. */
-static void thousands_of_unknown_materials_are_told_at_once(void **state)
+TEST(thousands_of_unknown_materials_are_told_at_once)
 {
-    (void)state;
     struct text text = {0};
     add(&text, "{\"materials\":[");
     for (size_t i = 0; i < 20000; i++)
@@ -261,17 +254,4 @@ static void thousands_of_unknown_materials_are_told_at_once(void **state)
     drop(&text);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fault_anywhere_in_a_list_has_its_pointer),
-        cmocka_unit_test(last_fault_that_is_kept_is_the_last_complaint),
-        cmocka_unit_test(bad_syntax_in_a_list_comes_before_other_faults),
-        cmocka_unit_test(text_cut_short_anywhere_is_bad_syntax),
-        cmocka_unit_test(text_cut_in_a_list_names_the_bracket_of_the_list),
-        cmocka_unit_test(indices_before_their_positions_have_the_same_complaints),
-        cmocka_unit_test(each_polygon_is_judged_by_itself),
-        cmocka_unit_test(thousands_of_unknown_materials_are_told_at_once),
-    };
-    return cmocka_run_group_tests_name("json_list_faults", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

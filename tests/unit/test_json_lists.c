@@ -2,10 +2,10 @@
  * memory than they need. */
 #include "json_texts.h"
 #include "same_scene.h"
+#include "support/tests.h"
 
-static void every_spelling_gives_the_same_scene(void **state)
+TEST(every_spelling_gives_the_same_scene)
 {
-    (void)state;
     static const size_t counts[] = {1, 2, 3, 30, 1000};
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
         struct text text = make_scene(counts[i]);
@@ -24,9 +24,8 @@ static void every_spelling_gives_the_same_scene(void **state)
     }
 }
 
-static void positions_are_the_floats_of_what_strtod_gives(void **state)
+TEST(positions_are_the_floats_of_what_strtod_gives)
 {
-    (void)state;
     struct text text = {0};
     enum { COUNT = 5000 };
     add(&text, "{\"meshes\":[{\"points\":[0");
@@ -49,9 +48,8 @@ static void positions_are_the_floats_of_what_strtod_gives(void **state)
     drop(&text);
 }
 
-static void arrays_take_little_more_than_themselves(void **state)
+TEST(arrays_take_little_more_than_themselves)
 {
-    (void)state;
     struct text text = {0};
     enum { COUNT = 20000 };
     add(&text, "{\"polygons\":[");
@@ -70,9 +68,8 @@ static void arrays_take_little_more_than_themselves(void **state)
 }
 
 /* A look that was seen before is not looked at again. What else is the same must be. */
-static void polygons_written_alike_are_alike(void **state)
+TEST(polygons_written_alike_are_alike)
 {
-    (void)state;
     static const char *const rest[] = {
         "\"doubleSided\":true", "\"holes\":[[[0.1,0.1,0],[0.2,0.1,0],[0.1,0.2,0]]],\"doubleSided\":true",
         "\"material\":\"m\",\"holes\":[[[0.1,0.1,0],[0.2,0.1,0],[0.1,0.2,0]]],\"fill\":false",
@@ -106,9 +103,8 @@ static void polygons_written_alike_are_alike(void **state)
     }
 }
 
-static void lists_too_deep_for_the_limit_are_refused(void **state)
+TEST(lists_too_deep_for_the_limit_are_refused)
 {
-    (void)state;
     struct zr_limits limits = zr_limits_default();
     for (limits.json_depth_max = 1; limits.json_depth_max < 9; limits.json_depth_max++) {
         static const char *const texts[] = {"{" POLYGONS "}", "{\"meshes\":[{\"heights\":{\"values\":[[1,2],[3,4]]}}]}",
@@ -125,14 +121,4 @@ static void lists_too_deep_for_the_limit_are_refused(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_spelling_gives_the_same_scene),
-        cmocka_unit_test(positions_are_the_floats_of_what_strtod_gives),
-        cmocka_unit_test(arrays_take_little_more_than_themselves),
-        cmocka_unit_test(polygons_written_alike_are_alike),
-        cmocka_unit_test(lists_too_deep_for_the_limit_are_refused),
-    };
-    return cmocka_run_group_tests_name("json_lists", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

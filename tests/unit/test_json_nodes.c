@@ -6,6 +6,7 @@
 
 #include "scene/nodes.h"
 #include "shade/frame.h"
+#include "support/tests.h"
 
 #define MESHES                                                                                                         \
     "\"meshes\": [{\"name\": \"a\", " POSITIONS ", \"faces\": [[0,1,2]]}, {\"name\": \"b\", " POSITIONS                \
@@ -27,9 +28,8 @@ static void assert_matrix(const struct zr_scene *scene, uint32_t instance, zr_ma
             fail_msg("entry %d of instance %u is %.9g, not %.9g", i, instance, (double)got->m[i], (double)want.m[i]);
 }
 
-static void nodes_place_meshes_and_polygons_come_last(void **state)
+TEST(nodes_place_meshes_and_polygons_come_last)
 {
-    (void)state;
     struct reading *reading = read_scene(
         with_nodes("{\"name\": \"arm\", \"mesh\": \"b\", \"translation\": [1,2,3], \"children\": [\"hand\", 2]},"
                    "{\"mesh\": 0}, {\"name\": \"hand\", \"mesh\": 0, \"scale\": [2,2,2]}, {\"children\": [\"arm\"]}",
@@ -52,9 +52,8 @@ static void nodes_place_meshes_and_polygons_come_last(void **state)
     reading_free(reading);
 }
 
-static void instances_have_the_names_of_their_nodes(void **state)
+TEST(instances_have_the_names_of_their_nodes)
 {
-    (void)state;
     struct reading *reading =
         read_scene(with_nodes("{\"name\": \"left\", \"mesh\": 0}, {\"name\": \"\", \"mesh\": 0}, {\"mesh\": 0},"
                               "{\"name\": \"right\", \"children\": [4]}, {\"name\": \"wheel\", \"mesh\": 0}",
@@ -69,9 +68,8 @@ static void instances_have_the_names_of_their_nodes(void **state)
     reading_free(reading);
 }
 
-static void transformations_are_those_of_gltf(void **state)
+TEST(transformations_are_those_of_gltf)
 {
-    (void)state;
     struct reading *reading =
         read_scene(with_nodes("{\"mesh\": 0, \"matrix\": [1,2,3,0, 4,5,6,0, 7,8,9,0, 10,11,12,1]},"
                               "{\"mesh\": 0, \"matrix\": [[1,4,7,10],[2,5,8,11],[3,6,9,12],[0,0,0,1]]},"
@@ -94,9 +92,8 @@ static void transformations_are_those_of_gltf(void **state)
     reading_free(reading);
 }
 
-static void without_nodes_every_mesh_is_drawn_once(void **state)
+TEST(without_nodes_every_mesh_is_drawn_once)
 {
-    (void)state;
     struct reading *reading = read_scene("{" MESHES ", " POLYGONS "}");
     assert_int_equal(reading->scene->instance_count, 5);
     assert_int_equal(reading->scene->instances[4].mesh, 4);
@@ -104,9 +101,8 @@ static void without_nodes_every_mesh_is_drawn_once(void **state)
     reading_free(reading);
 }
 
-static void nodes_without_meshes_leave_the_polygons(void **state)
+TEST(nodes_without_meshes_leave_the_polygons)
 {
-    (void)state;
     struct reading *reading = read_scene("{\"nodes\": [{\"children\": [1]}, {}], " POLYGONS "}");
     assert_int_equal(reading->scene->instance_count, 1);
     assert_int_equal(reading->scene->warning_count, 0);
@@ -117,9 +113,8 @@ static void nodes_without_meshes_leave_the_polygons(void **state)
     reading_free(reading);
 }
 
-static void names_that_nothing_refers_to_need_not_be_unique(void **state)
+TEST(names_that_nothing_refers_to_need_not_be_unique)
 {
-    (void)state;
     struct reading *reading =
         read_scene(with_nodes("{\"name\": \"n\", \"mesh\": 0}, {\"name\": \"n\", \"mesh\": 1}", ""));
     assert_int_equal(reading->scene->instance_count, 2);
@@ -144,9 +139,8 @@ static char *chain_scene(int length, int times)
     return text;
 }
 
-static void hierarchies_beyond_the_limits_are_refused_by_name(void **state)
+TEST(hierarchies_beyond_the_limits_are_refused_by_name)
 {
-    (void)state;
     char *text = chain_scene(41, 2);
     free(text);
     text = chain_scene(100000, 1);
@@ -166,10 +160,9 @@ static void hierarchies_beyond_the_limits_are_refused_by_name(void **state)
 }
 
 /* 99 856 instances, each below 250 nodes: two times 316 children, and then a chain. */
-static void shared_nodes_below_one_another_are_refused(void **state)
+TEST(shared_nodes_below_one_another_are_refused)
 {
     enum { TIMES = 316, LINKS = 247, SIZE = 1 << 14 };
-    (void)state;
     char *text = malloc(SIZE);
     assert_non_null(text);
     int used = snprintf(text, SIZE, "{" MESHES ", \"nodes\": [");
@@ -186,9 +179,8 @@ static void shared_nodes_below_one_another_are_refused(void **state)
     free(text);
 }
 
-static void points_placed_beyond_the_memory_are_refused_before_they_are_walked(void **state)
+TEST(points_placed_beyond_the_memory_are_refused_before_they_are_walked)
 {
-    (void)state;
     char *text = chain_scene(17, 2); /* 65536 times 4 points of 24 bytes, and the instances themselves */
     for (int mib = 10; mib <= 16; mib += 6) {
         struct reading *reading = read_request((struct zr_request){.format = ZR_FORMAT_JSON}, text, strlen(text),
@@ -199,9 +191,8 @@ static void points_placed_beyond_the_memory_are_refused_before_they_are_walked(v
     free(text);
 }
 
-static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
+TEST(small_arena_gives_no_memory_naming_the_ceiling)
 {
-    (void)state;
     const char *text = with_nodes("{\"name\": \"n\", \"mesh\": \"a\", \"children\": [\"m\"]}, {\"name\": \"m\", "
                                   "\"mesh\": 1}",
                                   "");
@@ -231,9 +222,8 @@ static unsigned faces_seen(const char *text)
     return seen >> 1;
 }
 
-static void mirrored_cube_shows_its_outside(void **state)
+TEST(mirrored_cube_shows_its_outside)
 {
-    (void)state;
     enum { RIGHT = 1, LEFT = 2, TOP = 4, NEAR = 16 };
     assert_int_equal(faces_seen("{" CUBE "}"), RIGHT | TOP | NEAR);
     assert_int_equal(faces_seen("{" CUBE ", \"nodes\": [{\"mesh\": 0}]}"), RIGHT | TOP | NEAR);
@@ -245,9 +235,8 @@ static void mirrored_cube_shows_its_outside(void **state)
 }
 
 /* A camera in a mirror sees the faces that it would see without. */
-static void mirrored_camera_sees_the_outside(void **state)
+TEST(mirrored_camera_sees_the_outside)
 {
-    (void)state;
     enum { RIGHT = 1, LEFT = 2, TOP = 4, BOTTOM = 8, NEAR = 16 };
 #define SEEN_BY(pose) ", \"view\": {" pose ", \"perspective\": {\"yfovDegrees\": 45}}}"
     assert_int_equal(
@@ -262,21 +251,4 @@ static void mirrored_camera_sees_the_outside(void **state)
 #undef SEEN_BY
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nodes_place_meshes_and_polygons_come_last),
-        cmocka_unit_test(instances_have_the_names_of_their_nodes),
-        cmocka_unit_test(transformations_are_those_of_gltf),
-        cmocka_unit_test(without_nodes_every_mesh_is_drawn_once),
-        cmocka_unit_test(nodes_without_meshes_leave_the_polygons),
-        cmocka_unit_test(names_that_nothing_refers_to_need_not_be_unique),
-        cmocka_unit_test(hierarchies_beyond_the_limits_are_refused_by_name),
-        cmocka_unit_test(shared_nodes_below_one_another_are_refused),
-        cmocka_unit_test(points_placed_beyond_the_memory_are_refused_before_they_are_walked),
-        cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
-        cmocka_unit_test(mirrored_cube_shows_its_outside),
-        cmocka_unit_test(mirrored_camera_sees_the_outside),
-    };
-    return cmocka_run_group_tests_name("json_nodes", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -2,15 +2,14 @@
 #include <string.h>
 
 #include "input/json_objects.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 #define OBJECT(name) &zr_json_object_##name,
 static const struct zr_json_object *const objects[] = {ZR_JSON_OBJECTS(OBJECT)};
 enum { OBJECTS = sizeof objects / sizeof *objects };
 
-static void each_key_stands_in_its_table_once(void **state)
+TEST(each_key_stands_in_its_table_once)
 {
-    (void)state;
     for (size_t o = 0; o < OBJECTS; o++) {
         assert_in_range(objects[o]->count, 1, 64);
         for (size_t i = 0; i < objects[o]->count; i++)
@@ -19,9 +18,8 @@ static void each_key_stands_in_its_table_once(void **state)
     }
 }
 
-static void each_row_says_what_it_is_and_what_holds_without_it(void **state)
+TEST(each_row_says_what_it_is_and_what_holds_without_it)
 {
-    (void)state;
     for (size_t o = 0; o < OBJECTS; o++)
         for (size_t i = 0; i < objects[o]->count; i++) {
             const struct zr_json_field *field = &objects[o]->fields[i];
@@ -31,18 +29,16 @@ static void each_row_says_what_it_is_and_what_holds_without_it(void **state)
         }
 }
 
-static void required_keys_come_first(void **state)
+TEST(required_keys_come_first)
 {
-    (void)state;
     for (size_t o = 0; o < OBJECTS; o++)
         for (size_t i = 1; i < objects[o]->count; i++)
             if (objects[o]->fields[i].required && !objects[o]->fields[i - 1].required)
                 fail_msg("%s.%s comes too late", objects[o]->name, objects[o]->fields[i].key);
 }
 
-static void readers_find_the_bounds_and_the_words_that_they_need(void **state)
+TEST(readers_find_the_bounds_and_the_words_that_they_need)
 {
-    (void)state;
     size_t bounds = 0, words = 0;
     for (size_t o = 0; o < OBJECTS; o++)
         for (size_t i = 0; i < objects[o]->count; i++) {
@@ -60,13 +56,4 @@ static void readers_find_the_bounds_and_the_words_that_they_need(void **state)
     assert_true(bounds >= 8 && words >= 8);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_key_stands_in_its_table_once),
-        cmocka_unit_test(each_row_says_what_it_is_and_what_holds_without_it),
-        cmocka_unit_test(required_keys_come_first),
-        cmocka_unit_test(readers_find_the_bounds_and_the_words_that_they_need),
-    };
-    return cmocka_run_group_tests_name("json_objects", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -5,6 +5,7 @@
 #include "json_strict.h"
 #include "json_texts.h"
 #include "mutate.h"
+#include "support/tests.h"
 
 /* ---- an oracle: cJSON's tree, and the contract for meshes of positions and faces ---- */
 
@@ -62,9 +63,8 @@ static enum zr_status strict_scan(const struct text *text)
     return status;
 }
 
-static void random_changes_are_judged_as_by_cjson(void **state)
+TEST(random_changes_are_judged_as_by_cjson)
 {
-    (void)state;
     int accepted = 0, refused = 0, malformed = 0;
     for (int i = 0; i < 60000; i++) {
         struct text text = {0};
@@ -95,9 +95,8 @@ static void random_changes_are_judged_as_by_cjson(void **state)
 }
 
 /* Of scenes with everything in them, the oracle knows the syntax only. */
-static void random_changes_to_whole_scenes_keep_syntax_strict(void **state)
+TEST(random_changes_to_whole_scenes_keep_syntax_strict)
 {
-    (void)state;
     for (int i = 0; i < 20000; i++) {
         struct text text = make_scene(1 + below(6));
         if (i % 2) {
@@ -116,11 +115,4 @@ static void random_changes_to_whole_scenes_keep_syntax_strict(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(random_changes_are_judged_as_by_cjson),
-        cmocka_unit_test(random_changes_to_whole_scenes_keep_syntax_strict),
-    };
-    return cmocka_run_group_tests_name("json_oracle", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

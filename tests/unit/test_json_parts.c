@@ -7,13 +7,13 @@
 #include "json_texts.h"
 #include "mutate.h"
 #include "support/sanitized.h"
+#include "support/tests.h"
 
 /* TEXTS=40000 in the environment takes a minute; sanitizers take ten and a hundred times as long. */
 enum { TEXTS = IS_THREAD_SANITIZED ? 400 : IS_SANITIZED ? 2000 : 8000 };
 
-static void any_text_is_read_alike_by_one_thread_and_by_several(void **state)
+TEST(any_text_is_read_alike_by_one_thread_and_by_several)
 {
-    (void)state;
     const char *wanted = getenv("TEXTS");
     const int texts = wanted ? atoi(wanted) : TEXTS;
     int good = 0, faulty = 0;
@@ -38,10 +38,4 @@ static void any_text_is_read_alike_by_one_thread_and_by_several(void **state)
     assert_true(good > texts / 8 && faulty > texts / 8);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_text_is_read_alike_by_one_thread_and_by_several),
-    };
-    return cmocka_run_group_tests_name("json_parts", tests, start_teams, end_teams);
-}
+RUN_TESTS(start_teams, end_teams)

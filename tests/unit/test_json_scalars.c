@@ -2,6 +2,7 @@
 #include "json_check.h"
 
 #include "scene/colormap.h"
+#include "support/tests.h"
 
 #define SQUARE "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], \"faces\": [[0,1,2],[0,2,3]]"
 
@@ -27,9 +28,8 @@ static void assert_colors(const zr_vec4 *colors, enum zr_colormap map, const flo
     }
 }
 
-static void numbers_of_positions_become_colors_of_vertices(void **state)
+TEST(numbers_of_positions_become_colors_of_vertices)
 {
-    (void)state;
     struct reading *reading = read_mesh(SQUARE ", \"scalars\": [-10, 0, 30, 10]");
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
     assert_colors(mesh->colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0.25f, 1, 0.5f}, 4);
@@ -41,9 +41,8 @@ static void numbers_of_positions_become_colors_of_vertices(void **state)
     reading_free(reading);
 }
 
-static void numbers_of_faces_become_colors_of_faces(void **state)
+TEST(numbers_of_faces_become_colors_of_faces)
 {
-    (void)state;
     struct reading *reading = read_mesh(SQUARE ", \"scalars\": [1e30, -1e30], \"colormap\": \"turbo\"");
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
     assert_colors(mesh->face_colors, ZR_COLORMAP_TURBO, (float[]){1, 0}, 2);
@@ -52,9 +51,8 @@ static void numbers_of_faces_become_colors_of_faces(void **state)
     reading_free(reading);
 }
 
-static void default_range_is_that_of_what_is_drawn(void **state)
+TEST(default_range_is_that_of_what_is_drawn)
 {
-    (void)state;
     static const char *const meshes[] = {
         "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[9,9,9]], \"faces\": [[0,1,2]], \"scalars\": [1, 2, 3, 900]",
         "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[9,9,9]], \"faces\": [[0,1,2],[0,3,3]], \"scalars\": [1, 2, 3, -9]",
@@ -79,9 +77,8 @@ static void default_range_is_that_of_what_is_drawn(void **state)
     }
 }
 
-static void where_there_are_as_many_they_are_of_positions(void **state)
+TEST(where_there_are_as_many_they_are_of_positions)
 {
-    (void)state;
     struct reading *reading = read_mesh("\"positions\": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], \"faces\": "
                                         "[[0,1,2],[0,1,3],[0,2,3],[1,2,3]], \"scalars\": [0,1,2,4]");
     assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0.25f, 0.5f, 1}, 4);
@@ -89,9 +86,8 @@ static void where_there_are_as_many_they_are_of_positions(void **state)
     reading_free(reading);
 }
 
-static void each_map_has_its_name(void **state)
+TEST(each_map_has_its_name)
 {
-    (void)state;
     static const char *const names[] = {"viridis", "turbo", "gray", "coolwarm"};
     for (int map = 0; map < ZR_COLORMAP_COUNT; map++) {
         char text[512];
@@ -102,9 +98,8 @@ static void each_map_has_its_name(void **state)
     }
 }
 
-static void what_is_outside_of_the_range_is_counted(void **state)
+TEST(what_is_outside_of_the_range_is_counted)
 {
-    (void)state;
     struct reading *reading = read_mesh(SQUARE ", \"scalars\": [-1, 0, 1.5, 3], \"range\": [0, 2]");
     assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0, 0.75f, 1}, 4);
     assert_int_equal(reading->scene->warning_count, 1);
@@ -117,9 +112,8 @@ static void what_is_outside_of_the_range_is_counted(void **state)
 }
 
 /* Neither below nor above: the middle. */
-static void ranges_of_no_length_have_a_middle(void **state)
+TEST(ranges_of_no_length_have_a_middle)
 {
-    (void)state;
     struct reading *reading = read_mesh(SQUARE ", \"scalars\": [7, 7, 7, 7]");
     assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0.5f, 0.5f, 0.5f, 0.5f}, 4);
     assert_int_equal(reading->scene->warning_count, 0);
@@ -130,17 +124,15 @@ static void ranges_of_no_length_have_a_middle(void **state)
     reading_free(reading);
 }
 
-static void ranges_may_be_as_long_as_floats_are(void **state)
+TEST(ranges_may_be_as_long_as_floats_are)
 {
-    (void)state;
     struct reading *reading = read_mesh(SQUARE ", \"scalars\": [-3.4e38, 0, 3.4e38, 1]");
     assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0.5f, 1, 0.5f}, 4);
     reading_free(reading);
 }
 
-static void heights_have_the_colors_of_their_z_where_a_map_is_named(void **state)
+TEST(heights_have_the_colors_of_their_z_where_a_map_is_named)
 {
-    (void)state;
     struct reading *reading = read_mesh("\"heights\": [[0,1],[2,4]], \"colormap\": \"coolwarm\"");
     assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_COOLWARM, (float[]){0, 0.25f, 0.5f, 1}, 4);
     reading_free(reading);
@@ -159,9 +151,8 @@ static void heights_have_the_colors_of_their_z_where_a_map_is_named(void **state
 }
 
 /* Holes have no z, and go with their cells. */
-static void holes_have_no_share_in_the_range(void **state)
+TEST(holes_have_no_share_in_the_range)
 {
-    (void)state;
     struct reading *reading = read_mesh("\"heights\": [[null,1,2],[3,5,2]], \"colormap\": \"turbo\"");
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
     assert_int_equal(mesh->position_count, 4);
@@ -175,9 +166,8 @@ static void holes_have_no_share_in_the_range(void **state)
 }
 
 /* Numbers in forms that the quick reader does not take, and blanks. */
-static void numbers_may_have_any_form(void **state)
+TEST(numbers_may_have_any_form)
 {
-    (void)state;
     struct reading *reading = read_mesh(
         SQUARE ", \"scalars\": [ 0.0000000000000000000000000000000000000000000000 ,\n1.00000000000000000000000000000,"
                "\t2e+0 , 0.4E1 ]");
@@ -185,30 +175,12 @@ static void numbers_may_have_any_form(void **state)
     reading_free(reading);
 }
 
-static void every_ceiling_is_enough_or_fails_cleanly(void **state)
+TEST(every_ceiling_is_enough_or_fails_cleanly)
 {
-    (void)state;
     const char *text = with_mesh(SQUARE ", \"scalars\": [1,2,3,4], \"range\": [2,3]");
     const size_t enough =
         smallest_ceiling((struct zr_request){.format = ZR_FORMAT_JSON}, text, strlen(text), (size_t)1 << 20);
     assert_true(enough > 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_of_positions_become_colors_of_vertices),
-        cmocka_unit_test(numbers_of_faces_become_colors_of_faces),
-        cmocka_unit_test(default_range_is_that_of_what_is_drawn),
-        cmocka_unit_test(where_there_are_as_many_they_are_of_positions),
-        cmocka_unit_test(each_map_has_its_name),
-        cmocka_unit_test(what_is_outside_of_the_range_is_counted),
-        cmocka_unit_test(ranges_of_no_length_have_a_middle),
-        cmocka_unit_test(ranges_may_be_as_long_as_floats_are),
-        cmocka_unit_test(heights_have_the_colors_of_their_z_where_a_map_is_named),
-        cmocka_unit_test(holes_have_no_share_in_the_range),
-        cmocka_unit_test(numbers_may_have_any_form),
-        cmocka_unit_test(every_ceiling_is_enough_or_fails_cleanly),
-    };
-    return cmocka_run_group_tests_name("json scalars", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

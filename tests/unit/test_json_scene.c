@@ -1,8 +1,8 @@
 #include "json_check.h"
+#include "support/tests.h"
 
-static void smallest_scene_has_defaults(void **state)
+TEST(smallest_scene_has_defaults)
 {
-    (void)state;
     struct reading *reading = read_rest("");
     assert_read(reading);
     const struct zr_scene *scene = reading->scene;
@@ -28,9 +28,8 @@ static void smallest_scene_has_defaults(void **state)
     reading_free(reading);
 }
 
-static void mesh_is_read_whole(void **state)
+TEST(mesh_is_read_whole)
 {
-    (void)state;
     struct reading *reading = read_scene(
         "{\"materials\": [{\"name\": \"b\"}, {\"name\": \"a\", \"baseColorFactor\": [0.5, 0.25, 1], \"doubleSided\": "
         "true}],"
@@ -56,9 +55,8 @@ static void mesh_is_read_whole(void **state)
     reading_free(reading);
 }
 
-static void polygons_become_the_last_mesh(void **state)
+TEST(polygons_become_the_last_mesh)
 {
-    (void)state;
     struct reading *reading = read_scene(
         "{\"polygons\": [{" TRIANGLE ", \"color\": \"#ff0000\"}, {\"vertices\": [[5,0,0],[6,0,0],[6,1,0],[5,1,0]],"
         "\"colors\": [[0,0,0],[0,0,0],[0,0,0],[0,0.5,0]], \"normals\": [[0,0,1],[0,0,1],[0,0,1],[0,0,7]]}, {" TRIANGLE
@@ -88,9 +86,8 @@ static void polygons_become_the_last_mesh(void **state)
     reading_free(reading);
 }
 
-static void looks_come_from_mesh_then_material_then_scene(void **state)
+TEST(looks_come_from_mesh_then_material_then_scene)
 {
-    (void)state;
     struct reading *reading = read_scene(
         "{\"shading\": \"unlit\", \"materials\": [{\"name\": \"m\", \"shading\": \"gouraud\", \"doubleSided\": true},"
         "{\"name\": \"n\"}], \"polygons\": [{" TRIANGLE "}, {" TRIANGLE ", \"material\": \"m\"}, {" TRIANGLE
@@ -109,9 +106,8 @@ static void looks_come_from_mesh_then_material_then_scene(void **state)
     reading_free(reading);
 }
 
-static void many_materials_all_find_their_names(void **state)
+TEST(many_materials_all_find_their_names)
 {
-    (void)state;
     enum { COUNT = 300 };
     static char text[200000];
     char *at = text + sprintf(text, "{\"materials\": [");
@@ -130,9 +126,8 @@ static void many_materials_all_find_their_names(void **state)
     reading_free(reading);
 }
 
-static void long_unknown_key_is_cut_at_a_character(void **state)
+TEST(long_unknown_key_is_cut_at_a_character)
 {
-    (void)state;
     static char rest[3000] = "\"";
     for (int i = 0; i < 1000; i++)
         strcat(rest, "\xC3\xA4");
@@ -145,9 +140,8 @@ static void long_unknown_key_is_cut_at_a_character(void **state)
     reading_free(reading);
 }
 
-static void several_faults_are_all_reported_up_to_the_limit(void **state)
+TEST(several_faults_are_all_reported_up_to_the_limit)
 {
-    (void)state;
     struct reading *reading = read_rest("\"shading\": 7, \"version\": 2, \"window\": {\"width\": 1.5}");
     assert_int_equal(reading->status, ZR_BAD_SCENE);
     assert_int_equal(reading->error.count, 3);
@@ -163,19 +157,17 @@ static void several_faults_are_all_reported_up_to_the_limit(void **state)
     reading_free(reading);
 }
 
-static void what_this_version_does_may_be_said(void **state)
+TEST(what_this_version_does_may_be_said)
 {
-    (void)state;
     struct reading *reading =
         read_rest("\"version\": 1, \"samples\": 1, \"algorithm\": \"halfspace\", \"colorManagement\": \"none\"");
     assert_read(reading);
     reading_free(reading);
 }
 
-static void every_algorithm_is_chosen_by_its_name(void **state)
+TEST(every_algorithm_is_chosen_by_its_name)
 {
     static const char *const words[ZR_ALGORITHM_COUNT] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
-    (void)state;
     for (int i = 0; i < ZR_ALGORITHM_COUNT; i++) {
         char text[64];
         snprintf(text, sizeof text, "\"algorithm\": \"%s\"", words[i]);
@@ -186,9 +178,8 @@ static void every_algorithm_is_chosen_by_its_name(void **state)
     }
 }
 
-static void window_limits_are_named(void **state)
+TEST(window_limits_are_named)
 {
-    (void)state;
     struct reading *reading = read_rest("\"window\": {\"width\": 8192, \"height\": 4096}, \"outputs\": "
                                         "[{\"channel\": \"color\"}, {\"channel\": \"info\"}]");
     assert_read(reading);
@@ -196,9 +187,8 @@ static void window_limits_are_named(void **state)
     reading_free(reading);
 }
 
-static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
+TEST(small_arena_gives_no_memory_naming_the_ceiling)
 {
-    (void)state;
     static const char text[] =
         "{\"polygons\": [{" TRIANGLE ", \"color\": \"#ff0000\", \"colors\": [[1,1,1],[1,1,1],[1,1,1]], "
         "\"normals\": [[0,0,1],[0,0,1],[0,0,1]]}], \"lights\": [], \"outputs\": [{\"channel\": \"depth\"}],"
@@ -207,9 +197,8 @@ static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
 }
 
 /* In a large list and outside of one. */
-static void colors_have_names_and_short_forms(void **state)
+TEST(colors_have_names_and_short_forms)
 {
-    (void)state;
     static const struct {
         const char *text;
         int rgba[4];
@@ -251,30 +240,11 @@ static void colors_have_names_and_short_forms(void **state)
     }
 }
 
-static void byte_order_mark_is_passed_over(void **state)
+TEST(byte_order_mark_is_passed_over)
 {
-    (void)state;
     struct reading *reading = read_scene("\xEF\xBB\xBF{" POLYGONS "}");
     assert_int_equal(reading->scene->meshes[0].face_count, 1);
     reading_free(reading);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(smallest_scene_has_defaults),
-        cmocka_unit_test(mesh_is_read_whole),
-        cmocka_unit_test(polygons_become_the_last_mesh),
-        cmocka_unit_test(looks_come_from_mesh_then_material_then_scene),
-        cmocka_unit_test(many_materials_all_find_their_names),
-        cmocka_unit_test(colors_have_names_and_short_forms),
-        cmocka_unit_test(byte_order_mark_is_passed_over),
-        cmocka_unit_test(long_unknown_key_is_cut_at_a_character),
-        cmocka_unit_test(several_faults_are_all_reported_up_to_the_limit),
-        cmocka_unit_test(what_this_version_does_may_be_said),
-        cmocka_unit_test(every_algorithm_is_chosen_by_its_name),
-        cmocka_unit_test(window_limits_are_named),
-        cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
-    };
-    return cmocka_run_group_tests_name("json_scene", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -4,6 +4,7 @@
 #include "by_teams.h"
 #include "json_texts.h"
 #include "support/sanitized.h"
+#include "support/tests.h"
 
 /* ThreadSanitizer makes texts thirty times as slowly. */
 #if IS_THREAD_SANITIZED
@@ -58,9 +59,8 @@ static struct text make_plain_scene(size_t count)
     return text;
 }
 
-static void every_team_reads_the_same_scene(void **state)
+TEST(every_team_reads_the_same_scene)
 {
-    (void)state;
     for (int plain = 0; plain < 2; plain++) {
         struct text text = plain ? make_plain_scene(9000) : make_scene(9000);
         for (enum spelling spelling = AS_IT_IS; spelling < spellings_end; spelling++) {
@@ -75,9 +75,8 @@ static void every_team_reads_the_same_scene(void **state)
 }
 
 /* A byte here and there that is another one, or a piece that is not there. */
-static void every_team_has_the_same_complaints(void **state)
+TEST(every_team_has_the_same_complaints)
 {
-    (void)state;
     static const char bytes[] = "[]{},:\"0123456789.e-+ \n\\tn";
     size_t refused = 0;
     for (size_t i = 0; i < ROUNDS; i++) {
@@ -98,9 +97,8 @@ static void every_team_has_the_same_complaints(void **state)
 }
 
 /* A row that is longer than all that one thread reads ahead, and marks in it. */
-static void rows_of_any_length_are_read(void **state)
+TEST(rows_of_any_length_are_read)
 {
-    (void)state;
     static const size_t columns[] = {2, 3000, 60000, 300000};
     for (size_t i = 0; i < 4; i++) {
         struct text text = {0};
@@ -119,9 +117,8 @@ static void rows_of_any_length_are_read(void **state)
 }
 
 /* Too deep an item in a list of which parts are read ahead: nobody goes on in it for ever. */
-static void too_deep_an_item_ends_every_team(void **state)
+TEST(too_deep_an_item_ends_every_team)
 {
-    (void)state;
     static const char *const lists[] = {"positions", "normals", "colors", "faces", "lines", "heights"};
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         for (size_t deep = 0; deep < 30000; deep += 9999) {
@@ -140,9 +137,8 @@ static void too_deep_an_item_ends_every_team(void **state)
 }
 
 /* What the first row is, no part can know by itself. */
-static void heights_that_begin_oddly_have_the_same_complaints(void **state)
+TEST(heights_that_begin_oddly_have_the_same_complaints)
 {
-    (void)state;
     for (size_t rows = 60; rows < 76; rows++) {
         struct text text = {0};
         add(&text, "{\"meshes\":[{\"heights\":[\"");
@@ -160,14 +156,4 @@ static void heights_that_begin_oddly_have_the_same_complaints(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_team_reads_the_same_scene),
-        cmocka_unit_test(every_team_has_the_same_complaints),
-        cmocka_unit_test(rows_of_any_length_are_read),
-        cmocka_unit_test(too_deep_an_item_ends_every_team),
-        cmocka_unit_test(heights_that_begin_oddly_have_the_same_complaints),
-    };
-    return cmocka_run_group_tests_name("json_teams", tests, start_teams, end_teams);
-}
+RUN_TESTS(start_teams, end_teams)

@@ -1,5 +1,6 @@
 /* Textures of materials, and what meshes need for them. */
 #include "json_check.h"
+#include "support/tests.h"
 
 /* Red, green; blue, white. */
 #define IMAGE                                                                                                          \
@@ -18,9 +19,8 @@ static const char *scene_with(const char *texture, const char *mesh)
     return text;
 }
 
-static void texture_is_read_with_glTFs_defaults(void **state)
+TEST(texture_is_read_with_glTFs_defaults)
 {
-    (void)state;
     struct reading *reading = read_scene(scene_with(IMAGE, FACES ", " TEXCOORDS));
     const struct zr_scene *scene = reading->scene;
     assert_int_equal(scene->image_count, 1);
@@ -38,9 +38,8 @@ static void texture_is_read_with_glTFs_defaults(void **state)
     reading_free(reading);
 }
 
-static void words_and_numbers_of_samplers_mean_the_same(void **state)
+TEST(words_and_numbers_of_samplers_mean_the_same)
 {
-    (void)state;
     static const char *const samplers[] = {
         "\"sampler\": {\"magFilter\": \"nearest\", \"minFilter\": \"nearestMipmapLinear\", \"wrapS\": \"mirror\", "
         "\"wrapT\": \"clamp\"}",
@@ -59,9 +58,8 @@ static void words_and_numbers_of_samplers_mean_the_same(void **state)
 }
 
 /* The example of KHR_texture_transform: the lower left quarter, turned clockwise by 90 degrees. */
-static void transform_scales_then_turns_then_moves(void **state)
+TEST(transform_scales_then_turns_then_moves)
 {
-    (void)state;
     struct reading *reading = read_scene(scene_with(
         IMAGE ", \"offset\": [0, 1], \"rotation\": 1.57079632679, \"scale\": [0.5, 0.5]", FACES ", " TEXCOORDS));
     float corner[2], other[2];
@@ -74,9 +72,8 @@ static void transform_scales_then_turns_then_moves(void **state)
     reading_free(reading);
 }
 
-static void equal_textures_are_one(void **state)
+TEST(equal_textures_are_one)
 {
-    (void)state;
     struct reading *reading = read_scene(
         "{\"materials\": [{\"name\": \"a\", \"baseColorTexture\": {" IMAGE "}}, {\"name\": \"b\", \"shininess\": 2, "
         "\"baseColorTexture\": {" IMAGE "}}, {\"name\": \"c\", \"baseColorTexture\": {" IMAGE ", \"texcoord\": 1}}], "
@@ -89,9 +86,8 @@ static void equal_textures_are_one(void **state)
     reading_free(reading);
 }
 
-static void heights_have_the_image_over_all_of_them(void **state)
+TEST(heights_have_the_image_over_all_of_them)
 {
-    (void)state;
     struct reading *reading = read_scene(scene_with(IMAGE, "\"heights\": [[0,0,0],[0,0,0],[0,0,null]]"));
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
     assert_int_equal(mesh->position_count, 8);
@@ -102,9 +98,8 @@ static void heights_have_the_image_over_all_of_them(void **state)
 }
 
 /* One by one, and among many that are read at once. */
-static void tangents_have_a_sign(void **state)
+TEST(tangents_have_a_sign)
 {
-    (void)state;
     static const struct {
         const char *sign, *detail; /* NULL: it is good */
     } cases[] = {{"1", NULL},
@@ -124,21 +119,10 @@ static void tangents_have_a_sign(void **state)
     }
 }
 
-static void meshes_lack_nothing_that_their_textures_need(void **state)
+TEST(meshes_lack_nothing_that_their_textures_need)
 {
-    (void)state;
     struct reading *lines = read_scene(scene_with(IMAGE, POSITIONS ", \"lines\": [[0,1]]"));
     reading_free(lines);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(texture_is_read_with_glTFs_defaults),
-                                       cmocka_unit_test(words_and_numbers_of_samplers_mean_the_same),
-                                       cmocka_unit_test(transform_scales_then_turns_then_moves),
-                                       cmocka_unit_test(equal_textures_are_one),
-                                       cmocka_unit_test(heights_have_the_image_over_all_of_them),
-                                       cmocka_unit_test(tangents_have_a_sign),
-                                       cmocka_unit_test(meshes_lack_nothing_that_their_textures_need)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

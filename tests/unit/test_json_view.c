@@ -1,5 +1,6 @@
 /* What a scene says of its views and outputs. */
 #include "json_check.h"
+#include "support/tests.h"
 
 static struct zr_view view_of(const char *view)
 {
@@ -12,9 +13,8 @@ static struct zr_view view_of(const char *view)
     return result;
 }
 
-static void views_are_read(void **state)
+TEST(views_are_read)
 {
-    (void)state;
     struct zr_view view = view_of("{\"eye\": [1,2,3]}");
     assert_int_equal(view.pose, ZR_POSE_LOOK_AT);
     assert_int_equal(view.projection, ZR_PROJECTION_PERSPECTIVE);
@@ -33,9 +33,8 @@ static void views_are_read(void **state)
     assert_true(view.xmag == 0 && view.ymag == 0);
 }
 
-static void matrices_are_rows_nested_and_columns_flat(void **state)
+TEST(matrices_are_rows_nested_and_columns_flat)
 {
-    (void)state;
     struct zr_view view = view_of("{\"worldToCamera\": [[1,0,0,7],[0,1,0,8],[0,0,1,9],[0,0,0,1]],"
                                   "\"projectionMatrix\": [1,2,3,4, 5,6,7,8, 9,10,11,12, 13,14,15,16]}");
     assert_int_equal(view.pose, ZR_POSE_MATRIX);
@@ -49,9 +48,8 @@ static void matrices_are_rows_nested_and_columns_flat(void **state)
 }
 
 /* By one factor; what is less than a thousandth off, or depends on the direction, stays as it is. */
-static void pose_that_scales_is_made_a_rigid_one(void **state)
+TEST(pose_that_scales_is_made_a_rigid_one)
 {
-    (void)state;
     static const struct {
         const char *view;
         float x, z, tz; /* of the matrix: its first and its third diagonal entry, and how far it moves along z */
@@ -75,9 +73,8 @@ static void pose_that_scales_is_made_a_rigid_one(void **state)
     }
 }
 
-static void projection_matrix_alone_leads_from_world_to_clip_space(void **state)
+TEST(projection_matrix_alone_leads_from_world_to_clip_space)
 {
-    (void)state;
     struct zr_view view = view_of("{\"projectionMatrix\": [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1]}");
     zr_mat4 identity = zr_mat4_identity();
     assert_int_equal(view.pose, ZR_POSE_MATRIX);
@@ -86,9 +83,8 @@ static void projection_matrix_alone_leads_from_world_to_clip_space(void **state)
     assert_int_equal(view.pose, ZR_POSE_PRESET);
 }
 
-static void poses_are_read(void **state)
+TEST(poses_are_read)
 {
-    (void)state;
     struct zr_view view = view_of("{\"direction\": [1,2,3]}");
     assert_int_equal(view.pose, ZR_POSE_DIRECTION);
     assert_int_equal(view.projection, ZR_PROJECTION_ORTHOGRAPHIC); /* fitted, as presets are */
@@ -118,9 +114,8 @@ static void poses_are_read(void **state)
                 view.up.z == 2);
 }
 
-static void conventions_differ_in_the_axes_y_and_z_of_the_camera(void **state)
+TEST(conventions_differ_in_the_axes_y_and_z_of_the_camera)
 {
-    (void)state;
     /* X_camera = R X_world + t in opencv; the rows y and z change sign for opengl. */
     static const float want[16] = {0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 7, -8, -9, 1};
     static const char *const same[] = {
@@ -143,9 +138,8 @@ static void conventions_differ_in_the_axes_y_and_z_of_the_camera(void **state)
     assert_memory_equal(view.world_to_camera.m, flipped, sizeof flipped);
 }
 
-static void convention_opengl_goes_with_every_pose_and_leaves_every_bit(void **state)
+TEST(convention_opengl_goes_with_every_pose_and_leaves_every_bit)
 {
-    (void)state;
     static const char *const poses[] = {"\"preset\": \"top\"", "\"eye\": [0,0,1]", "\"direction\": [0,0,1]",
                                         "\"azimuthDegrees\": 3", "\"znear\": 1"};
     for (size_t i = 0; i < sizeof poses / sizeof *poses; i++) {
@@ -159,9 +153,8 @@ static void convention_opengl_goes_with_every_pose_and_leaves_every_bit(void **s
     assert_memory_equal(view.world_to_camera.m, want, sizeof want);
 }
 
-static void projections_are_read(void **state)
+TEST(projections_are_read)
 {
-    (void)state;
     struct zr_view view = view_of("{\"eye\": [0,0,1], \"perspective\": {\"xfov\": 1.25}}");
     assert_true(view.xfov_radians == 1.25f && view.yfov_radians == 0);
     view = view_of("{\"perspective\": {\"xfovDegrees\": 90}}");
@@ -184,9 +177,8 @@ static void projections_are_read(void **state)
     }
 }
 
-static void fit_finds_its_mesh_by_name(void **state)
+TEST(fit_finds_its_mesh_by_name)
 {
-    (void)state;
 #define MESH(name) "{\"name\": \"" name "\", " POSITIONS ", \"faces\": [[0,1,2]]}"
     struct reading *reading =
         read_scene("{\"view\": {\"fit\": {\"mesh\": \"nut\"}}, \"meshes\": [" MESH("bolt") ", " MESH("nut") "]}");
@@ -196,9 +188,8 @@ static void fit_finds_its_mesh_by_name(void **state)
 #undef MESH
 }
 
-static void outputs_are_read(void **state)
+TEST(outputs_are_read)
 {
-    (void)state;
     struct reading *reading =
         read_rest("\"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}, {\"channel\": "
                   "\"depth\", \"encoding\": \"png16\", \"scale\": 0.001}, {\"channel\": \"windowDepth\"},"
@@ -215,9 +206,8 @@ static void outputs_are_read(void **state)
     reading_free(reading);
 }
 
-static void query_output_replaces_those_of_the_scene(void **state)
+TEST(query_output_replaces_those_of_the_scene)
 {
-    (void)state;
     static const char text[] = "{" POLYGONS ", \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"info\"}]}";
     struct zr_request request = {.format = ZR_FORMAT_JSON, .channel = "faceId", .compress = "small"};
     struct reading *reading = read_request(request, text, strlen(text), zr_limits_default(), 1 << 20);
@@ -229,9 +219,8 @@ static void query_output_replaces_those_of_the_scene(void **state)
     reading_free(reading);
 }
 
-static void query_of_bare_meshes_is_refused(void **state)
+TEST(query_of_bare_meshes_is_refused)
 {
-    (void)state;
     static const struct {
         struct zr_request request;
         const char *detail;
@@ -246,21 +235,4 @@ static void query_of_bare_meshes_is_refused(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(views_are_read),
-        cmocka_unit_test(matrices_are_rows_nested_and_columns_flat),
-        cmocka_unit_test(pose_that_scales_is_made_a_rigid_one),
-        cmocka_unit_test(projection_matrix_alone_leads_from_world_to_clip_space),
-        cmocka_unit_test(poses_are_read),
-        cmocka_unit_test(conventions_differ_in_the_axes_y_and_z_of_the_camera),
-        cmocka_unit_test(convention_opengl_goes_with_every_pose_and_leaves_every_bit),
-        cmocka_unit_test(projections_are_read),
-        cmocka_unit_test(fit_finds_its_mesh_by_name),
-        cmocka_unit_test(outputs_are_read),
-        cmocka_unit_test(query_output_replaces_those_of_the_scene),
-        cmocka_unit_test(query_of_bare_meshes_is_refused),
-    };
-    return cmocka_run_group_tests_name("json_view", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

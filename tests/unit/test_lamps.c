@@ -4,7 +4,7 @@
 
 #include "lit_samples.h"
 #include "shade/lights/light.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 enum { LIGHTS = 6, POINTS = 1001 };
 
@@ -48,9 +48,8 @@ static float light_at(const struct zr_light *light, double d, double degrees)
     return fronts[0][0].x;
 }
 
-static void a_point_lamp_falls_off_by_the_square(void **state)
+TEST(a_point_lamp_falls_off_by_the_square)
 {
-    (void)state;
     const struct zr_light lamp = {.type = ZR_LIGHT_POINT, .color = {1, 1, 1}};
     assert_true(light_at(&lamp, 1, 0) == 1.0f);
     assert_true(light_at(&lamp, 2, 0) == 0.25f);
@@ -58,18 +57,16 @@ static void a_point_lamp_falls_off_by_the_square(void **state)
     assert_true(fabsf(light_at(&lamp, 4, 123) - 1.0f / 16) < 1e-8f);
 }
 
-static void nothing_arrives_at_the_range_and_behind(void **state)
+TEST(nothing_arrives_at_the_range_and_behind)
 {
-    (void)state;
     const struct zr_light lamp = {.type = ZR_LIGHT_POINT, .color = {16, 16, 16}, .range = 8};
     assert_true(light_at(&lamp, 8, 0) == 0.0f && light_at(&lamp, 9, 0) == 0.0f && light_at(&lamp, 1e6, 0) == 0.0f);
     assert_true(light_at(&lamp, 7.99, 0) > 0.0f);
     assert_true(fabsf(light_at(&lamp, 4, 0) - (1.0f - 1.0f / 16)) < 1e-6f);
 }
 
-static void a_spot_ends_at_its_outer_angle(void **state)
+TEST(a_spot_ends_at_its_outer_angle)
 {
-    (void)state;
     const struct zr_light lamp = {
         .type = ZR_LIGHT_SPOT, .color = {4, 4, 4}, .direction = {0, 0, -1}, .inner_degrees = 20, .outer_degrees = 40};
     for (double degrees = 0; degrees <= 19.9; degrees += 19.9)
@@ -81,12 +78,4 @@ static void a_spot_ends_at_its_outer_angle(void **state)
     assert_true(light_at(&lamp, 2, 40.1) == 0.0f && light_at(&lamp, 2, 90) == 0.0f && light_at(&lamp, 2, 180) == 0.0f);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_point_lamp_falls_off_by_the_square),
-        cmocka_unit_test(nothing_arrives_at_the_range_and_behind),
-        cmocka_unit_test(a_spot_ends_at_its_outer_angle),
-    };
-    return cmocka_run_group_tests_name("lamps", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -7,9 +7,9 @@
 
 #include "base/rgba.h"
 #include "raster/fragments.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 static struct zr_arena arena;
 
@@ -37,9 +37,8 @@ static int compare_keys(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void lists_are_complete_and_sorted_by_depth_and_then_by_owner(void **state)
+TEST_AROUND(lists_are_complete_and_sorted_by_depth_and_then_by_owner, open_arena, close_arena)
 {
-    (void)state;
     static uint32_t place[FRAGMENTS], owner[FRAGMENTS];
     static float depth[FRAGMENTS];
     struct random random = random_seeded(3);
@@ -108,9 +107,8 @@ static const zr_vec4 red = {1, 0, 0, 0.5f}, green = {0, 1, 0, 0.25f}, blue = {0,
 static const enum zr_alpha_mode blend_all[SHEETS] = {ZR_ALPHA_BLEND, ZR_ALPHA_BLEND, ZR_ALPHA_BLEND};
 
 /* Of many layers, one tile of which is more than the request may have. */
-static void layers_end_where_memory_does(void **state)
+TEST_AROUND(layers_end_where_memory_does, open_arena, close_arena)
 {
-    (void)state;
     enum { LAYERS = 4000 };
     static zr_vec4 many[3 * LAYERS];
     for (int i = 0; i < 3 * LAYERS; i++)
@@ -218,9 +216,8 @@ static double sum_of(const float *thickness)
     return sum * (4.0 / BODY_SIDE) * (4.0 / BODY_SIDE);
 }
 
-static void thickness_sums_to_the_volume_of_closed_meshes(void **state)
+TEST_AROUND(thickness_sums_to_the_volume_of_closed_meshes, open_arena, close_arena)
 {
-    (void)state;
     static const struct body bodies[] = {{{1, 1, 1}, 0, 40, 60, false},      {{1.5, 0.3, 0.8}, 0, 30, 40, false},
                                          {{1, 1, 1}, 0.35, 40, 60, false},   {{0.4, 1.6, 0.4}, 0.2, 20, 12, false},
                                          {{1, 1, 1}, 0, 4, 4, false},        {{1, 1, 1}, 0, 40, 60, true},
@@ -236,9 +233,8 @@ static void thickness_sums_to_the_volume_of_closed_meshes(void **state)
 }
 
 /* One triangle is no body. */
-static void what_is_open_has_no_thickness_and_still_layers(void **state)
+TEST_AROUND(what_is_open_has_no_thickness_and_still_layers, open_arena, close_arena)
 {
-    (void)state;
     static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_THICKNESS, .encoding = ZR_ENCODING_NPY},
                                                {.channel = ZR_CHANNEL_LAYERS, .encoding = ZR_ENCODING_NPY}};
     make_sheets((const float[]){0.1f, 0.4f, 0.7f}, (const zr_vec4[]){red, green, blue}, blend_all);
@@ -253,9 +249,8 @@ static void what_is_open_has_no_thickness_and_still_layers(void **state)
 }
 
 /* In the middle of a box, seen from the front, and on the way out of it. */
-static void points_and_lines_have_no_inside(void **state)
+TEST_AROUND(points_and_lines_have_no_inside, open_arena, close_arena)
 {
-    (void)state;
     static const struct body body = {{1.2, 0.7, 1}, 0.3, 20, 30, true};
     static const uint32_t some[] = {0, 7, 31, 60, 99, 140};
     uint32_t triangles;
@@ -283,9 +278,8 @@ static const struct zr_pixel_fragments *fragments_of(enum zr_algorithm algorithm
 
 /* In front of what is opaque a mask that nothing passes, and what is blended; behind it, and at its depth, what it
  * hides. */
-static void fragments_of_a_pixel_tell_what_is_shown(void **state)
+TEST_AROUND(fragments_of_a_pixel_tell_what_is_shown, open_arena, close_arena)
 {
-    (void)state;
     static const struct {
         float depths[SHEETS];
         enum zr_alpha_mode modes[SHEETS];
@@ -313,9 +307,8 @@ static void fragments_of_a_pixel_tell_what_is_shown(void **state)
 }
 
 /* Every pixel of a body: as many as layers has, and the first as the channels have it. */
-static void fragments_are_those_of_the_channels(void **state)
+TEST_AROUND(fragments_are_those_of_the_channels, open_arena, close_arena)
 {
-    (void)state;
     static const struct body body = {{1.2, 0.7, 1}, 0.3, 20, 30, true};
     static const struct zr_output outputs[] = {
         {.channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_NPY},
@@ -349,17 +342,4 @@ static void fragments_are_those_of_the_channels(void **state)
     assert_true(most > 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(lists_are_complete_and_sorted_by_depth_and_then_by_owner, open_arena,
-                                        close_arena),
-        cmocka_unit_test_setup_teardown(layers_end_where_memory_does, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(thickness_sums_to_the_volume_of_closed_meshes, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(points_and_lines_have_no_inside, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(fragments_of_a_pixel_tell_what_is_shown, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(fragments_are_those_of_the_channels, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(what_is_open_has_no_thickness_and_still_layers, open_arena, close_arena),
-    };
-    return cmocka_run_group_tests_name("layers", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

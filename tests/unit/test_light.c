@@ -44,7 +44,7 @@ static bool is_same(float a, float b)
     return memcmp(&a, &b, sizeof a) == 0 || (isnan(a) && isnan(b));
 }
 
-static void triangles_have_the_normals_of_faces(void **state)
+TEST_EACH_ISA(triangles_have_the_normals_of_faces)
 {
     const enum zr_isa isa = isa_under_test(state);
     zr_vec4 positions[POSITIONS];
@@ -81,7 +81,7 @@ static void triangles_have_the_normals_of_faces(void **state)
 }
 
 /* Asked for in any order, of meshes of triangles and of others. */
-static void normals_that_are_kept_are_those_of_the_face(void **state)
+TEST_EACH_ISA(normals_that_are_kept_are_those_of_the_face)
 {
     const enum zr_isa isa = isa_under_test(state);
     enum { FACES = 3 * ZR_NORMALS_AT_ONCE + 1 };
@@ -112,11 +112,4 @@ static void normals_that_are_kept_are_those_of_the_face(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(triangles_have_the_normals_of_faces),
-        TEST_EACH_ISA(normals_that_are_kept_are_those_of_the_face),
-    };
-    return cmocka_run_group_tests_name("light", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

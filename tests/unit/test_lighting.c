@@ -104,7 +104,7 @@ static void clear_others(void)
 }
 
 /* From anywhere, any width, and at most 15 more of a row are written. */
-static void odd_sizes_are_part_of_all(void **state)
+TEST_EACH_ISA(odd_sizes_are_part_of_all)
 {
     const enum zr_isa isa = isa_under_test(state);
     enum { STRIDE = 80 };
@@ -181,7 +181,7 @@ static struct zr_linear_lighting make_extreme_lighting(struct random *r, uint32_
     return lighting;
 }
 
-static void all_input_gives_colors(void **state)
+TEST_EACH_ISA(all_input_gives_colors)
 {
     const enum zr_isa isa = isa_under_test(state);
     struct random r = random_seeded(34);
@@ -202,7 +202,7 @@ static void all_input_gives_colors(void **state)
 }
 
 /* Not black, as where a number had no value and was clamped. */
-static void strong_light_is_white(void **state)
+TEST_EACH_ISA(strong_light_is_white)
 {
     const enum zr_isa isa = isa_under_test(state);
     struct random r = random_seeded(35);
@@ -230,7 +230,7 @@ static void strong_light_is_white(void **state)
 }
 
 /* Halfway between the light and the eye there is no direction then. */
-static void light_from_straight_behind_changes_nothing(void **state)
+TEST_EACH_ISA(light_from_straight_behind_changes_nothing)
 {
     const enum zr_isa isa = isa_under_test(state);
     static const struct zr_material metal = {.shading = ZR_SHADING_PBR, .roughness = 0.5f, .metallic = 0.5f};
@@ -250,13 +250,4 @@ static void light_from_straight_behind_changes_nothing(void **state)
     assert_same_outs(&samples, &others, 0, 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(odd_sizes_are_part_of_all),
-        TEST_EACH_ISA(all_input_gives_colors),
-        TEST_EACH_ISA(strong_light_is_white),
-        TEST_EACH_ISA(light_from_straight_behind_changes_nothing),
-    };
-    return cmocka_run_group_tests_name("lighting", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "shade/lights/lighting.h"
-#include "support/cmocka_all.h"
 #include "support/isas.h"
+#include "support/tests.h"
 
 enum { ROOM = 64 };
 
@@ -47,7 +47,7 @@ static void light(struct row *row, enum zr_isa isa, size_t count)
     zr_linear_light_of(isa)(&lighting, &samples, NULL, (float *const[3]){row->out[0], row->out[1], row->out[2]});
 }
 
-static void what_is_behind_a_row_does_not_matter(void **state)
+TEST_EACH_ISA(what_is_behind_a_row_does_not_matter)
 {
     static struct row clean, dirty;
     const enum zr_isa isa = isa_under_test(state);
@@ -63,8 +63,4 @@ static void what_is_behind_a_row_does_not_matter(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {TEST_EACH_ISA(what_is_behind_a_row_does_not_matter)};
-    return cmocka_run_group_tests_name("rows of G-buffers", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -6,8 +6,8 @@
 #include "geometry/outline.h"
 #include "raster/depth_offset.h"
 #include "raster/line.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 static struct zr_window_vertex at(float x, float y)
 {
@@ -57,16 +57,14 @@ static struct cover cover_of(float x0, float y0, float x1, float y1)
     return cover;
 }
 
-static void older_rule_is_not_in_a_build_for_use(void **state)
+TEST(older_rule_is_not_in_a_build_for_use)
 {
-    (void)state;
     assert_false(zr_mutant_set("older_lines", true));
     assert_true(zr_mutant_set("older_lines", false));
 }
 
-static void line_that_leaves_no_diamond_is_dropped(void **state)
+TEST(line_that_leaves_no_diamond_is_dropped)
 {
-    (void)state;
     struct zr_line_corners c;
     struct zr_window_vertex a = at(2.5f, 2.5f), b = at(2.375f, 2.5f), d = at(2.625f, 2.5f);
     assert_false(zr_line_corners_make(&a, &a, 1, &c));
@@ -89,9 +87,8 @@ static bool clip(const zr_vec4 in[2], struct zr_clipped *out)
     return zr_clip_line(in, outcodes, out);
 }
 
-static void clip_line_takes_the_farthest_cut_of_several_planes_from_its_own_end(void **state)
+TEST(clip_line_takes_the_farthest_cut_of_several_planes_from_its_own_end)
 {
-    (void)state;
     /* Out of x = w by 1 of 2 and of y = w by 3 of 4: only the second cut counts. */
     const zr_vec4 in[2] = {{0, 0, 0, 1}, {2, 4, 0, 1}};
     struct zr_clipped out;
@@ -100,9 +97,8 @@ static void clip_line_takes_the_farthest_cut_of_several_planes_from_its_own_end(
                 out.vertices[1].position.y == 1.0f);
 }
 
-static void clip_line_from_behind_the_eye_starts_at_the_near_plane(void **state)
+TEST(clip_line_from_behind_the_eye_starts_at_the_near_plane)
 {
-    (void)state;
     /* z + w: -3 behind the eye, 1 in front: three quarters are cut off, and w is positive there. */
     const zr_vec4 in[2] = {{0, 0, -2, -1}, {0, 0, -1, 2}};
     struct zr_clipped out;
@@ -111,9 +107,8 @@ static void clip_line_from_behind_the_eye_starts_at_the_near_plane(void **state)
     assert_true(out.vertices[1].position.w == 2.0f);
 }
 
-static void clip_line_past_a_corner_or_outside_of_one_plane_is_gone(void **state)
+TEST(clip_line_past_a_corner_or_outside_of_one_plane_is_gone)
 {
-    (void)state;
     const zr_vec4 past[2] = {{-2, 0.5f, 0, 1}, {0.5f, 3, 0, 1}};
     struct zr_clipped out;
     const zr_vec4 beyond[2] = {{2, 0, 0, 1}, {3, 0, 0, 1}};
@@ -127,9 +122,8 @@ static void clip_line_past_a_corner_or_outside_of_one_plane_is_gone(void **state
 
 /* ---- outlines ---- */
 
-static void clipped_triangle_has_no_edge_along_the_plane(void **state)
+TEST(clipped_triangle_has_no_edge_along_the_plane)
 {
-    (void)state;
     /* Corner 1 lies outside of x = w: 0, then the two cuts, then 2. */
     const zr_vec4 tri[3] = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0, 1, 0, 1}};
     struct zr_clipped out, plain;
@@ -146,9 +140,8 @@ static void clipped_triangle_has_no_edge_along_the_plane(void **state)
 
 /* ---- depth offset ---- */
 
-static void depth_offset_is_the_steeper_slope_and_the_step_at_the_farthest_corner(void **state)
+TEST(depth_offset_is_the_steeper_slope_and_the_step_at_the_farthest_corner)
 {
-    (void)state;
     struct zr_window_vertex v0 = at(0, 0), v1 = at(0, 8), v2 = at(16, 0);
     v0.z = v1.z = v2.z = 0.5f;
     assert_true(zr_depth_offset(&v0, &v1, &v2, 1, 1) == 0x1p-24f);
@@ -161,16 +154,4 @@ static void depth_offset_is_the_steeper_slope_and_the_step_at_the_farthest_corne
     assert_true(zr_depth_offset(&v0, &v1, &v2, 1, 0) == 0x1p-5f);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(older_rule_is_not_in_a_build_for_use),
-        cmocka_unit_test(line_that_leaves_no_diamond_is_dropped),
-        cmocka_unit_test(clip_line_takes_the_farthest_cut_of_several_planes_from_its_own_end),
-        cmocka_unit_test(clip_line_from_behind_the_eye_starts_at_the_near_plane),
-        cmocka_unit_test(clip_line_past_a_corner_or_outside_of_one_plane_is_gone),
-        cmocka_unit_test(clipped_triangle_has_no_edge_along_the_plane),
-        cmocka_unit_test(depth_offset_is_the_steeper_slope_and_the_step_at_the_farthest_corner),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -4,6 +4,7 @@
 
 #include "json_check.h"
 #include "shade/frame.h"
+#include "support/tests.h"
 
 /* A house with a hole in its wall, one smooth mesh without normals, one with, lines, and two materials. */
 #define SCENE_                                                                                                         \
@@ -67,10 +68,9 @@ static const char *const pictures[] = {
     "\"creaseDegrees\": 60, \"groundShadow\": true, \"exposure\": 2, \"toneMapping\": \"khronos-neutral\"",
 };
 
-static void data_channels_know_nothing_of_pictures(void **state)
+TEST(data_channels_know_nothing_of_pictures)
 {
     struct drawing plain;
-    (void)state;
     draw(&plain, data("", ""), "");
     for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++)
         for (int with_color = 0; with_color < 2; with_color++) {
@@ -90,9 +90,8 @@ static void data_channels_know_nothing_of_pictures(void **state)
     end(&plain);
 }
 
-static void pictures_know_nothing_of_data_channels(void **state)
+TEST(pictures_know_nothing_of_data_channels)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++) {
         struct drawing alone, beside;
         draw(&alone, COLOR, pictures[i]);
@@ -122,12 +121,11 @@ static const struct zr_frame *draw_scaled(struct reading **reading, struct zr_ar
     return frame;
 }
 
-static void cameras_that_scale_show_the_same(void **state)
+TEST(cameras_that_scale_show_the_same)
 {
     static const double scales[] = {0.01, 100};
     struct reading *plain, *scaled;
     struct zr_arena of_plain, of_scaled;
-    (void)state;
     const struct zr_frame *want = draw_scaled(&plain, &of_plain, 1);
     assert_true(want->covered_samples > 300 * 16);
     for (int i = 0; i < 2; i++) {
@@ -142,12 +140,4 @@ static void cameras_that_scale_show_the_same(void **state)
     reading_free(plain);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(data_channels_know_nothing_of_pictures),
-        cmocka_unit_test(pictures_know_nothing_of_data_channels),
-        cmocka_unit_test(cameras_that_scale_show_the_same),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -47,7 +47,7 @@ static double worst_of_curve(curve_fn *curve, bool relative)
     return worst;
 }
 
-static void srgb_is_decoded_as_defined(void **state)
+TEST_EACH_ISA(srgb_is_decoded_as_defined)
 {
     const struct look_parts *parts = look_parts_of(isa_under_test(state));
     fill_0_to_1();
@@ -58,7 +58,7 @@ static void srgb_is_decoded_as_defined(void **state)
     assert_memory_equal(out[0], scalar[0], sizeof out[0]);
 }
 
-static void srgb_is_encoded_as_defined(void **state)
+TEST_EACH_ISA(srgb_is_encoded_as_defined)
 {
     const struct look_parts *parts = look_parts_of(isa_under_test(state));
     fill_0_to_1();
@@ -68,7 +68,7 @@ static void srgb_is_encoded_as_defined(void **state)
     assert_memory_equal(out[0], scalar[0], sizeof out[0]);
 }
 
-static void what_is_beyond_srgb_is_kept_within(void **state)
+TEST_EACH_ISA(what_is_beyond_srgb_is_kept_within)
 {
     const struct look_parts *parts = look_parts_of(isa_under_test(state));
     static const float beyond[16] = {-1.0f,    -1e30f,    -0.0f,  0.0f, 1e-45f, 1e-38f, 1.0f, 1.0000001f,
@@ -84,7 +84,7 @@ static void what_is_beyond_srgb_is_kept_within(void **state)
 }
 
 /* Else unlit surfaces would not come out as given. */
-static void every_byte_comes_back(void **state)
+TEST_EACH_ISA(every_byte_comes_back)
 {
     const struct look_parts *parts = look_parts_of(isa_under_test(state));
     for (int i = 0; i < 256; i++)
@@ -99,7 +99,7 @@ static void every_byte_comes_back(void **state)
 
 /* ---- tone ---- */
 
-static void no_tone_clamps(void **state)
+TEST_EACH_ISA(no_tone_clamps)
 {
     const struct look_parts *parts = look_parts_of(isa_under_test(state));
     static const float bright[16] = {-1, 0, 0.25f, 1, 1.5f, 1e30f, INFINITY, -INFINITY, -0.0f, 0.999f};
@@ -111,7 +111,7 @@ static void no_tone_clamps(void **state)
 }
 
 /* Grey stays grey, and more light never becomes less of a pixel; as bright as a scene can say. */
-static void tones_rise(void **state)
+TEST_EACH_ISA(tones_rise)
 {
     const struct look_parts *parts = look_parts_of(isa_under_test(state));
     for (int i = 0; i < COUNT; i++)
@@ -127,23 +127,10 @@ static void tones_rise(void **state)
     }
 }
 
-static void no_environment_is_none(void **state)
+TEST(no_environment_is_none)
 {
     struct zr_environment_light light;
-    (void)state;
     assert_false(zr_environment_make(ZR_ENVIRONMENT_NONE, &light));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(srgb_is_decoded_as_defined),
-        TEST_EACH_ISA(srgb_is_encoded_as_defined),
-        TEST_EACH_ISA(what_is_beyond_srgb_is_kept_within),
-        TEST_EACH_ISA(every_byte_comes_back),
-        TEST_EACH_ISA(no_tone_clamps),
-        TEST_EACH_ISA(tones_rise),
-        cmocka_unit_test(no_environment_is_none),
-    };
-    return cmocka_run_group_tests_name("look parts", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

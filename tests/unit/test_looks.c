@@ -3,6 +3,7 @@
 
 #include "input/json_objects.h"
 #include "input/json_scene.h"
+#include "support/tests.h"
 
 /* ---- rows ---- */
 
@@ -30,9 +31,8 @@ static void assert_good_lamps(const struct zr_look *look)
     assert_true(classic && pbr); /* no shading is left in the dark */
 }
 
-static void each_row_has_what_rows_must_have(void **state)
+TEST(each_row_has_what_rows_must_have)
 {
-    (void)state;
     for (int i = 0; i < zr_look_count; i++) {
         const struct zr_look *look = &zr_looks[i];
         const struct zr_picture *p = &look->picture;
@@ -52,9 +52,8 @@ static void each_row_has_what_rows_must_have(void **state)
     }
 }
 
-static void effects_are_of_linear_light_only(void **state)
+TEST(effects_are_of_linear_light_only)
 {
-    (void)state;
     for (int i = 0; i < zr_look_count; i++) {
         const struct zr_picture *p = &zr_looks[i].picture;
         if (p->is_linear) continue;
@@ -65,9 +64,8 @@ static void effects_are_of_linear_light_only(void **state)
     }
 }
 
-static void lamps_of_an_environment_are_found_in_a_row_that_has_it(void **state)
+TEST(lamps_of_an_environment_are_found_in_a_row_that_has_it)
 {
-    (void)state;
     for (int name = ZR_ENVIRONMENT_NONE; name < ZR_ENVIRONMENT_COUNT; name++) {
         int rows = 0;
         for (int i = 0; i < zr_look_count; i++)
@@ -76,9 +74,8 @@ static void lamps_of_an_environment_are_found_in_a_row_that_has_it(void **state)
     }
 }
 
-static void looks_are_found_by_name_and_version(void **state)
+TEST(looks_are_found_by_name_and_version)
 {
-    (void)state;
     static const char *const strangers[] = {"",         "studi", "Studio",    "studio@",   "studio@0",  "studio@01",
                                             "studio@2", "@1",    "studio@1 ", "studio@@1", "studio@1@1"};
     for (int i = 0; i < zr_look_count; i++) {
@@ -98,9 +95,8 @@ static void looks_are_found_by_name_and_version(void **state)
 
 /* ---- scenes ---- */
 
-static void every_look_dresses_a_scene(void **state)
+TEST(every_look_dresses_a_scene)
 {
-    (void)state;
     for (int i = 0; i < zr_look_count; i++) {
         const struct zr_look *look = &zr_looks[i];
         struct reading *reading = read_look(look->name, "");
@@ -124,9 +120,8 @@ static void every_look_dresses_a_scene(void **state)
     }
 }
 
-static void a_scene_without_a_look_is_the_textbooks(void **state)
+TEST(a_scene_without_a_look_is_the_textbooks)
 {
-    (void)state;
     struct reading *reading = read_rest("");
     assert_read(reading);
     assert_ptr_equal(reading->scene->look, zr_look_textbook());
@@ -135,9 +130,8 @@ static void a_scene_without_a_look_is_the_textbooks(void **state)
     reading_free(reading);
 }
 
-static void an_upright_window_has_the_angle_across(void **state)
+TEST(an_upright_window_has_the_angle_across)
 {
-    (void)state;
     struct reading *reading = read_look("studio", "\"window\": {\"width\": 300, \"height\": 400}");
     assert_true(reading->scene->views[0].xfov_radians == zr_look_find("studio")->view.fov_radians);
     assert_true(reading->scene->views[0].yfov_radians == 0);
@@ -167,9 +161,8 @@ static void expect_picture(const char *look, const char *rest, struct zr_picture
         expect_picture(look, rest, w);                                                                                 \
     } while (0)
 
-static void every_key_goes_before_the_look(void **state)
+TEST(every_key_goes_before_the_look)
 {
-    (void)state;
     EXPECT("studio", "\"samples\": 1", w.side = 1);
     EXPECT("studio", "\"samples\": 4", w.side = 2);
     EXPECT("textbook", "\"samples\": 64", w.side = 8);
@@ -191,9 +184,8 @@ static void every_key_goes_before_the_look(void **state)
     EXPECT("textbook", "\"colorManagement\": \"srgb\"", w.is_linear = true);
 }
 
-static void keys_of_effects_go_before_the_look_one_by_one(void **state)
+TEST(keys_of_effects_go_before_the_look_one_by_one)
 {
-    (void)state;
     EXPECT("studio", "\"occlusion\": false", w.occlusion.is_on = false);
     EXPECT("blueprint", "\"occlusion\": true", w.occlusion.is_on = true);
     EXPECT("technical", "\"occlusion\": {\"radius\": 0.5}", w.occlusion.radius = 0.5f);
@@ -206,9 +198,8 @@ static void keys_of_effects_go_before_the_look_one_by_one(void **state)
     EXPECT("technical", "\"edges\": {\"creaseDegrees\": 12}", w.edges.crease_degrees = 12);
 }
 
-static void keys_of_environments_go_before_the_look_one_by_one(void **state)
+TEST(keys_of_environments_go_before_the_look_one_by_one)
 {
-    (void)state;
     EXPECT("studio", "\"environment\": false", w.environment.name = ZR_ENVIRONMENT_NONE);
     EXPECT("studio", "\"environment\": \"outdoor\"", w.environment.name = ZR_ENVIRONMENT_OUTDOOR,
            w.environment.camera_frame = false);
@@ -220,9 +211,8 @@ static void keys_of_environments_go_before_the_look_one_by_one(void **state)
     EXPECT("textbook", "\"environment\": false", w.is_linear = false);
 }
 
-static void backgrounds_are_colours_or_gradients(void **state)
+TEST(backgrounds_are_colours_or_gradients)
 {
-    (void)state;
     struct reading *reading = read_look("studio", "\"background\": \"#0000\"");
     assert_true(reading->scene->background.w == 0 && !reading->scene->picture.has_gradient);
     reading_free(reading);
@@ -242,9 +232,8 @@ static bool is_picture_key(const char *object, const char *key)
 }
 
 /* Without a row there, what a scene gives would be lost without a word. */
-static void each_key_that_is_read_into_the_picture_has_a_row(void **state)
+TEST(each_key_that_is_read_into_the_picture_has_a_row)
 {
-    (void)state;
     static const struct zr_json_object *const objects[] = {&zr_json_object_gradient, &zr_json_object_environment,
                                                            &zr_json_object_occlusion, &zr_json_object_edges};
     const size_t begin = offsetof(struct zr_parsed_scene, picture.picture), end = begin + sizeof(struct zr_picture);
@@ -263,9 +252,8 @@ static void each_key_that_is_read_into_the_picture_has_a_row(void **state)
 }
 
 /* A row whose key nobody reads is never given. */
-static void each_row_of_a_key_of_the_picture_is_read(void **state)
+TEST(each_row_of_a_key_of_the_picture_is_read)
 {
-    (void)state;
     static const struct {
         const char *object, *key;
     } rows[] = {
@@ -288,22 +276,4 @@ static void each_row_of_a_key_of_the_picture_is_read(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_row_has_what_rows_must_have),
-        cmocka_unit_test(effects_are_of_linear_light_only),
-        cmocka_unit_test(lamps_of_an_environment_are_found_in_a_row_that_has_it),
-        cmocka_unit_test(looks_are_found_by_name_and_version),
-        cmocka_unit_test(every_look_dresses_a_scene),
-        cmocka_unit_test(a_scene_without_a_look_is_the_textbooks),
-        cmocka_unit_test(an_upright_window_has_the_angle_across),
-        cmocka_unit_test(every_key_goes_before_the_look),
-        cmocka_unit_test(keys_of_effects_go_before_the_look_one_by_one),
-        cmocka_unit_test(keys_of_environments_go_before_the_look_one_by_one),
-        cmocka_unit_test(backgrounds_are_colours_or_gradients),
-        cmocka_unit_test(each_key_that_is_read_into_the_picture_has_a_row),
-        cmocka_unit_test(each_row_of_a_key_of_the_picture_is_read),
-    };
-    return cmocka_run_group_tests_name("looks", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

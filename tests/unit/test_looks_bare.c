@@ -1,5 +1,6 @@
 /* Looks of bare meshes. */
 #include "looks_check.h"
+#include "support/tests.h"
 
 #define MESH "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
@@ -11,9 +12,8 @@ static struct reading *read_mesh(struct zr_request request)
     return reading;
 }
 
-static void bare_meshes_have_the_look_studio(void **state)
+TEST(bare_meshes_have_the_look_studio)
 {
-    (void)state;
     const struct zr_look *studio = zr_look_find("studio");
     struct reading *reading = read_mesh((struct zr_request){.look = NULL});
     const struct zr_scene *scene = reading->scene;
@@ -29,9 +29,8 @@ static void bare_meshes_have_the_look_studio(void **state)
     reading_free(reading);
 }
 
-static void every_look_dresses_a_bare_mesh(void **state)
+TEST(every_look_dresses_a_bare_mesh)
 {
-    (void)state;
     for (int i = 0; i < zr_look_count; i++) {
         char pinned[64];
         snprintf(pinned, sizeof pinned, "%s@%u", zr_looks[i].name, zr_looks[i].version);
@@ -44,9 +43,8 @@ static void every_look_dresses_a_bare_mesh(void **state)
     }
 }
 
-static void every_parameter_goes_before_the_look(void **state)
+TEST(every_parameter_goes_before_the_look)
 {
-    (void)state;
     struct reading *reading = read_mesh((struct zr_request){.samples = "64",
                                                             .preset = "top",
                                                             .projection = "orthographic",
@@ -74,9 +72,8 @@ static void every_parameter_goes_before_the_look(void **state)
     reading_free(reading);
 }
 
-static void samples_of_a_query_fit_the_window(void **state)
+TEST(samples_of_a_query_fit_the_window)
 {
-    (void)state;
     struct reading *reading = read_mesh((struct zr_request){.width = "8192", .height = "8"});
     assert_int_equal(reading->scene->picture.side, 2);
     assert_int_equal(reading->scene->warning_count, 1);
@@ -88,9 +85,8 @@ static void samples_of_a_query_fit_the_window(void **state)
     reading_free(reading);
 }
 
-static void z_is_up_in_stl_unless_told_otherwise(void **state)
+TEST(z_is_up_in_stl_unless_told_otherwise)
 {
-    (void)state;
     static const char stl[] = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                               "endloop\nendfacet\nendsolid\n";
     static const struct {
@@ -114,12 +110,4 @@ static void z_is_up_in_stl_unless_told_otherwise(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bare_meshes_have_the_look_studio),     cmocka_unit_test(every_look_dresses_a_bare_mesh),
-        cmocka_unit_test(every_parameter_goes_before_the_look), cmocka_unit_test(samples_of_a_query_fit_the_window),
-        cmocka_unit_test(z_is_up_in_stl_unless_told_otherwise),
-    };
-    return cmocka_run_group_tests_name("looks: bare meshes", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -2,12 +2,12 @@
 #include "looks_check.h"
 #include "scene/resolved_view.h"
 #include "shade/frame.h"
+#include "support/tests.h"
 
 /* ---- lamps ---- */
 
-static void lamps_of_a_scene_replace_those_of_the_look_and_its_environment(void **state)
+TEST(lamps_of_a_scene_replace_those_of_the_look_and_its_environment)
 {
-    (void)state;
     static const struct {
         const char *rest;
         uint32_t lights;
@@ -32,9 +32,8 @@ static void lamps_of_a_scene_replace_those_of_the_look_and_its_environment(void 
     }
 }
 
-static void lamps_of_the_textbook_stay_in_linear_light_and_beside_ambient(void **state)
+TEST(lamps_of_the_textbook_stay_in_linear_light_and_beside_ambient)
 {
-    (void)state;
     static const char *const rests[] = {"\"colorManagement\": \"srgb\"", "\"shading\": \"pbr\"",
                                         "\"ambient\": [0.34, 0.34, 0.34]", "\"environment\": false"};
     for (size_t i = 0; i < sizeof rests / sizeof rests[0]; i++) {
@@ -47,9 +46,8 @@ static void lamps_of_the_textbook_stay_in_linear_light_and_beside_ambient(void *
     }
 }
 
-static void lamps_go_with_the_environment(void **state)
+TEST(lamps_go_with_the_environment)
 {
-    (void)state;
     struct reading *reading = read_look("studio", "\"environment\": \"outdoor\"");
     assert_ptr_equal(reading->scene->lights, zr_look_find("outdoor")->lights);
     reading_free(reading);
@@ -71,9 +69,8 @@ static void lamps_go_with_the_environment(void **state)
     reading_free(reading);
 }
 
-static void lights_are_of_two_types(void **state)
+TEST(lights_are_of_two_types)
 {
-    (void)state;
     struct reading *reading =
         read_rest("\"up\": \"z\", \"lights\": [{\"type\": \"hemisphere\", \"sky\": [1, 0, 0], \"ground\": [0, 0.5, 0],"
                   " \"intensity\": 2}, {\"type\": \"hemisphere\", \"frame\": \"camera\"}, {\"type\": \"hemisphere\","
@@ -92,9 +89,8 @@ static void lights_are_of_two_types(void **state)
 
 /* A lamp behind a surface whose normals turn away from the eye: half way between both is behind the normals, where
  * glTF's distribution of microfacets is 0. What is left is Lambert's light. */
-static void a_lamp_behind_has_no_highlight(void **state)
+TEST(a_lamp_behind_has_no_highlight)
 {
-    (void)state;
     struct reading *reading = read_scene(
         "{\"window\": {\"width\": 8, \"height\": 8}, \"background\": \"black\", \"shading\": \"pbr\", \"ambient\": [0, "
         "0, 0], "
@@ -113,9 +109,8 @@ static void a_lamp_behind_has_no_highlight(void **state)
 
 /* ---- materials ---- */
 
-static void what_a_material_says_goes_before_the_look_key_by_key(void **state)
+TEST(what_a_material_says_goes_before_the_look_key_by_key)
 {
-    (void)state;
     struct reading *reading = read_scene(
         "{\"materials\": [{\"name\": \"m\", \"baseColorFactor\": \"red\", \"roughnessFactor\": 0.125,"
         " \"emissiveFactor\": [1, 2, 3], \"cool\": \"blue\"}, {\"name\": \"plain\"}], \"look\": \"metal\","
@@ -136,9 +131,8 @@ static void what_a_material_says_goes_before_the_look_key_by_key(void **state)
 
 /* ---- views ---- */
 
-static void a_view_of_its_own_replaces_that_of_the_look(void **state)
+TEST(a_view_of_its_own_replaces_that_of_the_look)
 {
-    (void)state;
     struct reading *reading = read_look("studio", "\"view\": {\"preset\": \"top\"}");
     assert_int_equal(reading->scene->views[0].pose, ZR_POSE_PRESET);
     assert_int_equal(reading->scene->views[0].projection, ZR_PROJECTION_ORTHOGRAPHIC);
@@ -151,9 +145,8 @@ static void a_view_of_its_own_replaces_that_of_the_look(void **state)
 }
 
 /* What is drawn with z up is what is drawn with y up, turned. */
-static void views_with_z_up_are_turned_ones(void **state)
+TEST(views_with_z_up_are_turned_ones)
 {
-    (void)state;
     static const struct {
         const char *with_y, *with_z;
     } pairs[] = {
@@ -225,9 +218,8 @@ static const struct {
 };
 enum { LINEAR = sizeof linear / sizeof linear[0] };
 
-static void keys_that_need_linear_light_switch_it_on(void **state)
+TEST(keys_that_need_linear_light_switch_it_on)
 {
-    (void)state;
     static const char *const others[] = {
         "\"toneMapping\": \"none\"",
         "\"occlusion\": false",
@@ -258,9 +250,8 @@ static void keys_that_need_linear_light_switch_it_on(void **state)
 
 /* ---- samples ---- */
 
-static void samples_fit_the_window(void **state)
+TEST(samples_fit_the_window)
 {
-    (void)state;
     static const struct {
         const char *rest;
         uint32_t side;
@@ -283,19 +274,4 @@ static void samples_fit_the_window(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lamps_of_a_scene_replace_those_of_the_look_and_its_environment),
-        cmocka_unit_test(lamps_of_the_textbook_stay_in_linear_light_and_beside_ambient),
-        cmocka_unit_test(lamps_go_with_the_environment),
-        cmocka_unit_test(a_lamp_behind_has_no_highlight),
-        cmocka_unit_test(lights_are_of_two_types),
-        cmocka_unit_test(what_a_material_says_goes_before_the_look_key_by_key),
-        cmocka_unit_test(a_view_of_its_own_replaces_that_of_the_look),
-        cmocka_unit_test(views_with_z_up_are_turned_ones),
-        cmocka_unit_test(keys_that_need_linear_light_switch_it_on),
-        cmocka_unit_test(samples_fit_the_window),
-    };
-    return cmocka_run_group_tests_name("looks: light", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

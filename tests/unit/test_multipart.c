@@ -4,8 +4,8 @@
 
 #include "guarded.h"
 #include "multipart.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 #define B       "--AaB03x\r\n"
 #define END     "\r\n--AaB03x--\r\n"
@@ -39,9 +39,8 @@ static void assert_part(size_t index, const char *name, const char *bytes)
     assert_ptr_equal(multipart_find(&parts, name), part);
 }
 
-static void parts_are_found_with_their_names_and_types(void **state)
+TEST(parts_are_found_with_their_names_and_types)
 {
-    (void)state;
     static const char body[] =
         B NAME("scene") "Content-Type: application/json; charset=utf-8\r\n\r\n{}\r\n" B
                         "content-type:image/png \r\ncontent-disposition:form-data;name=color ; filename=\"C:\\a "
@@ -60,9 +59,8 @@ static void parts_are_found_with_their_names_and_types(void **state)
     assert_null(multipart_find(&parts, "c"));
 }
 
-static void preamble_padding_and_an_empty_part_are_understood(void **state)
+TEST(preamble_padding_and_an_empty_part_are_understood)
 {
-    (void)state;
     static const char body[] =
         "This is MIME.\r\n--AaB03x \t\r\n" NAME("a") "\r\n--AaB03x\r\n" NAME("b") "\r\n\r\n\r\n--AaB03x--";
     assert_true(parse(body, sizeof body - 1));
@@ -73,9 +71,8 @@ static void preamble_padding_and_an_empty_part_are_understood(void **state)
     assert_int_equal(parts.count, 0);
 }
 
-static void bodies_that_are_not_whole_or_ambiguous_are_refused(void **state)
+TEST(bodies_that_are_not_whole_or_ambiguous_are_refused)
 {
-    (void)state;
     static const struct {
         const char *body, *fault;
     } cases[] = {
@@ -121,9 +118,8 @@ static void bodies_that_are_not_whole_or_ambiguous_are_refused(void **state)
     }
 }
 
-static void bounds_are_kept_to_the_byte(void **state)
+TEST(bounds_are_kept_to_the_byte)
 {
-    (void)state;
     char body[16384], name[200];
     for (size_t length = MULTIPART_NAME_MAX; length <= MULTIPART_NAME_MAX + 1; length++) {
         memset(name, 'n', length);
@@ -149,9 +145,8 @@ static void bounds_are_kept_to_the_byte(void **state)
     }
 }
 
-static void boundaries_are_taken_as_rfc_2046_says(void **state)
+TEST(boundaries_are_taken_as_rfc_2046_says)
 {
-    (void)state;
     char boundary[MULTIPART_BOUNDARY_SIZE], type[200], seventy[72];
     static const char *const good[][2] = {
         {"multipart/form-data; boundary=AaB03x", "AaB03x"},
@@ -191,9 +186,8 @@ static void boundaries_are_taken_as_rfc_2046_says(void **state)
     }
 }
 
-static void bodies_with_anything_changed_never_lead_outside(void **state)
+TEST(bodies_with_anything_changed_never_lead_outside)
 {
-    (void)state;
     static const char body[] = B NAME("scene") "Content-Type: application/json\r\n\r\n{}\r\n" B NAME(
         "b") "\r\n12345\r\n" B "Content-Disposition: form-data; name=c; filename=\"d\\\"e\"\r\n\r\n" END;
     static const char pieces[] = "\r\n-\"\\;=: AaB03x\0\x80";
@@ -232,15 +226,4 @@ static void bodies_with_anything_changed_never_lead_outside(void **state)
     assert_true(parsed > 3000 && refused > 3000);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parts_are_found_with_their_names_and_types),
-        cmocka_unit_test(preamble_padding_and_an_empty_part_are_understood),
-        cmocka_unit_test(bodies_that_are_not_whole_or_ambiguous_are_refused),
-        cmocka_unit_test(bounds_are_kept_to_the_byte),
-        cmocka_unit_test(boundaries_are_taken_as_rfc_2046_says),
-        cmocka_unit_test(bodies_with_anything_changed_never_lead_outside),
-    };
-    return cmocka_run_group_tests_name("multipart", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

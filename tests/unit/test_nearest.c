@@ -1,6 +1,6 @@
 /* Which word was probably meant. */
 #include "input/nearest.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 static const char *const words[] = {"near",  "far",  "color", "baseColorFactor",
                                     "znear", "zfar", "x",     "elevationDegrees"};
@@ -13,9 +13,8 @@ static const char *meant_by(const char *word)
     return nearest.known ? nearest.known : "";
 }
 
-static void slips_of_the_finger_and_other_spellings_are_known(void **state)
+TEST(slips_of_the_finger_and_other_spellings_are_known)
 {
-    (void)state;
     static const char *const cases[][2] = {{"colour", "color"},
                                            {"colro", "color"},
                                            {"base_color_factor", "baseColorFactor"},
@@ -28,9 +27,8 @@ static void slips_of_the_finger_and_other_spellings_are_known(void **state)
         assert_string_equal(meant_by(cases[i][0]), cases[i][1]);
 }
 
-static void words_that_are_far_from_all_mean_none(void **state)
+TEST(words_that_are_far_from_all_mean_none)
 {
-    (void)state;
     static const char *const others[] = {
         "", "_", "y", "light", "ear drum", "zz", "doubleSided", "aWordThatIsLongerThanAllWordsThatAnyTableHas"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
@@ -41,11 +39,4 @@ static void words_that_are_far_from_all_mean_none(void **state)
     assert_string_equal(zr_nearest_text(&nearest).text, " (did you mean lights?)");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(slips_of_the_finger_and_other_spellings_are_known),
-        cmocka_unit_test(words_that_are_far_from_all_mean_none),
-    };
-    return cmocka_run_group_tests_name("nearest", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

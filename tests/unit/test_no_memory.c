@@ -9,10 +9,10 @@
 #include "input/image_read.h"
 #include "output/npy.h"
 #include "output/png.h"
-#include "support/cmocka_all.h"
 #include "support/failing_malloc.h"
 #include "support/jpeg.h"
 #include "support/sanitized.h"
+#include "support/tests.h"
 #include "zraster.h"
 
 /* ---- allocations, counted, and failing when told so ---- */
@@ -237,13 +237,12 @@ static void assert_survives(const char *name, const struct zr_request *request, 
     assert_run_survives(name, run_request, request, status);
 }
 
-static void each_channel_alone(void **state)
+TEST(each_channel_alone)
 {
     static const struct {
         const char *channel, *encoding;
     } outputs[] = {{"color", "png"},       {"depth", "png16"}, {"depth", "npy"},
                    {"windowDepth", "npy"}, {"faceId", "npy"},  {"info", "json"}};
-    (void)state;
     for (size_t i = 0; i < sizeof outputs / sizeof outputs[0]; i++)
         assert_survives(outputs[i].channel,
                         &(struct zr_request){.format = ZR_FORMAT_JSON,
@@ -254,16 +253,14 @@ static void each_channel_alone(void **state)
                         ZR_OK);
 }
 
-static void several_outputs_in_an_archive(void **state)
+TEST(several_outputs_in_an_archive)
 {
-    (void)state;
     assert_survives("archive",
                     &(struct zr_request){.format = ZR_FORMAT_JSON, .bytes = several, .size = strlen(several)}, ZR_OK);
 }
 
-static void small_pngs(void **state)
+TEST(small_pngs)
 {
-    (void)state;
     assert_survives("small",
                     &(struct zr_request){.format = ZR_FORMAT_JSON,
                                          .bytes = several,
@@ -273,9 +270,8 @@ static void small_pngs(void **state)
                     ZR_OK);
 }
 
-static void pictures_that_are_drawn_into(void **state)
+TEST(pictures_that_are_drawn_into)
 {
-    (void)state;
     assert_survives("base",
                     &(struct zr_request){.format = ZR_FORMAT_JSON,
                                          .bytes = into_base,
@@ -286,19 +282,17 @@ static void pictures_that_are_drawn_into(void **state)
                     ZR_OK);
 }
 
-static void info_of_a_bare_mesh(void **state)
+TEST(info_of_a_bare_mesh)
 {
-    (void)state;
     assert_survives("OBJ",
                     &(struct zr_request){.format = ZR_FORMAT_OBJ, .bytes = obj, .size = strlen(obj), .channel = "info"},
                     ZR_OK);
 }
 
 /* Each look, with samples and all effects that it has; shadows, edges and lines besides. */
-static void pictures_of_looks(void **state)
+TEST(pictures_of_looks)
 {
     static const char *const looks[] = {"studio", "technical", "outdoor", "blueprint", "xray", "textbook"};
-    (void)state;
     for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++)
         assert_survives(looks[i],
                         &(struct zr_request){.format = ZR_FORMAT_OBJ,
@@ -314,18 +308,16 @@ static void pictures_of_looks(void **state)
                         ZR_OK);
 }
 
-static void a_scene_that_is_refused(void **state)
+TEST(a_scene_that_is_refused)
 {
-    (void)state;
     assert_survives("refused",
                     &(struct zr_request){.format = ZR_FORMAT_JSON, .bytes = refused, .size = strlen(refused)},
                     ZR_BAD_SCENE);
 }
 
 /* The allocations of libpng and libjpeg are the arena's, but for those by which libjpeg begins. */
-static void images_of_textures(void **state)
+TEST(images_of_textures)
 {
-    (void)state;
     static const struct jpeg_kind kinds[] = {
         {.colors = JPEG_YCBCR, .across = 2, .down = 2, .quality = 75},
         {.colors = JPEG_YCBCR, .across = 1, .down = 1, .is_progressive = true, .quality = 75}};
@@ -343,13 +335,4 @@ static void images_of_textures(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_channel_alone),  cmocka_unit_test(several_outputs_in_an_archive),
-        cmocka_unit_test(small_pngs),          cmocka_unit_test(pictures_that_are_drawn_into),
-        cmocka_unit_test(info_of_a_bare_mesh), cmocka_unit_test(a_scene_that_is_refused),
-        cmocka_unit_test(pictures_of_looks),   cmocka_unit_test(images_of_textures),
-    };
-    return cmocka_run_group_tests_name("no memory", tests, make_assets, free_assets);
-}
+RUN_TESTS(make_assets, free_assets)

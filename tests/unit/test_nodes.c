@@ -3,8 +3,8 @@
 
 #include "base/cancel.h"
 #include "scene/nodes.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 enum { NONE = 999, NODES_MAX = 128, LONG = 100000 };
 
@@ -58,9 +58,8 @@ static struct zr_placement place(struct tree *tree, uint32_t instances_max)
     return placement;
 }
 
-static void nodes_are_placed_depth_first_in_listed_order(void **state)
+TEST(nodes_are_placed_depth_first_in_listed_order)
 {
-    (void)state;
     struct tree *tree = tree_new();
     add_node(tree, 0, CHILDREN(4, 2, NONE));
     add_node(tree, 1, CHILDREN(NONE)); /* a root, after the first one and all that is below it */
@@ -82,9 +81,8 @@ static void nodes_are_placed_depth_first_in_listed_order(void **state)
     tree_free(tree);
 }
 
-static void world_is_parent_times_local(void **state)
+TEST(world_is_parent_times_local)
 {
-    (void)state;
     struct tree *tree = tree_new();
     add_node(tree, NONE, CHILDREN(1, NONE));
     add_node(tree, 0, CHILDREN(NONE));
@@ -97,9 +95,8 @@ static void world_is_parent_times_local(void **state)
     tree_free(tree);
 }
 
-static void cycle_is_told_by_the_entry_that_closes_it(void **state)
+TEST(cycle_is_told_by_the_entry_that_closes_it)
 {
-    (void)state;
     struct tree *tree = tree_new();
     add_node(tree, 0, CHILDREN(1, NONE));
     add_node(tree, NONE, CHILDREN(3, 2, NONE));
@@ -139,9 +136,8 @@ static struct tree *doubling_chain(uint32_t levels, uint32_t mesh)
     return tree;
 }
 
-static void doubling_chain_is_counted_without_being_walked(void **state)
+TEST(doubling_chain_is_counted_without_being_walked)
 {
-    (void)state;
     const uint32_t levels[] = {17, 40, 64, 100}; /* 2^64 and 2^100 are beyond the counter */
     for (size_t i = 0; i < sizeof levels / sizeof levels[0]; i++) {
         struct tree *tree = doubling_chain(levels[i], 0);
@@ -156,9 +152,8 @@ static void doubling_chain_is_counted_without_being_walked(void **state)
     tree_free(tree);
 }
 
-static void paths_without_a_mesh_are_not_walked(void **state)
+TEST(paths_without_a_mesh_are_not_walked)
 {
-    (void)state;
     struct tree *tree = doubling_chain(100, NONE);
     add_node(tree, 7, CHILDREN(0, NONE));
     struct zr_placement placement = place(tree, 1);
@@ -168,9 +163,8 @@ static void paths_without_a_mesh_are_not_walked(void **state)
     tree_free(tree);
 }
 
-static void matrix_out_of_range_names_the_node_that_leaves_it(void **state)
+TEST(matrix_out_of_range_names_the_node_that_leaves_it)
 {
-    (void)state;
     struct tree *tree = tree_new();
     add_node(tree, NONE, CHILDREN(1, NONE));
     add_node(tree, NONE, CHILDREN(2, NONE));
@@ -203,9 +197,8 @@ static struct zr_placement place_chain(struct zr_arena *arena, uint32_t length, 
 }
 
 /* 2 leaves below a chain of 100 nodes: 2 instances and 102 visits; below two such chains 4 and 204, and so on. */
-static void shared_nodes_are_visited_once_for_each_way_and_no_more_than_the_limit(void **state)
+TEST(shared_nodes_are_visited_once_for_each_way_and_no_more_than_the_limit)
 {
-    (void)state;
     struct tree *tree = tree_new();
     add_node(tree, NONE, CHILDREN(1, 1, NONE));
     for (uint32_t i = 1; i <= 100; i++)
@@ -221,10 +214,9 @@ static void shared_nodes_are_visited_once_for_each_way_and_no_more_than_the_limi
 }
 
 /* By the instances that were placed until then, and not by a clock. */
-static void placing_looks_at_the_flag(void **state)
+TEST(placing_looks_at_the_flag)
 {
     enum { CHAIN = 200, TIMES = 256 };
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, (size_t)1 << 28);
     struct zr_node *made = zr_arena_alloc(&arena, CHAIN + 1, sizeof *made);
@@ -244,9 +236,8 @@ static void placing_looks_at_the_flag(void **state)
     zr_arena_free(&arena);
 }
 
-static void chain_is_placed_up_to_the_depth_limit(void **state)
+TEST(chain_is_placed_up_to_the_depth_limit)
 {
-    (void)state;
     struct zr_arena arena;
     zr_arena_init(&arena, (size_t)1 << 28);
     for (int forward = 0; forward < 2; forward++) {
@@ -296,9 +287,8 @@ static struct tree *random_tree(struct random *random)
     return tree;
 }
 
-static void random_hierarchies_are_placed_as_by_plain_recursion(void **state)
+TEST(random_hierarchies_are_placed_as_by_plain_recursion)
 {
-    (void)state;
     struct random random = random_seeded(5);
     uint32_t most = 0;
     for (int round = 0; round < 300; round++) {
@@ -327,9 +317,8 @@ static void random_hierarchies_are_placed_as_by_plain_recursion(void **state)
     assert_true(most > 50);
 }
 
-static void every_memory_ceiling_fails_cleanly_or_places_all(void **state)
+TEST(every_memory_ceiling_fails_cleanly_or_places_all)
 {
-    (void)state;
     struct tree *tree = doubling_chain(5, 0);
     int failures = 0, successes = 0;
     for (size_t ceiling = 0; ceiling < 8192; ceiling += 64) {
@@ -349,20 +338,4 @@ static void every_memory_ceiling_fails_cleanly_or_places_all(void **state)
     tree_free(tree);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nodes_are_placed_depth_first_in_listed_order),
-        cmocka_unit_test(world_is_parent_times_local),
-        cmocka_unit_test(cycle_is_told_by_the_entry_that_closes_it),
-        cmocka_unit_test(doubling_chain_is_counted_without_being_walked),
-        cmocka_unit_test(paths_without_a_mesh_are_not_walked),
-        cmocka_unit_test(matrix_out_of_range_names_the_node_that_leaves_it),
-        cmocka_unit_test(shared_nodes_are_visited_once_for_each_way_and_no_more_than_the_limit),
-        cmocka_unit_test(placing_looks_at_the_flag),
-        cmocka_unit_test(chain_is_placed_up_to_the_depth_limit),
-        cmocka_unit_test(random_hierarchies_are_placed_as_by_plain_recursion),
-        cmocka_unit_test(every_memory_ceiling_fails_cleanly_or_places_all),
-    };
-    return cmocka_run_group_tests_name("nodes", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -4,9 +4,9 @@
 #include "guarded.h"
 #include "input/npy_read.h"
 #include "output/npy.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 enum { FILE_MAX = 4096 };
 
@@ -39,9 +39,8 @@ static size_t make_file(char *out, int major, const char *dictionary, const void
     return prefix + length + bytes;
 }
 
-static void what_we_write_is_read(void **state)
+TEST(what_we_write_is_read)
 {
-    (void)state;
     const float values[6] = {0, 1, -2.5f, 1e30f, 4, 5};
     uint32_t out[6];
     struct zr_reason reason;
@@ -53,9 +52,8 @@ static void what_we_write_is_read(void **state)
     assert_memory_equal(out, values, sizeof values);
 }
 
-static void every_way_that_numpy_writes_it_is_read(void **state)
+TEST(every_way_that_numpy_writes_it_is_read)
 {
-    (void)state;
     static const char *const dictionaries[] = {
         "{'descr': '<u4', 'fortran_order': False, 'shape': (2, 3), }          \n",
         "{'descr': '<u4', 'fortran_order': False, 'shape': (2, 3)}\n",
@@ -78,9 +76,8 @@ static void every_way_that_numpy_writes_it_is_read(void **state)
         }
 }
 
-static void big_endian_numbers_are_turned(void **state)
+TEST(big_endian_numbers_are_turned)
 {
-    (void)state;
     const unsigned char numbers[24] = {0x3f, 0x80, 0, 0, 0xc0, 0x20, 0, 0};
     char file[FILE_MAX];
     float out[6];
@@ -92,9 +89,8 @@ static void big_endian_numbers_are_turned(void **state)
     assert_true(out[0] == 1.0f && out[1] == -2.5f && out[2] == 0.0f);
 }
 
-static void what_is_not_the_wanted_array_is_refused_with_a_reason(void **state)
+TEST(what_is_not_the_wanted_array_is_refused_with_a_reason)
 {
-    (void)state;
     static const struct {
         const char *dictionary, *reason;
         size_t bytes;
@@ -141,9 +137,8 @@ static void what_is_not_the_wanted_array_is_refused_with_a_reason(void **state)
     }
 }
 
-static void unknown_versions_and_lengths_are_refused(void **state)
+TEST(unknown_versions_and_lengths_are_refused)
 {
-    (void)state;
     static const char good[] = "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }";
     const float numbers[6] = {0};
     char file[FILE_MAX];
@@ -161,9 +156,8 @@ static void unknown_versions_and_lengths_are_refused(void **state)
     assert_int_equal(read_file(file, size, ZR_NPY_WANTED_FLOAT32, out, &reason), ZR_BAD_SCENE);
 }
 
-static void files_cut_anywhere_or_with_any_byte_changed_never_read_too_far(void **state)
+TEST(files_cut_anywhere_or_with_any_byte_changed_never_read_too_far)
 {
-    (void)state;
     struct random random = random_seeded(9);
     const float numbers[6] = {0};
     char file[FILE_MAX], mutated[FILE_MAX];
@@ -183,15 +177,4 @@ static void files_cut_anywhere_or_with_any_byte_changed_never_read_too_far(void 
     assert_in_range(read, 100, 19000); /* changed numbers are numbers */
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_we_write_is_read),
-        cmocka_unit_test(every_way_that_numpy_writes_it_is_read),
-        cmocka_unit_test(big_endian_numbers_are_turned),
-        cmocka_unit_test(what_is_not_the_wanted_array_is_refused_with_a_reason),
-        cmocka_unit_test(unknown_versions_and_lengths_are_refused),
-        cmocka_unit_test(files_cut_anywhere_or_with_any_byte_changed_never_read_too_far),
-    };
-    return cmocka_run_group_tests_name("npy_read", tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

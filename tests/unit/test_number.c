@@ -3,9 +3,9 @@
 #include "guarded.h"
 #include "input/json_rows.h"
 #include "input/number.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/sanitized.h"
+#include "support/tests.h"
 
 /* Sanitizers take ten times as long. */
 enum { NUMBERS = IS_SANITIZED ? 1000000 : 10000000 };
@@ -76,9 +76,8 @@ static void check(const char *text)
     if (got != want) fail_msg("%s: %016llx, not %016llx", text, (unsigned long long)got, (unsigned long long)want);
 }
 
-static void every_form_has_the_value_strtod_gives(void **state)
+TEST(every_form_has_the_value_strtod_gives)
 {
-    (void)state;
     static const char *const texts[] = {
         "0",         "-0",          "1",           "+1",           "-1",
         "007",       "1.",          ".5",          "-.5",          "1.5e3",
@@ -90,9 +89,8 @@ static void every_form_has_the_value_strtod_gives(void **state)
     assert_true(signbit(value_of("-0.0")));
 }
 
-static void hard_roundings_have_the_value_strtod_gives(void **state)
+TEST(hard_roundings_have_the_value_strtod_gives)
 {
-    (void)state;
     static const char *const texts[] = {"9007199254740992",
                                         "9007199254740993",
                                         "9007199254740993.00000000000000000000000000000000000001",
@@ -121,9 +119,8 @@ static void hard_roundings_have_the_value_strtod_gives(void **state)
 }
 
 /* Halfway between two doubles up to digit 1000, and just above it. */
-static void digit_a_thousand_places_on_decides_a_tie(void **state)
+TEST(digit_a_thousand_places_on_decides_a_tie)
 {
-    (void)state;
     char text[1100] = "9007199254740993.";
     memset(text + strlen(text), '0', 1000);
     assert_true(value_of(text) == 9007199254740992.0);
@@ -131,9 +128,8 @@ static void digit_a_thousand_places_on_decides_a_tie(void **state)
     assert_true(value_of(text) == 9007199254740994.0);
 }
 
-static void million_digits_are_read(void **state)
+TEST(million_digits_are_read)
 {
-    (void)state;
     size_t size = 1000000;
     char *text = malloc(size + 1);
     assert_non_null(text);
@@ -224,9 +220,8 @@ static void check_before_blank(char *text, size_t length)
         fail_msg("next: %s: %a", text, got);
 }
 
-static void ten_million_random_numbers_have_the_value_strtod_gives(void **state)
+TEST(ten_million_random_numbers_have_the_value_strtod_gives)
 {
-    (void)state;
     char text[160];
     for (int i = 0; i < NUMBERS; i++) {
         size_t length = i % 8 ? put_random_number(text) : put_hard_number(text);
@@ -238,9 +233,8 @@ static void ten_million_random_numbers_have_the_value_strtod_gives(void **state)
 }
 
 /* Rows as positions have them, in all of the ways that they are written: floats of what strtod gives. */
-static void ten_million_numbers_in_rows_have_the_value_strtod_gives(void **state)
+TEST(ten_million_numbers_in_rows_have_the_value_strtod_gives)
 {
-    (void)state;
     static const char *const commas[] = {",", ",", ", ", " ,\n"};
     const double limit = 1e300;
     for (int i = 0; i < NUMBERS / 4; i++) {
@@ -264,9 +258,8 @@ static void ten_million_numbers_in_rows_have_the_value_strtod_gives(void **state
     }
 }
 
-static void what_json_does_not_have_is_refused(void **state)
+TEST(what_json_does_not_have_is_refused)
 {
-    (void)state;
     static const char *const texts[] = {"",   "-",   "+1",  "01",  "-01",  "00",    "1.",   ".5",  "-.5", "1.e5",
                                         "1e", "1e+", "1.-", "0x1", "00.5", "-00.5", "01e1", "Inf", "NaN", "--1"};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
@@ -287,18 +280,16 @@ static void what_json_does_not_have_is_refused(void **state)
     }
 }
 
-static void what_is_no_number_is_refused(void **state)
+TEST(what_is_no_number_is_refused)
 {
-    (void)state;
     static const char *const texts[] = {"",    "-",        "+",  ".",   "-.",   "e5",  ".e5", "inf", "nan", "-inf",
                                         "NAN", "infinity", "1e", "1e+", "1.e-", "--1", "+-1", " 1",  "x",   "-x"};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
         if (length_of(texts[i]) != -1) fail_msg("'%s' is taken for a number", texts[i]);
 }
 
-static void number_ends_where_something_else_begins(void **state)
+TEST(number_ends_where_something_else_begins)
 {
-    (void)state;
     assert_int_equal(length_of("0x10"), 1);
     assert_int_equal(length_of("1.5.5"), 3);
     assert_int_equal(length_of("1,5"), 1);
@@ -306,18 +297,4 @@ static void number_ends_where_something_else_begins(void **state)
     assert_int_equal(length_of("1e5e5"), 3);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_form_has_the_value_strtod_gives),
-        cmocka_unit_test(hard_roundings_have_the_value_strtod_gives),
-        cmocka_unit_test(digit_a_thousand_places_on_decides_a_tie),
-        cmocka_unit_test(million_digits_are_read),
-        cmocka_unit_test(ten_million_random_numbers_have_the_value_strtod_gives),
-        cmocka_unit_test(ten_million_numbers_in_rows_have_the_value_strtod_gives),
-        cmocka_unit_test(what_json_does_not_have_is_refused),
-        cmocka_unit_test(what_is_no_number_is_refused),
-        cmocka_unit_test(number_ends_where_something_else_begins),
-    };
-    return cmocka_run_group_tests_name("number", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,6 +1,7 @@
 #include "input_check.h"
 
 #include "input/input.h"
+#include "support/tests.h"
 
 static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
@@ -13,9 +14,8 @@ static struct reading *read_rest(const char *rest)
                         zr_limits_default(), (size_t)1 << 28);
 }
 
-static void triangle_becomes_a_scene_of_the_textbook(void **state)
+TEST(triangle_becomes_a_scene_of_the_textbook)
 {
-    (void)state;
     struct reading *reading = read_rest("f 1 2 3");
     assert_read(reading);
     const struct zr_scene *scene = reading->scene;
@@ -41,9 +41,8 @@ static void triangle_becomes_a_scene_of_the_textbook(void **state)
     reading_free(reading);
 }
 
-static void every_corner_form_is_read(void **state)
+TEST(every_corner_form_is_read)
 {
-    (void)state;
     struct reading *reading = read_rest("vt 0 0\nvt .5\nvt 1 1 0\nvn 0 0 1\nvn 0 1 0\n"
                                         "f 1 2 3\nf 1/1 2/2 3/3\nf 1//1 2//1 3//2\nf 1/1/2 2/2/2 3/3/1\n");
     assert_read(reading);
@@ -60,9 +59,8 @@ static void every_corner_form_is_read(void **state)
     reading_free(reading);
 }
 
-static void normals_at_all_corners_need_no_zero_normal(void **state)
+TEST(normals_at_all_corners_need_no_zero_normal)
 {
-    (void)state;
     struct reading *reading = read_rest("vn 0 0 1\nf 1//1 2//1 3//-1");
     assert_read(reading);
     assert_int_equal(reading->scene->meshes[0].normal_count, 1);
@@ -70,9 +68,8 @@ static void normals_at_all_corners_need_no_zero_normal(void **state)
     reading_free(reading);
 }
 
-static void negative_indices_count_back_from_here(void **state)
+TEST(negative_indices_count_back_from_here)
 {
-    (void)state;
     struct reading *reading = read_rest("f -3 -2 -1\nv 5 5 5\nf -1 -2 -3\nf 4 1 2\n");
     assert_read(reading);
     static const uint32_t indices[9] = {0, 1, 2, 3, 2, 1, 3, 0, 1};
@@ -80,17 +77,15 @@ static void negative_indices_count_back_from_here(void **state)
     reading_free(reading);
 }
 
-static void absolute_index_may_come_before_its_vertex(void **state)
+TEST(absolute_index_may_come_before_its_vertex)
 {
-    (void)state;
     struct reading *reading = read_text(ZR_FORMAT_OBJ, "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0");
     assert_read(reading);
     reading_free(reading);
 }
 
-static void several_bad_faces_are_all_reported(void **state)
+TEST(several_bad_faces_are_all_reported)
 {
-    (void)state;
     struct reading *reading = read_rest("f 1 2 4\nf 1 2\nf 1 2 3\nf 5 5 5\n");
     assert_int_equal(reading->status, ZR_BAD_SCENE);
     assert_int_equal(reading->error.count, 3);
@@ -98,9 +93,8 @@ static void several_bad_faces_are_all_reported(void **state)
     reading_free(reading);
 }
 
-static void limits_are_kept(void **state)
+TEST(limits_are_kept)
 {
-    (void)state;
     char text[8192] = "v 0 0 0\nf";
     for (int i = 0; i < 1024; i++)
         strcat(text, " 1");
@@ -110,9 +104,8 @@ static void limits_are_kept(void **state)
     strcat(text, " 1");
 }
 
-static void layout_of_the_text_does_not_matter(void **state)
+TEST(layout_of_the_text_does_not_matter)
 {
-    (void)state;
     static const char *const texts[] = {
         "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n",
         "\t v\t0  0\t0  \n\n \nv 1 0 0 # comment\nv 0 1 0\n  f 1\t2   3",
@@ -136,9 +129,8 @@ static void layout_of_the_text_does_not_matter(void **state)
 /* One corner after the other is put into a face, in every form and with blanks of all kinds between: so lines have
  * every length, as whatever looks at many bytes at once must be tried. The face ends the file, or a line, or has a
  * comment. */
-static void faces_have_every_corner_that_they_are_written_with(void **state)
+TEST(faces_have_every_corner_that_they_are_written_with)
 {
-    (void)state;
     static const char *const corners[] = {"1", "2/7", "3//1", "-1/2/1", "1/12345678/1", "3", "000000000000002"};
     static const char *const blanks[] = {" ", "\t", "  ", " \f", " \\\n"},
                              *const ends[] = {"", "\n", " \r\n", " # 1 2\n",
@@ -168,9 +160,8 @@ static void faces_have_every_corner_that_they_are_written_with(void **state)
 }
 
 /* Where their count no longer fits what counts them. */
-static void face_of_many_short_corners_is_counted(void **state)
+TEST(face_of_many_short_corners_is_counted)
 {
-    (void)state;
     struct zr_limits limits = zr_limits_default();
     limits.polygon_vertices_max = 100000;
     char *text = malloc(3 * (size_t)limits.polygon_vertices_max);
@@ -192,9 +183,8 @@ static void face_of_many_short_corners_is_counted(void **state)
     free(text);
 }
 
-static void other_statements_are_passed_over(void **state)
+TEST(other_statements_are_passed_over)
 {
-    (void)state;
     static const char *const words[] = {
         "bevel",      "bmat",   "bsp",   "bzp",    "c_interp", "call",      "cdc",  "cdp",    "con",    "csh",
         "cstype",     "ctech",  "curv",  "curv2",  "d_interp", "deg",       "end",  "g",      "hole",   "l",
@@ -209,9 +199,8 @@ static void other_statements_are_passed_over(void **state)
     }
 }
 
-static void what_is_not_drawn_is_warned_of(void **state)
+TEST(what_is_not_drawn_is_warned_of)
 {
-    (void)state;
     static const struct {
         const char *rest, *warnings[2];
     } cases[] = {{"mtllib a.mtl\nusemtl red\nf 1 2 3\nusemtl blue\nf 3 2 1\n",
@@ -232,18 +221,16 @@ static void what_is_not_drawn_is_warned_of(void **state)
     }
 }
 
-static void byte_order_mark_is_passed_over(void **state)
+TEST(byte_order_mark_is_passed_over)
 {
-    (void)state;
     struct reading *reading = read_text(ZR_FORMAT_OBJ, "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     assert_read(reading);
     assert_int_equal(reading->scene->meshes[0].position_count, 3);
     reading_free(reading);
 }
 
-static void vertex_colors_are_read_and_white_elsewhere(void **state)
+TEST(vertex_colors_are_read_and_white_elsewhere)
 {
-    (void)state;
     struct reading *reading = read_rest("v 1 1 1 0.25 0.5 1\nf 1 2 3 4");
     assert_read(reading);
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
@@ -254,31 +241,10 @@ static void vertex_colors_are_read_and_white_elsewhere(void **state)
     reading_free(reading);
 }
 
-static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
+TEST(small_arena_gives_no_memory_naming_the_ceiling)
 {
-    (void)state;
     static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1";
     assert_true(smallest_ceiling((struct zr_request){.format = ZR_FORMAT_OBJ}, text, strlen(text), 8192) > 512);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(triangle_becomes_a_scene_of_the_textbook),
-        cmocka_unit_test(every_corner_form_is_read),
-        cmocka_unit_test(normals_at_all_corners_need_no_zero_normal),
-        cmocka_unit_test(negative_indices_count_back_from_here),
-        cmocka_unit_test(absolute_index_may_come_before_its_vertex),
-        cmocka_unit_test(several_bad_faces_are_all_reported),
-        cmocka_unit_test(limits_are_kept),
-        cmocka_unit_test(layout_of_the_text_does_not_matter),
-        cmocka_unit_test(faces_have_every_corner_that_they_are_written_with),
-        cmocka_unit_test(face_of_many_short_corners_is_counted),
-        cmocka_unit_test(other_statements_are_passed_over),
-        cmocka_unit_test(what_is_not_drawn_is_warned_of),
-        cmocka_unit_test(byte_order_mark_is_passed_over),
-        cmocka_unit_test(vertex_colors_are_read_and_white_elsewhere),
-        cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
-    };
-    return cmocka_run_group_tests_name("obj", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

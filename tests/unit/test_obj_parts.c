@@ -3,6 +3,7 @@
 #include "part_texts.h"
 
 #include "input/obj.c"
+#include "support/tests.h"
 
 static const char begin[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1 2 3\n";
 static const char *const pieces[] = {
@@ -15,15 +16,13 @@ static const char *const pieces[] = {
     "f 1 2 x\n"};
 enum { PIECES = sizeof pieces / sizeof *pieces, GOOD = PIECES - 7 };
 
-static void any_text_is_the_same_in_parts(void **state)
+TEST(any_text_is_the_same_in_parts)
 {
-    (void)state;
     check_texts(ZR_FORMAT_OBJ, begin, pieces, GOOD, "");
 }
 
-static void faults_are_the_same_in_their_order_with_their_lines(void **state)
+TEST(faults_are_the_same_in_their_order_with_their_lines)
 {
-    (void)state;
     size_t good = 0;
     for (int i = 0; i < TEXTS / 4; i++) {
         struct text text = {0};
@@ -38,9 +37,8 @@ static void faults_are_the_same_in_their_order_with_their_lines(void **state)
     assert_true(good < TEXTS / 8);
 }
 
-static void cancelled_reader_says_so(void **state)
+TEST(cancelled_reader_says_so)
 {
-    (void)state;
     struct text text = {0};
     for (int i = 0; i < 5000; i++)
         add(&text, "v 0 0 0\nf -1 -1 -1\n");
@@ -48,12 +46,4 @@ static void cancelled_reader_says_so(void **state)
     drop(&text);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_text_is_the_same_in_parts),
-        cmocka_unit_test(faults_are_the_same_in_their_order_with_their_lines),
-        cmocka_unit_test(cancelled_reader_says_so),
-    };
-    return cmocka_run_group_tests_name("obj_parts", tests, start_teams, end_teams);
-}
+RUN_TESTS(start_teams, end_teams)

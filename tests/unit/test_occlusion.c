@@ -36,7 +36,7 @@ static const float *find_with(enum zr_isa isa, int threads, const struct buffer 
 }
 
 /* A plane that passes by ZR_FAR_POINT itself, and a diagonal so large that a distance to it has a square. */
-static void pixels_of_nobody_weigh_nothing(void **state)
+TEST_EACH_ISA(pixels_of_nobody_weigh_nothing)
 {
     const enum zr_isa isa = isa_under_test(state);
     const double point[3] = {0.0, 0.0, 0.0}, normal[3] = {0.5, 0.5, -1.0};
@@ -63,9 +63,8 @@ static void pixels_of_nobody_weigh_nothing(void **state)
 
 /* ---- what it looks like ---- */
 
-static void a_corner_is_dark_at_the_joint_and_light_far_from_it(void **state)
+TEST(a_corner_is_dark_at_the_joint_and_light_far_from_it)
 {
-    (void)state;
     const struct sight sight = {200, 60, 0.5, 0.0};
     struct buffer b = buffer_make(sight.width, sight.height);
     buffer_draw(&b, &sight, 1, 0, 0, corner);
@@ -78,9 +77,8 @@ static void a_corner_is_dark_at_the_joint_and_light_far_from_it(void **state)
     buffer_free(&b);
 }
 
-static void a_lone_plane_is_light_everywhere(void **state)
+TEST(a_lone_plane_is_light_everywhere)
 {
-    (void)state;
     static const double tilts[][2] = {{0, 0}, {0.7, -0.4}, {-3, 2}, {0.1, 20}, {60, -60}, {0, 300}};
     for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
         const struct sight sight = {90, 90, 0.02, i % 2 ? 2.0 : 0.0};
@@ -102,7 +100,7 @@ static bool has_plane(const struct zr_gbuffer *g, ptrdiff_t at)
     return g->owner[at] != 0 && (g->normal[0][at] != 0.0f || g->normal[1][at] != 0.0f || g->normal[2][at] != 0.0f);
 }
 
-static void lines_and_nobody_are_light(void **state)
+TEST_EACH_ISA(lines_and_nobody_are_light)
 {
     const enum zr_isa isa = isa_under_test(state);
     const struct sight sight = {70, 50, 0.3, 0.0};
@@ -123,7 +121,7 @@ static void lines_and_nobody_are_light(void **state)
 
 /* ---- what may happen ---- */
 
-static void nothing_to_see_and_no_size_are_no_failure(void **state)
+TEST_EACH_ISA(nothing_to_see_and_no_size_are_no_failure)
 {
     const enum zr_isa isa = isa_under_test(state);
     const struct sight sight = {20, 20, 0.5, 0.0};
@@ -138,9 +136,8 @@ static void nothing_to_see_and_no_size_are_no_failure(void **state)
     }
 }
 
-static void without_memory_there_is_no_map(void **state)
+TEST(without_memory_there_is_no_map)
 {
-    (void)state;
     const struct sight sight = {20, 20, 0.5, 0.0};
     const struct zr_pixel_scale scale = scale_of(&sight);
     struct buffer b = buffer_make(20, 20);
@@ -152,9 +149,8 @@ static void without_memory_there_is_no_map(void **state)
     buffer_free(&b);
 }
 
-static void cancelled_it_returns_early(void **state)
+TEST(cancelled_it_returns_early)
 {
-    (void)state;
     const struct sight sight = {20, 20, 0.5, 0.0};
     const struct zr_pixel_scale scale = scale_of(&sight);
     struct buffer b = buffer_make(20, 20);
@@ -174,16 +170,4 @@ static void cancelled_it_returns_early(void **state)
     buffer_free(&b);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(pixels_of_nobody_weigh_nothing),
-        TEST_EACH_ISA(lines_and_nobody_are_light),
-        TEST_EACH_ISA(nothing_to_see_and_no_size_are_no_failure),
-        cmocka_unit_test(a_corner_is_dark_at_the_joint_and_light_far_from_it),
-        cmocka_unit_test(a_lone_plane_is_light_everywhere),
-        cmocka_unit_test(without_memory_there_is_no_map),
-        cmocka_unit_test(cancelled_it_returns_early),
-    };
-    return cmocka_run_group_tests_name("occlusion", tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

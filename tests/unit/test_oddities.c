@@ -2,6 +2,7 @@
  * only requests for colours hear of it. */
 #include "json_check.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 #define FACE           "{" POSITIONS ", \"faces\": [[0,1,2]]"
 #define MESHES(meshes) "\"meshes\": [" meshes "]"
@@ -153,9 +154,8 @@ static struct reading *read_case(size_t i, const char *channel, const char *stri
                         strlen(text), zr_limits_default(), (size_t)1 << 28);
 }
 
-static void oddities_are_warned_of_by_the_name_of_what_has_them(void **state)
+TEST(oddities_are_warned_of_by_the_name_of_what_has_them)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
         struct reading *reading = read_case(i, NULL, NULL);
         assert_read(reading);
@@ -168,9 +168,8 @@ static void oddities_are_warned_of_by_the_name_of_what_has_them(void **state)
     }
 }
 
-static void oddities_of_colours_do_not_refuse_data_channels(void **state)
+TEST(oddities_of_colours_do_not_refuse_data_channels)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
         struct reading *reading = read_case(i, "depth", "1");
         if ((reading->status == ZR_OK) != (CASES[i].is_of_colors || !CASES[i].warning)) fail_msg("case %zu", i);
@@ -197,9 +196,8 @@ static void assert_says(const char *text, const char *channel, const char *wante
     "[4,6,7,5],[0,4,5,1],[2,3,7,6],[0,2,6,4],[1,5,7,3]]"
 #define SMALL "\"window\": {\"width\": 16, \"height\": 16}, "
 
-static void outputs_that_show_nothing_of_what_is_blended_say_so(void **state)
+TEST(outputs_that_show_nothing_of_what_is_blended_say_so)
 {
-    (void)state;
     static const char glass[] = "{" SMALL "\"alphaMode\": \"BLEND\", " MESHES(CUBE "}") "%s}",
                       both[] = "{" SMALL MESHES(CUBE ", \"alphaMode\": \"BLEND\"}, " CUBE "}") "%s}";
     static const char why[] = "all that is in view has the alphaMode BLEND, which color alone shows";
@@ -224,9 +222,8 @@ static void outputs_that_show_nothing_of_what_is_blended_say_so(void **state)
     assert_says(text, "depth", "all geometry is outside the view");
 }
 
-static void camera_that_reflects_or_stretches_is_warned_of(void **state)
+TEST(camera_that_reflects_or_stretches_is_warned_of)
 {
-    (void)state;
 #define SEEN_BY(rows) "{" SMALL MESHES(CUBE "}") ", \"view\": {\"worldToCamera\": [" rows ",[0,0,0,1]]}}"
     static const char mirror[] = SEEN_BY("[-1,0,0,0],[0,1,0,0],[0,0,1,-4]"),
                       scale[] = SEEN_BY("[3,0,0,0],[0,3,0,0],[0,0,3,-9]"),
@@ -241,9 +238,8 @@ static void camera_that_reflects_or_stretches_is_warned_of(void **state)
 #undef SEEN_BY
 }
 
-static void what_hides_everything_is_the_reason_given(void **state)
+TEST(what_hides_everything_is_the_reason_given)
 {
-    (void)state;
     static const char masked[] = "{" SMALL "\"alphaMode\": \"MASK\", \"meshes\": [" CUBE ", \"faceColors\": [" FAINT
                                  "," FAINT "," FAINT "," FAINT "," FAINT "," FAINT "]}]%s}";
     static const char *const ways[] = {"", ", \"algorithm\": \"scanline\"", ", \"samples\": 4",
@@ -266,9 +262,8 @@ static void what_hides_everything_is_the_reason_given(void **state)
 }
 
 /* Of all faces, seen or not. */
-static void thickness_is_something_that_is_seen(void **state)
+TEST(thickness_is_something_that_is_seen)
 {
-    (void)state;
     struct reading *reading =
         read_scene("{" SMALL "\"alphaMode\": \"MASK\", \"outputs\": [{\"channel\": \"thickness\"}], \"meshes\": [" CUBE
                    ", \"faceColors\": [" FAINT "," FAINT "," FAINT "," FAINT "," FAINT "," FAINT "]}]}");
@@ -278,9 +273,8 @@ static void thickness_is_something_that_is_seen(void **state)
     reading_free(reading);
 }
 
-static void names_of_meshes_are_cut_and_clean(void **state)
+TEST(names_of_meshes_are_cut_and_clean)
 {
-    (void)state;
     assert_says("{" SMALL "\"meshes\": [{\"name\": \"a\\nb\", " POSITIONS ", \"faces\": [[0,1,2],[0,0,1]]}]}", "color",
                 "the first: face 1 of mesh 0 'a?b'");
     assert_says("{" SMALL "\"meshes\": [{\"name\": \"1234567890123456789012345678901\\u00e4\", " POSITIONS
@@ -288,16 +282,4 @@ static void names_of_meshes_are_cut_and_clean(void **state)
                 "color", "the first: line 0 of mesh 0 '1234567890123456789012345678901'");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(oddities_are_warned_of_by_the_name_of_what_has_them),
-        cmocka_unit_test(oddities_of_colours_do_not_refuse_data_channels),
-        cmocka_unit_test(what_hides_everything_is_the_reason_given),
-        cmocka_unit_test(outputs_that_show_nothing_of_what_is_blended_say_so),
-        cmocka_unit_test(camera_that_reflects_or_stretches_is_warned_of),
-        cmocka_unit_test(thickness_is_something_that_is_seen),
-        cmocka_unit_test(names_of_meshes_are_cut_and_clean),
-    };
-    return cmocka_run_group_tests_name("oddities", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -9,11 +9,11 @@
 #include "output/npy.h"
 #include "output/png.h"
 #include "output/zip.h"
-#include "support/cmocka_all.h"
 #include "support/png.h"
 #include "support/random.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 TEST_ARENA(1 << 27)
 
@@ -29,9 +29,8 @@ static unsigned char *decode(const void *bytes, size_t size, png_uint_32 format,
     return pixels;
 }
 
-static void png_gives_back_the_pixels_of_odd_sizes(void **state)
+TEST_AROUND(png_gives_back_the_pixels_of_odd_sizes, open_arena, close_arena)
 {
-    (void)state;
     struct random random = random_seeded(3);
     static uint32_t pixels[97 * 61];
     for (size_t i = 0; i < 97 * 61; i++)
@@ -54,9 +53,8 @@ static void png_gives_back_the_pixels_of_odd_sizes(void **state)
         }
 }
 
-static void png_of_16_bits_is_grey_and_big_endian(void **state)
+TEST_AROUND(png_of_16_bits_is_grey_and_big_endian, open_arena, close_arena)
 {
-    (void)state;
     const uint16_t steps[4] = {0, 1, 0x1234, 65535};
     struct zr_png png = {.kind = ZR_PNG_GREY16, .width = 2, .height = 2, .pixels = steps, .text = "scale"};
     struct zr_buffer out = {.arena = &arena};
@@ -70,9 +68,8 @@ static void png_of_16_bits_is_grey_and_big_endian(void **state)
     assert_non_null(memmem(out.bytes, out.size, "tEXtComment\0scale", 17));
 }
 
-static void png_without_memory_or_cancelled_fails_cleanly(void **state)
+TEST_AROUND(png_without_memory_or_cancelled_fails_cleanly, open_arena, close_arena)
 {
-    (void)state;
     static uint32_t pixels[300 * 300];
     struct zr_png png = {.kind = ZR_PNG_RGB, .width = 300, .height = 300, .pixels = pixels};
     int failures = 0;
@@ -91,9 +88,8 @@ static void png_without_memory_or_cancelled_fails_cleanly(void **state)
     assert_int_equal(zr_png_write(&png, NULL, &cancel, &out), ZR_CANCELLED);
 }
 
-static void npy_has_the_header_that_numpy_writes(void **state)
+TEST_AROUND(npy_has_the_header_that_numpy_writes, open_arena, close_arena)
 {
-    (void)state;
     const float values[6] = {0, 1, 2, 3, 4, INFINITY};
     struct zr_buffer out = {.arena = &arena};
     assert_int_equal(zr_npy_write(ZR_NPY_FLOAT32, 3, 2, 1, values, &out), ZR_OK);
@@ -105,9 +101,8 @@ static void npy_has_the_header_that_numpy_writes(void **state)
     assert_memory_equal(out.bytes + 128, values, sizeof values);
 }
 
-static void zip_gives_back_its_files_and_is_the_same_every_time(void **state)
+TEST_AROUND(zip_gives_back_its_files_and_is_the_same_every_time, open_arena, close_arena)
 {
-    (void)state;
     const struct zr_zip_entry entries[2] = {{"a.bin", "hello", 5}, {"b.npy", "", 0}};
     struct zr_buffer out = {.arena = &arena}, again = {.arena = &arena};
     assert_int_equal(zr_zip_write(entries, 2, &out), ZR_OK);
@@ -129,9 +124,8 @@ static void zip_gives_back_its_files_and_is_the_same_every_time(void **state)
 }
 
 /* The bytes of the files are not looked at. */
-static void zip_has_less_than_4_gib(void **state)
+TEST(zip_has_less_than_4_gib)
 {
-    (void)state;
     const size_t gib = (size_t)1 << 30;
     const struct zr_zip_entry small[2] = {{"a.npy", NULL, 2 * gib}, {"b.npy", NULL, gib}},
                               large[2] = {{"a.npy", NULL, 2 * gib}, {"b.npy", NULL, 2 * gib}},
@@ -145,9 +139,8 @@ static void zip_has_less_than_4_gib(void **state)
     assert_int_equal(zr_zip_write(large, 2, &out), ZR_NO_MEMORY);
 }
 
-static void depth16_counts_what_does_not_fit_and_never_wraps(void **state)
+TEST(depth16_counts_what_does_not_fit_and_never_wraps)
 {
-    (void)state;
     static const float depth[6] = {INFINITY, 0.001f, 1.0f, 65.535f, 65.6f, -3.0f};
     static const uint16_t want[6] = {0, 1, 1000, 65535, 65535, 1};
     for (enum zr_isa isa = 0; isa < ZR_ISA_COUNT; isa++) {
@@ -159,9 +152,8 @@ static void depth16_counts_what_does_not_fit_and_never_wraps(void **state)
 }
 
 /* Strips look at the row above theirs, which is made twice and counted once. */
-static void depth16_is_written_row_by_row(void **state)
+TEST_AROUND(depth16_is_written_row_by_row, open_arena, close_arena)
 {
-    (void)state;
     enum { WIDTH = 700, HEIGHT = 1200 };
     float *depth = malloc(sizeof *depth * WIDTH * HEIGHT);
     assert_non_null(depth);
@@ -198,9 +190,8 @@ static void depth16_is_written_row_by_row(void **state)
     free(depth);
 }
 
-static void depth16_scale_left_open_fits_the_far_plane(void **state)
+TEST(depth16_scale_left_open_fits_the_far_plane)
 {
-    (void)state;
     struct zr_frame frame = {.deepest = 10};
     frame.camera.znear = 1;
     frame.camera.zfar = 655.35f;
@@ -210,9 +201,8 @@ static void depth16_scale_left_open_fits_the_far_plane(void **state)
     assert_true(fabsf(zr_depth16_scale(&frame, 0) * 65535.0f - 10.0f) < 1e-4f);
 }
 
-static void depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit(void **state)
+TEST_AROUND(depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit, open_arena, close_arena)
 {
-    (void)state;
     const zr_vec4 p[] = {{-1, 0, -0.5f, 1}, {0, 0, -0.5f, 1}, {-1, 1, -0.5f, 1},
                          {0, -1, -6, 1},    {1, -1, -6, 1},   {1, 0, -6, 1}};
     const struct {
@@ -255,9 +245,8 @@ static void depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit
     }
 }
 
-static void several_outputs_come_as_one_archive(void **state)
+TEST_AROUND(several_outputs_come_as_one_archive, open_arena, close_arena)
 {
-    (void)state;
     const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 16, 16, p, 1);
@@ -274,9 +263,8 @@ static void several_outputs_come_as_one_archive(void **state)
     zip_discard(archive);
 }
 
-static void scene_that_shows_nothing_is_warned_of(void **state)
+TEST_AROUND(scene_that_shows_nothing_is_warned_of, open_arena, close_arena)
 {
-    (void)state;
     const zr_vec4 p[] = {{-1, 0, 0, 1}, {-1, 1, 0, 1}, {0, 0, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 16, 16, p, 1);
@@ -285,9 +273,8 @@ static void scene_that_shows_nothing_is_warned_of(void **state)
     assert_non_null(strstr(scene_encode(&arena, NULL, &test.scene).warnings, "faces away"));
 }
 
-static void polygons_without_three_distinct_corners_are_warned_of(void **state)
+TEST_AROUND(polygons_without_three_distinct_corners_are_warned_of, open_arena, close_arena)
 {
-    (void)state;
     const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}, {0, 0, 0, 1}, {1, 0, 0, 1},
                          {0, 0, 0, 1},  {1, 1, 0, 1}, {1, 1, 0, 1},  {1, 1, 0, 1}};
     static struct test_scene test;
@@ -312,9 +299,8 @@ static struct zr_warning_list many_warnings(uint32_t count)
     return made;
 }
 
-static void warnings_are_joined_whole_and_the_rest_is_counted(void **state)
+TEST_AROUND(warnings_are_joined_whole_and_the_rest_is_counted, open_arena, close_arena)
 {
-    (void)state;
     /* 20 with what is between them take 2018 bytes; 21 take 2119. */
     for (uint32_t count = 0; count <= 200; count++) {
         struct zr_warning_list warnings = many_warnings(count);
@@ -332,9 +318,8 @@ static void warnings_are_joined_whole_and_the_rest_is_counted(void **state)
     }
 }
 
-static void a_warning_without_any_room_is_counted_not_cut(void **state)
+TEST_AROUND(a_warning_without_any_room_is_counted_not_cut, open_arena, close_arena)
 {
-    (void)state;
     static char fits[ZR_WARNINGS_SIZE], too_long[ZR_WARNINGS_SIZE + 1];
     memset(fits, 'a', ZR_WARNINGS_SIZE - 1);
     memset(too_long, 'b', ZR_WARNINGS_SIZE);
@@ -345,9 +330,8 @@ static void a_warning_without_any_room_is_counted_not_cut(void **state)
                         "and 2 more");
 }
 
-static void picture_without_a_covered_pixel_is_warned_of_whatever_the_reason(void **state)
+TEST_AROUND(picture_without_a_covered_pixel_is_warned_of_whatever_the_reason, open_arena, close_arena)
 {
-    (void)state;
     const zr_vec4 between_pixels[] = {{0.001f, 0.001f, 0, 1}, {0.002f, 0.001f, 0, 1}, {0.001f, 0.002f, 0, 1}};
     const zr_vec4 at_the_far_plane[] = {{-1, -1, 1, 1}, {1, -1, 1, 1}, {-1, 1, 1, 1}};
     const zr_vec4 away_and_clipped[] = {{-3, -1, 0, 1}, {-1, 1, 0, 1}, {0, 0, 0, 1}};
@@ -368,27 +352,4 @@ static void picture_without_a_covered_pixel_is_warned_of_whatever_the_reason(voi
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(png_gives_back_the_pixels_of_odd_sizes, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(png_of_16_bits_is_grey_and_big_endian, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(png_without_memory_or_cancelled_fails_cleanly, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(npy_has_the_header_that_numpy_writes, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(zip_gives_back_its_files_and_is_the_same_every_time, open_arena, close_arena),
-        cmocka_unit_test(zip_has_less_than_4_gib),
-        cmocka_unit_test(depth16_counts_what_does_not_fit_and_never_wraps),
-        cmocka_unit_test_setup_teardown(depth16_is_written_row_by_row, open_arena, close_arena),
-        cmocka_unit_test(depth16_scale_left_open_fits_the_far_plane),
-        cmocka_unit_test_setup_teardown(depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit,
-                                        open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(polygons_without_three_distinct_corners_are_warned_of, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(several_outputs_come_as_one_archive, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(warnings_are_joined_whole_and_the_rest_is_counted, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(a_warning_without_any_room_is_counted_not_cut, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(picture_without_a_covered_pixel_is_warned_of_whatever_the_reason, open_arena,
-                                        close_arena),
-        cmocka_unit_test_setup_teardown(scene_that_shows_nothing_is_warned_of, open_arena, close_arena),
-    };
-    return cmocka_run_group_tests_name("output", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -36,7 +36,7 @@ static uint32_t want_at(int32_t i, bool is_opaque)
     return zr_rgba_make(a > 0.0f ? (zr_vec4){c.x / a, c.y / a, c.z / a, a} : c);
 }
 
-static void sums_are_packed_as_one_by_one(void **state)
+TEST_EACH_ISA(sums_are_packed_as_one_by_one)
 {
     const struct zr_paint *paint = zr_paint_of(isa_under_test(state));
     const float *const sum[4] = {sums[0], sums[1], sums[2], sums[3]};
@@ -52,8 +52,4 @@ static void sums_are_packed_as_one_by_one(void **state)
         }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {TEST_EACH_ISA(sums_are_packed_as_one_by_one)};
-    return cmocka_run_group_tests_name("paint", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -2,10 +2,10 @@
 #include "looks_check.h"
 
 #include "input/json_objects.h"
+#include "support/tests.h"
 
-static void query_replaces_defaults(void **state)
+TEST(query_replaces_defaults)
 {
-    (void)state;
     static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     struct zr_request request = {.format = ZR_FORMAT_OBJ,
                                  .channel = "depth",
@@ -37,9 +37,8 @@ static struct reading *read_triangle(struct zr_request request)
     return reading;
 }
 
-static void query_says_where_a_mesh_is_seen_from(void **state)
+TEST(query_says_where_a_mesh_is_seen_from)
 {
-    (void)state;
     struct reading *reading =
         read_triangle((struct zr_request){.look = "textbook", .azimuth = "-30.5", .projection = "perspective"});
     const struct zr_view *view = &reading->scene->views[0];
@@ -55,9 +54,8 @@ static void query_says_where_a_mesh_is_seen_from(void **state)
     reading_free(reading);
 }
 
-static void mesh_whose_z_is_up_is_turned_upright(void **state)
+TEST(mesh_whose_z_is_up_is_turned_upright)
 {
-    (void)state;
     static const char *const axes[] = {"y", "z"};
     for (int i = 0; i < 2; i++) {
         struct reading *reading = read_triangle((struct zr_request){.up = axes[i]});
@@ -67,9 +65,8 @@ static void mesh_whose_z_is_up_is_turned_upright(void **state)
     }
 }
 
-static void query_says_how_a_mesh_looks(void **state)
+TEST(query_says_how_a_mesh_looks)
 {
-    (void)state;
     struct reading *reading = read_triangle((struct zr_request){
         .color = "#ff0000", .background = "transparent", .outline = "blue", .doubleSided = "false", .fill = "true"});
     const struct zr_material *material = &reading->scene->materials[0];
@@ -89,9 +86,8 @@ static void query_says_how_a_mesh_looks(void **state)
     reading_free(reading);
 }
 
-static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
+TEST(wrong_query_gives_bad_request_naming_the_parameter)
 {
-    (void)state;
     static const struct {
         struct zr_request request;
         const char *detail;
@@ -176,9 +172,8 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
     }
 }
 
-static void all_faults_of_one_object_are_reported(void **state)
+TEST(all_faults_of_one_object_are_reported)
 {
-    (void)state;
     static const struct {
         struct zr_request request;
         const char *details[3];
@@ -204,9 +199,8 @@ static void all_faults_of_one_object_are_reported(void **state)
     }
 }
 
-static void window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene(void **state)
+TEST(window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene)
 {
-    (void)state;
     const char *const heights[] = {"8193", "100000", "18446744073709551617"};
     for (size_t i = 0; i < sizeof heights / sizeof heights[0]; i++) {
         struct zr_request request = {.format = ZR_FORMAT_OBJ, .height = heights[i]};
@@ -218,9 +212,8 @@ static void window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene(void *
     }
 }
 
-static void parameters_without_effect_are_warned_of_by_name(void **state)
+TEST(parameters_without_effect_are_warned_of_by_name)
 {
-    (void)state;
     static const struct {
         struct zr_request request;
         const char *warning; /* NULL: none */
@@ -244,9 +237,8 @@ static void parameters_without_effect_are_warned_of_by_name(void **state)
     }
 }
 
-static void faults_of_the_whole_scene_name_the_parameter(void **state)
+TEST(faults_of_the_whole_scene_name_the_parameter)
 {
-    (void)state;
     struct zr_request request = {.format = ZR_FORMAT_OBJ, .channel = "layers", .algorithm = "painter"};
     struct reading *reading = read_request(request, MESH, strlen(MESH), zr_limits_default(), 1 << 20);
     assert_complaint(reading, ZR_BAD_SCENE, "", "query parameter algorithm: painter keeps no fragments");
@@ -270,9 +262,8 @@ static bool is_same_light(const struct zr_light *a, const struct zr_light *b)
            is_same_rgb(a->position, b->position) && a->range == b->range;
 }
 
-static void bare_mesh_is_a_scene_with_the_keys_of_the_query(void **state)
+TEST(bare_mesh_is_a_scene_with_the_keys_of_the_query)
 {
-    (void)state;
     static const struct {
         struct zr_request request;
         const char *keys;
@@ -321,9 +312,8 @@ static void bare_mesh_is_a_scene_with_the_keys_of_the_query(void **state)
     }
 }
 
-static void material_of_a_query_keeps_what_it_does_not_name(void **state)
+TEST(material_of_a_query_keeps_what_it_does_not_name)
 {
-    (void)state;
     struct reading *reading = read_triangle((struct zr_request){.metallic = "1", .roughness = "0.25"});
     const struct zr_material *material = &reading->scene->materials[0], *look = &reading->scene->look->material;
     assert_true(material->metallic == 1 && material->roughness == 0.25f && material->double_sided);
@@ -360,9 +350,8 @@ static const struct zr_json_field *field_of(const char *pointer)
     return field;
 }
 
-static void each_parameter_leads_to_a_key_that_has_what_its_kind_needs(void **state)
+TEST(each_parameter_leads_to_a_key_that_has_what_its_kind_needs)
 {
-    (void)state;
     static const struct {
         const char *name, *pointer, *kind, *help;
     } rows[] = {
@@ -384,21 +373,4 @@ static void each_parameter_leads_to_a_key_that_has_what_its_kind_needs(void **st
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(query_replaces_defaults),
-        cmocka_unit_test(query_says_where_a_mesh_is_seen_from),
-        cmocka_unit_test(mesh_whose_z_is_up_is_turned_upright),
-        cmocka_unit_test(query_says_how_a_mesh_looks),
-        cmocka_unit_test(wrong_query_gives_bad_request_naming_the_parameter),
-        cmocka_unit_test(all_faults_of_one_object_are_reported),
-        cmocka_unit_test(window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene),
-        cmocka_unit_test(faults_of_the_whole_scene_name_the_parameter),
-        cmocka_unit_test(parameters_without_effect_are_warned_of_by_name),
-        cmocka_unit_test(bare_mesh_is_a_scene_with_the_keys_of_the_query),
-        cmocka_unit_test(material_of_a_query_keeps_what_it_does_not_name),
-        cmocka_unit_test(each_parameter_leads_to_a_key_that_has_what_its_kind_needs),
-    };
-    return cmocka_run_group_tests_name("parameters", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

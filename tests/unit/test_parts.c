@@ -1,5 +1,6 @@
 /* Parts that threads read, up to the first that cannot be. */
 #include "by_teams.h"
+#include "support/tests.h"
 
 enum { PARTS = 1000 };
 
@@ -17,9 +18,8 @@ static bool read_part(void *context, size_t part)
     return part < parts->bad;
 }
 
-static void all_parts_before_a_bad_one_are_read_once(void **state)
+TEST(all_parts_before_a_bad_one_are_read_once)
 {
-    (void)state;
     static const size_t bads[] = {PARTS, PARTS - 1, 500, 11, 10};
     enum { FIRST = 10 };
     for (int team = -1; team < TEAMS; team++)
@@ -33,9 +33,8 @@ static void all_parts_before_a_bad_one_are_read_once(void **state)
         }
 }
 
-static void nothing_is_begun_once_it_is_cancelled(void **state)
+TEST(nothing_is_begun_once_it_is_cancelled)
 {
-    (void)state;
     enum { RAISES = 100 };
     struct parts parts = {.bad = PARTS, .raises = RAISES};
     assert_int_equal(zr_parts_read(NULL, &parts.cancel, 0, PARTS, read_part, &parts), RAISES + 1);
@@ -60,9 +59,8 @@ static const char *cut_behind_comma(const char *at, size_t size, const char *end
     return comma ? comma + 1 : end;
 }
 
-static void parts_are_all_that_there_is(void **state)
+TEST(parts_are_all_that_there_is)
 {
-    (void)state;
     static const char text[] = "aaa,bbbb,c,ddddddd,ee";
     static const char *const wants[][6] = {{"aaa,", "bbbb,", "c,", "ddddddd,", "ee"},
                                            {"aaa,bbbb,", "c,ddddddd,", "ee"},
@@ -91,12 +89,4 @@ static void parts_are_all_that_there_is(void **state)
     zr_arena_free(&none);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_parts_before_a_bad_one_are_read_once),
-        cmocka_unit_test(nothing_is_begun_once_it_is_cancelled),
-        cmocka_unit_test(parts_are_all_that_there_is),
-    };
-    return cmocka_run_group_tests_name("parts", tests, start_teams, end_teams);
-}
+RUN_TESTS(start_teams, end_teams)

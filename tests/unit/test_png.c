@@ -7,10 +7,10 @@
 #include "output/filter.h"
 #include "output/palette.h"
 #include "output/png.h"
-#include "support/cmocka_all.h"
 #include "support/png.h"
 #include "support/random.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 TEST_ARENA((size_t)1 << 30)
 
@@ -154,9 +154,8 @@ static const uint32_t SIZES[][2] = {{1, 1},     {1, 700},  {700, 1},    {2, 2}, 
                                     {3, 16384}, {401, 33}, {1023, 777}, {70000, 19}, {1000, 1025}};
 enum { SIZE_COUNT = sizeof SIZES / sizeof *SIZES };
 
-static void pictures_of_every_kind_and_size_come_back(void **state)
+TEST(pictures_of_every_kind_and_size_come_back)
 {
-    (void)state;
     for (int s = 0; s < SIZE_COUNT; s++)
         for (int subject = 0; subject < SUBJECTS; subject++)
             for (int kind = 0; kind < 3; kind++)
@@ -173,9 +172,8 @@ static void pictures_of_every_kind_and_size_come_back(void **state)
                 }
 }
 
-static void up_to_256_colors_are_a_palette_and_257_are_not(void **state)
+TEST(up_to_256_colors_are_a_palette_and_257_are_not)
 {
-    (void)state;
     const struct {
         enum subject subject;
         enum zr_png_kind kind;
@@ -192,9 +190,8 @@ static void up_to_256_colors_are_a_palette_and_257_are_not(void **state)
     }
 }
 
-static void pixels_are_the_same_for_every_team_and_whatever_memory_held(void **state)
+TEST(pixels_are_the_same_for_every_team_and_whatever_memory_held)
 {
-    (void)state;
     struct zr_team *teams[] = {NULL, zr_team_create(1), zr_team_create(2), zr_team_create(7)};
     const enum subject subjects[] = {NOISE, SHAPES, GRADIENT, COLORS_256};
     for (int i = 0; i < 4; i++)
@@ -209,9 +206,8 @@ static void pixels_are_the_same_for_every_team_and_whatever_memory_held(void **s
         zr_team_destroy(teams[t]);
 }
 
-static void noise_hardly_grows_and_background_is_next_to_nothing(void **state)
+TEST(noise_hardly_grows_and_background_is_next_to_nothing)
 {
-    (void)state;
     zr_arena_reset(&arena, SIZE_MAX);
     struct zr_png noise = {.kind = ZR_PNG_RGB, .width = 1920, .height = 1080, .pixels = draw(NOISE, 1920, 1080)};
     size_t raw = 1080 * (1920 * 3 + 1);
@@ -222,9 +218,8 @@ static void noise_hardly_grows_and_background_is_next_to_nothing(void **state)
     assert_in_range(write_png(&grey, NULL).size, 100, 25000);
 }
 
-static void small_is_smaller_than_fast(void **state)
+TEST(small_is_smaller_than_fast)
 {
-    (void)state;
     for (int kind = 0; kind < 3; kind++)
         for (int subject = FLAT; subject < SUBJECTS; subject++) { /* noise is what it is */
             zr_arena_reset(&arena, SIZE_MAX);
@@ -240,9 +235,8 @@ static void small_is_smaller_than_fast(void **state)
 }
 
 /* Rows of random spans: bytes and sum against the definition. */
-static void filtered_rows_and_their_sum_are_as_defined(void **state)
+TEST(filtered_rows_and_their_sum_are_as_defined)
 {
-    (void)state;
     struct random random = random_seeded(11);
     static uint8_t above[5000 * 4], row[5000 * 4], want[5000 * 4 + 1], got[5000 * 4 + 1 + ZR_FILTER_PADDING];
     for (int i = 0; i < 3000; i++) {
@@ -275,9 +269,8 @@ static void filtered_rows_and_their_sum_are_as_defined(void **state)
     }
 }
 
-static void sums_of_the_largest_bytes_do_not_overflow(void **state)
+TEST(sums_of_the_largest_bytes_do_not_overflow)
 {
-    (void)state;
     enum { WIDTH = 1 << 20 };
     zr_arena_reset(&arena, SIZE_MAX);
     uint8_t *row = zr_arena_alloc(&arena, WIDTH, 4), *above = zr_arena_zero(&arena, WIDTH, 4);
@@ -288,9 +281,8 @@ static void sums_of_the_largest_bytes_do_not_overflow(void **state)
     assert_int_equal(sum.b << 16 | sum.a, adler32(1, out, 4 * WIDTH + 1));
 }
 
-static void what_is_cancelled_or_has_no_memory_ends_cleanly(void **state)
+TEST(what_is_cancelled_or_has_no_memory_ends_cleanly)
 {
-    (void)state;
     zr_arena_reset(&arena, SIZE_MAX);
     struct zr_team *team = zr_team_create(3);
     struct zr_cancel cancel = {.raised = true};
@@ -320,9 +312,8 @@ static void what_is_cancelled_or_has_no_memory_ends_cleanly(void **state)
     zr_team_destroy(team);
 }
 
-static void pngcheck_is_content(void **state)
+TEST(pngcheck_is_content)
 {
-    (void)state;
     if (system("command -v pngcheck >/dev/null 2>&1") != 0) {
         fprintf(stderr, "LEFT OUT: there is no pngcheck\n");
         skip();
@@ -350,18 +341,4 @@ static void pngcheck_is_content(void **state)
             }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures_of_every_kind_and_size_come_back),
-        cmocka_unit_test(up_to_256_colors_are_a_palette_and_257_are_not),
-        cmocka_unit_test(pixels_are_the_same_for_every_team_and_whatever_memory_held),
-        cmocka_unit_test(noise_hardly_grows_and_background_is_next_to_nothing),
-        cmocka_unit_test(small_is_smaller_than_fast),
-        cmocka_unit_test(filtered_rows_and_their_sum_are_as_defined),
-        cmocka_unit_test(sums_of_the_largest_bytes_do_not_overflow),
-        cmocka_unit_test(what_is_cancelled_or_has_no_memory_ends_cleanly),
-        cmocka_unit_test(pngcheck_is_content),
-    };
-    return cmocka_run_group_tests(tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

@@ -5,6 +5,7 @@
 #include "input/png_read.h"
 #include "png_files.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 TEST_ARENA(1 << 24)
 
@@ -28,9 +29,8 @@ static const struct png_kind KINDS[] = {
     {PNG_COLOR_TYPE_PALETTE, 2, 0, true, false},    {PNG_COLOR_TYPE_PALETTE, 4, 1, true, false},
 };
 
-static void every_kind_gives_its_values_unchanged(void **state)
+TEST(every_kind_gives_its_values_unchanged)
 {
-    (void)state;
     struct random random = random_seeded(17);
     static struct png_file file;
     for (size_t k = 0; k < sizeof KINDS / sizeof *KINDS; k++) {
@@ -51,9 +51,8 @@ static void every_kind_gives_its_values_unchanged(void **state)
     }
 }
 
-static void sixteen_bits_are_refused(void **state)
+TEST(sixteen_bits_are_refused)
 {
-    (void)state;
     static unsigned char samples[PNG_PIXELS * 8];
     static struct png_file file;
     struct zr_reason reason = {""};
@@ -63,9 +62,8 @@ static void sixteen_bits_are_refused(void **state)
     assert_non_null(strstr(reason.text, "16 bits a channel"));
 }
 
-static void picture_of_another_size_is_refused_before_it_costs_anything(void **state)
+TEST(picture_of_another_size_is_refused_before_it_costs_anything)
 {
-    (void)state;
     static unsigned char samples[PNG_PIXELS * 4];
     static struct png_file file;
     struct zr_reason reason = {""};
@@ -82,9 +80,8 @@ static void picture_of_another_size_is_refused_before_it_costs_anything(void **s
     }
 }
 
-static void what_is_no_png_is_refused(void **state)
+TEST(what_is_no_png_is_refused)
 {
-    (void)state;
     struct zr_reason reason = {""};
     uint8_t *rgba;
     assert_int_equal(read_file("", 0, &rgba, &reason), ZR_BAD_SCENE);
@@ -94,9 +91,8 @@ static void what_is_no_png_is_refused(void **state)
 }
 
 /* 10 MB of zeros in 10 kB, in chunks that libpng would unpack or keep. */
-static void packed_text_and_profiles_are_passed_over(void **state)
+TEST(packed_text_and_profiles_are_passed_over)
 {
-    (void)state;
     static unsigned char samples[PNG_PIXELS * 4], zeros[10 << 20], packed[16 << 10];
     static struct png_file file;
     struct zr_reason reason = {""};
@@ -117,9 +113,8 @@ static void packed_text_and_profiles_are_passed_over(void **state)
 }
 
 /* Megabytes of zeros in kilobytes, and then what is no stream at all: none of it is looked at. */
-static void data_behind_the_last_row_are_not_read(void **state)
+TEST(data_behind_the_last_row_are_not_read)
 {
-    (void)state;
     enum { SIZE = 16 << 10 };
     static unsigned char samples[PNG_PIXELS * 4], behind[SIZE];
     static struct png_file file, longer;
@@ -140,9 +135,8 @@ static void data_behind_the_last_row_are_not_read(void **state)
     assert_memory_equal(rgba, first, sizeof first);
 }
 
-static void every_ceiling_is_enough_or_fails_cleanly(void **state)
+TEST(every_ceiling_is_enough_or_fails_cleanly)
 {
-    (void)state;
     static unsigned char samples[PNG_PIXELS * 4];
     static struct png_file file;
     struct zr_reason reason = {""};
@@ -161,9 +155,8 @@ static void every_ceiling_is_enough_or_fails_cleanly(void **state)
     assert_in_range(failed, 10, 511);
 }
 
-static void files_cut_anywhere_are_refused(void **state)
+TEST(files_cut_anywhere_are_refused)
 {
-    (void)state;
     struct random random = random_seeded(19);
     static struct png_file file;
     unsigned char samples[PNG_PIXELS * 4];
@@ -199,9 +192,8 @@ static void fill_arena(int byte)
     memset(zr_arena_alloc(&arena, ROOM, 1), byte, ROOM);
 }
 
-static void files_with_any_bytes_changed_never_read_too_far_or_show_old_memory(void **state)
+TEST(files_with_any_bytes_changed_never_read_too_far_or_show_old_memory)
 {
-    (void)state;
     struct random random = random_seeded(21);
     static struct png_file file, mutated;
     unsigned char samples[PNG_PIXELS * 4], first[PNG_PIXELS * 4];
@@ -232,18 +224,4 @@ static void files_with_any_bytes_changed_never_read_too_far_or_show_old_memory(v
     assert_true(read > 50 && refused > 1000);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_kind_gives_its_values_unchanged),
-        cmocka_unit_test(sixteen_bits_are_refused),
-        cmocka_unit_test(picture_of_another_size_is_refused_before_it_costs_anything),
-        cmocka_unit_test(what_is_no_png_is_refused),
-        cmocka_unit_test(packed_text_and_profiles_are_passed_over),
-        cmocka_unit_test(data_behind_the_last_row_are_not_read),
-        cmocka_unit_test(every_ceiling_is_enough_or_fails_cleanly),
-        cmocka_unit_test(files_cut_anywhere_are_refused),
-        cmocka_unit_test(files_with_any_bytes_changed_never_read_too_far_or_show_old_memory),
-    };
-    return cmocka_run_group_tests_name("png_read", tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

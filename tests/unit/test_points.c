@@ -7,18 +7,17 @@
 #include "raster/binned_scene.h"
 #include "raster/oddeven.h"
 #include "raster/point.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 TEST_ARENA(1 << 26)
 
 /* ---- what they cover ---- */
 
-static void sizes_are_whole_pixels_half_down_and_one_at_least(void **state)
+TEST(sizes_are_whole_pixels_half_down_and_one_at_least)
 {
-    (void)state;
     static const struct {
         float size, scale;
         int32_t width;
@@ -45,9 +44,8 @@ static struct zr_mesh *scene_of_points(struct test_scene *test, float size)
     return &test->mesh;
 }
 
-static void points_behind_the_eye_or_beside_the_window_are_outside(void **state)
+TEST_AROUND(points_behind_the_eye_or_beside_the_window_are_outside, open_arena, close_arena)
 {
-    (void)state;
     static struct test_scene test;
     scene_of_points(&test, 64);
     const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
@@ -67,9 +65,8 @@ static double number_in(const cJSON *object, const char *key)
     return item->valuedouble;
 }
 
-static void info_lists_points_behind_faces(void **state)
+TEST_AROUND(info_lists_points_behind_faces, open_arena, close_arena)
 {
-    (void)state;
     static const struct zr_output output = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
     static struct test_scene test;
     scene_of_points(&test, 3);
@@ -89,9 +86,8 @@ static void info_lists_points_behind_faces(void **state)
 
 /* ---- how scenes give them ---- */
 
-static void points_are_indices_of_positions(void **state)
+TEST(points_are_indices_of_positions)
 {
-    (void)state;
     static const uint32_t points[3] = {2, 0, 2};
     struct reading *reading = read_scene("{\"meshes\": [{\"points\": [2, 0, 2], \"pointSize\": 2.5, " POSITIONS
                                          "}, {" POSITIONS ", \"points\": [3]}]}");
@@ -104,14 +100,4 @@ static void points_are_indices_of_positions(void **state)
     reading_free(reading);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sizes_are_whole_pixels_half_down_and_one_at_least),
-        cmocka_unit_test_setup_teardown(points_behind_the_eye_or_beside_the_window_are_outside, open_arena,
-                                        close_arena),
-        cmocka_unit_test_setup_teardown(info_lists_points_behind_faces, open_arena, close_arena),
-        cmocka_unit_test(points_are_indices_of_positions),
-    };
-    return cmocka_run_group_tests_name("points", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

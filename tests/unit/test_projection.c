@@ -8,6 +8,7 @@
 
 #include "geometry/clip.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 #include "view_check.h"
 
 #define O50   "\"orthographic\": {\"xmag\": 4, \"ymag\": 2}" /* 50 pixels a unit */
@@ -27,9 +28,8 @@ static const struct pixel FRONT = {250, 75}, BACK = {150, 75} /* -x right */, LE
 /* Right is (1, 0, -1) / sqrt 2, of which the point has 0.75 / sqrt 2; up is (-1, 2, -1) / sqrt 6, -0.25 / sqrt 6. */
 static const struct pixel ISOMETRIC = {200 + 50 * 0.53033009, 100 + 50 * 0.10206207};
 
-static void azimuth_goes_round_and_elevation_over_the_target(void **state)
+TEST(azimuth_goes_round_and_elevation_over_the_target)
 {
-    (void)state;
     const struct sight sights[] = {
         {"\"azimuthDegrees\": 0," O50, POINT, FRONT},
         {"\"azimuthDegrees\": 90," O50, POINT, RIGHT},
@@ -50,9 +50,8 @@ static void azimuth_goes_round_and_elevation_over_the_target(void **state)
     ASSERT_SEEN(sights);
 }
 
-static void azimuth_goes_round_any_up(void **state)
+TEST(azimuth_goes_round_any_up)
 {
-    (void)state;
     const struct sight sights[] = {
         /* With +z up: from -y, x is to the right; from +x, y is; from above y is up. */
         {"\"azimuthDegrees\": 0, \"up\": [0,0,1]," O50, POINT, {250, 87.5}},
@@ -69,9 +68,8 @@ static void azimuth_goes_round_any_up(void **state)
     ASSERT_SEEN(sights);
 }
 
-static void distance_is_measured_from_the_target(void **state)
+TEST(distance_is_measured_from_the_target)
 {
-    (void)state;
     static const struct sight sights[] = {
         /* The eye is at (6, 2, 3); from there the point is 5 away, 2 to the right (-z), 1 up. */
         {"\"azimuthDegrees\": 90, \"distance\": 5, \"target\": [1,2,3]," P90, {1, 3, 1}, {240, 80}},
@@ -87,9 +85,8 @@ static void distance_is_measured_from_the_target(void **state)
     assert_seen(WINDOW, CUBE "," NUT, &of_nut, 1);
 }
 
-static void matrices_place_the_camera_in_both_conventions(void **state)
+TEST(matrices_place_the_camera_in_both_conventions)
 {
-    (void)state;
     static const struct sight sights[] = {
         /* opengl, from (1, 2, 13): 1 to the right, 2 up, 10 away. */
         {"\"cameraToWorld\": [[1,0,0,1],[0,1,0,2],[0,0,1,13],[0,0,0,1]]," P90, {2, 4, 3}, {210, 80}},
@@ -114,9 +111,8 @@ static void matrices_place_the_camera_in_both_conventions(void **state)
 
 /* R turns by the angle whose sine is 0.6 about x and then by the same about y; cameraToWorld is its
  * inverse: R transposed, and -R transposed t = -(0.8 - 1.8, -0.36 + 1.6 - 1.44, -0.48 - 1.2 - 1.92). */
-static void camera_to_world_in_opencv_is_the_inverse_of_r_and_t(void **state)
+TEST(camera_to_world_in_opencv_is_the_inverse_of_r_and_t)
 {
-    (void)state;
     struct shot rt = shoot(WINDOW, CUBE, "\"R\": [[0.8,-0.36,-0.48],[0,0.8,-0.6],[0.6,0.48,0.64]], \"t\": [1,2,3]");
     struct shot inverse =
         shoot(WINDOW, CUBE,
@@ -130,9 +126,8 @@ static void camera_to_world_in_opencv_is_the_inverse_of_r_and_t(void **state)
 
 /* ---- projections ---- */
 
-static void fields_of_view_are_those_of_the_whole_window(void **state)
+TEST(fields_of_view_are_those_of_the_whole_window)
 {
-    (void)state;
     static const struct sight sights[] = {
         {EYE10 ",\"perspective\": {\"yfov\": 1.5707963267948966}", {1, 2, 0}, {210, 80}},
         /* Across 400 pixels: 200 pixels where x is as far as z. */
@@ -145,9 +140,8 @@ static void fields_of_view_are_those_of_the_whole_window(void **state)
     ASSERT_SEEN(sights);
 }
 
-static void intrinsics_are_pixels_from_the_corner_of_the_picture(void **state)
+TEST(intrinsics_are_pixels_from_the_corner_of_the_picture)
 {
-    (void)state;
     static const struct sight sights[] = {
         /* u = 300 * 1 / 10 + 180, v = 250 * 2 / 10 + 90 */
         {SAME ",\"intrinsics\": {\"fx\": 300, \"fy\": 250, \"cx\": 180, \"cy\": 90}", {1, 2, 10}, {210, 140}},
@@ -174,9 +168,8 @@ static void intrinsics_are_pixels_from_the_corner_of_the_picture(void **state)
     ASSERT_SEEN(sights);
 }
 
-static void projection_matrix_leads_to_clip_space(void **state)
+TEST(projection_matrix_leads_to_clip_space)
 {
-    (void)state;
     static const struct sight sights[] = {
         /* Clip space (0.25, 0.5, 0, 1). */
         {"\"projectionMatrix\": [0.25,0,0,0, 0,0.5,0,0, 0,0,-1,0, 0,0,0,1]", {1, 1, 0}, {250, 50}},
@@ -188,9 +181,8 @@ static void projection_matrix_leads_to_clip_space(void **state)
 
 /* ---- what is reported ---- */
 
-static void info_gives_back_the_k_that_was_given(void **state)
+TEST(info_gives_back_the_k_that_was_given)
 {
-    (void)state;
     static const char text[] =
         "{\"window\": {\"width\": 641, \"height\": 479}, \"meshes\": [" CUBE
         "], \"outputs\": [{\"channel\": \"info\"}],"
@@ -208,18 +200,4 @@ static void info_gives_back_the_k_that_was_given(void **state)
     reading_free(reading);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(azimuth_goes_round_and_elevation_over_the_target),
-        cmocka_unit_test(azimuth_goes_round_any_up),
-        cmocka_unit_test(distance_is_measured_from_the_target),
-        cmocka_unit_test(matrices_place_the_camera_in_both_conventions),
-        cmocka_unit_test(camera_to_world_in_opencv_is_the_inverse_of_r_and_t),
-        cmocka_unit_test(fields_of_view_are_those_of_the_whole_window),
-        cmocka_unit_test(intrinsics_are_pixels_from_the_corner_of_the_picture),
-        cmocka_unit_test(projection_matrix_leads_to_clip_space),
-        cmocka_unit_test(info_gives_back_the_k_that_was_given),
-    };
-    return cmocka_run_group_tests_name("projection", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -6,7 +6,7 @@
 
 #include "clock.h"
 #include "queue.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 enum { CALM_MS = 1, PATIENCE_MS = 10000, LITTLE = 20000 };
 
@@ -54,9 +54,8 @@ int malloc_trim(size_t pad)
     return 0;
 }
 
-static void job_that_comes_while_memory_goes_back_does_not_hold_up_later_small_ones(void **state)
+TEST(job_that_comes_while_memory_goes_back_does_not_hold_up_later_small_ones)
 {
-    (void)state;
     struct task first, second, large, small;
     task_init(&first, true);
     task_init(&second, true);
@@ -94,9 +93,8 @@ static void run_two(struct task *first, struct task *second, const struct queue_
     assert_true(served);
 }
 
-static void memory_of_small_jobs_is_kept_for_the_next_one(void **state)
+TEST(memory_of_small_jobs_is_kept_for_the_next_one)
 {
-    (void)state;
     struct task first, second;
     const struct queue_options options = {.workers = 1,
                                           .capacity = 4,
@@ -108,9 +106,8 @@ static void memory_of_small_jobs_is_kept_for_the_next_one(void **state)
     assert_true(second.had_memory);
 }
 
-static void memory_all_goes_back_when_it_is_calm(void **state)
+TEST(memory_all_goes_back_when_it_is_calm)
 {
-    (void)state;
     struct task first, second;
     const struct queue_options options = {
         .workers = 1, .capacity = 4, .request_memory_bytes = 1 << 24, .keep_memory_bytes = 1 << 24, .calm_ms = CALM_MS};
@@ -143,9 +140,8 @@ static void work_on(struct queue_job *job, struct zr_arena *arena)
     if (endless->was_told) queue_put_back(endless->queue, job);
 }
 
-static void small_jobs_do_not_wait_for_one_that_only_seemed_to_be_small(void **state)
+TEST(small_jobs_do_not_wait_for_one_that_only_seemed_to_be_small)
 {
-    (void)state;
     struct task large, small[2];
     struct endless endless = {.job.work = work_on};
     task_init(&large, false);
@@ -189,10 +185,9 @@ static void sleep_on(struct queue_job *job, struct zr_arena *arena)
 }
 
 /* What a job takes there, the small ones behind it wait for, however long that is. */
-static void what_holds_up_the_express_counts_among_small_jobs(void **state)
+TEST(what_holds_up_the_express_counts_among_small_jobs)
 {
     enum { LONG_MS = 4 * QUEUE_EXPRESS_MS, COMING = 10 };
-    (void)state;
     struct task large, express;
     sem_t ended;
     sem_init(&ended, 0, 0);
@@ -214,9 +209,8 @@ static void what_holds_up_the_express_counts_among_small_jobs(void **state)
 }
 
 /* Two a worker are taken in any case. */
-static void a_lane_takes_no_more_while_its_oldest_job_has_waited_for_too_long(void **state)
+TEST(a_lane_takes_no_more_while_its_oldest_job_has_waited_for_too_long)
 {
-    (void)state;
     struct task large, express, waiting[3];
     task_init(&large, false);
     task_init(&express, false);
@@ -276,12 +270,11 @@ static size_t fill(enum queue_lane lane, unsigned ms, size_t capacity, unsigned 
     return count;
 }
 
-static void what_jobs_took_is_forgotten_once_it_is_calm(void **state)
+TEST(what_jobs_took_is_forgotten_once_it_is_calm)
 {
     enum { SLOW_MS = 600 };
     struct nap nap;
     sem_t ended;
-    (void)state;
     sem_init(&ended, 0, 0);
     struct queue *queue = queue_create(&(struct queue_options){.workers = 1, .capacity = 64, .calm_ms = 300});
     assert_non_null(queue);
@@ -296,9 +289,8 @@ static void what_jobs_took_is_forgotten_once_it_is_calm(void **state)
     queue_destroy(queue);
 }
 
-static void as_many_wait_as_are_begun_within_a_second(void **state)
+TEST(as_many_wait_as_are_begun_within_a_second)
 {
-    (void)state;
     unsigned wait_s;
     size_t count = fill(QUEUE_SMALL, 40, 1000, &wait_s);
     assert_true(count > 10 && count <= 26 && wait_s <= 2);
@@ -310,17 +302,4 @@ static void as_many_wait_as_are_begun_within_a_second(void **state)
     assert_true(count == 2 && wait_s >= 6 && wait_s <= 8);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(small_jobs_do_not_wait_for_one_that_only_seemed_to_be_small),
-        cmocka_unit_test(what_holds_up_the_express_counts_among_small_jobs),
-        cmocka_unit_test(a_lane_takes_no_more_while_its_oldest_job_has_waited_for_too_long),
-        cmocka_unit_test(as_many_wait_as_are_begun_within_a_second),
-        cmocka_unit_test(what_jobs_took_is_forgotten_once_it_is_calm),
-        cmocka_unit_test(memory_of_small_jobs_is_kept_for_the_next_one),
-        cmocka_unit_test(memory_all_goes_back_when_it_is_calm),
-        cmocka_unit_test(job_that_comes_while_memory_goes_back_does_not_hold_up_later_small_ones),
-    };
-    return cmocka_run_group_tests_name("queue", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

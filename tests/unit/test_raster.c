@@ -5,10 +5,10 @@
 #include "raster/halfspace.h"
 #include "raster/oddeven.h"
 #include "raster/whole_window.h"
-#include "support/cmocka_all.h"
 #include "support/geometries.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 /* A vertex at window position x, y (pixels) and depth z. */
 static struct zr_window_vertex at(float x, float y, float z)
@@ -65,9 +65,8 @@ static int owned(const struct zr_tile *tile)
 }
 
 /* Kernels look at whole blocks: a block that the window ends in must not be bounded by what memory held. */
-static void tile_begins_with_its_base_and_nothing_else(void **state)
+TEST(tile_begins_with_its_base_and_nothing_else)
 {
-    (void)state;
     enum { WIDTH = 61, HEIGHT = 70 };
     static float near[WIDTH * HEIGHT];
     static struct zr_tile tile;
@@ -87,9 +86,8 @@ static void tile_begins_with_its_base_and_nothing_else(void **state)
 }
 
 /* The tile is a thread's, and another's picture was in it before. */
-static void tile_of_decided_samples_is_all_of_them(void **state)
+TEST(tile_of_decided_samples_is_all_of_them)
 {
-    (void)state;
     enum { WIDTH = 70, HEIGHT = 66 };
     static float depth[WIDTH * HEIGHT];
     static uint32_t owner[WIDTH * HEIGHT];
@@ -113,9 +111,8 @@ static void tile_of_decided_samples_is_all_of_them(void **state)
     }
 }
 
-static void depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane(void **state)
+TEST(depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane)
 {
-    (void)state;
     struct zr_tile *tile = cleared_tile();
     const struct zr_window_vertex v[3] = {at(0, 0, -1), at(0, 60, -1), at(60, 0, -1)};
     draw(tile, v);
@@ -128,9 +125,8 @@ static void depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane(void **st
 
 /* Fragments tell their owners from the first of their block, in fewer bits than an owner has: here a tile has a few of
  * the first triangles and a few of the last, and the other tile has more between them than these bits count. */
-static void fragments_of_far_apart_owners_keep_them(void **state)
+TEST(fragments_of_far_apart_owners_keep_them)
 {
-    (void)state;
     enum { PIXELS = ZR_TILE_SIZE * ZR_TILE_SIZE, FEW = 20, COUNT = (1 << ZR_BIN_OWNER_BITS) + 2 * FEW + 100 };
     static struct zr_window_vertex
         vertices[2 * 3 * PIXELS]; /* a triangle a pixel, of the one tile, then of the other */
@@ -171,13 +167,4 @@ static void fragments_of_far_apart_owners_keep_them(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tile_begins_with_its_base_and_nothing_else),
-        cmocka_unit_test(tile_of_decided_samples_is_all_of_them),
-        cmocka_unit_test(depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane),
-        cmocka_unit_test(fragments_of_far_apart_owners_keep_them),
-    };
-    return cmocka_run_group_tests_name("raster", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

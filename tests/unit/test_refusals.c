@@ -13,6 +13,7 @@
 #include "input/formats.h"
 #include "input_check.h"
 #include "support/files.h"
+#include "support/tests.h"
 
 enum { LETS_MAX = 16, MORE_MAX = 4, BODY_MAX = 1 << 16, PATH_SIZE = 600 };
 
@@ -154,9 +155,8 @@ static int is_text(const struct dirent *entry)
     return dot && strcmp(dot, ".txt") == 0;
 }
 
-static void every_case_is_refused_as_it_says(void **state)
+TEST(every_case_is_refused_as_it_says)
 {
-    (void)state;
     struct dirent **entries;
     int cases = 0, failures = 0;
     const int files = scandir("tests/refusals", &entries, is_text, alphasort);
@@ -173,8 +173,4 @@ static void every_case_is_refused_as_it_says(void **state)
     assert_int_equal(failures, 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_case_is_refused_as_it_says)};
-    return cmocka_run_group_tests_name("refusals", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -9,7 +9,7 @@
 #include "rendering.h"
 #include "server/assets.h"
 #include "support/base64.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 enum { ARENA_BYTES = 1 << 28, MESSAGE_SIZE = 512 };
 
@@ -85,9 +85,8 @@ static void expect_of_new_service(const char *scene, enum request_next want)
 }
 
 /* Being told to stop meanwhile makes no other answer of it: one that is about what was left out. */
-static void request_for_a_large_asset_is_given_up_at_whatever_time_it_is_cancelled(void **state)
+TEST(request_for_a_large_asset_is_given_up_at_whatever_time_it_is_cancelled)
 {
-    (void)state;
     static char bytes[REQUEST_SMALL_BYTES + 1];
     char name[STORE_NAME_SIZE], scene[512];
     struct trial trial;
@@ -99,20 +98,18 @@ static void request_for_a_large_asset_is_given_up_at_whatever_time_it_is_cancell
     trial_close(&trial);
 }
 
-static void request_of_much_work_is_given_up_at_whatever_time_it_is_cancelled(void **state)
+TEST(request_of_much_work_is_given_up_at_whatever_time_it_is_cancelled)
 {
-    (void)state;
     expect_of_new_service("{\"window\":{\"width\":4000,\"height\":4000}," POLYGONS "}", REQUEST_LARGE);
 }
 
 /* 100 x 100 x 30 visits of nodes; a picture of 16 million texels, of which there is but the head; 65 faces for the
  * painter. None of them is read or drawn on the way. */
-static void request_that_nothing_but_its_work_shows_to_be_large_is_given_up(void **state)
+TEST(request_that_nothing_but_its_work_shows_to_be_large_is_given_up)
 {
     enum { SIZE = 1 << 14, LINKS = 30 };
     static const unsigned char head[33] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x10\0\0\0\x10\0\x08\x06";
     static char text[SIZE];
-    (void)state;
     int used =
         snprintf(text, SIZE, "{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2]]}],\"nodes\":[");
     for (int k = 0; k < 2; k++)
@@ -127,8 +124,7 @@ static void request_that_nothing_but_its_work_shows_to_be_large_is_given_up(void
     snprintf(text + used, SIZE - (size_t)used, "{\"mesh\":0}]}");
     expect_of_new_service(text, REQUEST_LARGE);
     char *uri = base64_of("data:image/png;base64,", head, sizeof head);
-    snprintf(text, SIZE,
-             "{\"materials\":[{\"name\":\"m\",\"baseColorTexture\":{\"uri\":\"%s\"}}]," POLYGONS "}", uri);
+    snprintf(text, SIZE, "{\"materials\":[{\"name\":\"m\",\"baseColorTexture\":{\"uri\":\"%s\"}}]," POLYGONS "}", uri);
     expect_of_new_service(text, REQUEST_LARGE);
     free(uri);
     used = snprintf(text, SIZE, "{\"algorithm\":\"painter\",\"window\":{\"width\":16,\"height\":16},\"polygons\":[");
@@ -140,9 +136,8 @@ static void request_that_nothing_but_its_work_shows_to_be_large_is_given_up(void
 }
 
 /* Whatever it is about, and whether its client waits for it or not. */
-static void request_that_has_taken_too_long_for_a_small_one_is_given_up(void **state)
+TEST(request_that_has_taken_too_long_for_a_small_one_is_given_up)
 {
-    (void)state;
     static const char scene[] = "{\"window\":{\"width\":16,\"height\":16}," POLYGONS "}";
     struct trial trial;
     trial_open(&trial);
@@ -153,11 +148,10 @@ static void request_that_has_taken_too_long_for_a_small_one_is_given_up(void **s
 }
 
 /* The compressed body may be as small as it likes: it is not inflated to its end. */
-static void request_that_inflates_to_more_is_given_up_on_the_way(void **state)
+TEST(request_that_inflates_to_more_is_given_up_on_the_way)
 {
     enum { INFLATED = 32 << 20 };
     static const char *const paths[] = {"/v1/render", "/v1/assets"};
-    (void)state;
     unsigned char *spaces = malloc(INFLATED), *packed = malloc(INFLATED);
     assert_true(spaces && packed);
     memset(spaces, ' ', INFLATED);
@@ -181,9 +175,8 @@ static void request_that_inflates_to_more_is_given_up_on_the_way(void **state)
     free(packed);
 }
 
-static void large_asset_is_not_fetched_and_a_small_one_is(void **state)
+TEST(large_asset_is_not_fetched_and_a_small_one_is)
 {
-    (void)state;
     static char bytes[REQUEST_SMALL_BYTES + 1];
     struct trial trial;
     trial_open(&trial);
@@ -205,22 +198,9 @@ static void large_asset_is_not_fetched_and_a_small_one_is(void **state)
     trial_close(&trial);
 }
 
-static void small_request_is_answered(void **state)
+TEST(small_request_is_answered)
 {
-    (void)state;
     expect_of_new_service("{\"window\":{\"width\":16,\"height\":16}," POLYGONS "}", REQUEST_ANSWERED);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(request_for_a_large_asset_is_given_up_at_whatever_time_it_is_cancelled),
-        cmocka_unit_test(request_of_much_work_is_given_up_at_whatever_time_it_is_cancelled),
-        cmocka_unit_test(request_that_nothing_but_its_work_shows_to_be_large_is_given_up),
-        cmocka_unit_test(request_that_has_taken_too_long_for_a_small_one_is_given_up),
-        cmocka_unit_test(request_that_inflates_to_more_is_given_up_on_the_way),
-        cmocka_unit_test(large_asset_is_not_fetched_and_a_small_one_is),
-        cmocka_unit_test(small_request_is_answered),
-    };
-    return cmocka_run_group_tests_name("rendering", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

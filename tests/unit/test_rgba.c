@@ -4,12 +4,11 @@
 
 #include "base/rgba.h"
 #include "guarded.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
-static void color_byte_rounds_to_nearest_even_and_clamps(void **state)
+TEST(color_byte_rounds_to_nearest_even_and_clamps)
 {
-    (void)state;
     for (int i = 0; i < 256; i++)
         assert_int_equal(zr_rgba_byte((float)i * (1.0f / 255.0f)), i);
     assert_int_equal(zr_rgba_byte(0.5f), 128); /* 127.5 */
@@ -19,9 +18,8 @@ static void color_byte_rounds_to_nearest_even_and_clamps(void **state)
     assert_int_equal(zr_rgba_byte(INFINITY), 255);
 }
 
-static void bytes_come_back_from_floats(void **state)
+TEST(bytes_come_back_from_floats)
 {
-    (void)state;
     for (uint32_t i = 0; i < 256; i++) {
         const uint8_t bytes[4] = {(uint8_t)i, (uint8_t)(255 - i), (uint8_t)(i ^ 77), 255};
         uint32_t rgba;
@@ -30,11 +28,4 @@ static void bytes_come_back_from_floats(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(color_byte_rounds_to_nearest_even_and_clamps),
-        cmocka_unit_test(bytes_come_back_from_floats),
-    };
-    return cmocka_run_group_tests_name("rgba", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,16 +1,15 @@
 /* What readers make scenes with. */
 #include "base/team.h"
 #include "scene/scene_builder.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 static struct zr_material material(float red, bool unfilled)
 {
     return (struct zr_material){.base_color = {red, 0, 0, 1}, .unfilled = unfilled, .outline_color = {0, 0, 0, 1}};
 }
 
-static void equal_materials_have_one_number(void **state)
+TEST(equal_materials_have_one_number)
 {
-    (void)state;
     enum { KINDS = 1000 };
     struct zr_arena arena;
     struct zr_scene scene = {.mesh_count = 0};
@@ -33,9 +32,8 @@ static void equal_materials_have_one_number(void **state)
     zr_arena_free(&arena);
 }
 
-static void what_meshes_leave_open_is_filled_in(void **state)
+TEST(what_meshes_leave_open_is_filled_in)
 {
-    (void)state;
     enum { TRIANGLES = 50000 };
     static const uint32_t offsets[] = {0, 4, 7};
     struct zr_team *team = zr_team_create(2);
@@ -65,9 +63,8 @@ static void what_meshes_leave_open_is_filled_in(void **state)
     zr_team_destroy(team);
 }
 
-static void memory_that_is_short_is_seen_in_the_arena(void **state)
+TEST(memory_that_is_short_is_seen_in_the_arena)
 {
-    (void)state;
     struct zr_arena arena;
     struct zr_scene scene = {.mesh_count = 0};
     zr_arena_init(&arena, 4096);
@@ -83,12 +80,4 @@ static void memory_that_is_short_is_seen_in_the_arena(void **state)
     zr_arena_free(&arena);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_materials_have_one_number),
-        cmocka_unit_test(what_meshes_leave_open_is_filled_in),
-        cmocka_unit_test(memory_that_is_short_is_seen_in_the_arena),
-    };
-    return cmocka_run_group_tests_name("scene_builder", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -6,13 +6,12 @@
 #include "raster/binned_scene.h"
 #include "scene/resolved_view.h"
 #include "shade/paint.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
-static void depth_of_slivers_stays_between_their_vertices(void **state)
+TEST(depth_of_slivers_stays_between_their_vertices)
 {
-    (void)state;
     static zr_vec4 p[300];
     for (int i = 0; i < 100; i++) {
         float y = -1.0f + 0.02f * (float)i;
@@ -37,9 +36,8 @@ static void depth_of_slivers_stays_between_their_vertices(void **state)
 
 /* Of a view that is fitted, from a resolved that was found before or while it is drawn; the resolved is what decides.
  */
-static void picture_is_that_of_its_view(void **state)
+TEST(picture_is_that_of_its_view)
 {
-    (void)state;
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {3, -1, 1, 1}, {-1, 3, 2, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 64, 48, p, 1);
@@ -75,9 +73,8 @@ static void picture_is_that_of_its_view(void **state)
     zr_arena_free(&arena);
 }
 
-static void render_that_is_cancelled_says_so(void **state)
+TEST(render_that_is_cancelled_says_so)
 {
-    (void)state;
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {3, -1, 0, 1}, {-1, 3, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 64, 64, p, 1);
@@ -91,9 +88,8 @@ static void render_that_is_cancelled_says_so(void **state)
     zr_arena_free(&arena);
 }
 
-static void render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture(void **state)
+TEST(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture)
 {
-    (void)state;
     static zr_vec4 p[3 * 500];
     for (int i = 0; i < 1500; i++)
         p[i] = (zr_vec4){(float)(i % 7) - 3, (float)(i % 5) - 2, 0, (float)(i % 3 + 1)};
@@ -121,13 +117,4 @@ static void render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture
     assert_true(failures > 10 && successes > 10);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(depth_of_slivers_stays_between_their_vertices),
-        cmocka_unit_test(picture_is_that_of_its_view),
-        cmocka_unit_test(render_that_is_cancelled_says_so),
-        cmocka_unit_test(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture),
-    };
-    return cmocka_run_group_tests_name("shade", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -8,7 +8,7 @@
 enum { SIDE = ZR_SHADOW_SIDE, BORDER = ZR_SHADOW_BORDER, ROWS = SIDE + 2 * BORDER, STRIDE = ROWS + 8 };
 
 /* A wall over one half of the map: light goes up from 0 to 1 over 7 texels, and the bias frees the wall itself. */
-static void the_border_of_a_shadow_is_soft(void **state)
+TEST_EACH_ISA(the_border_of_a_shadow_is_soft)
 {
     const enum zr_isa isa = isa_under_test(state);
     static float depths[ROWS * STRIDE], got[16];
@@ -38,10 +38,4 @@ static void the_border_of_a_shadow_is_soft(void **state)
         assert_true(got[i] == 1.0f);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(the_border_of_a_shadow_is_soft),
-    };
-    return cmocka_run_group_tests_name("shadow_map", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

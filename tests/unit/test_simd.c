@@ -3,11 +3,11 @@
 #include <string.h>
 
 #include "raster/halfspace.h"
-#include "support/cmocka_all.h"
 #include "support/isas.h"
 #include "support/simd_check.h"
+#include "support/tests.h"
 
-static void operations_are_those_of_plain_c_lane_by_lane(void **state)
+TEST_EACH_ISA(operations_are_those_of_plain_c_lane_by_lane)
 {
     char message[400];
     enum zr_isa isa = isa_under_test(state);
@@ -15,9 +15,8 @@ static void operations_are_those_of_plain_c_lane_by_lane(void **state)
         if (!simd_check(isa, seed, message, sizeof message)) fail_msg("%s", message);
 }
 
-static void best_is_available_and_names_are_found(void **state)
+TEST(best_is_available_and_names_are_found)
 {
-    (void)state;
     enum zr_isa found;
     assert_true(zr_isa_is_available(ZR_ISA_SCALAR));
     assert_true(zr_isa_is_available(zr_isa_best()));
@@ -31,9 +30,8 @@ static void best_is_available_and_names_are_found(void **state)
 }
 
 /* And no others are listed. */
-static void those_that_are_available_can_be_chosen(void **state)
+TEST(those_that_are_available_can_be_chosen)
 {
-    (void)state;
     enum zr_isa chosen;
     char list[128], few[8], want[128] = "auto";
     for (int i = 0; i < ZR_ISA_COUNT; i++) {
@@ -54,12 +52,4 @@ static void those_that_are_available_can_be_chosen(void **state)
     assert_string_equal(few, "auto, s");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(operations_are_those_of_plain_c_lane_by_lane),
-        cmocka_unit_test(best_is_available_and_names_are_found),
-        cmocka_unit_test(those_that_are_available_can_be_chosen),
-    };
-    return cmocka_run_group_tests_name("simd", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

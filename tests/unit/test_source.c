@@ -1,6 +1,6 @@
 /* From window vertices back to the mesh. */
 #include "geometry/geometry.h"
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 /* Meshes of 3, 0 and 4 positions; the first one's two triangles were cut into 4 and 5 vertices, and one of the
  * last one's: 0 1 2 | 3 4 5 6, 7 8 9 10 11 | | 12 13 14 15 | 16 17 18. */
@@ -27,18 +27,16 @@ static void assert_source(uint32_t v0, uint32_t v1, uint32_t v2, const zr_vec4 *
         assert_ptr_equal(source.corners[k], &positions[want[k]]);
 }
 
-static void whole_triangles_have_the_positions_of_their_vertices(void **state)
+TEST(whole_triangles_have_the_positions_of_their_vertices)
 {
-    (void)state;
     assert_source(0, 1, 2, three, (const uint32_t[3]){0, 1, 2});
     assert_source(2, 0, 1, three, (const uint32_t[3]){2, 0, 1});
     assert_source(12, 15, 13, four, (const uint32_t[3]){0, 3, 1});
     assert_source(15, 14, 12, four, (const uint32_t[3]){3, 2, 0});
 }
 
-static void pieces_have_the_corners_of_what_was_cut(void **state)
+TEST(pieces_have_the_corners_of_what_was_cut)
 {
-    (void)state;
     assert_source(3, 4, 5, three, (const uint32_t[3]){2, 1, 0});
     assert_source(6, 5, 3, three, (const uint32_t[3]){2, 1, 0});
     assert_source(7, 8, 9, three, (const uint32_t[3]){0, 2, 1});
@@ -47,9 +45,8 @@ static void pieces_have_the_corners_of_what_was_cut(void **state)
     assert_source(18, 17, 16, four, (const uint32_t[3]){3, 1, 2});
 }
 
-static void matrices_lead_to_clip_and_eye_space(void **state)
+TEST(matrices_lead_to_clip_and_eye_space)
 {
-    (void)state;
     struct zr_camera camera = {.world_to_eye = zr_mat4_identity(), .projection = zr_mat4_identity()};
     zr_mat4 object_to_world = zr_mat4_identity();
     object_to_world.m[12] = 3;
@@ -66,12 +63,4 @@ static void matrices_lead_to_clip_and_eye_space(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(whole_triangles_have_the_positions_of_their_vertices),
-        cmocka_unit_test(pieces_have_the_corners_of_what_was_cut),
-        cmocka_unit_test(matrices_lead_to_clip_and_eye_space),
-    };
-    return cmocka_run_group_tests_name("source", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

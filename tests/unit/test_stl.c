@@ -1,4 +1,5 @@
 #include "input_check.h"
+#include "support/tests.h"
 
 #include <math.h>
 
@@ -34,9 +35,8 @@ static size_t make_binary(unsigned char *bytes, const char *header, uint32_t tri
     return 84 + (size_t)triangles * 50;
 }
 
-static void binary_gives_three_vertices_a_triangle(void **state)
+TEST(binary_gives_three_vertices_a_triangle)
 {
-    (void)state;
     static const char *const headers[] = {"made by hand", "solid that is binary", ""};
     unsigned char bytes[BYTES_MAX];
     for (size_t h = 0; h < 3; h++) {
@@ -60,9 +60,8 @@ static void binary_gives_three_vertices_a_triangle(void **state)
     }
 }
 
-static void binary_of_another_size_gives_bad_syntax(void **state)
+TEST(binary_of_another_size_gives_bad_syntax)
 {
-    (void)state;
     unsigned char bytes[BYTES_MAX];
     make_binary(bytes, "x", 2);
     for (size_t size = 0; size < 200; size++) {
@@ -77,9 +76,8 @@ static void binary_of_another_size_gives_bad_syntax(void **state)
     }
 }
 
-static void count_beyond_the_bytes_is_refused_before_allocating(void **state)
+TEST(count_beyond_the_bytes_is_refused_before_allocating)
 {
-    (void)state;
     unsigned char bytes[BYTES_MAX];
     size_t size = make_binary(bytes, "x", 1);
     put_u32(bytes + 80, UINT32_MAX);
@@ -89,18 +87,16 @@ static void count_beyond_the_bytes_is_refused_before_allocating(void **state)
     reading_free(reading);
 }
 
-static void binary_without_triangles_gives_no_geometry(void **state)
+TEST(binary_without_triangles_gives_no_geometry)
 {
-    (void)state;
     unsigned char bytes[BYTES_MAX];
     struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, make_binary(bytes, "x", 0));
     assert_complaint(reading, ZR_BAD_SCENE, "", "no geometry");
     reading_free(reading);
 }
 
-static void place_out_of_range_gives_bad_scene_with_triangle(void **state)
+TEST(place_out_of_range_gives_bad_scene_with_triangle)
 {
-    (void)state;
     static const float values[] = {NAN, INFINITY, -INFINITY, 1.1e6f, -3e38f};
     unsigned char bytes[BYTES_MAX];
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
@@ -114,9 +110,8 @@ static void place_out_of_range_gives_bad_scene_with_triangle(void **state)
 }
 
 /* A binary file whose header happens to begin like gzip is no gzip. */
-static void smooth_shading_by_the_textbook_is_warned_of(void **state)
+TEST(smooth_shading_by_the_textbook_is_warned_of)
 {
-    (void)state;
     static const struct {
         const char *shading, *look;
     } cases[] = {{"gouraud", "textbook"}, {"flat", "textbook"}, {NULL, "textbook"}, {"gouraud", NULL}, {NULL, NULL}};
@@ -132,9 +127,8 @@ static void smooth_shading_by_the_textbook_is_warned_of(void **state)
     }
 }
 
-static void ascii_gives_its_triangles(void **state)
+TEST(ascii_gives_its_triangles)
 {
-    (void)state;
     static const char *const texts[] = {
         "solid a name of words\n" FACET FACET "endsolid a name of words\n",
         "SOLID\r\nFacet Normal 0 0 1 Outer Loop Vertex 0 0 0 VERTEX 1 0 0 vertex 0 15e-1 0 EndLoop EndFacet\r\n" FACET
@@ -155,9 +149,8 @@ static void ascii_gives_its_triangles(void **state)
 }
 
 /* A normal may be any three words, whose ends are looked for many bytes at once. */
-static void words_of_every_length_are_passed_over(void **state)
+TEST(words_of_every_length_are_passed_over)
 {
-    (void)state;
     static const char spaces[] = " \t\v\f\r\n";
     for (int length = 1; length < 70; length++)
         for (size_t i = 0; spaces[i]; i++) {
@@ -175,9 +168,8 @@ static void words_of_every_length_are_passed_over(void **state)
         }
 }
 
-static void every_prefix_of_ascii_is_refused_within_its_bytes(void **state)
+TEST(every_prefix_of_ascii_is_refused_within_its_bytes)
 {
-    (void)state;
     static const char text[] = "solid x\n" FACET "endsolid";
     for (size_t size = 0; size < sizeof text - 1; size++) {
         struct reading *reading = read_bytes(ZR_FORMAT_STL, text, size);
@@ -189,9 +181,8 @@ static void every_prefix_of_ascii_is_refused_within_its_bytes(void **state)
     reading_free(whole);
 }
 
-static void malformed_ascii_is_refused_with_its_line(void **state)
+TEST(malformed_ascii_is_refused_with_its_line)
 {
-    (void)state;
     static const struct {
         const char *text, *detail;
     } cases[] = {
@@ -210,9 +201,8 @@ static void malformed_ascii_is_refused_with_its_line(void **state)
         refuses(ZR_FORMAT_STL, cases[i].text, ZR_BAD_SYNTAX, "", cases[i].detail);
 }
 
-static void ascii_out_of_range_gives_bad_scene_with_triangle(void **state)
+TEST(ascii_out_of_range_gives_bad_scene_with_triangle)
 {
-    (void)state;
     refuses(ZR_FORMAT_STL,
             "solid\n" FACET "facet normal 0 0 1 outer loop\nvertex 0 1e7 0\nvertex 0 0 0 vertex 1 1 1 endloop endfacet "
             "endsolid",
@@ -220,29 +210,11 @@ static void ascii_out_of_range_gives_bad_scene_with_triangle(void **state)
     refuses(ZR_FORMAT_STL, "solid nothing\nendsolid", ZR_BAD_SCENE, "", "no geometry");
 }
 
-static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
+TEST(small_arena_gives_no_memory_naming_the_ceiling)
 {
-    (void)state;
     unsigned char bytes[BYTES_MAX];
     size_t size = make_binary(bytes, "x", MAX_TRIANGLES);
     assert_true(smallest_ceiling((struct zr_request){.format = ZR_FORMAT_STL}, bytes, size, 8192) > 512);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(binary_gives_three_vertices_a_triangle),
-        cmocka_unit_test(binary_of_another_size_gives_bad_syntax),
-        cmocka_unit_test(count_beyond_the_bytes_is_refused_before_allocating),
-        cmocka_unit_test(binary_without_triangles_gives_no_geometry),
-        cmocka_unit_test(place_out_of_range_gives_bad_scene_with_triangle),
-        cmocka_unit_test(smooth_shading_by_the_textbook_is_warned_of),
-        cmocka_unit_test(ascii_gives_its_triangles),
-        cmocka_unit_test(words_of_every_length_are_passed_over),
-        cmocka_unit_test(every_prefix_of_ascii_is_refused_within_its_bytes),
-        cmocka_unit_test(malformed_ascii_is_refused_with_its_line),
-        cmocka_unit_test(ascii_out_of_range_gives_bad_scene_with_triangle),
-        cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
-    };
-    return cmocka_run_group_tests_name("stl", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

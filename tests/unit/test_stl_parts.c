@@ -3,6 +3,7 @@
 #include "part_texts.h"
 
 #include "input/stl_text.c"
+#include "support/tests.h"
 
 enum { FAULTS_MAX = 30, HEADER_BYTES = 84, TRIANGLE_BYTES = 50 };
 
@@ -25,15 +26,13 @@ static const char *const pieces[] = {
     "facet normal 0 0 0 outer loop\nvertex 1 2 3\nvertex 1 -1e30 2\nvertex 0 0 0\nendloop\nendfacet\n"};
 enum { PIECES = sizeof pieces / sizeof *pieces };
 
-static void any_text_is_the_same_in_parts(void **state)
+TEST(any_text_is_the_same_in_parts)
 {
-    (void)state;
     check_texts(ZR_FORMAT_STL, begin, pieces, PIECES - 1, "endsolid\n");
 }
 
-static void faults_are_the_same_in_their_order_with_their_lines(void **state)
+TEST(faults_are_the_same_in_their_order_with_their_lines)
 {
-    (void)state;
     size_t good = 0;
     for (int i = 0; i < TEXTS / 4; i++) {
         struct text text = {0};
@@ -49,9 +48,8 @@ static void faults_are_the_same_in_their_order_with_their_lines(void **state)
     assert_true(good < TEXTS / 8);
 }
 
-static void text_takes_little_more_memory_than_its_triangles(void **state)
+TEST(text_takes_little_more_memory_than_its_triangles)
 {
-    (void)state;
     enum { FACETS = 6000 };
     struct text text = {0};
     put(&text, begin, sizeof begin - 1);
@@ -105,9 +103,8 @@ static struct text make_binary(uint32_t triangles, zr_vec4 *positions)
     return text;
 }
 
-static void binary_of_any_size_is_read_by_every_team(void **state)
+TEST(binary_of_any_size_is_read_by_every_team)
 {
-    (void)state;
     static const uint32_t counts[] = {1, 8191, 8192, 8193, 40000};
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
         zr_vec4 *positions = malloc(3 * counts[i] * sizeof *positions);
@@ -122,9 +119,8 @@ static void binary_of_any_size_is_read_by_every_team(void **state)
     }
 }
 
-static void places_of_binary_that_are_none_are_told_with_their_triangles(void **state)
+TEST(places_of_binary_that_are_none_are_told_with_their_triangles)
 {
-    (void)state;
     enum { TRIANGLES = 40000, SECOND_Y = 28 };
     static zr_vec4 positions[3 * TRIANGLES];
     const float nowhere = -INFINITY;
@@ -141,9 +137,8 @@ static void places_of_binary_that_are_none_are_told_with_their_triangles(void **
     drop(&text);
 }
 
-static void cancelled_reader_of_binary_says_so(void **state)
+TEST(cancelled_reader_of_binary_says_so)
 {
-    (void)state;
     enum { TRIANGLES = 20000 };
     static zr_vec4 positions[3 * TRIANGLES];
     struct text binary = make_binary(TRIANGLES, positions);
@@ -151,15 +146,4 @@ static void cancelled_reader_of_binary_says_so(void **state)
     drop(&binary);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_text_is_the_same_in_parts),
-        cmocka_unit_test(faults_are_the_same_in_their_order_with_their_lines),
-        cmocka_unit_test(text_takes_little_more_memory_than_its_triangles),
-        cmocka_unit_test(binary_of_any_size_is_read_by_every_team),
-        cmocka_unit_test(places_of_binary_that_are_none_are_told_with_their_triangles),
-        cmocka_unit_test(cancelled_reader_of_binary_says_so),
-    };
-    return cmocka_run_group_tests_name("stl_parts", tests, start_teams, end_teams);
-}
+RUN_TESTS(start_teams, end_teams)

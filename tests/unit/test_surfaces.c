@@ -32,7 +32,7 @@ static void make_samples(struct random *r)
         samples_set_any(&samples, r, i, random_below(r, MATERIALS));
 }
 
-static void lamps_behind_and_of_others_give_nothing(void **state)
+TEST_EACH_ISA(lamps_behind_and_of_others_give_nothing)
 {
     const enum zr_isa isa = isa_under_test(state);
     struct random r = random_seeded(23);
@@ -76,7 +76,7 @@ static void furnace(enum zr_isa isa, const struct zr_linear_lighting *lighting, 
 }
 
 /* At half the exposure, so that what is more than 1 would be seen. */
-static void nothing_is_lost_in_a_white_furnace(void **state)
+TEST_EACH_ISA(nothing_is_lost_in_a_white_furnace)
 {
     const enum zr_isa isa = isa_under_test(state);
     struct zr_linear_lighting ambient = no_light(materials), environment = ambient;
@@ -91,11 +91,4 @@ static void nothing_is_lost_in_a_white_furnace(void **state)
     assert_below(most - 1.0, 0.0005, "white furnace, gained");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(lamps_behind_and_of_others_give_nothing),
-        TEST_EACH_ISA(nothing_is_lost_in_a_white_furnace),
-    };
-    return cmocka_run_group_tests_name("surfaces", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,7 +1,7 @@
 /* Levels of textures, and what they take. */
 #include "shade/texture_maps.h"
 
-#include "support/cmocka_all.h"
+#include "support/tests.h"
 
 static struct zr_arena arena;
 
@@ -27,9 +27,8 @@ static void make(struct test *test, uint32_t width, uint32_t height, uint32_t bi
     assert_int_equal(zr_texture_maps_make(&arena, NULL, &test->scene, decode, NULL, &test->maps), ZR_OK);
 }
 
-static void levels_halve_down_to_one_texel(void **state)
+TEST(levels_halve_down_to_one_texel)
 {
-    (void)state;
     static const uint8_t texels[7 * 3 * 4];
     struct test test = {.texture.minify = ZR_FILTER_LINEAR_MIPMAP_LINEAR};
     open_arena();
@@ -45,9 +44,8 @@ static void levels_halve_down_to_one_texel(void **state)
     zr_arena_free(&arena);
 }
 
-static void no_level_is_made_that_nobody_looks_at(void **state)
+TEST(no_level_is_made_that_nobody_looks_at)
 {
-    (void)state;
     static const uint8_t texels[64 * 64 * 4];
     struct test test = {.texture.minify = ZR_FILTER_LINEAR};
     open_arena();
@@ -58,9 +56,8 @@ static void no_level_is_made_that_nobody_looks_at(void **state)
 }
 
 /* Whatever its value, a texel that is averaged with its like stays as it is. */
-static void colours_that_are_alike_stay(void **state)
+TEST(colours_that_are_alike_stay)
 {
-    (void)state;
     for (uint32_t bits = 8; bits <= 16; bits += 8)
         for (uint32_t value = 0; value < 1u << bits; value += bits == 8 ? 1 : 257) {
             uint16_t words[2 * 4];
@@ -79,9 +76,8 @@ static void colours_that_are_alike_stay(void **state)
 }
 
 /* As much as was foretold, but for what arrays are aligned to; and not a third less. */
-static void memory_is_foretold(void **state)
+TEST(memory_is_foretold)
 {
-    (void)state;
     enum { WIDTH = 300, HEIGHT = 200 };
     static const uint8_t texels[WIDTH * HEIGHT * 4];
     struct test test = {.texture.minify = ZR_FILTER_LINEAR_MIPMAP_LINEAR};
@@ -95,9 +91,8 @@ static void memory_is_foretold(void **state)
     zr_arena_free(&arena);
 }
 
-static void memory_that_is_short_is_told(void **state)
+TEST(memory_that_is_short_is_told)
 {
-    (void)state;
     static const uint8_t texels[64 * 64 * 4];
     struct test test = {.texture.minify = ZR_FILTER_LINEAR_MIPMAP_LINEAR};
     open_arena();
@@ -112,11 +107,4 @@ static void memory_that_is_short_is_told(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(levels_halve_down_to_one_texel), cmocka_unit_test(no_level_is_made_that_nobody_looks_at),
-        cmocka_unit_test(colours_that_are_alike_stay), cmocka_unit_test(memory_is_foretold),
-        cmocka_unit_test(memory_that_is_short_is_told)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -7,14 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 /* ---- decimals ---- */
 
-static void numbers_are_written_with_as_few_digits_as_they_have(void **state)
+TEST(numbers_are_written_with_as_few_digits_as_they_have)
 {
-    (void)state;
     static const struct {
         struct zr_decimal number;
         const char *plain, *scientific;
@@ -55,9 +54,8 @@ static void assert_reads_back(float value)
     if (strtof(shorter, NULL) == value) fail_msg("%s says it, too: %s", shorter, text);
 }
 
-static void floats_have_the_fewest_digits_that_tell_them(void **state)
+TEST(floats_have_the_fewest_digits_that_tell_them)
 {
-    (void)state;
     static const float odd[] = {0.0f,    -0.0f,   0.1f,        0.3f,         37.0f,  2.37f,      1e30f,
                                 FLT_MAX, FLT_MIN, FLT_EPSILON, FLT_TRUE_MIN, 1e-40f, 16777216.0f};
     struct random random = random_seeded(7);
@@ -87,9 +85,8 @@ static const char *labels(const struct zr_ticks *ticks)
     return all;
 }
 
-static void ticks_are_round_numbers(void **state)
+TEST(ticks_are_round_numbers)
 {
-    (void)state;
     static const struct {
         float low, high;
         double apart;
@@ -158,9 +155,8 @@ static void check_ticks(float low, float high, double apart, bool ends)
     assert_true((float)zr_decimal_value(ticks.at[ticks.count - 1]) == high);
 }
 
-static void random_ranges_have_ticks_that_rise_within_them(void **state)
+TEST(random_ranges_have_ticks_that_rise_within_them)
 {
-    (void)state;
     struct random random = random_seeded(11);
     for (int i = 0; i < 50000; i++) {
         const float a = random_float(&random);
@@ -173,13 +169,4 @@ static void random_ranges_have_ticks_that_rise_within_them(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_are_written_with_as_few_digits_as_they_have),
-        cmocka_unit_test(floats_have_the_fewest_digits_that_tell_them),
-        cmocka_unit_test(ticks_are_round_numbers),
-        cmocka_unit_test(random_ranges_have_ticks_that_rise_within_them),
-    };
-    return cmocka_run_group_tests_name("ticks", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,13 +1,13 @@
 /* Depth, distance and position where a corner has a w that is tiny beside those of the others. */
-#include <math.h>
-#include <stdio.h>
 #include "input_check.h"
 #include "support/isas.h"
 #include "support/scenes.h"
+#include <math.h>
+#include <stdio.h>
 
 /* The plane z = 0, three units in front of the camera, with a corner whose w is tiny beside those of the others: none
  * of the three may be lost, whichever it is. */
-static void depth_of_a_corner_with_a_tiny_w_is_that_of_its_plane(void **state)
+TEST_EACH_ISA(depth_of_a_corner_with_a_tiny_w_is_that_of_its_plane)
 {
     static const char *const corners[3] = {"[-1,-1,0,1]", "[1,-1,0,1]", "[0,0,0,1e-20]"};
     struct zr_team *team = zr_team_create_for(2, isa_under_test(state));
@@ -39,8 +39,4 @@ static void depth_of_a_corner_with_a_tiny_w_is_that_of_its_plane(void **state)
     zr_team_destroy(team);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {TEST_EACH_ISA(depth_of_a_corner_with_a_tiny_w_is_that_of_its_plane)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -7,9 +7,9 @@
 #include <string.h>
 
 #include "geometry/clip.h"
-#include "support/cmocka_all.h"
 #include "support/isas.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 enum { COUNT = 3000 };
 
@@ -66,7 +66,7 @@ static void check_all(enum zr_isa isa, const zr_mat4 *m, uint32_t width, uint32_
 }
 
 /* Depth and w overflow, to either side: their sum is no number, and that is outside. */
-static void depth_and_w_may_be_infinite(void **state)
+TEST_EACH_ISA(depth_and_w_may_be_infinite)
 {
     zr_mat4 m = zr_mat4_identity();
     m.m[10] = m.m[14] = -FLT_MAX;
@@ -76,10 +76,4 @@ static void depth_and_w_may_be_infinite(void **state)
     check_all(isa_under_test(state), &m, 320, 200);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(depth_and_w_may_be_infinite),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -3,8 +3,8 @@
 
 #include "face_shapes.h"
 #include "geometry/triangulate.h"
-#include "support/cmocka_all.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 enum { TRIANGLES_MAX = CORNERS_MAX + 2 * RINGS_MAX };
 
@@ -100,9 +100,8 @@ static uint32_t triangulate_points(const zr_vec4 *points, const uint32_t *offset
     return zr_triangulate(&scratch, points, offsets, rings, out);
 }
 
-static void triangulate_dart_gives_its_two_triangles_on_its_side(void **state)
+TEST(triangulate_dart_gives_its_two_triangles_on_its_side)
 {
-    (void)state;
     const zr_vec4 dart[4] = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0.5f, 0.5f, 0, 1}, {0, 2, 0, 1}};
     const uint32_t offsets[2] = {0, 4}, want[2][3] = {{0, 1, 2}, {2, 3, 0}};
     uint32_t out[2][3];
@@ -115,9 +114,8 @@ static void triangulate_dart_gives_its_two_triangles_on_its_side(void **state)
     assert_memory_equal(out, want_behind, sizeof want_behind);
 }
 
-static void triangulate_numbers_corners_as_offsets_do(void **state)
+TEST(triangulate_numbers_corners_as_offsets_do)
 {
-    (void)state;
     const zr_vec4 points[8] = {{NAN, 0, 0, 1}, {NAN, 0, 0, 1}, {0, 0, 0, 1}, {9, 0, 0, 1},
                                {9, 9, 0, 1},   {1, 1, 0, 1},   {2, 1, 0, 1}, {2, 2, 0, 1}};
     const uint32_t offsets[3] = {2, 5, 8};
@@ -129,9 +127,8 @@ static void triangulate_numbers_corners_as_offsets_do(void **state)
             assert_in_range(out[i][k], 2, 7);
 }
 
-static void triangulate_rings_of_fewer_than_three_corners_are_left_out(void **state)
+TEST(triangulate_rings_of_fewer_than_three_corners_are_left_out)
 {
-    (void)state;
     const zr_vec4 points[6] = {{5, 5, 0, 1}, {6, 7, 0, 1}, {0, 0, 0, 1}, {9, 0, 0, 1}, {0, 9, 0, 1}, {1, 1, 0, 1}};
     const uint32_t offsets[5] = {0, 2, 2, 5, 6};
     uint32_t out[10][3];
@@ -141,9 +138,8 @@ static void triangulate_rings_of_fewer_than_three_corners_are_left_out(void **st
     assert_int_equal(zr_triangulate_count_max(2, 1), 0);
 }
 
-static void triangulate_scratch_that_grows_one_by_one_stays_small(void **state)
+TEST(triangulate_scratch_that_grows_one_by_one_stays_small)
 {
-    (void)state;
     struct zr_arena own;
     struct zr_triangulator growing = {.node_capacity = 0};
     zr_arena_init(&own, 1 << 20);
@@ -153,9 +149,8 @@ static void triangulate_scratch_that_grows_one_by_one_stays_small(void **state)
     zr_arena_free(&own);
 }
 
-static void triangulate_without_memory_is_refused(void **state)
+TEST(triangulate_without_memory_is_refused)
 {
-    (void)state;
     struct zr_arena small;
     struct zr_triangulator none = {.node_capacity = 0};
     zr_arena_init(&small, 4096);
@@ -168,9 +163,8 @@ static void triangulate_without_memory_is_refused(void **state)
 
 /* ---- tests: anything else ---- */
 
-static void triangulate_self_crossing_rings_keeps_their_edges_modulo_two(void **state)
+TEST(triangulate_self_crossing_rings_keeps_their_edges_modulo_two)
 {
-    (void)state;
     struct random random = random_seeded(4);
     for (uint32_t i = 0; i < 400; i++) {
         uint32_t corner = 0, rings = 1 + random_below(&random, 5), size = i % 2 ? 5 : 100000;
@@ -184,9 +178,8 @@ static void triangulate_self_crossing_rings_keeps_their_edges_modulo_two(void **
     }
 }
 
-static void triangulate_corners_on_one_line_or_in_one_place_keeps_their_edges(void **state)
+TEST(triangulate_corners_on_one_line_or_in_one_place_keeps_their_edges)
 {
-    (void)state;
     struct random random = random_seeded(5);
     for (uint32_t i = 0; i < 200; i++) {
         uint32_t corner = 0, count = 3 + random_below(&random, 40), size = 1 + random_below(&random, 12);
@@ -203,9 +196,8 @@ static void triangulate_corners_on_one_line_or_in_one_place_keeps_their_edges(vo
     }
 }
 
-static void triangulate_repeated_corners_and_spikes_keeps_the_area(void **state)
+TEST(triangulate_repeated_corners_and_spikes_keeps_the_area)
 {
-    (void)state;
     struct random random = random_seeded(6);
     for (uint32_t i = 0; i < 300; i++) {
         static struct face plain;
@@ -229,9 +221,8 @@ static void triangulate_repeated_corners_and_spikes_keeps_the_area(void **state)
     }
 }
 
-static void triangulate_point_at_infinity_or_behind_gives_fans(void **state)
+TEST(triangulate_point_at_infinity_or_behind_gives_fans)
 {
-    (void)state;
     zr_vec4 points[7] = {{0, 0, 0, 1}, {9, 0, 0, 1}, {1, 1, 0, 0}, {0, 9, 0, 1},
                          {1, 1, 0, 1}, {2, 1, 0, 1}, {1, 2, 0, 1}};
     const uint32_t offsets[3] = {0, 4, 7};
@@ -245,9 +236,8 @@ static void triangulate_point_at_infinity_or_behind_gives_fans(void **state)
 }
 
 /* assert_sane looks at the bound. */
-static void triangulate_most_corners_stays_within_its_bound(void **state)
+TEST(triangulate_most_corners_stays_within_its_bound)
 {
-    (void)state;
     struct random random = random_seeded(8);
     for (int64_t size = 3; size < 1000000; size *= 40) {
         uint32_t corner = 0;
@@ -264,19 +254,4 @@ static void triangulate_most_corners_stays_within_its_bound(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(triangulate_dart_gives_its_two_triangles_on_its_side),
-        cmocka_unit_test(triangulate_numbers_corners_as_offsets_do),
-        cmocka_unit_test(triangulate_rings_of_fewer_than_three_corners_are_left_out),
-        cmocka_unit_test(triangulate_scratch_that_grows_one_by_one_stays_small),
-        cmocka_unit_test(triangulate_without_memory_is_refused),
-        cmocka_unit_test(triangulate_self_crossing_rings_keeps_their_edges_modulo_two),
-        cmocka_unit_test(triangulate_corners_on_one_line_or_in_one_place_keeps_their_edges),
-        cmocka_unit_test(triangulate_repeated_corners_and_spikes_keeps_the_area),
-        cmocka_unit_test(triangulate_point_at_infinity_or_behind_gives_fans),
-        cmocka_unit_test(triangulate_most_corners_stays_within_its_bound),
-    };
-    return cmocka_run_group_tests(tests, open_arena, close_arena);
-}
+RUN_TESTS(open_arena, close_arena)

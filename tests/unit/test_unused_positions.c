@@ -4,6 +4,7 @@
 #include "json_check.h"
 #include "scene/resolved_view.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 #define WINDOW "{\"window\": {\"width\": 32, \"height\": 24}, \"outputs\": [{\"channel\": \"depth\"}], "
 #define TALL   "[0,0,0],[1,0,0],[0,1,0],[0,0,2]"
@@ -57,9 +58,8 @@ static struct reading *read_case(enum zr_format format, const char *text)
     return reading;
 }
 
-static void pictures_are_those_without_them(void **state)
+TEST(pictures_are_those_without_them)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
         struct reading *with = read_case(CASES[i].format, CASES[i].with),
                        *without = read_case(CASES[i].format, CASES[i].without);
@@ -76,9 +76,8 @@ static void pictures_are_those_without_them(void **state)
     }
 }
 
-static void positions_of_degenerate_faces_are_left_out(void **state)
+TEST(positions_of_degenerate_faces_are_left_out)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof DEGENERATE / sizeof *DEGENERATE; i++) {
         struct reading *reading = read_case(DEGENERATE[i].format, DEGENERATE[i].text);
         const struct zr_bounds bounds = zr_bounds_of(reading->scene, NULL, NULL);
@@ -86,16 +85,14 @@ static void positions_of_degenerate_faces_are_left_out(void **state)
             fail_msg("case %zu: bounds up to %g %g %g", i, (double)bounds.max.x, (double)bounds.max.y,
                      (double)bounds.max.z);
         const struct zr_answer answer = scene_encode(&reading->arena, NULL, reading->scene);
-        if (!strstr(answer.warnings, "were dropped"))
-            fail_msg("case %zu: %s", i, answer.warnings);
+        if (!strstr(answer.warnings, "were dropped")) fail_msg("case %zu: %s", i, answer.warnings);
         reading_free(reading);
     }
 }
 
 /* A hundred thousand of them, in words of many kinds. */
-static void all_are_found_among_many(void **state)
+TEST(all_are_found_among_many)
 {
-    (void)state;
     enum { COUNT = 100000, STEP = 7 };
     char *text = malloc(COUNT * 40), *at = text;
     at += sprintf(at, WINDOW "\"meshes\": [{\"positions\": [");
@@ -114,12 +111,4 @@ static void all_are_found_among_many(void **state)
     free(text);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures_are_those_without_them),
-        cmocka_unit_test(positions_of_degenerate_faces_are_left_out),
-        cmocka_unit_test(all_are_found_among_many),
-    };
-    return cmocka_run_group_tests_name("unused positions", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

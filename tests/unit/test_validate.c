@@ -2,8 +2,8 @@
 #include <string.h>
 
 #include "scene/validate.h"
-#include "support/cmocka_all.h"
 #include "support/scenes.h"
+#include "support/tests.h"
 
 static const zr_vec4 corners[3] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
 static struct test_scene test;
@@ -17,9 +17,8 @@ static enum zr_status validate(void)
 }
 
 /* Only counts are looked at: no face of so many corners has to be there. */
-static void corners_of_all_instances_are_up_to_two_to_the_31(void **state)
+TEST(corners_of_all_instances_are_up_to_two_to_the_31)
 {
-    (void)state;
     enum { PLACED = 2048 };
     static const uint32_t offsets[2] = {0, 1 << 20};
     static struct zr_instance instances[PLACED + 1];
@@ -37,9 +36,8 @@ static void corners_of_all_instances_are_up_to_two_to_the_31(void **state)
     assert_int_equal(validate(), ZR_BAD_SCENE);
 }
 
-static void window_is_held_against_its_limits_side_by_side_and_over_all_outputs(void **state)
+TEST(window_is_held_against_its_limits_side_by_side_and_over_all_outputs)
 {
-    (void)state;
     scene_of_triangles(&test, 4096, 2048, corners, 1); /* four outputs of 8 Mpixel */
     assert_int_equal(validate(), ZR_OK);
     test.scene.views[0].height++;
@@ -53,11 +51,4 @@ static void window_is_held_against_its_limits_side_by_side_and_over_all_outputs(
     assert_string_equal(error.items[1].pointer, "/window/height");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(corners_of_all_instances_are_up_to_two_to_the_31),
-        cmocka_unit_test(window_is_held_against_its_limits_side_by_side_and_over_all_outputs),
-    };
-    return cmocka_run_group_tests_name("validate", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

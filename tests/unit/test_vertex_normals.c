@@ -6,8 +6,8 @@
 
 #include "guarded.h"
 #include "mesh/face_normals.h"
-#include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 /* More faces than are held at once. */
 enum { FACES = 70001, CORNERS_MOST = 5, POSITIONS_MOST = 20000 };
@@ -40,9 +40,8 @@ static void make_subject(struct subject *s, uint32_t faces, uint32_t positions, 
                                .indices = s->indices};
 }
 
-static void larger_faces_weigh_more(void **state)
+TEST(larger_faces_weigh_more)
 {
-    (void)state;
     /* A large face towards +z and a small one towards +x share the edge 0-1. */
     const zr_vec4 p[4] = {{0, 0, 0, 1}, {0, 1, 0, 1}, {-4, 0, 0, 1}, {0, 0, -1, 1}};
     const uint32_t indices[] = {0, 1, 2, 0, 3, 1}, offsets[] = {0, 3, 6};
@@ -57,9 +56,8 @@ static void larger_faces_weigh_more(void **state)
     zr_arena_free(&arena);
 }
 
-static void what_was_cancelled_ends_early(void **state)
+TEST(what_was_cancelled_ends_early)
 {
-    (void)state;
     static struct subject subject;
     struct zr_cancel cancel = {.raised = true};
     struct zr_arena arena;
@@ -71,11 +69,4 @@ static void what_was_cancelled_ends_early(void **state)
     zr_arena_free(&arena);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(larger_faces_weigh_more),
-        cmocka_unit_test(what_was_cancelled_ends_early),
-    };
-    return cmocka_run_group_tests_name("vertex_normals", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

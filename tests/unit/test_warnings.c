@@ -5,6 +5,7 @@
 #include "json_check.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
+#include "support/tests.h"
 
 TEST_ARENA(1 << 26)
 
@@ -62,9 +63,8 @@ static const struct {
     {ZR_FORMAT_JSON, "{\"meshes\": [{\"heights\": [[0,1,2],[1,0,0],[1,1,1]]}]}", "leftOutCells", 0, NULL},
 };
 
-static void what_is_left_out_or_replaced_is_counted_and_warned_of(void **state)
+TEST(what_is_left_out_or_replaced_is_counted_and_warned_of)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
         struct reading *reading = read_for(CASES[i].format, CASES[i].text, "info", NULL);
         assert_read(reading);
@@ -77,9 +77,8 @@ static void what_is_left_out_or_replaced_is_counted_and_warned_of(void **state)
     }
 }
 
-static void pieces_and_outlines_that_are_cut_are_counted(void **state)
+TEST(pieces_and_outlines_that_are_cut_are_counted)
 {
-    (void)state;
     struct reading *reading =
         read_for(ZR_FORMAT_JSON,
                  "{\"view\": {\"eye\": [0,0,2], \"orthographic\": {\"xmag\": 0.5, \"ymag\": 0.5}}, \"outline\": true, "
@@ -94,9 +93,8 @@ static void pieces_and_outlines_that_are_cut_are_counted(void **state)
 }
 
 /* By the identity as projection, depths of -1 to 1 are between the planes. */
-static void depths_of_a_base_beyond_the_planes_are_counted(void **state)
+TEST_AROUND(depths_of_a_base_beyond_the_planes_are_counted, open_arena, close_arena)
 {
-    (void)state;
     enum { PIXELS = 8 * 8 };
     static const struct zr_output output = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
     static float depths[PIXELS];
@@ -124,9 +122,8 @@ static void depths_of_a_base_beyond_the_planes_are_counted(void **state)
 /* ---- strict ---- */
 
 /* All that is known when it has been read. */
-static void strict_reading_refuses_every_warning_of_the_scene(void **state)
+TEST(strict_reading_refuses_every_warning_of_the_scene)
 {
-    (void)state;
     static const char text[] =
         "{\"meshes\": [{\"name\": \"a\", " POSITIONS ", \"faces\": [[0,1,2]]}, {\"name\": \"b\", " POSITIONS
         ", \"faces\": [[0,1,2]]}], \"nodes\": [{\"mesh\": \"a\"}], "
@@ -142,9 +139,8 @@ static void strict_reading_refuses_every_warning_of_the_scene(void **state)
     reading_free(reading);
 }
 
-static void strict_is_a_flag(void **state)
+TEST(strict_is_a_flag)
 {
-    (void)state;
     static const struct {
         const char *text;
         int strict; /* -1: refused */
@@ -175,9 +171,8 @@ static int step_that_refuses(const struct zr_scene *scene, struct zr_arena *memo
     return step;
 }
 
-static void strict_ends_as_soon_as_a_warning_is_known(void **state)
+TEST(strict_ends_as_soon_as_a_warning_is_known)
 {
-    (void)state;
     static const struct {
         const char *text, *detail;
         int step;
@@ -201,15 +196,4 @@ static void strict_ends_as_soon_as_a_warning_is_known(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_left_out_or_replaced_is_counted_and_warned_of),
-        cmocka_unit_test(pieces_and_outlines_that_are_cut_are_counted),
-        cmocka_unit_test_setup_teardown(depths_of_a_base_beyond_the_planes_are_counted, open_arena, close_arena),
-        cmocka_unit_test(strict_reading_refuses_every_warning_of_the_scene),
-        cmocka_unit_test(strict_is_a_flag),
-        cmocka_unit_test(strict_ends_as_soon_as_a_warning_is_known),
-    };
-    return cmocka_run_group_tests_name("warnings", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

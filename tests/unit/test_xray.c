@@ -6,6 +6,7 @@
 #include "json_check.h"
 #include "shade/frame.h"
 #include "support/random.h"
+#include "support/tests.h"
 
 struct drawing {
     struct reading *reading;
@@ -44,9 +45,8 @@ static bool has_color(const struct zr_frame *frame, int r, int g, int b)
     return false;
 }
 
-static void outlines_stay_opaque(void **state)
+TEST(outlines_stay_opaque)
 {
-    (void)state;
     struct drawing with, without;
     draw(NULL, "{" VIEW ", \"lineWidth\": 3, \"polygons\": [{" SQUARE ", \"outline\": \"#ff0000\"}]}", &with);
     draw(NULL, "{" VIEW ", \"polygons\": [{" SQUARE "}]}", &without);
@@ -56,9 +56,8 @@ static void outlines_stay_opaque(void **state)
     end(&without);
 }
 
-static void painter_draws_none(void **state)
+TEST(painter_draws_none)
 {
-    (void)state;
     struct drawing depths;
     draw(NULL,
          "{" VIEW ", \"algorithm\": \"painter\", \"outputs\": [{\"channel\": \"depth\"}], \"polygons\": [{" SQUARE
@@ -68,20 +67,11 @@ static void painter_draws_none(void **state)
 }
 
 /* What makes the ink thinner is no alpha that nobody looks at. */
-static void alpha_is_no_oddity(void **state)
+TEST(alpha_is_no_oddity)
 {
-    (void)state;
     struct reading *reading = read_scene("{" VIEW ", \"polygons\": [{" SQUARE ", \"color\": \"#2b6cb080\"}]}");
     assert_int_equal(reading->scene->warning_count, 0);
     reading_free(reading);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(outlines_stay_opaque),
-        cmocka_unit_test(painter_draws_none),
-        cmocka_unit_test(alpha_is_no_oddity),
-    };
-    return cmocka_run_group_tests_name("xray", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)
