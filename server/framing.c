@@ -59,13 +59,17 @@ static bool start_request(struct framing *f, char c)
     return true;
 }
 
+/* Begins a part of the request whose bytes are counted. */
+static bool enter(struct framing *f, enum framing_state state)
+{
+    f->state = state;
+    f->line_bytes = 0;
+    return true;
+}
+
 static bool take_method(struct framing *f, char c)
 {
-    if (c == ' ') {
-        f->state = FRAMING_TARGET;
-        f->line_bytes = 0;
-        return true;
-    }
+    if (c == ' ') return enter(f, FRAMING_TARGET);
     if (!is_token((unsigned char)c)) return refuse(f, 400, "the request line is malformed");
     if (++f->line_bytes > FRAMING_METHOD_MAX) return refuse(f, 501, "no method has so long a name");
     return true;
@@ -155,9 +159,7 @@ static bool take_name(struct framing *f, char c)
     if (c == ':') {
         f->is_read = is_read_here(f);
         f->is_exact = is_compared_whole(f);
-        f->line_bytes = 0;
-        f->state = FRAMING_VALUE;
-        return true;
+        return enter(f, FRAMING_VALUE);
     }
     if (c == '\r' || c == '\n') return refuse(f, 400, "a header line has no colon");
     if (!is_token((unsigned char)c)) return refuse(f, 400, "a header's name is not a token");
@@ -246,10 +248,9 @@ static bool end_header(struct framing *f)
     }
     if (!check_header(f)) return false;
     f->passed++;
-    f->state = f->is_chunked ? FRAMING_CHUNK_SIZE : f->left > 0 ? FRAMING_BODY : FRAMING_START;
-    f->line_bytes = 0;
+    const bool has_body = f->left > 0;
     if (f->is_chunked) f->left = 0;
-    return true;
+    return enter(f, f->is_chunked ? FRAMING_CHUNK_SIZE : has_body ? FRAMING_BODY : FRAMING_START);
 }
 
 /* ---- chunks ---- */
@@ -271,18 +272,12 @@ static bool take_chunk_size(struct framing *f, char c)
     }
     if (f->line_bytes == 0 || (c != '\r' && c != ';'))
         return refuse(f, 400, "a chunk's size is not a hexadecimal number");
-    f->state = c == ';' ? FRAMING_CHUNK_EXTENSION : FRAMING_CHUNK_LF;
-    f->line_bytes = 0;
-    return true;
+    return enter(f, c == ';' ? FRAMING_CHUNK_EXTENSION : FRAMING_CHUNK_LF);
 }
 
 static bool take_chunk_extension(struct framing *f, char c)
 {
-    if (c == '\r') {
-        f->state = FRAMING_CHUNK_LF;
-        f->line_bytes = 0;
-        return true;
-    }
+    if (c == '\r') return enter(f, FRAMING_CHUNK_LF);
     if (is_control((unsigned char)c) && c != '\t')
         return refuse(f, 400, c == '\n' ? "a line ends with LF alone" : "a chunk's extension has control characters");
     if (++f->line_bytes > FRAMING_EXTENSION_MAX) return refuse(f, 400, "a chunk's extension is longer than 1024 bytes");

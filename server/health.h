@@ -1,4 +1,4 @@
-/* health.h - GET /healthz: the daemon is alive; GET /readyz: it accepts work. */
+/* health.h - GET /healthz: the daemon is alive; GET /readyz: it accepts work; GET /v1/limits: the limits in force. */
 #ifndef ZRASTERD_HEALTH_H
 #define ZRASTERD_HEALTH_H
 
@@ -9,5 +9,7 @@ bool health_open(const struct service *service, const struct load *load, struct 
                  struct answer *answer);
 bool health_open_ready(const struct service *service, const struct load *load, struct request *request,
                        struct answer *answer);
+bool limits_open(const struct service *service, const struct load *load, struct request *request,
+                 struct answer *answer);
 
 #endif

@@ -340,12 +340,12 @@ struct queue *queue_create(const struct queue_options *options)
 
 /* ---- from other threads ---- */
 
-bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane)
+static bool put(struct queue *queue, struct queue_job *job, enum queue_lane lane, bool is_new)
 {
     pthread_mutex_lock(&queue->lock);
-    bool room = !queue->stopping && !is_full(queue, lane, 0);
+    bool room = !(is_new && queue->stopping) && !is_full(queue, lane, 0);
     if (room) {
-        job->pushed_us = clock_us();
+        if (is_new) job->pushed_us = clock_us();
         append(queue, job, lane);
         wake_one(queue);
     }
@@ -353,16 +353,14 @@ bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane
     return room;
 }
 
+bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane)
+{
+    return put(queue, job, lane, true);
+}
+
 bool queue_put_back(struct queue *queue, struct queue_job *job)
 {
-    pthread_mutex_lock(&queue->lock);
-    bool room = !is_full(queue, QUEUE_LARGE, 0);
-    if (room) {
-        append(queue, job, QUEUE_LARGE);
-        wake_one(queue);
-    }
-    pthread_mutex_unlock(&queue->lock);
-    return room;
+    return put(queue, job, QUEUE_LARGE, false);
 }
 
 bool queue_remove(struct queue *queue, struct queue_job *job)

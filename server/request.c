@@ -1,12 +1,13 @@
 #include "request.h"
 
+#include <fcntl.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
+#include <unistd.h>
 
-#include "admission.h"
 #include "clock.h"
 #include "text.h"
 
@@ -23,12 +24,66 @@ void service_init(struct service *service, const struct config *config, struct z
     atomic_init(&service->id_next, 0);
 }
 
+/* ---- memory of the control group (version 2 or 1) ---- */
+
+enum { MEMORY_PERCENT = 92, FILE_SIZE = 8192 }; /* memory.stat has some 2000 bytes */
+
+/* Reads a number from a file of the kernel: the first one, or the one behind `key` at the beginning of a line. False
+ * without such a number ("max": no limit). */
+static bool read_number(const char *folder, const char *file, const char *key, uint64_t *out)
+{
+    char path[512], text[FILE_SIZE], *end;
+    snprintf(path, sizeof path, "%s/%s", folder, file);
+    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0) return false;
+    ssize_t size = read(fd, text, sizeof text - 1);
+    close(fd);
+    text[size > 0 ? size : 0] = '\0';
+    const char *line = text;
+    size_t length = strlen(key);
+    while (line && strncmp(line, key, length) != 0) {
+        line = strchr(line, '\n');
+        if (line) line++;
+    }
+    if (!line) return false;
+    *out = strtoull(line + length, &end, 10);
+    return end != line + length;
+}
+
+static bool is_short(uint64_t used, uint64_t limit)
+{
+    return (double)used > (double)limit * (MEMORY_PERCENT / 100.0);
+}
+
+/* Returns true if more than MEMORY_PERCENT of the control group's memory limit is used. Page cache that the kernel can
+ * drop at once does not count. `folder` is that of the control group, such as /sys/fs/cgroup. False without a limit. */
+static bool memory_is_short(const char *folder)
+{
+    static const struct {
+        const char *used, *limit, *list, *droppable;
+    } versions[] = {
+        {"memory.current", "memory.max", "memory.stat", "inactive_file "},
+        {"memory/memory.usage_in_bytes", "memory/memory.limit_in_bytes", "memory/memory.stat", "total_inactive_file "}};
+    for (size_t i = 0; i < sizeof versions / sizeof versions[0]; i++) {
+        uint64_t used, limit, droppable = 0;
+        if (!read_number(folder, versions[i].used, "", &used) || !read_number(folder, versions[i].limit, "", &limit))
+            continue;
+        if (!is_short(used, limit)) return false;
+        /* Last: the kernel may sum it over all groups and processors, which takes milliseconds. */
+        read_number(folder, versions[i].list, versions[i].droppable, &droppable);
+        return is_short(used - (droppable < used ? droppable : used), limit);
+    }
+    return false;
+}
+
+/* ---- load ---- */
+
 const char *load_busy_with(const struct load *load, const struct service *service, bool makes_answer)
 {
     if (load->draining) return "the service is going down";
     if (load->queue_full) return "the queue is full";
     if (makes_answer && load->answers_full) return "the answers that wait for their readers fill answerMemoryBytes";
-    if (!admission_memory_is_short(service->config->cgroup)) return NULL;
+    if (!memory_is_short(service->config->cgroup)) return NULL;
     return "the memory of the container is nearly used up";
 }
 

@@ -6,7 +6,6 @@
 
 #include "assets.h"
 #include "health.h"
-#include "limits_route.h"
 #include "problem.h"
 #include "rendering.h"
 #include "text.h"

@@ -18,7 +18,7 @@
 #include <stdint.h>
 
 #include "base/arena.h"
-#include "store_name.h"
+#include "store_file.h"
 
 /* Names passed to the functions below must be valid (store_is_name). */
 struct store;

@@ -1,4 +1,5 @@
-/* store_file.h - files of a store: opens, reads and writes them, and removes temporary ones. */
+/* store_file.h - files of a store: names, opens, reads and writes them, and removes temporary ones. The name of an
+ * asset is the SHA-256 of its bytes, as 64 lower-case hexadecimal digits. */
 #ifndef ZRASTERD_STORE_FILE_H
 #define ZRASTERD_STORE_FILE_H
 
@@ -6,6 +7,19 @@
 #include <stddef.h>
 #include <sys/stat.h>
 #include <time.h>
+
+#include "base/cancel.h"
+
+enum { STORE_NAME_SIZE = 64 + 1 }; /* with a final zero */
+
+bool store_is_name(const char *text);
+
+/* Computes the name of these bytes. */
+void store_name(const void *bytes, size_t size, char name[STORE_NAME_SIZE]);
+
+/* Computes the name of the next `size` bytes of a file. False with errno: 0: fewer bytes; ECANCELED; or a read error.
+ * `cancel` may be NULL. */
+bool store_name_of_file(int fd, size_t size, const struct zr_cancel *cancel, char name[STORE_NAME_SIZE]);
 
 enum { STORE_TEMPORARY_SIZE = 16 + 16 + 1 }; /* prefix, digits, final zero */
 

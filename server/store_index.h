@@ -10,7 +10,7 @@
 #include <sys/queue.h>
 #include <time.h>
 
-#include "store_name.h"
+#include "store_file.h"
 
 struct store_entry {
     char name[STORE_NAME_SIZE];
