@@ -7,7 +7,7 @@
 #include "input/json_scene.h"
 #include "input/names.h"
 #include "input/nearest.h"
-#include "input/parameters.h"
+#include "input/parameter_names.h"
 #include "input/text.h"
 #include "scene/defaults.h"
 

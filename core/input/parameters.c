@@ -1,7 +1,6 @@
 #include "input/parameters.h"
 
 #include <float.h>
-#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -10,6 +9,7 @@
 #include "input/json_objects.h"
 #include "input/json_writer.h"
 #include "input/number.h"
+#include "input/parameter_names.h"
 #include "input/text.h"
 
 /* ---- the tables ---- */
@@ -277,33 +277,6 @@ static const char *name_of(const struct zr_request *request, const char *pointer
         if (text_of(request, &rows[i]) && is_inside && memcmp(key, pointer, length) == 0) return rows[i].name;
     }
     return NULL;
-}
-
-/* Finds the parameter that sets a key, of `length` bytes, of the object at `pointer`. NULL if there is none. */
-static const char *parameter_of(const char *pointer, const char *key, size_t length)
-{
-    const size_t object = strlen(pointer);
-    for (int i = 0; i < ROWS; i++) {
-        const char *at = rows[i].pointer;
-        if (strlen(at) == object + 1 + length && at[object] == '/' && memcmp(at, pointer, object) == 0 &&
-            memcmp(at + object + 1, key, length) == 0)
-            return rows[i].name;
-    }
-    return NULL;
-}
-
-struct zr_parameter_text zr_parameter_names(const char *pointer, const char *text)
-{
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
-    struct zr_parameter_text out = {""};
-    for (size_t used = 0; *text && used < sizeof out.text;) {
-        const size_t word = strspn(text, letters), length = word ? word : strcspn(text, letters);
-        const char *name = word ? parameter_of(pointer, text, word) : NULL;
-        used += (size_t)snprintf(out.text + used, sizeof out.text - used, "%.*s", name ? INT_MAX : (int)length,
-                                 name ? name : text);
-        text += length;
-    }
-    return out;
 }
 
 void zr_query_report(const struct zr_request *request, enum zr_status status, const struct zr_error *faults,

@@ -26,12 +26,6 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
  * Fails with ZR_BAD_SCENE or ZR_NO_MEMORY. */
 enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error);
 
-/* Copies a text; names of parameters replace the keys of the object at `pointer` that they set. */
-struct zr_parameter_text {
-    char text[ZR_DETAIL_SIZE];
-};
-struct zr_parameter_text zr_parameter_names(const char *pointer, const char *text);
-
 /* Reports faults of keys under the names of their parameters. Faults elsewhere keep their pointers. */
 void zr_query_report(const struct zr_request *request, enum zr_status status, const struct zr_error *faults,
                      struct zr_error *error);
