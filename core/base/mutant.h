@@ -1,6 +1,6 @@
 /* mutant.h - base: mutants, which break a rule on purpose, to prove that tests find the fault.
  *
- *     return ZR_MUTANT(older_lines, half_to_even(v), half_away(v));
+ *     return ZR_MUTANT(older_mesa, half_to_even(v), half_away(v));
  *
  * is half_to_even(v). In a build with `make MUTANTS=1`, programs can switch to half_away(v) while they run; `make
  * tests` puts this build into build/mutant. Every build compiles both expressions. A rule that the code applies at
@@ -41,7 +41,7 @@
     row(bytes_rounded_down)         /* 9 */                                                                           \
     row(fans_from_the_first)        /* 10 */                                                                          \
     row(culls_fronts)               /* 11 */                                                                          \
-    row(older_lines)                /* 12, 28, lines and points of Mesa 22.3, the version of its references */         \
+    row(older_mesa)                 /* 12, 21, 28, lines, fog and points of Mesa 22.3 */                              \
     row(no_diamonds)                /* 12, ends that do not move */                                                   \
     row(line_depth_along)           /* 12, planes */                                                                  \
     row(line_ends_clipped_apart)    /* 13 */                                                                          \
@@ -89,7 +89,7 @@
     row(tone_keeps_hue)             /* 27, bright colours do not fade to white */                                     \
     row(upside_down)                /* the picture */                                                                  \
     row(ggx_from_behind)            /* 25, a highlight where N.H is not above 0 */                                     \
-    row(fog_z_from_first)           /* 21, z is summed from the first term on */
+    row(fog_z_other_way)            /* 21, z is summed from its other end */
 /* clang-format on */
 
 #ifdef ZR_MUTANTS

@@ -75,7 +75,7 @@ static bool last_pixel_is_drawn(const struct end *end, const struct course *cour
 static int32_t snap(float window)
 {
     float v = (window - 0.5f) * (float)ZR_SUBPIXELS;
-    return (int32_t)ZR_MUTANT(older_lines, zr_viewport_snap(window), v + copysignf(0.5f, v));
+    return (int32_t)ZR_MUTANT(older_mesa, zr_viewport_snap(window), v + copysignf(0.5f, v));
 }
 
 /* Returns true if the fill rule alone draws the pixel of an end. `high` is the end farther up the major axis: it gets
@@ -85,7 +85,7 @@ static int32_t snap(float window)
 static bool fill_rule_draws(float offset, const struct course *course, bool high, bool last)
 {
     bool draws = high == (offset > 0.0f);
-    return ZR_MUTANT(older_lines, draws, offset == 0.0f ? last || (course->major == X) != high : draws);
+    return ZR_MUTANT(older_mesa, draws, offset == 0.0f ? last || (course->major == X) != high : draws);
 }
 
 /* Computes the snapped end, by axis. If the fill rule disagrees with `is_drawn`, the end is first moved back to the

@@ -9,7 +9,7 @@ enum { HALF_PIXEL = ZR_SUBPIXELS / 2 };
 static int32_t subpixels_of(float size)
 {
     const float no_fraction = 12582912.0f, subpixels = size * (float)ZR_SUBPIXELS; /* 1.5 * 2^23 */
-    return (int32_t)ZR_MUTANT(older_lines, (subpixels + no_fraction) - no_fraction, subpixels + 0.5f);
+    return (int32_t)ZR_MUTANT(older_mesa, (subpixels + no_fraction) - no_fraction, subpixels + 0.5f);
 }
 
 /* Rounds to an integer, half down. */

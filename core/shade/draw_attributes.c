@@ -209,13 +209,13 @@ static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr
     return true;
 }
 
-/* Returns the distance of a vertex along the view axis, for fog; `p` is the vertex in eye space. Its z is summed from
- * the last term, as in Mesa's fixed functions. */
+/* Returns the distance of a vertex along the view axis, for fog; `p` is the vertex in eye space. */
 static float fog_depth(const zr_mat4 *to_eye, zr_vec4 position, zr_vec4 p)
 {
     const float *m = to_eye->m;
-    const float z = ZR_MUTANT(fog_z_from_first,
-                              ((m[14] * position.w + m[10] * position.z) + m[6] * position.y) + m[2] * position.x, p.z);
+    const float from_last = ((m[14] * position.w + m[10] * position.z) + m[6] * position.y) + m[2] * position.x;
+    const float right = ZR_MUTANT(older_mesa, p.z, from_last), wrong = ZR_MUTANT(older_mesa, from_last, p.z);
+    const float z = ZR_MUTANT(fog_z_other_way, right, wrong);
     return fabsf(p.w != 0.0f ? z / p.w : z);
 }
 

@@ -1,7 +1,7 @@
-/* line_rule.h - reference: by which rule the Mesa at hand draws lines.
+/* line_rule.h - reference: by which rules the Mesa at hand draws lines, points and fog.
  *
- * Two things about lines changed between Mesa 22.3 and 25.0 (RULES.md, rule 12). The renderer draws as 25.0 does. With
- * an older Mesa only a build that has mutants (base/mutant.h) can be compared: it chooses the older rule.
+ * Lines, points and fog changed between Mesa 22.3 and 25.0 (RULES.md, rules 12, 21, 28). The renderer draws as 25.0
+ * does. With an older Mesa only a build that has mutants (base/mutant.h) can be compared: it chooses the older rules.
  */
 #ifndef ZR_TEST_LINE_RULE_H
 #define ZR_TEST_LINE_RULE_H

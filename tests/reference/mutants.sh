@@ -125,10 +125,10 @@ while IFS='@' read -r name run shows; do
     is_wanted "$name" "$@" && check "$name" "$run" "$shows" </dev/null
 done <$table
 
-# older_lines has a test of its own: zraster-verify-lines --fault all.
+# older_mesa has a test of its own: zraster-verify-lines --fault all.
 if [ $# -eq 0 ]; then
     for name in $("$verify" --mutant list); do
-        [ "$name" = older_lines ] || grep -q "^$name @" $table || report 'not ok' "$name has no row in $table"
+        [ "$name" = older_mesa ] || grep -q "^$name @" $table || report 'not ok' "$name has no row in $table"
     done
 fi
 echo "1..$number"

@@ -127,6 +127,9 @@ void reference_close(struct reference *reference);
 /* Back end, renderer and version, for people. */
 const char *reference_name(const struct reference *reference);
 
+/* The first known Mesa that follows the current rules (line_rule.h). */
+enum { REFERENCE_CURRENT_MESA = 2500 };
+
 /* 100 times Mesa's major version and its minor one: 2203 of 22.3.6. 0: unknown. */
 int reference_mesa_version(const struct reference *reference);
 

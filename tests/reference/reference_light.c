@@ -26,6 +26,16 @@
     "vec4 lamp_at_point(int i, vec3 point) { return vec4(to_light[i], 1.0); }\n"                                       \
     "#endif\n"
 
+/* RULES.md, rule 21: z is summed as the fixed functions of the Mesa at hand do. */
+#define FOG_Z                                                                                                          \
+    "#ifdef OLDER_MESA\n"                                                                                              \
+    "#define FOG_Z(m) (((m)[3].z * gl_Vertex.w + (m)[2].z * gl_Vertex.z) + (m)[1].z * gl_Vertex.y) + (m)[0].z * "      \
+    "gl_Vertex.x\n"                                                                                                    \
+    "#else\n"                                                                                                          \
+    "#define FOG_Z(m) (((m)[0].z * gl_Vertex.x + (m)[1].z * gl_Vertex.y) + (m)[2].z * gl_Vertex.z) + (m)[3].z * "      \
+    "gl_Vertex.w\n"                                                                                                    \
+    "#endif\n"
+
 /* RULES.md, rule 16. The fixed functions would
  * light in object space, through an inverse of their own, where the modelview matrix is not the identity: so it is a
  * program that lights. What ftransform() gives equals the fixed functions' position to the last bit: GL promises it.
@@ -37,7 +47,7 @@ static const char *const source = "uniform vec3 ambient;\n"
                                   "uniform vec3 to_light[LIGHTS];\n"
                                   "uniform vec3 light_color[LIGHTS];\n"
                                   "uniform vec3 normal_rows[3];\n"
-                                  "uniform int side;\n" GLSL_UNIT LAMP "void main()\n"
+                                  "uniform int side;\n" GLSL_UNIT LAMP FOG_Z "void main()\n"
                                   "{\n"
                                   "    vec3 object_normal = unit(gl_Normal);\n"
                                   "    vec3 normal = unit(vec3(sum_of_products(normal_rows[0], object_normal),\n"
@@ -56,8 +66,7 @@ static const char *const source = "uniform vec3 ambient;\n"
                                   "    gl_Position = ftransform();\n"
                                   "    mat4 m = gl_ModelViewMatrix;\n"
                                   "    gl_TexCoord[0] = gl_MultiTexCoord0;\n"
-                                  "    precise float z = ((m[3].z * gl_Vertex.w + m[2].z * gl_Vertex.z) +\n"
-                                  "                       m[1].z * gl_Vertex.y) + m[0].z * gl_Vertex.x;\n"
+                                  "    precise float z = FOG_Z(m);\n"
                                   "    gl_FogFragCoord = abs(z);\n"
                                   "    gl_FrontColor = vec4(side == 2 ? back : front, gl_Color.a);\n"
                                   "    gl_BackColor = vec4(side == 1 ? front : back, gl_Color.a);\n"
@@ -70,7 +79,7 @@ static const char *const late_vertex =
     "uniform vec4 to_eye[4], eye;\n" /* columns */
     "varying float depth, opacity;\n"
     "varying vec2 place;\n"
-    "varying vec3 own_color, normal, point;\n" GLSL_UNIT "void main()\n"
+    "varying vec3 own_color, normal, point;\n" GLSL_UNIT FOG_Z "void main()\n"
     "{\n"
     "    place = gl_MultiTexCoord0.xy;\n"
     "    vec3 n = unit(gl_Normal);\n"
@@ -82,8 +91,7 @@ static const char *const late_vertex =
     "    point = eye.w == 0.0 ? p.xyz : way;\n"
     "    own_color = gl_Color.rgb;\n"
     "    opacity = gl_Color.a;\n"
-    "    precise float z = ((gl_Vertex.w * to_eye[3].z + gl_Vertex.z * to_eye[2].z) + gl_Vertex.y * to_eye[1].z) +\n"
-    "                      gl_Vertex.x * to_eye[0].z;\n"
+    "    precise float z = FOG_Z(to_eye);\n"
     "    depth = abs(z);\n"
     "    gl_Position = ftransform();\n"
     "}\n";
@@ -133,14 +141,16 @@ static const char *const late_fragment =
 
 /* Drivers that know no `precise` do without: they are held to what rounding explains. Vertices that only directional
  * lights light have always done without. */
-static bool make_lighter(struct reference_lighter *lighter, const char *vertex, const char *fragment, bool is_placed,
-                         const char *fixed, struct reference_error *error)
+static bool make_lighter(const struct reference *reference, struct reference_lighter *lighter, const char *vertex,
+                         const char *fragment, bool is_placed, struct reference_error *error)
 {
     static const char *const versions[] = {"#version 400 compatibility\n", "#version 120\n#define precise\n"};
     static char whole_vertex[1 << 13], whole_fragment[1 << 13];
+    const char *const older = reference->mesa_version < REFERENCE_CURRENT_MESA ? "#define OLDER_MESA\n" : "";
+    const char *const fixed = fragment ? reference->fixed : NULL;
     const char *const lights = is_placed ? "#define PLACED\n#define LIGHTS 64\n" : "#define LIGHTS 1024\n";
     for (size_t i = fragment || is_placed ? 0 : 1; i < sizeof versions / sizeof versions[0]; i++) {
-        snprintf(whole_vertex, sizeof whole_vertex, "%s%s%s", versions[i], lights, vertex);
+        snprintf(whole_vertex, sizeof whole_vertex, "%s%s%s%s", versions[i], lights, older, vertex);
         snprintf(whole_fragment, sizeof whole_fragment, "%s%s%s%s", versions[i], lights, fixed ? fixed : "",
                  fragment ? fragment : "");
         lighter->program = reference_program(whole_vertex, fragment ? whole_fragment : NULL, error);
@@ -217,11 +227,11 @@ bool reference_light_begin(struct reference *reference, const struct reference_a
                              *late_lighter = lighter_of(reference, lighting, true);
     if (lighting->count > (is_placed ? REFERENCE_PLACED_MAX : REFERENCE_LIGHTS_MAX))
         return reference_failed(error, "too many lights");
-    if (!lighter->program && !make_lighter(lighter, source, NULL, is_placed, NULL, error)) return false;
+    if (!lighter->program && !make_lighter(reference, lighter, source, NULL, is_placed, error)) return false;
     set_lights(lighter, lighting);
     if (any_late(arrays)) {
         if (!late_lighter->program &&
-            !make_lighter(late_lighter, late_vertex, late_fragment, is_placed, reference->fixed, error))
+            !make_lighter(reference, late_lighter, late_vertex, late_fragment, is_placed, error))
             return false;
         set_lights(late_lighter, lighting);
     }

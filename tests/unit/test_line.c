@@ -59,8 +59,8 @@ static struct cover cover_of(float x0, float y0, float x1, float y1)
 
 TEST(older_rule_is_not_in_a_build_for_use)
 {
-    assert_false(zr_mutant_set("older_lines", true));
-    assert_true(zr_mutant_set("older_lines", false));
+    assert_false(zr_mutant_set("older_mesa", true));
+    assert_true(zr_mutant_set("older_mesa", false));
 }
 
 TEST(line_that_leaves_no_diamond_is_dropped)
