@@ -274,11 +274,4 @@ static inline zr_vf zr_shaded_value(zr_vf (*planes)[3], int k, zr_vf x, zr_vf y)
     return zr_plane_at_v(&plane, x, y);
 }
 
-/* Returns values k, k + 1 and k + 2: planes times w. */
-static inline struct zr_vec3_v zr_shaded_three(zr_vf (*planes)[3], int k, zr_vf w, zr_vf x, zr_vf y)
-{
-    return (struct zr_vec3_v){zr_shaded_value(planes, k, x, y) * w, zr_shaded_value(planes, k + 1, x, y) * w,
-                              zr_shaded_value(planes, k + 2, x, y) * w};
-}
-
 #endif

@@ -105,12 +105,4 @@ static inline struct zr_vec3_v zr_environment_gathered_v(const struct zr_environ
                               zr_mix_v(sharp.z, soft.z, share)};
 }
 
-/* Returns L at one alpha. */
-static inline struct zr_vec3_v zr_environment_specular_v(const struct zr_environment_light *light, struct zr_vec3_v d,
-                                                         float alpha)
-{
-    const struct zr_gathering_v gathering = zr_gathering_of(alpha);
-    return zr_environment_gathered_v(light, d, &gathering);
-}
-
 #endif
