@@ -110,7 +110,7 @@ static bool any_hole(const float *z, const uint32_t *corners, size_t count)
 static uint8_t *find_drawn(struct zr_json *json, bool is_of_faces, const float *z, const struct zr_mesh *mesh)
 {
     if (json->error->count > 0 || (z && !any_hole(z, NULL, mesh->position_count))) return NULL;
-    if (!is_of_faces && !z) return zr_used_positions(json->arena, json->team, mesh);
+    if (!is_of_faces && !z) return zr_drawn_positions(json->arena, mesh);
     uint8_t *drawn = zr_arena_zero(json->arena, is_of_faces ? mesh->face_count : mesh->position_count, sizeof *drawn);
     for (uint32_t face = 0; drawn && face < mesh->face_count; face++) {
         const uint32_t *corners = mesh->indices + mesh->face_offsets[face];

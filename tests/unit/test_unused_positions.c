@@ -30,25 +30,6 @@ static const struct {
      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nf 1 2 3\nf 1 3 4\n"},
 };
 
-/* Degenerate faces and lines are not drawn. Their positions are left out of the bounds; they are still warned of. */
-static const struct {
-    enum zr_format format;
-    const char *text;
-} DEGENERATE[] = {
-    {ZR_FORMAT_JSON,
-     WINDOW "\"meshes\": [{\"positions\": [" TALL ",[0,30,0]], \"faces\": [[0,1,2],[0,2,3],[1,4,4]]}]}"},
-    {ZR_FORMAT_JSON, WINDOW "\"meshes\": [{\"positions\": [" TALL
-                            ",[0,30,0],[0,30,0]], \"faces\": [[4,5,1,1,5,4],[0,1,2],[0,2,3],[4,0,5]]}]}"},
-    {ZR_FORMAT_JSON,
-     WINDOW "\"meshes\": [{\"positions\": [" TALL ",[0,30,0],[0,30,0]], \"lines\": [[0,1],[2,3],[4,5],[4,4]]}]}"},
-    {ZR_FORMAT_JSON, WINDOW "\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}, {\"vertices\": "
-                            "[[0,0,0],[0,1,0],[0,0,2]]}, {\"vertices\": [[0,30,0],[1,0,0],[0,30,0]]}]}"},
-    {ZR_FORMAT_STL,
-     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
-     "facet normal 0 0 1\nouter loop\nvertex 0 0 30\nvertex 0 0 30\nvertex 0 40 0\nendloop\nendfacet\n"
-     "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 0 0 2\nendloop\nendfacet\nendsolid\n"},
-};
-
 static struct reading *read_case(enum zr_format format, const char *text)
 {
     struct zr_request request = {.format = format, .channel = "depth"};
@@ -73,20 +54,6 @@ TEST(pictures_are_those_without_them)
         assert_string_equal(got.warnings, want.warnings);
         reading_free(with);
         reading_free(without);
-    }
-}
-
-TEST(positions_of_degenerate_faces_are_left_out)
-{
-    for (size_t i = 0; i < sizeof DEGENERATE / sizeof *DEGENERATE; i++) {
-        struct reading *reading = read_case(DEGENERATE[i].format, DEGENERATE[i].text);
-        const struct zr_bounds bounds = zr_bounds_of(reading->scene, NULL, NULL);
-        if (!(bounds.max.x == 1.0f && bounds.max.y - bounds.min.y <= 2.0f && bounds.max.z - bounds.min.z <= 2.0f))
-            fail_msg("case %zu: bounds up to %g %g %g", i, (double)bounds.max.x, (double)bounds.max.y,
-                     (double)bounds.max.z);
-        const struct zr_answer answer = scene_encode(&reading->arena, NULL, reading->scene);
-        if (!strstr(answer.warnings, "were dropped")) fail_msg("case %zu: %s", i, answer.warnings);
-        reading_free(reading);
     }
 }
 
