@@ -9,7 +9,6 @@
 #include "input/json_rows.h"
 #include "scene/degenerate_face.h"
 #include "scene/mesh_label.h"
-#include "scene/unused_positions.h"
 
 #define VALUE_MAX ((double)FLT_MAX)
 
@@ -105,27 +104,31 @@ static bool any_hole(const float *z, const uint32_t *corners, size_t count)
     return false;
 }
 
-/* Returns one byte per number: 1 if something drawn has it. `z`: of a grid, whose cells beside holes are not drawn;
- * else NULL. NULL if all are drawn, without memory, or after a fault, since indices may be wrong. */
+/* Returns one byte per number: 1 if a drawn face, line or point has it, else 0. `z`: heights of a grid, which draws no
+ * cell beside a hole; NULL for other meshes. Returns NULL if a grid has no hole, if memory runs out, and after a fault,
+ * since indices may then be wrong. */
 static uint8_t *find_drawn(struct zr_json *json, bool is_of_faces, const float *z, const struct zr_mesh *mesh)
 {
     if (json->error->count > 0 || (z && !any_hole(z, NULL, mesh->position_count))) return NULL;
-    if (!is_of_faces && !z) return zr_drawn_positions(json->arena, mesh);
     uint8_t *drawn = zr_arena_zero(json->arena, is_of_faces ? mesh->face_count : mesh->position_count, sizeof *drawn);
     for (uint32_t face = 0; drawn && face < mesh->face_count; face++) {
         const uint32_t *corners = mesh->indices + mesh->face_offsets[face];
         const size_t count = mesh->face_offsets[face + 1] - mesh->face_offsets[face];
         if (zr_face_is_degenerate(mesh, face) || (z && any_hole(z, corners, count))) continue;
-        if (is_of_faces)
-            drawn[face] = 1;
-        else
-            for (size_t i = 0; i < count; i++)
-                drawn[corners[i]] = 1;
+        for (size_t i = 0; i < count; i++)
+            drawn[is_of_faces ? face : corners[i]] = 1;
     }
+    if (!drawn || is_of_faces) return drawn;
+    for (size_t i = 0; i < mesh->line_count; i++) {
+        const uint32_t *line = mesh->lines + 2 * i;
+        if (!zr_is_same_place(mesh, line[0], line[1])) drawn[line[0]] = drawn[line[1]] = 1;
+    }
+    for (uint32_t i = 0; i < mesh->point_count; i++)
+        drawn[mesh->points[i]] = 1;
     return drawn;
 }
 
-/* Finds the least and the greatest number of what is drawn. */
+/* Finds the least and the greatest number of drawn faces or positions. */
 static void find_range(struct zr_json *json, const float *z, const struct zr_mesh *mesh, struct coloring *coloring)
 {
     uint8_t *drawn = find_drawn(json, coloring->count != mesh->position_count, z, mesh);

@@ -3,8 +3,6 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "scene/degenerate_face.h"
-
 /* A fifth of a millisecond of work, more than the time to wake a thread. */
 enum { INDICES_A_RANGE = 1 << 18 };
 
@@ -41,22 +39,4 @@ void zr_unused_positions_move(struct zr_arena *arena, struct zr_team *team, cons
     for (const uint8_t *at = used; first && (at = memchr(at, 0, (size_t)(end - at))); at++)
         positions[at - used] = positions[first - used];
     zr_arena_trim(arena, (void *)marking.used, count, 0, sizeof *marking.used);
-}
-
-uint8_t *zr_drawn_positions(struct zr_arena *arena, const struct zr_mesh *mesh)
-{
-    uint8_t *drawn = zr_arena_zero(arena, mesh->position_count, sizeof *drawn);
-    if (!drawn) return NULL;
-    for (uint32_t face = 0; face < mesh->face_count; face++) {
-        if (zr_face_is_degenerate(mesh, face)) continue;
-        for (uint32_t i = mesh->face_offsets[face]; i < mesh->face_offsets[face + 1]; i++)
-            drawn[mesh->indices[i]] = 1;
-    }
-    for (size_t i = 0; i < mesh->line_count; i++) {
-        const uint32_t *line = mesh->lines + 2 * i;
-        if (!zr_is_same_place(mesh, line[0], line[1])) drawn[line[0]] = drawn[line[1]] = 1;
-    }
-    for (uint32_t i = 0; i < mesh->point_count; i++)
-        drawn[mesh->points[i]] = 1;
-    return drawn;
 }

@@ -1,4 +1,4 @@
-/* unused_positions.h - scene: positions that no face, line or point uses, or only degenerate ones.
+/* unused_positions.h - scene: moves positions that no face, line or point uses onto a used one.
  *
  * Why:    exporters leave such positions behind, and they would enlarge bounds and fitted views.
  */
@@ -13,9 +13,5 @@
  * from the arena temporarily; does nothing if that fails. `team` may be NULL. */
 void zr_unused_positions_move(struct zr_arena *arena, struct zr_team *team, const struct zr_mesh *mesh,
                               zr_vec4 *positions);
-
-/* Returns one byte per position: 1 if a point or a face or line that is not degenerate uses it, else 0. Memory from the
- * arena; NULL if that fails. Needs valid indices. */
-uint8_t *zr_drawn_positions(struct zr_arena *arena, const struct zr_mesh *mesh);
 
 #endif

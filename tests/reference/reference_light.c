@@ -5,8 +5,8 @@
 #include "reference/glsl_unit.h"
 #include "reference/reference_gl.h"
 
-/* The way to light i, and the share of its colour that arrives: RULES.md, rule 32. What is said of lamps without a
- * place is a constant 1, which changes no bit. */
+/* lamp_at_point returns the unit vector to light i and the share of its colour that arrives: RULES.md, rule 32. The
+ * share of a directional light is a constant 1, which changes no bit. */
 #define LAMP                                                                                                           \
     "#ifdef PLACED\n"                                                                                                  \
     "uniform vec4 lamp_at[LIGHTS], lamp_axis[LIGHTS], lamp_fall[LIGHTS];\n"                                            \

@@ -65,7 +65,7 @@ static int stop(void **state)
     return 0;
 }
 
-/* ---- one request on a connection that is there already ---- */
+/* ---- one request on an open connection ---- */
 
 static int connection = -1;
 
@@ -201,7 +201,7 @@ static unsigned run_all(unsigned every)
     unsigned failed = 0;
     for (size_t i = 0; i < count; i++) {
         learn(&requests[i]);
-        learn(&requests[i]); /* an asset that is there already has another status */
+        learn(&requests[i]); /* a stored asset has another status */
         unsigned turn = 1;
         while (turn < TURNS_MAX && run(&requests[i], turn, every) > 0) {
             failed++;

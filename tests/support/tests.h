@@ -2,8 +2,7 @@
  *
  *     TEST(name) { ... }                           a test; `state` is cmocka's
  *     TEST_AROUND(name, before, after) { ... }     with setup and teardown of its own
- *     RUN_TESTS(before, after)                     last in the file: main, which runs all of its tests from top to
- * bottom
+ *     RUN_TESTS(before, after)                     last in the file: main, which runs its tests from top to bottom
  */
 #ifndef ZR_TEST_TESTS_H
 #define ZR_TEST_TESTS_H
