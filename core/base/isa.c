@@ -59,6 +59,20 @@ bool zr_isa_choose(const char *name, enum zr_isa *isa)
     return true;
 }
 
+#if defined __x86_64__
+__attribute__((target("avx"))) static void clear_upper_halves(void)
+{
+    __builtin_ia32_vzeroupper();
+}
+
+void zr_isa_clear_upper_halves(void)
+{
+    if (__builtin_cpu_supports("avx")) clear_upper_halves();
+}
+#else
+void zr_isa_clear_upper_halves(void) {}
+#endif
+
 void zr_isa_list(char *out, size_t size)
 {
     int used = snprintf(out, size, "auto");

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "base/isa.h"
+
 /* STRIP_PIXELS: large enough to hide the cost of a strip, whose empty history takes 0.1 % more bytes. Small enough for
  * its bytes to fit the second-level cache, and for 8 threads to find work in 1920x1080 pixels. LANES: maximum number of
  * threads per picture; each needs buffers and tables of up to a megabyte. WAVE: strips whose streams are in memory at
@@ -70,7 +72,9 @@ static bool add(struct isal_zstream *stream, const uint8_t *bytes, size_t size, 
     stream->flush = last ? NO_FLUSH : SYNC_FLUSH; /* ends on a whole byte */
     stream->next_in = (uint8_t *)(uintptr_t)bytes;
     stream->avail_in = (uint32_t)size;
-    return isal_deflate(stream) == COMP_OK && stream->avail_in == 0 && stream->avail_out > 0;
+    const bool done = isal_deflate(stream) == COMP_OK;
+    zr_isa_clear_upper_halves();
+    return done && stream->avail_in == 0 && stream->avail_out > 0;
 }
 
 size_t zr_deflate(struct isal_zstream *stream, uint8_t table[ZR_DEFLATE_TABLE], const uint8_t *bytes, size_t size,

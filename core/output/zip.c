@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/checked.h"
+#include "base/isa.h"
 
 /* Source: PKWARE, APPNOTE.TXT 6.3.10, sections 4.3.7, 4.3.12 and 4.3.16: sizes of records without their names. */
 enum { LOCAL_SIZE = 30, CENTRAL_SIZE = 46, END_SIZE = 22 };
@@ -104,6 +105,7 @@ enum zr_status zr_zip_write(const struct zr_zip_entry *entries, size_t count, st
         files[i].crc = crc32_gzip_refl(0, entries[i].bytes, entries[i].size);
         put_local(&w, &entries[i], files[i].crc);
     }
+    zr_isa_clear_upper_halves();
     const unsigned char *directory = w.at;
     for (size_t i = 0; i < count; i++)
         put_central(&w, &entries[i], files[i].crc, files[i].offset);
