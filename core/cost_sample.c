@@ -11,6 +11,7 @@ struct tally {
     struct zr_cost_sample sums;
     double line_width, kept_squares;
     zr_mat4 world_to_clip, object_to_clip;
+    const struct zr_camera *camera;
     bool is_mirrored;
 };
 
@@ -237,7 +238,7 @@ static void walk(struct tally *tally, uint64_t primitives, uint64_t samples)
         }
         if (instance) {
             tally->object_to_clip = zr_mat4_mul(&tally->world_to_clip, &instance->object_to_world);
-            tally->is_mirrored = zr_mat4_is_mirror(&instance->object_to_world);
+            tally->is_mirrored = zr_camera_reverses_windings(tally->camera, &instance->object_to_world);
         }
         add_primitive(tally, mesh, (uint32_t)(primitive - first));
     }
@@ -257,7 +258,8 @@ struct zr_cost_sample zr_cost_sample_of(const struct zr_scene *scene, const stru
     const struct zr_view *view = &scene->views[0];
     struct tally tally = {.sums = {.scene = scene, .width = (double)view->width, .height = (double)view->height},
                           .line_width = fmax((double)scene->picture.line_width, 1.0),
-                          .world_to_clip = zr_mat4_mul(&resolved->camera.projection, &resolved->camera.world_to_eye)};
+                          .world_to_clip = zr_mat4_mul(&resolved->camera.projection, &resolved->camera.world_to_eye),
+                          .camera = &resolved->camera};
     uint64_t primitives = 0, corners = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         primitives += zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);

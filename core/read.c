@@ -80,7 +80,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     if (status == ZR_OK) status = zr_query_apply(&query, error);
     if (status != ZR_OK) return status;
     zr_color_bar_warn(arena, scene, &scene->views[0], &builder.warnings);
-    zr_pose_matrix_warn(arena, &scene->views[0], &builder.warnings);
+    zr_view_matrices_warn(arena, &scene->views[0], &builder.warnings);
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     status = validate(request, scene, limits, error);

@@ -235,7 +235,7 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
         return ZR_NO_MEMORY;
 
     builder->first_vertex = geometry->vertex_count;
-    builder->mirrored = zr_mat4_is_mirror(&camera->world_to_eye) != zr_mat4_is_mirror(&instance->object_to_world);
+    builder->mirrored = zr_camera_reverses_windings(camera, &instance->object_to_world);
     builder->object_to_eye = zr_mat4_mul(&camera->world_to_eye, &instance->object_to_world);
     builder->object_to_clip = zr_mat4_mul(&camera->projection, &builder->object_to_eye);
     struct placing placing = {.builder = builder,

@@ -15,29 +15,59 @@ static double minor_of(double (*rows)[4], int left_out)
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/* Solves for the homogeneous point whose clip-space x, y and w are 0, by Cramer's rule. */
-zr_vec4 zr_camera_eye(const struct zr_camera *camera)
+/* The homogeneous point whose clip-space x, y and w are 0, by Cramer's rule. */
+struct eye {
+    double v[4];
+    double farther; /* how z of clip space grows from it along x, y and z of v */
+    double scale;   /* v / scale is the eye, or against the direction of parallel rays; 0: there is none */
+};
+
+static struct eye solve_eye(const zr_mat4 *projection)
 {
     static const int of_clip[3] = {0, 1, 3};
-    const float *p = camera->projection.m;
-    const zr_vec4 origin = {0, 0, 0, 1};
-    double rows[3][4], v[4], scale;
+    const float *p = projection->m;
+    double rows[3][4];
+    struct eye eye;
     for (int row = 0; row < 3; row++)
         for (int column = 0; column < 4; column++)
             rows[row][column] = (double)p[4 * column + of_clip[row]];
+    double *v = eye.v;
     for (int k = 0; k < 4; k++)
         v[k] = (k % 2 ? -1.0 : 1.0) * minor_of(rows, k);
     const double length = sqrt((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]);
-    const double farther = ((double)p[2] * v[0] + (double)p[6] * v[1]) + (double)p[10] * v[2];
-    if (v[3] != 0.0)
-        scale = v[3];
-    else if (length > 0.0)
-        scale = farther > 0.0 ? -length : length;
-    else
-        return origin;
+    eye.farther = ((double)p[2] * v[0] + (double)p[6] * v[1]) + (double)p[10] * v[2];
+    eye.scale = v[3] != 0.0 ? v[3] : eye.farther > 0.0 ? -length : length;
+    return eye;
+}
+
+zr_vec4 zr_camera_eye(const struct zr_camera *camera)
+{
+    const zr_vec4 origin = {0, 0, 0, 1};
+    const struct eye solved = solve_eye(&camera->projection);
+    const double *v = solved.v, scale = solved.scale;
+    if (scale == 0.0) return origin;
     const zr_vec4 eye = {(float)(v[0] / scale), (float)(v[1] / scale), (float)(v[2] / scale),
                          v[3] != 0.0 ? 1.0f : 0.0f};
     return isfinite(eye.x) && isfinite(eye.y) && isfinite(eye.z) ? eye : origin;
+}
+
+bool zr_projection_is_mirror(const zr_mat4 *projection)
+{
+    const struct eye eye = solve_eye(projection);
+    return eye.v[3] != 0.0 ? eye.v[3] < 0.0 : eye.farther > 0.0 && eye.v[2] < 0.0;
+}
+
+bool zr_projection_is_reversed(const zr_mat4 *projection)
+{
+    const struct eye eye = solve_eye(projection);
+    const double determinant = eye.farther + (double)projection->m[14] * eye.v[3];
+    return eye.v[3] != 0.0 && determinant * eye.v[3] > 0.0;
+}
+
+bool zr_camera_reverses_windings(const struct zr_camera *camera, const zr_mat4 *object_to_world)
+{
+    return (zr_mat4_is_mirror(&camera->world_to_eye) != zr_projection_is_mirror(&camera->projection)) !=
+           zr_mat4_is_mirror(object_to_world);
 }
 
 /* Measures the image of the y axis. Scales within 0.001 of 1 come from rounding and count as 1. */

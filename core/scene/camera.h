@@ -29,6 +29,21 @@ struct zr_camera {
  * direction (w = 0). It is the origin, unless a projection matrix moves it to another finite place. */
 zr_vec4 zr_camera_eye(const struct zr_camera *camera);
 
+/* Returns true if a projection mirrors the picture: a triangle that is counter-clockwise for the eye is clockwise in
+ * the window. The mirrored axis may be x or y, as in matrices made for Vulkan. Parallel rays along z mirror nothing:
+ * with the identity, scenes are drawn in clip space.
+ * Source: by Cramer's rule, det [Pa, Pb, Pc] = v3 det [a, b, c, eye] for the rows x, y and w of P, where v3 is
+ *         positive for the matrices of glFrustum; for parallel rays, the determinant of P takes its place. */
+bool zr_projection_is_mirror(const zr_mat4 *projection);
+
+/* Returns true if points farther from an eye have smaller depths (a reversed z). False for parallel rays, whose
+ * direction follows from z. */
+bool zr_projection_is_reversed(const zr_mat4 *projection);
+
+/* Returns true if triangles that are counter-clockwise in object space, seen from the eye, are clockwise in the
+ * window. */
+bool zr_camera_reverses_windings(const struct zr_camera *camera, const zr_mat4 *object_to_world);
+
 /* Returns the scale factor of lengths from world to eye space: 1 unless a worldToCamera scales by more than 0.001. */
 float zr_eye_scale_of(const struct zr_camera *camera);
 
@@ -74,8 +89,8 @@ struct zr_orbit zr_orbit_of(const struct zr_camera *camera, bool z_is_up);
  * come from rounding and give 1. */
 double zr_pose_matrix_scale(const zr_mat4 *world_to_eye);
 
-/* Adds a warning for a reflection, and one for a scaling matrix if outputs hold eye-space lengths, which are then not
- * in scene units. */
-void zr_pose_matrix_warn(struct zr_arena *arena, const struct zr_view *view, struct zr_warning_list *warnings);
+/* Adds a warning if pose and projectionMatrix together mirror the picture, one for a reversed z, and one for a scaling
+ * pose if outputs hold eye-space lengths, which are then not in scene units. */
+void zr_view_matrices_warn(struct zr_arena *arena, const struct zr_view *view, struct zr_warning_list *warnings);
 
 #endif

@@ -156,14 +156,24 @@ static bool measures_in_eye_space(const struct zr_view *view)
            (zr_view_wants(view, ZR_CHANNEL_POSITION) && zr_view_space(view, ZR_CHANNEL_POSITION) == ZR_SPACE_CAMERA);
 }
 
-void zr_pose_matrix_warn(struct zr_arena *arena, const struct zr_view *view, struct zr_warning_list *warnings)
+void zr_view_matrices_warn(struct zr_arena *arena, const struct zr_view *view, struct zr_warning_list *warnings)
 {
-    const zr_mat4 *m = &view->world_to_camera;
-    if (view->pose != ZR_POSE_MATRIX) return;
-    if (zr_mat4_is_mirror(m))
+    const zr_mat4 *m = &view->world_to_camera, *projection = &view->projection_matrix;
+    const bool has_pose = view->pose == ZR_POSE_MATRIX, has_projection = view->projection == ZR_PROJECTION_MATRIX;
+    const bool pose_mirrors = has_pose && zr_mat4_is_mirror(m),
+               projection_mirrors = has_projection && zr_projection_is_mirror(projection);
+    if (pose_mirrors && !projection_mirrors)
         zr_warning_list_add(arena, warnings,
                             "the camera's pose is a reflection (its determinant is negative): the picture is mirrored");
-    if (zr_pose_matrix_scale(m) != 1.0 && measures_in_eye_space(view))
+    if (projection_mirrors && !pose_mirrors)
+        zr_warning_list_add(arena, warnings,
+                            "projectionMatrix is a reflection, as matrices made for Vulkan are: the picture is "
+                            "mirrored; to turn it round, negate the row of y, or of x");
+    if (has_projection && zr_projection_is_reversed(projection))
+        zr_warning_list_add(arena, warnings,
+                            "projectionMatrix gives farther points smaller depths (a reversed z): what is farther "
+                            "hides what is nearer");
+    if (has_pose && zr_pose_matrix_scale(m) != 1.0 && measures_in_eye_space(view))
         zr_warning_list_add(
             arena, warnings,
             "the camera's pose is not a rotation: a length of 1 along its axes x, y and z becomes %.4g, "

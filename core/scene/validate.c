@@ -33,7 +33,10 @@ static void check_geometry(const struct zr_scene *scene, struct zr_error *error)
         corners += zr_mesh_corners(mesh);
     }
     if (primitives == 0)
-        zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the scene has no face, line or point to draw");
+        zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: %s",
+                     scene->mesh_count > 0 && scene->instance_count == 0
+                         ? "no node places a mesh"
+                         : "the scene has no face, line or point to draw");
     if (corners > ZR_SCENE_CORNERS_MAX)
         zr_error_add(error, ZR_BAD_SCENE, NULL,
                      "the faces, lines and points have more than the limit of %" PRIu64 " corners in all",

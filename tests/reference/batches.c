@@ -398,8 +398,7 @@ static bool append_instance(struct batches_builder *b, const struct zr_instance 
                                     .modelview = &placement->modelview,
                                     .normal_rows = placement->normals.rows,
                                     .object_to_eye = &placement->object_to_eye,
-                                    .mirrored = zr_mat4_is_mirror(&b->camera->world_to_eye) !=
-                                                zr_mat4_is_mirror(&instance->object_to_world)};
+                                    .mirrored = zr_camera_reverses_windings(b->camera, &instance->object_to_world)};
     if (b->owner + zr_mesh_ids(mesh) > (uint64_t)BATCHES_OWNERS_MAX + 1) return false;
     if (!for_each_face(b, &source, BATCHES_FACE, append_face) ||
         !for_each_face(b, &source, BATCHES_OUTLINE, append_outline))
