@@ -3,7 +3,8 @@
 # part, "unit: 512 passed in 41 s", begun when it begins; else quiet but for what fails or
 # was left out. Each test's output is kept in BUILD/test-logs/. All tests speak TAP. Ends
 # with a line "N passed, N failed, N skipped", and with status 1 where one failed, or where
-# a part ran no test at all.
+# a part ran no test at all. As many programs run at once as there are processors; those of
+# the part server, which ask for the daemon's times, run one by one.
 set -u
 build=$1
 shift
@@ -17,6 +18,9 @@ passed=0 failed=0 skipped=0
 # A part's line stays open while it runs. say closes it: something comes in between.
 part_begin() {
     printf '%s: ' "$part"
+    : >"$logs/$part.list" >"$logs/$part.names"
+    at_once=$(getconf _NPROCESSORS_ONLN)
+    [ "$part" != server ] || at_once=1
     open=yes since=$(date +%s) passed_before=$passed failed_before=$failed skipped_before=$skipped
 }
 say() {
@@ -25,6 +29,8 @@ say() {
     echo "$*"
 }
 part_end() {
+    xargs -d '\n' -P "$at_once" -I LINE sh -c LINE <"$logs/$part.list"
+    for name in $(cat "$logs/$part.names"); do collect; done
     [ "$open" = yes ] || printf '%s: ' "$part"
     f=$((failed - failed_before)) s=$((skipped - skipped_before))
     printf '%s passed' $((passed - passed_before))
@@ -33,13 +39,18 @@ part_end() {
     echo " in $(($(date +%s) - since)) s"
 }
 
-# run NAME COMMAND...: one program, its TAP and its exit status.
+# run NAME COMMAND...: one program, to be run at the end of the part. No argument has a space.
 run() {
-    name=$1
+    log=$logs/$1.tap
+    echo "$1" >>"$logs/$part.names"
     shift
+    echo "env CMOCKA_MESSAGE_OUTPUT=TAP $* >'$log' 2>'$log.err' </dev/null; echo \$? >'$log.status'" >>"$logs/$part.list"
+}
+
+# Adds up the program `name`: its TAP and its exit status.
+collect() {
     log=$logs/$name.tap
-    CMOCKA_MESSAGE_OUTPUT=TAP "$@" >"$log" 2>"$log.err" </dev/null
-    status=$?
+    status=$(cat "$log.status")
     s=$(grep -ciE '^(not )?ok.*# *skip' "$log")
     p=$(grep -iE '^ok ' "$log" | grep -viE '# *skip' | wc -l)
     f=$(grep -iE '^not ok ' "$log" | grep -viE '# *skip' | wc -l)
@@ -75,7 +86,7 @@ for part in "$@"; do
     unit)
         for test in "$build"/tests/unit/test_* "$build"/tests/property/test_*; do
             case $test in *.o | *.d) continue ;; esac
-            ZRASTER_DATA=$data run "$(basename "$test")" "$test"
+            run "$(basename "$test")" "ZRASTER_DATA=$data" "$test"
         done
         ;;
     fuzz)
@@ -100,11 +111,11 @@ for part in "$@"; do
     server)
         for test in "$build"/tests/server/test_*; do
             case $test in *.o | *.d) continue ;; esac
-            ZRASTERD=$build/zrasterd ZRASTER_DATA=$data run "server-$(basename "$test")" "$test"
+            run "server-$(basename "$test")" "ZRASTERD=$build/zrasterd" "ZRASTER_DATA=$data" "$test"
         done
         ;;
     clients)
-        ZRASTERD=$build/zrasterd ZRASTER=$build/zraster run client tests/clients/test_client.sh
+        run client "ZRASTERD=$build/zrasterd" "ZRASTER=$build/zraster" tests/clients/test_client.sh
         run gallery tests/clients/test_gallery.sh "$build"
         run readme tests/clients/test_readme.sh "$build"
         ;;
@@ -128,7 +139,7 @@ for part in "$@"; do
             say "LEFT OUT: stanford-bunny and teapot against Mesa, flat and smooth, suzanne and fandisk from all sides: there is no $data/models"
         fi
         # Without the models it compares pictures of meshes of its own.
-        ZRASTERD=$build/zrasterd run bench-pictures "$build/zraster-bench" --check-only --models "$data/models"
+        run bench-pictures "ZRASTERD=$build/zrasterd" "$build/zraster-bench" --check-only --models "$data/models"
         if [ -d "$assimp" ]; then
             verify reference-assimp "$programs/zraster-verify" --preset all "$assimp/OBJ/spider.obj" "$assimp/OBJ/concave_polygon.obj" \
                 "$assimp/STL/Wuson.stl" "$assimp/STL/sphereWithHole.stl"
