@@ -250,11 +250,7 @@ static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *s
         note(root, style, ZR_ODD_TEXTURE_ALPHA);
     if (!has_mode && (least < 1.0f || (has_outline && material->outline_color.w < 1.0f)))
         note(root, style, ZR_ODD_ALPHA);
-    const struct zr_picture *picture = &root->scene->picture;
-    if (style->has_faces && zr_shading_is_in(material->shading, zr_shadings_lit(ZR_SHADED_BY_OWN_LAMP)) &&
-        ((zr_picture_gives(&root->picture, ZR_PICTURE_EXPOSURE) && picture->exposure != 1.0f) ||
-         (zr_picture_gives(&root->picture, ZR_PICTURE_TONE) && picture->tone != ZR_TONE_NONE)))
-        note(root, style, ZR_ODD_EXPOSURE);
+    if (style->has_faces && !material->unfilled) root->shadings |= 1u << material->shading;
     if (has_outline) return; /* its outline is visible: it has its own colour */
     if (material->alpha_mode == ZR_ALPHA_BLEND && most <= 0.0f) note(root, style, ZR_ODD_UNSEEN);
     if (material->alpha_mode == ZR_ALPHA_MASK && zr_rgba_byte(most) < zr_rgba_byte(material->alpha_cutoff))
@@ -269,40 +265,27 @@ static void note_use(struct zr_parsed_material *given, const struct zr_style *st
     if (style->has_faces && !material->unfilled) given->shadings |= 1u << material->shading;
 }
 
-/* Large enough for all keys, or all shadings. */
-struct words {
-    char text[240];
-};
-
-static void add_word(struct words *words, const char *word)
-{
-    const size_t used = strlen(words->text);
-    snprintf(words->text + used, sizeof words->text - used, "%s%s", used ? ", " : "", word);
-}
-
 /* Lists the keys of a material that its meshes do not use. In linear light, BLEND uses the alpha of a texture with
  * every shading. */
-static struct words unused_keys(const struct zr_parsed_material *given, bool is_linear)
+static struct zr_names_text unused_keys(const struct zr_parsed_material *given, bool is_linear)
 {
-    struct words words = {""};
+    struct zr_names_text words = {""};
     for (int key = 0; given->is_used && key <= BASE_COLOR_TEXTURE; key++) {
         const bool any_shading = key == BASE_COLOR_TEXTURE && given->is_blended && is_linear;
         const uint32_t users = any_shading ? ZR_SHADING_ALL : shadings_of(key);
         if (zr_json_gives(given->keys, key) && users != 0 && !(users & given->shadings))
-            add_word(&words, fields[key].key);
+            zr_names_text_add(&words, fields[key].key);
     }
     return words;
 }
 
 /* Formats "with the shading phong", or "without filled faces". */
-static struct words shadings_in_words(const struct zr_parsed_material *given)
+static struct zr_names_text shadings_in_words(const struct zr_parsed_material *given)
 {
-    struct words words = {""};
-    if (given->shadings == 0) return (struct words){"without filled faces"};
-    for (int shading = 0; shading < ZR_SHADING_COUNT; shading++)
-        if (given->shadings >> shading & 1u) add_word(&words, zr_shading_names.words[shading]);
-    struct words all;
-    snprintf(all.text, sizeof all.text, "with the shading %.100s", words.text);
+    if (given->shadings == 0) return (struct zr_names_text){"without filled faces"};
+    struct zr_names_text all;
+    snprintf(all.text, sizeof all.text, "with the shading %.100s",
+             zr_names_join_set(&zr_shading_names, given->shadings).text);
     return all;
 }
 
@@ -357,7 +340,7 @@ void zr_parsed_warn_of_materials(struct zr_parsed_scene *root)
                             shadings_in_words(odd.first).text);
         return;
     }
-    char text[2 * sizeof(struct words) + 32];
+    char text[2 * sizeof(struct zr_names_text) + 32];
     snprintf(text, sizeof text, ": no effect of %s %s", unused_keys(odd.first, is_linear).text,
              shadings_in_words(odd.first).text);
     warn_of(root, &odd, text);

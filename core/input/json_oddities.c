@@ -2,6 +2,8 @@
 
 #include <stdio.h>
 
+#include "input/names.h"
+#include "input/parameter_names.h"
 #include "scene/mesh_label.h"
 
 void zr_parsed_note_oddity(struct zr_parsed_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon)
@@ -25,7 +27,6 @@ static const struct {
     [ZR_ODD_MASKED] = {false,
                        "alpha is below alphaCutoff everywhere, and by \"alphaMode\": \"MASK\" nothing of it is seen"},
     [ZR_ODD_CUTOFF] = {false, "alphaCutoff has no effect without \"alphaMode\": \"MASK\""},
-    [ZR_ODD_EXPOSURE] = {true, "exposure and toneMapping have no effect with the shading gooch"},
     [ZR_ODD_POINT_SIZE] = {false, "pointSize has no effect without points"},
 };
 
@@ -44,9 +45,41 @@ static struct label label_of(const struct zr_parsed_scene *root, const struct zr
     return label;
 }
 
+/* Warns of given keys of light and its tone that have an effect on `users` alone, where no face has such a shading. */
+static void warn_of_light_on(struct zr_parsed_scene *root, unsigned users, const enum zr_scene_key *keys, size_t count)
+{
+    const struct zr_picture *picture = &root->scene->picture;
+    const bool has_effect[] = {[ZR_SCENE_AMBIENT] = true,
+                               [ZR_SCENE_LIGHTS] = root->light_count > 0,
+                               [ZR_SCENE_ENVIRONMENT] = picture->environment.name != ZR_ENVIRONMENT_NONE,
+                               [ZR_SCENE_TONE_MAPPING] = picture->tone != ZR_TONE_NONE,
+                               [ZR_SCENE_EXPOSURE] = picture->exposure != 1.0f};
+    struct zr_names_text words = {""};
+    if (root->shadings & users) return;
+    for (size_t i = 0; i < count; i++)
+        if (zr_scene_gives(root, keys[i]) && has_effect[keys[i]])
+            zr_names_text_add(&words, zr_scene_fields[keys[i]].key);
+    if (*words.text)
+        zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
+                            "no effect of %s: no face has the shading %s",
+                            root->is_bare ? zr_parameter_names("", words.text).text : words.text,
+                            zr_names_join_set(&zr_shading_names, users).text);
+}
+
+static void warn_of_light(struct zr_parsed_scene *root)
+{
+    static const enum zr_scene_key lamps[] = {ZR_SCENE_AMBIENT, ZR_SCENE_LIGHTS, ZR_SCENE_TONE_MAPPING,
+                                              ZR_SCENE_EXPOSURE},
+                                   around[] = {ZR_SCENE_ENVIRONMENT};
+    const unsigned physical = zr_shadings_lit(ZR_SHADED_PHYSICALLY);
+    warn_of_light_on(root, zr_shadings_lit(ZR_SHADED_BY_LAMPS) | physical, lamps, sizeof lamps / sizeof *lamps);
+    warn_of_light_on(root, physical, around, sizeof around / sizeof *around);
+}
+
 void zr_parsed_warn_of_oddities(struct zr_parsed_scene *root)
 {
     struct zr_scene_builder *builder = root->builder;
+    warn_of_light(root);
     for (int i = 0; i < ZR_ODDITIES; i++)
         if (root->oddities[i].count > 0)
             zr_warning_list_add(root->json.arena, ROWS[i].is_of_colors ? &builder->color_warnings : &builder->warnings,

@@ -58,7 +58,6 @@ enum zr_oddity {
     ZR_ODD_UNSEEN,        /* BLEND with an alpha of 0 everywhere */
     ZR_ODD_MASKED,        /* MASK with an alpha below the cutoff everywhere */
     ZR_ODD_CUTOFF,        /* an alphaCutoff without MASK */
-    ZR_ODD_EXPOSURE,      /* gooch with an exposure or a tone mapping */
     ZR_ODD_POINT_SIZE,    /* a pointSize without points */
     ZR_ODDITIES
 };
@@ -140,6 +139,7 @@ struct zr_parsed_scene {
     struct zr_soup *soup;                 /* or NULL */
 
     struct zr_oddity_note oddities[ZR_ODDITIES];
+    uint32_t shadings;      /* bit i: a filled face has the shading i */
     const char *linear_key; /* the name of a key, anywhere in the scene, that needs linear light; or NULL */
 
     size_t asset_count;

@@ -77,10 +77,21 @@ struct zr_names_refusal zr_looks_refuse(const char *word)
 struct zr_names_text zr_names_join(const struct zr_names *names)
 {
     struct zr_names_text joined = {""};
-    size_t used = 0;
-    for (int i = 0; i < names->count && used < sizeof joined.text; i++) {
-        int length = snprintf(joined.text + used, sizeof joined.text - used, "%s%s", i ? ", " : "", names->words[i]);
-        used += (size_t)length;
-    }
+    for (int i = 0; i < names->count; i++)
+        zr_names_text_add(&joined, names->words[i]);
     return joined;
+}
+
+struct zr_names_text zr_names_join_set(const struct zr_names *names, uint32_t set)
+{
+    struct zr_names_text joined = {""};
+    for (int i = 0; i < names->count; i++)
+        if (set >> i & 1u) zr_names_text_add(&joined, names->words[i]);
+    return joined;
+}
+
+void zr_names_text_add(struct zr_names_text *text, const char *word)
+{
+    const size_t used = strlen(text->text);
+    snprintf(text->text + used, sizeof text->text - used, "%s%s", used ? ", " : "", word);
 }

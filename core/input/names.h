@@ -2,6 +2,8 @@
 #ifndef ZR_NAMES_H
 #define ZR_NAMES_H
 
+#include <stdint.h>
+
 #include "base/status.h"
 
 /* Words of an enum, in its order. The first `count` are supported. The others, up to `all`, are in the contract, but
@@ -29,6 +31,12 @@ struct zr_names_text {
     char text[440];
 };
 struct zr_names_text zr_names_join(const struct zr_names *names);
+
+/* Lists the words whose bits are in `set`. */
+struct zr_names_text zr_names_join_set(const struct zr_names *names, uint32_t set);
+
+/* Appends a word, behind ", " unless it is the first. */
+void zr_names_text_add(struct zr_names_text *text, const char *word);
 
 /* Explains why a word is refused. */
 struct zr_names_refusal {

@@ -183,6 +183,8 @@ static const char *why_uncovered(const struct zr_scene *scene, const struct zr_f
         return near_plane_cuts(scene, &frame->camera)
                    ? "the near plane (znear) cuts off what faces the camera, and what is left faces away"
                    : "what is in view faces away (doubleSided draws both sides)";
+    if (primitives == 0 && counts->degenerate_polygons == 0)
+        return "fill is false, and there is no outline, line or point";
     if (counts->masked_tiles > 0) return "alpha is below alphaCutoff wherever something is drawn";
     if (outside == primitives && primitives > 0) return "all geometry is outside the view";
     if (counts->triangles > 0 && are_lines(scene)) return "the corners of each polygon are collinear, on one line";

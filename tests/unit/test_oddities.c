@@ -135,13 +135,23 @@ static const struct {
     {"\"shading\": \"gouraud\", " MESHES("{" POSITIONS ", \"faces\": [[0,1,2],[1,2,0]]}"), true, NULL},
     {"\"shading\": \"gouraud\", " MESHES("{" POSITIONS ", \"faces\": [[0,1,2],[0,2,3]]}"), true, NULL},
     {"\"shading\": \"gooch\", \"exposure\": 2, " POLYGONS, true,
-     "polygon 0: exposure and toneMapping have no effect with the shading gooch"},
+     "no effect of exposure: no face has the shading flat, gouraud, phong, pbr"},
     {"\"look\": \"technical\", \"toneMapping\": \"neutral\", " MESHES(FACE "}"), true,
-     "mesh 0: exposure and toneMapping have no effect with the shading gooch"},
+     "no effect of toneMapping: no face has the shading flat, gouraud, phong, pbr"},
     {"\"look\": \"technical\", \"toneMapping\": \"none\", \"exposure\": 1, " MESHES(FACE "}"), true, NULL},
     {"\"view\": {\"worldToCamera\": [[-1,0,0,0],[0,1,0,0],[0,0,1,-4],[0,0,0,1]]}, " POLYGONS, false,
      "the camera's pose is a reflection (its determinant is negative)"},
     {"\"look\": \"studio\", \"exposure\": 2, " MESHES(FACE "}"), true, NULL},
+    {"\"look\": \"xray\", \"exposure\": 2, \"toneMapping\": \"neutral\", " MESHES(FACE "}"), true,
+     "no effect of toneMapping, exposure: no face has the shading flat, gouraud, phong, pbr"},
+    {"\"shading\": \"unlit\", \"ambient\": \"#404040\", \"lights\": [{\"type\": \"directional\", \"direction\": "
+     "[0,0,-1]}], " MESHES(FACE "}, " FACE ", \"shading\": \"normals\"}"),
+     true, "no effect of ambient, lights: no face has the shading flat, gouraud, phong, pbr"},
+    {"\"shading\": \"unlit\", \"ambient\": \"#404040\", \"lights\": [{\"type\": \"directional\", \"direction\": "
+     "[0,0,-1]}], " MESHES(FACE "}, " FACE ", \"shading\": \"flat\"}"),
+     true, NULL},
+    {"\"look\": \"studio\", \"shading\": \"phong\", \"environment\": \"outdoor\", " MESHES(FACE "}"), true,
+     "no effect of environment: no face has the shading pbr"},
     {MESHES(FACE ", \"name\": \"terrain\", \"scalars\": [0,1,2,9], \"range\": [0,3]}"), true,
      "mesh 0 'terrain': 1 of 4 scalars are outside of the range"},
 };
@@ -236,6 +246,32 @@ TEST(camera_that_reflects_or_stretches_is_warned_of)
     assert_says(stretch, "distance", "positions in camera space are not in scene units");
     assert_says(stretch, "position", "positions in camera space are not in scene units");
 #undef SEEN_BY
+}
+
+TEST(projection_that_mirrors_or_reverses_z_is_warned_of)
+{
+    static const struct {
+        const char *pose, *rows, *says;
+    } rows[] = {
+        {"", "[2,0,0,0],[0,2,0,0],[0,0,-1.5,-3],[0,0,-1,0]", NULL},
+        {"", "[2,0,0,0],[0,-2,0,0],[0,0,-1.2,-1.2],[0,0,-1,0]", "projectionMatrix is a reflection"},
+        {"", "[-2,0,0,0],[0,2,0,0],[0,0,-1.5,-3],[0,0,-1,0]", "projectionMatrix is a reflection"},
+        {"", "[2,0,0,0],[0,2,0,0],[0,0,0.1,1],[0,0,-1,0]", "projectionMatrix gives farther points smaller depths"},
+        {"", "[0.5,0,0,0],[0,0.5,0,0],[0,0,-0.1,-0.5],[0,0,0,1]", NULL},
+        {"", "[0.5,0,0,0],[0,-0.5,0,0],[0,0,-0.1,-0.5],[0,0,0,1]", "projectionMatrix is a reflection"},
+        {"\"worldToCamera\": [[-1,0,0,0],[0,1,0,0],[0,0,1,-4],[0,0,0,1]], ",
+         "[-2,0,0,0],[0,2,0,0],[0,0,-1.5,-3],[0,0,-1,0]", NULL},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char text[1024];
+        snprintf(text, sizeof text, "{" SMALL MESHES(FACE "}") ", \"view\": {%s\"projectionMatrix\": [%s]}}",
+                 *rows[i].pose ? rows[i].pose : "\"eye\": [0.5,0.5,4], \"target\": [0.5,0.5,0], ", rows[i].rows);
+        assert_says(text, "color", rows[i].says);
+    }
+    /* As in GL with identity matrices: a scene in clip space, where z grows away from the eye. */
+    assert_says("{" SMALL MESHES(FACE "}") ", \"view\": {\"projectionMatrix\": [[1,0,0,0],[0,1,0,0],[0,0,1,0],"
+                                           "[0,0,0,1]]}}",
+                "color", NULL);
 }
 
 TEST(what_hides_everything_is_the_reason_given)

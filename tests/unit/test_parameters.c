@@ -219,8 +219,9 @@ TEST(parameters_without_effect_are_warned_of_by_name)
         const char *warning; /* NULL: none */
     } cases[] = {
         {{.shading = "gooch", .exposure = "2"},
-         "mesh 0: exposure and toneMapping have no effect with the shading gooch"},
-        {{.look = "technical", .toneMapping = "neutral"}, "mesh 0: exposure and toneMapping have no effect"},
+         "no effect of exposure: no face has the shading flat, gouraud, phong, pbr"},
+        {{.look = "technical", .toneMapping = "neutral"},
+         "no effect of toneMapping: no face has the shading flat, gouraud, phong, pbr"},
         {{.look = "technical", .exposure = "1", .toneMapping = "none"}, NULL},
         {{.exposure = "2"}, NULL},
         {{.roughness = "0.5"}, NULL},
