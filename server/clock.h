@@ -12,11 +12,11 @@ static inline int64_t clock_us(void)
     return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
 }
 
-/* Returns the processor time of all threads. It stands still while other processes run. */
-static inline int64_t clock_process_us(void)
+/* Returns the processor time of this thread. It stands still while others run. */
+static inline int64_t clock_thread_us(void)
 {
     struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
 }
 

@@ -82,13 +82,16 @@ static int serve(const struct config *config)
     }
     struct store *store = NULL;
     struct http *http = NULL;
+    struct slowness slowness;
+    slowness_start(&slowness, config_isa(config));
     if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
     if (store || !*config->assets_dir) {
-        service_init(&service, config, team, slowness_measure(config_isa(config)), store);
+        service_init(&service, config, team, &slowness, store);
         http = http_start(config, &service, message, sizeof message);
     }
     if (!http) {
         fprintf(stderr, "zrasterd: %s\n", message);
+        slowness_end(&slowness);
         store_close(store);
         zr_team_destroy(team);
         log_writer_stop();
@@ -104,6 +107,7 @@ static int serve(const struct config *config)
     sigwait(&signals, &signal_number);
     log_event("info", "drain", signal_number == SIGINT ? "SIGINT" : "SIGTERM");
     http_stop(http);
+    slowness_end(&slowness);
     store_close(store);
     zr_team_destroy(team);
     log_event("info", "stopped", NULL);

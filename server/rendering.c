@@ -208,7 +208,8 @@ static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
     const enum zr_status status = zr_resolved_view_find(r->arena, service->team, scene, r->cancel, resolved, error);
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
     r->cost = zr_scene_cost(scene, *resolved);
-    const double predicted_ms = r->times->predicted_ms = r->cost.ms * service->slowness;
+    const double slowness = slowness_of(service->slowness, r->cost.ms > SMALL_MS);
+    const double predicted_ms = r->times->predicted_ms = r->cost.ms * slowness;
     if (too_large(r, r->cost.ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
     if (!has_memory(r)) return ZR_NO_MEMORY;
     if (predicted_ms <= (double)service->config->cost_max_ms) return status;
@@ -216,8 +217,8 @@ static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
     return zr_error_add(error, ZR_BAD_SCENE, NULL,
                         "the work is predicted to take %.3g s of processor time, more than costMaxMs, %" PRIu64
                         " ms; %.3g s of that are for %.3g %s: fewer of these take less",
-                        1e-3 * predicted_ms, service->config->cost_max_ms, 1e-3 * most.ms * service->slowness,
-                        most.count, most.words);
+                        1e-3 * predicted_ms, service->config->cost_max_ms, 1e-3 * most.ms * slowness, most.count,
+                        most.words);
 }
 
 static enum zr_status run_steps(struct rendering *r, const struct zr_request *request, struct zr_answer *result,

@@ -11,7 +11,7 @@
 #include "clock.h"
 #include "text.h"
 
-void service_init(struct service *service, const struct config *config, struct zr_team *team, double slowness,
+void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
                   struct store *store)
 {
     service->config = config;

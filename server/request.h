@@ -14,6 +14,7 @@
 #include "answer.h"
 #include "config.h"
 #include "multipart.h"
+#include "slowness.h"
 #include "step_times.h"
 #include "store.h"
 #include "zraster.h"
@@ -24,7 +25,7 @@ enum { REQUEST_ID_SIZE = 129 };
 struct service {
     const struct config *config;
     struct zr_limits limits;
-    double slowness; /* slowness.h */
+    struct slowness *slowness;
     struct zr_team *team;
     struct store *store; /* NULL: no assets are stored */
     uint64_t id_base;    /* random: ids of two daemons differ */
@@ -32,7 +33,7 @@ struct service {
 };
 
 /* `store` may be NULL. */
-void service_init(struct service *service, const struct config *config, struct zr_team *team, double slowness,
+void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
                   struct store *store);
 
 /* Load of the daemon at the beginning of a request. */

@@ -13,7 +13,7 @@ static const char SCENE[] =
     "{\"look\":\"studio\",\"window\":{\"width\":160,\"height\":120},\"meshes\":[{\"heights\":[[0,1,0,1,0],[1,2,1,2,1],"
     "[0,1,3,1,0],[1,2,1,2,1],[0,1,0,1,0]]}]}";
 
-/* Returns the processor time of one picture, in ms; infinity on failure. The process must do nothing else meanwhile. */
+/* Returns this thread's processor time of one picture, in ms; infinity on failure. */
 static double measure_ms(struct zr_arena *arena, struct zr_team *team)
 {
     const struct zr_limits limits = zr_limits_default();
@@ -22,16 +22,16 @@ static double measure_ms(struct zr_arena *arena, struct zr_team *team)
     const struct zr_frame *frame;
     struct zr_answer answer;
     struct zr_error error = {.count = 0};
-    const int64_t begin_us = clock_process_us();
+    const int64_t begin_us = clock_thread_us();
     zr_arena_reset(arena, ARENA_BYTES);
     if (zr_scene_read(arena, team, &request, &limits, &scene, &error) != ZR_OK ||
         zr_render(arena, team, scene, NULL, NULL, &frame, &error) != ZR_OK ||
         zr_encode(arena, team, scene, frame, NULL, &answer, &error) != ZR_OK)
         return HUGE_VAL;
-    return 1e-3 * (double)(clock_process_us() - begin_us);
+    return 1e-3 * (double)(clock_thread_us() - begin_us);
 }
 
-double slowness_measure(enum zr_isa isa)
+static double measure(enum zr_isa isa)
 {
     struct zr_arena arena;
     struct zr_team *team = zr_team_create_for(1, isa);
@@ -45,4 +45,42 @@ double slowness_measure(enum zr_isa isa)
     zr_arena_free(&arena);
     if (team) zr_team_destroy(team);
     return least_ms < HUGE_VAL ? least_ms / REFERENCE_MS : 1.0;
+}
+
+static void *run(void *context)
+{
+    struct slowness *slowness = context;
+    const double value = measure(slowness->isa);
+    pthread_mutex_lock(&slowness->mutex);
+    slowness->value = value;
+    slowness->is_known = true;
+    pthread_cond_broadcast(&slowness->known);
+    pthread_mutex_unlock(&slowness->mutex);
+    return NULL;
+}
+
+void slowness_start(struct slowness *slowness, enum zr_isa isa)
+{
+    *slowness = (struct slowness){.isa = isa, .value = 1.0};
+    pthread_mutex_init(&slowness->mutex, NULL);
+    pthread_cond_init(&slowness->known, NULL);
+    slowness->has_thread = pthread_create(&slowness->thread, NULL, run, slowness) == 0;
+    if (!slowness->has_thread) run(slowness);
+}
+
+double slowness_of(struct slowness *slowness, bool wait)
+{
+    pthread_mutex_lock(&slowness->mutex);
+    while (wait && !slowness->is_known)
+        pthread_cond_wait(&slowness->known, &slowness->mutex);
+    const double value = slowness->value;
+    pthread_mutex_unlock(&slowness->mutex);
+    return value;
+}
+
+void slowness_end(struct slowness *slowness)
+{
+    if (slowness->has_thread) pthread_join(slowness->thread, NULL);
+    pthread_cond_destroy(&slowness->known);
+    pthread_mutex_destroy(&slowness->mutex);
 }
