@@ -45,35 +45,36 @@ static struct label label_of(const struct zr_parsed_scene *root, const struct zr
     return label;
 }
 
-/* Warns of given keys of light and its tone that have an effect on `users` alone, where no face has such a shading. */
-static void warn_of_light_on(struct zr_parsed_scene *root, unsigned users, const enum zr_scene_key *keys, size_t count)
+/* Warns of given keys of light and its tone where no face has a shading that uses them. */
+static void warn_of_light(struct zr_parsed_scene *root)
 {
     const struct zr_picture *picture = &root->scene->picture;
-    const bool has_effect[] = {[ZR_SCENE_AMBIENT] = true,
-                               [ZR_SCENE_LIGHTS] = root->light_count > 0,
-                               [ZR_SCENE_ENVIRONMENT] = picture->environment.name != ZR_ENVIRONMENT_NONE,
-                               [ZR_SCENE_TONE_MAPPING] = picture->tone != ZR_TONE_NONE,
-                               [ZR_SCENE_EXPOSURE] = picture->exposure != 1.0f};
+    const unsigned physical = zr_shadings_lit(ZR_SHADED_PHYSICALLY);
+    const unsigned lit = physical | zr_shadings_lit(ZR_SHADED_BY_LAMPS);
+    const struct {
+        enum zr_scene_key key;
+        const char *word;
+        unsigned users;
+        bool has_effect; /* on these */
+    } rows[] = {
+        {ZR_SCENE_AMBIENT, "ambient", lit, true},
+        {ZR_SCENE_LIGHTS, "lights", lit, root->light_count > 0},
+        {ZR_SCENE_TONE_MAPPING, "toneMapping", lit, picture->tone != ZR_TONE_NONE},
+        {ZR_SCENE_EXPOSURE, "exposure", lit, picture->exposure != 1.0f},
+        {ZR_SCENE_ENVIRONMENT, "environment", physical, picture->environment.name != ZR_ENVIRONMENT_NONE},
+    };
     struct zr_names_text words = {""};
-    if (root->shadings & users) return;
-    for (size_t i = 0; i < count; i++)
-        if (zr_scene_gives(root, keys[i]) && has_effect[keys[i]])
-            zr_names_text_add(&words, zr_scene_fields[keys[i]].key);
-    if (*words.text)
+    unsigned users = 0;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        if (!zr_scene_gives(root, rows[i].key) || !rows[i].has_effect || root->shadings & rows[i].users) continue;
+        zr_names_text_add(&words, rows[i].word);
+        users |= rows[i].users;
+    }
+    if (users)
         zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
                             "no effect of %s: no face has the shading %s",
                             root->is_bare ? zr_parameter_names("", words.text).text : words.text,
                             zr_names_join_set(&zr_shading_names, users).text);
-}
-
-static void warn_of_light(struct zr_parsed_scene *root)
-{
-    static const enum zr_scene_key lamps[] = {ZR_SCENE_AMBIENT, ZR_SCENE_LIGHTS, ZR_SCENE_TONE_MAPPING,
-                                              ZR_SCENE_EXPOSURE},
-                                   around[] = {ZR_SCENE_ENVIRONMENT};
-    const unsigned physical = zr_shadings_lit(ZR_SHADED_PHYSICALLY);
-    warn_of_light_on(root, zr_shadings_lit(ZR_SHADED_BY_LAMPS) | physical, lamps, sizeof lamps / sizeof *lamps);
-    warn_of_light_on(root, physical, around, sizeof around / sizeof *around);
 }
 
 void zr_parsed_warn_of_oddities(struct zr_parsed_scene *root)
