@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/arena.h"
+#include "core.h"
 #include "cost_sample.h"
 #include "effects/ground.h"
 #include "effects/shadow_maps.h"
@@ -12,7 +13,6 @@
 #include "scene/resolved_view.h"
 #include "shade/lights/shadow_map.h"
 #include "shade/texture_maps.h"
-#include "zraster.h"
 
 /* ---- passes ---- */
 

@@ -1,5 +1,5 @@
 /* encode.c - core: encodes each output of a frame, and puts several into one archive. */
-#include "zraster.h"
+#include "core.h"
 
 #include <stdio.h>
 

@@ -11,7 +11,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "zraster.h"
+#include "core.h"
 
 struct cJSON;
 

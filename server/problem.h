@@ -7,7 +7,7 @@
 #include "answer.h"
 #include "base/arena.h"
 #include "base/status.h"
-#include "zraster.h"
+#include "core.h"
 
 /* Returns the HTTP status of a renderer's status. The only such table. */
 int problem_http_status(enum zr_status status);

@@ -13,11 +13,11 @@
 
 #include "answer.h"
 #include "config.h"
+#include "core.h"
 #include "multipart.h"
 #include "slowness.h"
 #include "step_times.h"
 #include "store.h"
-#include "zraster.h"
 
 enum { REQUEST_ID_SIZE = 129 };
 

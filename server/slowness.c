@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "clock.h"
-#include "zraster.h"
+#include "core.h"
 
 enum { ROUNDS = 5, ARENA_BYTES = 64 << 20 };
 static const double REFERENCE_MS = 5.0, BUDGET_MS = 100.0; /* a slow machine draws fewer than ROUNDS */

@@ -15,11 +15,11 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "base/team.h"
+#include "core.h"
 #include "effects/occlusion.h"
 #include "scene/picture.h"
 #include "shade/draw_attributes.h"
 #include "shade/gbuffer.h"
-#include "zraster.h"
 
 /* Marks of a picture of width x height pixels with side x side samples per pixel. Tiles are squares of ZR_TILE_SIZE
  * samples (raster/tile.h), numbered row by row from the lower left. */

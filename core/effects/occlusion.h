@@ -12,10 +12,10 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "base/team.h"
+#include "core.h"
 #include "scene/camera.h"
 #include "scene/picture.h"
 #include "shade/gbuffer.h"
-#include "zraster.h"
 
 /* Points within this distance of a point's plane are on the same surface; relative to the diagonal. */
 #define ZR_OCCLUSION_PLANE 0.01f

@@ -7,12 +7,12 @@
 #include <stdint.h>
 
 #include "base/matrix.h"
+#include "core.h"
 #include "geometry/counts.h"
 #include "geometry/cut.h"
 #include "geometry/draw.h"
 #include "geometry/grid_edge.h"
 #include "scene/camera.h"
-#include "zraster.h"
 
 /* ---- transforms from object to clip and eye space in double, one set per instance ----
  *

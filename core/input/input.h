@@ -7,9 +7,9 @@
 #ifndef ZR_INPUT_H
 #define ZR_INPUT_H
 
+#include "core.h"
 #include "format_rows.h"
 #include "scene/scene_builder.h"
-#include "zraster.h"
 
 /* Reads request->bytes into the builder. When cancelled, it returns ZR_CANCELLED or another failure. */
 typedef enum zr_status zr_format_read_fn(struct zr_scene_builder *builder, const struct zr_request *request,

@@ -19,8 +19,8 @@
 
 #include "base/arena.h"
 #include "base/status.h"
+#include "core.h"
 #include "input/json_text.h"
-#include "zraster.h"
 
 /* The upper limit of json_depth_max, levels. */
 enum { ZR_JSON_DEPTH_MAX = 512 };

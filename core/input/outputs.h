@@ -5,9 +5,9 @@
 #include <stdbool.h>
 
 #include "base/status.h"
+#include "core.h"
 #include "input/names.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
 extern const struct zr_names zr_channel_names;  /* enum zr_channel */
 extern const struct zr_names zr_encoding_names; /* enum zr_encoding */

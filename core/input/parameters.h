@@ -6,8 +6,8 @@
 #ifndef ZR_PARAMETERS_H
 #define ZR_PARAMETERS_H
 
+#include "core.h"
 #include "input/json_scene.h"
-#include "zraster.h"
 
 struct zr_query {
     const struct zr_request *request;

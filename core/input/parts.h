@@ -10,7 +10,7 @@
 #include <stddef.h>
 
 #include "base/arena.h"
-#include "zraster.h"
+#include "core.h"
 
 struct zr_part {
     const char *at, *end;

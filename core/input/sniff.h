@@ -2,7 +2,7 @@
 #ifndef ZR_SNIFF_H
 #define ZR_SNIFF_H
 
-#include "zraster.h"
+#include "core.h"
 
 /* Returns the first format whose looks_so accepts the bytes, or ZR_FORMAT_UNKNOWN. */
 enum zr_format zr_format_of_bytes(const char *bytes, size_t size);

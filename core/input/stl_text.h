@@ -5,8 +5,8 @@
 #ifndef ZR_STL_TEXT_H
 #define ZR_STL_TEXT_H
 
+#include "core.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
 /* The largest number of triangles of an STL file. */
 enum { ZR_STL_TRIANGLES_MAX = 1 << 29 };

@@ -13,8 +13,8 @@
 
 #include "base/arena.h"
 #include "base/team.h"
+#include "core.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
 /* Returns one unit normal per corner (slot of mesh->indices), with w = 0; 0 if no face of the vertex has an area.
  * `degrees`: 0..180; a face at exactly this angle counts. Takes about 24 bytes per position and 4 per corner of scratch

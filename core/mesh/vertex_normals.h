@@ -8,8 +8,8 @@
 
 #include "base/arena.h"
 #include "base/team.h"
+#include "core.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
 /* Returns one unit normal per position, with w = 0: the sum of the normals of the faces around it (face_normals.h), or
  * 0. Takes up to 256 KiB of scratch from the arena as well. Returns NULL if the arena failed. If cancelled (checked

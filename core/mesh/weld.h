@@ -10,8 +10,8 @@
 #define ZR_WELD_H
 
 #include "base/team.h"
+#include "core.h"
 #include "mesh/weld_input.h"
-#include "zraster.h"
 
 #define ZR_WELD_TOLERANCE 1e-6f /* relative to the diagonal */
 

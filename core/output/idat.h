@@ -11,9 +11,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core.h"
 #include "output/filter.h"
 #include "output/rows.h"
-#include "zraster.h"
 
 enum { ZR_IDAT_WIDTH_MAX = 1 << 20 }; /* pixels */
 

@@ -2,9 +2,9 @@
 #ifndef ZR_INFO_H
 #define ZR_INFO_H
 
+#include "core.h"
 #include "output/buffer.h"
 #include "output/warnings.h"
-#include "zraster.h"
 
 /* Faces, lines and points are listed if the scene has at most this many. */
 enum { ZR_INFO_FACES_MAX = 1000 };

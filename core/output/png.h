@@ -14,10 +14,10 @@
 #define ZR_PNG_H
 
 #include "base/column_span.h"
+#include "core.h"
 #include "output/buffer.h"
 #include "output/rows.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
 enum zr_png_kind {
     ZR_PNG_RGB,   /* from RGBA, 4 bytes per pixel; alpha is dropped */

@@ -1,6 +1,6 @@
 /* render.c - the pipeline, from top to bottom: one STAGE per step. Those of a pass are in render/pass.c, those of
  * pictures in linear light in render/picture.c. */
-#include "zraster.h"
+#include "core.h"
 
 #include <inttypes.h>
 

@@ -9,8 +9,8 @@
 
 #include "base/status.h"
 #include "base/warning_list.h"
+#include "core.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
 /* Axis-aligned bounds in world space; empty if not valid. */
 struct zr_bounds {

@@ -1,6 +1,6 @@
 #include "scene/defaults.h"
 
-#include "zraster.h"
+#include "core.h"
 
 void zr_scene_defaults(struct zr_scene *scene)
 {

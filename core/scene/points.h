@@ -9,8 +9,8 @@
 #include <math.h>
 
 #include "base/team.h"
+#include "core.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
 /* Selects points, their space and the threads. */
 struct zr_points {

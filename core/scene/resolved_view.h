@@ -8,11 +8,11 @@
 
 #include "base/arena.h"
 #include "base/status.h"
+#include "core.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
-/* Result of zr_resolved_view_find (zraster.h). */
+/* Result of zr_resolved_view_find (core.h). */
 struct zr_resolved_view {
     const struct zr_view *view;
     struct zr_bounds bounds; /* of the geometry; not valid if neither the view, the picture nor an output needs them */

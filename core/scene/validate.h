@@ -8,8 +8,8 @@
 #define ZR_VALIDATE_H
 
 #include "base/status.h"
+#include "core.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
 /* Most corners over all instances. Faces have fewer triangles than corners, and faces with holes less than 5/3 as many
  * (geometry/triangulate.h), so that both counts fit 32 bits. */

@@ -6,9 +6,9 @@
 #define ZR_COLORS_H
 
 #include "base/team.h"
+#include "core.h"
 #include "shade/attribute.h"
 #include "shade/lights/light.h"
-#include "zraster.h"
 
 struct zr_colors {
     enum zr_rate rate;           /* with ZR_RATE_CORNER, flat faces take the colour of their first corner */

@@ -6,8 +6,8 @@
 #define ZR_EYE_NORMALS_H
 
 #include "base/team.h"
+#include "core.h"
 #include "shade/attribute.h"
-#include "zraster.h"
 
 /* Returns the rate of normals: ZR_RATE_FACE, ZR_RATE_VERTEX or ZR_RATE_CORNER. Smooth shadings take the mesh's own
  * normals, or computed ones. Unlit faces, and models of linear light only, take the mesh's own, unless

@@ -8,11 +8,11 @@
 #include <stdint.h>
 
 #include "base/column_span.h"
+#include "core.h"
 #include "geometry/counts.h"
 #include "scene/camera.h"
 #include "scene/channels.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
 /* A fragment at a pixel's centre. */
 struct zr_pixel_fragment {

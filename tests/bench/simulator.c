@@ -10,8 +10,8 @@
 #include "bench/shaded.h"
 #include "bench/simulator_scene.h"
 #include "bench/wire.h"
+#include "core.h"
 #include "server/daemon.h"
-#include "zraster.h"
 
 enum { OURS, PARSE, RENDER, ENCODE, THEIRS, TIMES };
 enum { AT_MOST_MS = 5, PIXELS = SIMULATOR_WINDOW * SIMULATOR_WINDOW };

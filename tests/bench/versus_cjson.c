@@ -8,8 +8,8 @@
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/works.h"
+#include "core.h"
 #include "scene/scene.h"
-#include "zraster.h"
 
 /* Ours in an arena that is warm, in a new one, and in a warm one by two threads; cJSON. */
 enum { WARM, FRESH, SHARED, WAYS, THEIRS = WAYS, SIDES };

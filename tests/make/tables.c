@@ -5,10 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core.h"
 #include "format_rows.h"
 #include "parameter_rows.h"
 #include "scene/looks.h"
-#include "zraster.h"
 
 enum { TEXT_SIZE = 1024, DEPTH_MAX = 6 };
 

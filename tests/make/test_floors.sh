@@ -40,17 +40,17 @@ tree() { # one without a fault
     rm -rf "$work/tree"
     file base/vec.h
     file base/vec.c base/vec.h
-    file zraster.h base/vec.h
-    file scene/scene.h base/vec.h zraster.h
+    file core.h base/vec.h
+    file scene/scene.h base/vec.h core.h
     file scene/nodes.h scene/scene.h
     file scene/nodes.c scene/nodes.h
     file raster/bins.h scene/nodes.h
     file raster/bins_kernel.c raster/bins.h base/vec.h
     file shade/paint.h raster/bins.h
-    file render.c shade/paint.h zraster.h
+    file render.c shade/paint.h core.h
     file server/answer.h
     file server/problem.h answer.h base/vec.h
-    file server/problem.c problem.h zraster.h
+    file server/problem.c problem.h core.h
 }
 made_up() { floors "$work/tree" "${1:-$work/none}"; }
 tree
@@ -70,10 +70,10 @@ made_up "$work/one"
 verdict "but not without a reason" finds "raster/bins.c shade/paint.h is known, and nobody says why"
 
 tree
-file base/vec.h zraster.h
-file zraster.h
+file base/vec.h core.h
+file core.h
 made_up
-verdict "base is below the public headers" finds "base/vec.h includes zraster.h of a higher floor"
+verdict "base is below the public headers" finds "base/vec.h includes core.h of a higher floor"
 
 tree
 file scene/scene.h scene/pose.h

@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "support/random.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
-#include "zraster.h"
 
 enum { POLYGONS_MAX = 60, POLYGON_SIZE = 600, SCENE_SIZE = POLYGONS_MAX * POLYGON_SIZE + 4096, CHANNELS = 4 };
 

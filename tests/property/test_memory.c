@@ -2,8 +2,8 @@
  * with its scene. */
 #include <string.h>
 
+#include "core.h"
 #include "support/tests.h"
-#include "zraster.h"
 
 struct sample {
     const char *name;

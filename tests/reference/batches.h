@@ -9,9 +9,9 @@
 #ifndef ZR_TEST_BATCHES_H
 #define ZR_TEST_BATCHES_H
 
+#include "core.h"
 #include "reference/reference.h"
 #include "scene/camera.h"
-#include "zraster.h"
 
 enum batches_purpose {
     BATCHES_COLORS,  /* as the scene looks */

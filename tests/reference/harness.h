@@ -7,11 +7,11 @@
 #ifndef ZR_TEST_HARNESS_H
 #define ZR_TEST_HARNESS_H
 
+#include "core.h"
 #include "reference/compare.h"
 #include "reference/line_rule.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
-#include "zraster.h"
 
 /* Also the exit status of the program; the larger one wins. */
 enum verdict { VERDICT_EQUAL = 0, VERDICT_DIFFERENT = 1, VERDICT_UNPROVED = 2 };

@@ -9,8 +9,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "core.h"
 #include "scene/camera.h"
-#include "zraster.h"
 
 struct near {
     double edge_px; /* to the nearest edge of its triangles, and of the pieces that clipping makes of them; HUGE_VAL:

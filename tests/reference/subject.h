@@ -2,10 +2,10 @@
 #ifndef ZR_TEST_SUBJECT_H
 #define ZR_TEST_SUBJECT_H
 
+#include "core.h"
 #include "reference/drawing.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
-#include "zraster.h"
 
 /* A drawing as a scene, built in memory, so that every float gets there untouched.
  * Points into itself and into the drawing: do not copy. */

@@ -6,9 +6,9 @@
 #ifndef ZR_TEST_GALLERY_H
 #define ZR_TEST_GALLERY_H
 
+#include "core.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
-#include "zraster.h"
 
 /* The last scene draws nothing. */
 enum { GALLERY_SCENES = 14, GALLERY_WINDOWS = 5, GALLERY_CHANNELS = 4 };

@@ -3,9 +3,9 @@
 #ifndef ZR_TEST_LOOK_SCENES_H
 #define ZR_TEST_LOOK_SCENES_H
 
+#include "core.h"
 #include "scene/looks.h"
 #include "shade/frame.h"
-#include "zraster.h"
 
 enum { LOOK_SCENES = 2 };
 

@@ -2,9 +2,9 @@
 #ifndef ZR_TEST_PICTURES_H
 #define ZR_TEST_PICTURES_H
 
+#include "core.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
-#include "zraster.h"
 
 struct drawn_picture {
     const struct zr_scene *scene;

@@ -12,8 +12,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core.h"
 #include "support/files.h"
-#include "zraster.h"
 
 #include "scene/scene.h"
 #include "shade/frame.h"

@@ -2,10 +2,10 @@
 #ifndef ZR_TESTS_INPUT_CHECK_H
 #define ZR_TESTS_INPUT_CHECK_H
 
+#include "core.h"
 #include "guarded.h"
 #include "scene/scene.h"
 #include "support/cmocka_all.h"
-#include "zraster.h"
 
 struct reading {
     struct zr_arena arena;

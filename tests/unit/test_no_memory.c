@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "core.h"
 #include "input/image_read.h"
 #include "output/npy.h"
 #include "output/png.h"
@@ -13,7 +14,6 @@
 #include "support/jpeg.h"
 #include "support/sanitized.h"
 #include "support/tests.h"
-#include "zraster.h"
 
 /* ---- allocations, counted, and failing when told so ---- */
 

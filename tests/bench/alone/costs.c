@@ -1,6 +1,6 @@
-/* costs - bench: predicted time (core/cost.h) beside processor time of one thread, for each scene that is named, and for
- * each OBJ model in some looks and sizes. The last lines have the shares that are predicted to within twice and three
- * times. `make bench-costs` runs it.
+/* costs - bench: predicted time (core/cost.h) beside processor time of one thread, for each scene that is named, and
+ * for each OBJ model in some looks and sizes. The last lines have the shares that are predicted to within twice and
+ * three times. `make bench-costs` runs it.
  *
  *     build/tests/bench/alone/costs [--counts] FILE...
  *
@@ -12,11 +12,11 @@
 #include <string.h>
 #include <time.h>
 
+#include "core.h"
 #include "cost.h"
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
 #include "support/files.h"
-#include "zraster.h"
 
 enum { ROUNDS = 5 };
 static const double enough_ms = 60.0, least_ms = 1.0;

@@ -1,4 +1,4 @@
-/* zraster.h - core: the public interface of the renderer: bytes of a scene in, bytes of images out.
+/* core.h - core: the public interface of the renderer: bytes of a scene in, bytes of images out.
  *
  *     zr_scene_read          bytes                -> scene
  *     zr_resolved_view_find  scene                -> resolved view
@@ -10,8 +10,8 @@
  * Memory:  results live in the arena of the call, until its reset.
  * Threads: any number of threads may call at once, each with its own arena.
  */
-#ifndef ZRASTER_H
-#define ZRASTER_H
+#ifndef ZR_CORE_H
+#define ZR_CORE_H
 
 #include <stdbool.h>
 #include <stddef.h>
