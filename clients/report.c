@@ -11,10 +11,10 @@ static const char *text_of(const cJSON *object, const char *key)
     return text ? text : "";
 }
 
-/* Prints "query parameter preset: ..." as "--preset: ...". Another program's text may come here, too. */
+/* Prints "parameter preset: ..." as "--preset: ...". Another program's text may come here, too. */
 static void report_detail(FILE *out, const char *detail)
 {
-    static const char words[] = "query parameter ";
+    static const char words[] = "parameter ";
     if (strncmp(detail, words, sizeof words - 1) != 0) {
         fputs(detail, out);
         return;

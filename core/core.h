@@ -62,6 +62,7 @@ struct zr_asset {
 struct zr_stored {
     enum zr_status (*read)(void *context, const char *sha256, struct zr_arena *arena, const void **bytes, size_t *size);
     void *context;
+    const char *advice; /* ends the message about a missing asset; NULL: to hand the bytes over as a part */
 };
 
 /* Limits for a caller that can spend only a few milliseconds on reading. Beyond one of them, reading returns

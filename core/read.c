@@ -52,9 +52,8 @@ static enum zr_status find_format(struct zr_request *request, struct zr_error *e
     request->format = zr_format_of_bytes(request->bytes, request->size);
     if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
     const char *words = zr_bytes_in_words(request->bytes, request->size);
-    return zr_error_add(error, ZR_BAD_TYPE, NULL,
-                        "no Content-Type says what the body is; it looks like %s%snone of: %s", words ? words : "",
-                        words ? ", which is " : "", zr_format_types_join().text);
+    return zr_error_add(error, ZR_BAD_TYPE, NULL, "no type is given; the body looks like %s%snone of: %s",
+                        words ? words : "", words ? ", which is " : "", zr_format_types_join().text);
 }
 
 /* Validates the scene; faults of keys from the query have the names of their parameters. */

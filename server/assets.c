@@ -158,5 +158,8 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
 
 struct zr_stored assets_stored(const struct service *service)
 {
-    return (struct zr_stored){service->store ? read_stored : NULL, service->store};
+    if (!service->store)
+        return (struct zr_stored){.advice = "zrasterd keeps them with --assets-dir; send the bytes as a part of a "
+                                            "multipart/form-data request"};
+    return (struct zr_stored){read_stored, service->store, "upload it with PUT /v1/assets/HASH"};
 }

@@ -278,7 +278,7 @@ enum request_next rendering_work(const struct service *service, const struct req
     if (too_large(&r, unpacked.size > REQUEST_SMALL_BYTES)) return REQUEST_LARGE;
     r.stored = assets_stored(service);
     r.small_left = REQUEST_SMALL_BYTES;
-    unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r};
+    unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r, r.stored.advice};
     unpacked.cancel = reading;
     r.quick = (struct zr_quick){SMALL_IMAGE_PIXELS, SMALL_NODE_VISITS, false};
     if (request->small_only) unpacked.quick = &r.quick;

@@ -28,15 +28,13 @@ static bool read_stored(struct zr_parsed_scene *root, const struct zr_json_path 
     struct zr_json *json = &root->json;
     if (strspn(sha256, "0123456789abcdef") != DIGITS || sha256[DIGITS] != '\0')
         return zr_json_fault(json, path, "expected sha256: and 64 lower-case hexadecimal digits");
-    if (!root->stored.read)
-        return zr_json_fault(json, path,
-                             "no assets are kept here, that takes zrasterd --assets-dir; send the bytes as a "
-                             "part of a multipart/form-data request");
+    const char *advice = root->stored.advice ? root->stored.advice : "hand the bytes over as a part of the request";
+    if (!root->stored.read) return zr_json_fault(json, path, "no assets are kept here; %s", advice);
     switch (root->stored.read(root->stored.context, sha256, json->arena, &out->bytes, &out->size)) {
     case ZR_OK:
         return true;
     case ZR_BAD_SCENE:
-        return zr_json_fault(json, path, "no asset is kept under this hash; upload it with PUT /v1/assets/%s", sha256);
+        return zr_json_fault(json, path, "no asset is kept under the hash %s; %s", sha256, advice);
     case ZR_CANCELLED:
         zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");
         return false;
@@ -59,7 +57,7 @@ static bool read_asset(struct zr_parsed_scene *root, const struct zr_json_path *
             *out = (struct zr_parsed_bytes){root->assets[i].bytes, root->assets[i].size};
             return true;
         }
-    return zr_json_fault(&root->json, path, "no part of a multipart/form-data request has the name %s",
+    return zr_json_fault(&root->json, path, "no part of the request has the name %s",
                          zr_quote(name, strlen(name)).text);
 }
 

@@ -39,7 +39,7 @@ int zr_names_of_query(const char *parameter, const struct zr_names *names, const
 {
     int found = zr_names_find(names, word);
     if (found >= 0 && found < names->count) return found;
-    zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s", parameter, zr_names_refuse(names, word).text);
+    zr_error_add(error, ZR_BAD_REQUEST, NULL, "parameter %s: %s", parameter, zr_names_refuse(names, word).text);
     return -1;
 }
 

@@ -103,7 +103,7 @@ struct reading {
 
 static bool refuse(const struct reading *r, const struct row *row, const char *text, const char *wanted)
 {
-    zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is not %s", row->name,
+    zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "parameter %s: %s is not %s", row->name,
                  zr_quote(text, strlen(text)).text, wanted);
     return false;
 }
@@ -154,7 +154,7 @@ static bool put_side(const struct reading *r, struct zr_json_writer *json, const
     snprintf(wanted, sizeof wanted, "a whole number of pixels from 1 to %u", most);
     if (!is_whole(text, &value) || value < 1) return refuse(r, row, text, wanted);
     if (value > most) { /* well-formed, but too large: the same status as in a scene */
-        zr_error_add(r->error, ZR_BAD_SCENE, NULL, "query parameter %s: %s pixels; 1 to %u are allowed", row->name,
+        zr_error_add(r->error, ZR_BAD_SCENE, NULL, "parameter %s: %s pixels; 1 to %u are allowed", row->name,
                      zr_quote(text, strlen(text)).text, most);
         return false;
     }
@@ -286,7 +286,7 @@ void zr_query_report(const struct zr_request *request, enum zr_status status, co
         const struct zr_error_item *item = &faults->items[i];
         const char *name = name_of(request, item->pointer);
         if (name)
-            zr_error_add(error, status, NULL, "query parameter %s: %s", name,
+            zr_error_add(error, status, NULL, "parameter %s: %s", name,
                          zr_parameter_names(item->pointer, item->detail).text);
         else
             zr_error_add(error, status, item->pointer, "%s", item->detail);
@@ -343,7 +343,7 @@ static void read_rows(const struct reading *r, const struct row *row, const stru
         if (!text) continue;
         if (at->whose == MESH && has_view) {
             zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
-                         "query parameter %s belongs to bodies that are a bare mesh; a scene says it in its own keys",
+                         "parameter %s belongs to bodies that are a bare mesh; a scene says it in its own keys",
                          at->name);
             continue;
         }

@@ -334,7 +334,8 @@ TEST(unknown_hash_is_refused_where_it_stands)
     struct reply reply = render("/v1/render", unknown, depth.stored);
     assert_non_null(strstr(reply.body, "\"pointer\":\"/base/color/asset\""));
     assert_null(strstr(reply.body, "/base/windowDepth"));
-    assert_problem(reply, 422, "PUT /v1/assets/0000000000000000000000000000000000000000000000000000000000000000");
+    assert_problem(reply, 422,
+                   "the hash 0000000000000000000000000000000000000000000000000000000000000000; upload it with PUT");
     reply = render("/v1/render", "{\"asset\":\"sha256:00\"}", depth.stored);
     assert_non_null(strstr(reply.body, "\"pointer\":\"/base/color/asset\""));
     assert_problem(reply, 422, "64 lower-case hexadecimal digits");

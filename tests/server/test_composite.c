@@ -163,7 +163,7 @@ TEST(faults_of_the_scene_have_their_pointers)
     add_part(&body, "name=scene", "{", 1);
     end_parts(&body);
     assert_refused(send_parts("/v1/render", &body), 400, "line 1");
-    assert_refused(send_parts("/v1/render?preset=top", &body), 400, "query parameter preset");
+    assert_refused(send_parts("/v1/render?preset=top", &body), 400, "parameter preset");
 }
 
 TEST(the_scene_may_be_a_bare_mesh)

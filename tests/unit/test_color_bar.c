@@ -179,7 +179,7 @@ TEST(queries_switch_bars_on_and_off)
     reading_free(reading);
     reading = read_request((struct zr_request){.format = ZR_FORMAT_JSON, .colorBar = "yes"}, without, strlen(without),
                            zr_limits_default(), 1 << 24);
-    assert_complaint(reading, ZR_BAD_REQUEST, "", "query parameter colorBar: 'yes' is unknown");
+    assert_complaint(reading, ZR_BAD_REQUEST, "", "parameter colorBar: 'yes' is unknown");
     reading_free(reading);
     reading = read_request((struct zr_request){.format = ZR_FORMAT_OBJ, .colorBar = "true", .strict = "1"}, obj,
                            strlen(obj), zr_limits_default(), 1 << 24);

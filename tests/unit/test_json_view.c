@@ -224,10 +224,10 @@ TEST(query_of_bare_meshes_is_refused)
     static const struct {
         struct zr_request request;
         const char *detail;
-    } cases[] = {{{.preset = "top"}, "query parameter preset belongs to bodies that are a bare mesh"},
-                 {{.width = "4"}, "query parameter width belongs"},
-                 {{.height = "4"}, "query parameter height belongs"},
-                 {{.shading = "flat"}, "query parameter shading belongs"}};
+    } cases[] = {{{.preset = "top"}, "parameter preset belongs to bodies that are a bare mesh"},
+                 {{.width = "4"}, "parameter width belongs"},
+                 {{.height = "4"}, "parameter height belongs"},
+                 {{.shading = "flat"}, "parameter shading belongs"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct reading *reading = read_request(cases[i].request, "{", 1, zr_limits_default(), 1 << 20);
         assert_complaint(reading, ZR_BAD_REQUEST, "", cases[i].detail);

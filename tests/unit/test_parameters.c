@@ -117,7 +117,7 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .look = "stduio"},
          "look: 'stduio' is unknown (did you mean studio?); allowed: studio, technical, clay"},
         {{.format = ZR_FORMAT_STL, .look = "studio@01"}, "look: 'studio@01' is unknown"},
-        {{.format = ZR_FORMAT_JSON, .look = "studio"}, "query parameter look belongs to bodies that are a bare mesh"},
+        {{.format = ZR_FORMAT_JSON, .look = "studio"}, "parameter look belongs to bodies that are a bare mesh"},
         {{.format = ZR_FORMAT_OBJ, .samples = "9"}, "samples: '9' is unknown; allowed: 1, 4, 16, 64"},
         {{.format = ZR_FORMAT_OBJ, .samples = "4.0"}, "samples: '4.0' is unknown; allowed: 1, 4, 16, 64"},
         {{.format = ZR_FORMAT_OBJ, .samples = "016"}, "samples: '016' is unknown"},
@@ -142,7 +142,7 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .shadows = "true"}, "shadows: lightDirection is missing"},
         {{.format = ZR_FORMAT_OBJ, .scale = "2e9", .channel = "depth", .encoding = "png16"},
          "scale: 2000000000 is outside"},
-        {{.format = ZR_FORMAT_JSON, .samples = "4"}, "query parameter samples belongs to bodies that are a bare mesh"},
+        {{.format = ZR_FORMAT_JSON, .samples = "4"}, "parameter samples belongs to bodies that are a bare mesh"},
         {{.format = ZR_FORMAT_OBJ, .compress = "best"}, "compress: 'best' is unknown; allowed: fast, small"},
         {{.format = ZR_FORMAT_JSON, .compress = ""}, "compress: '' is unknown; allowed: fast, small"},
         {{.format = ZR_FORMAT_OBJ, .width = "0"}, "width: '0'"},
@@ -163,7 +163,7 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .outline = "yes"}, "outline: 'yes' is not a colour"},
         {{.format = ZR_FORMAT_OBJ, .fill = "no"}, "fill: 'no' is unknown; allowed: false, true"},
         {{.format = ZR_FORMAT_OBJ, .doubleSided = ""}, "doubleSided: '' is unknown"},
-        {{.format = ZR_FORMAT_JSON, .up = "z"}, "query parameter up belongs to bodies that are a bare mesh"},
+        {{.format = ZR_FORMAT_JSON, .up = "z"}, "parameter up belongs to bodies that are a bare mesh"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct reading *reading = read_request(cases[i].request, "", 0, zr_limits_default(), 1 << 20);
@@ -242,7 +242,7 @@ TEST(faults_of_the_whole_scene_name_the_parameter)
 {
     struct zr_request request = {.format = ZR_FORMAT_OBJ, .channel = "layers", .algorithm = "painter"};
     struct reading *reading = read_request(request, MESH, strlen(MESH), zr_limits_default(), 1 << 20);
-    assert_complaint(reading, ZR_BAD_SCENE, "", "query parameter algorithm: painter keeps no fragments");
+    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter algorithm: painter keeps no fragments");
     reading_free(reading);
     request = (struct zr_request){.format = ZR_FORMAT_OBJ, .look = "studio"};
     reading = read_request(request, "v 0 0 0\n", 8, zr_limits_default(), 1 << 20);

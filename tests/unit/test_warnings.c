@@ -148,7 +148,7 @@ TEST(strict_is_a_flag)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct reading *reading = read_for(ZR_FORMAT_JSON, "{" POLYGONS "}", NULL, cases[i].text);
         if (cases[i].strict < 0)
-            assert_complaint(reading, ZR_BAD_REQUEST, "", "query parameter strict: ");
+            assert_complaint(reading, ZR_BAD_REQUEST, "", "parameter strict: ");
         else
             assert_int_equal(reading->scene->is_strict, cases[i].strict);
         reading_free(reading);
