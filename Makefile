@@ -21,10 +21,10 @@ endif
 Q := $(if $(V),,@)
 JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
-CORE_LIBS := -lcjson -lpng -ljpeg -lisal -lm
-SERVER_LIBS := -lmicrohttpd -lnettle -lz
+CORE_LIBS := -lpng -ljpeg -lisal -lm
+SERVER_LIBS := -lmicrohttpd -lnettle -lcjson -lz
 CLIENT_LIBS := -lcurl -lcjson
-TEST_LIBS := -lcmocka -lcurl -lzip -lz
+TEST_LIBS := -lcmocka -lcurl -lcjson -lzip -lz
 reference_libs_osmesa := -lOSMesa
 reference_libs_egl := -lEGL -lOpenGL
 

@@ -1,10 +1,6 @@
 #include "output/info.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-#include "base/checked.h"
-#include "output/json_tree.h"
+#include "output/json_print.h"
 #include "output/palette.h"
 #include "scene/camera.h"
 #include "scene/looks.h"
@@ -16,8 +12,8 @@ struct patch {
     uint32_t x0, y0, x1, y1;
 };
 
-/* Adds the pinhole intrinsics in pixels, (0, 0) at the top left corner, if the camera is a pinhole. */
-static void put_intrinsics(struct zr_tree *w, cJSON *object, const struct zr_frame *frame)
+/* Prints the pinhole intrinsics in pixels, (0, 0) at the top left corner, if the camera is a pinhole. */
+static void print_intrinsics(struct zr_print *print, const struct zr_frame *frame)
 {
     const float *p = frame->camera.projection.m;
     if (p[3] != 0.0f || p[7] != 0.0f || p[11] != -1.0f || p[15] != 0.0f) return;
@@ -26,67 +22,68 @@ static void put_intrinsics(struct zr_tree *w, cJSON *object, const struct zr_fra
     const float rows[3][3] = {{(float)((double)p[0] * x), (float)(skew * x), (float)((1.0 - (double)p[8]) * x)},
                               {(float)(lean * y), (float)((double)p[5] * y), (float)((1.0 + (double)p[9]) * y)},
                               {0.0f, 0.0f, 1.0f}};
-    cJSON *k = zr_tree_check(w, cJSON_CreateArray());
+    zr_print_begin(print, "K", '[');
     for (int i = 0; i < 3; i++)
-        zr_tree_append(w, k, zr_tree_numbers(w, rows[i], 3));
-    zr_tree_put(w, object, "K", k);
+        zr_print_floats(print, NULL, rows[i], 3);
+    zr_print_end(print, ']');
 }
 
-/* Adds the direction of the view in angles, for readers. */
-static void put_orbit(struct zr_tree *w, cJSON *object, const struct zr_camera *camera, bool z_is_up)
+/* Prints the direction of the view in angles, for readers. */
+static void print_orbit(struct zr_print *print, const struct zr_camera *camera, bool z_is_up)
 {
     const struct zr_orbit orbit = zr_orbit_of(camera, z_is_up);
-    zr_tree_put(w, object, "up", zr_tree_check(w, cJSON_CreateString(z_is_up ? "z" : "y")));
+    zr_print_string(print, "up", z_is_up ? "z" : "y");
     if (orbit.has_angles) {
-        zr_tree_put(w, object, "azimuthDegrees", zr_tree_number(w, (float)orbit.azimuth_degrees));
-        zr_tree_put(w, object, "elevationDegrees", zr_tree_number(w, (float)orbit.elevation_degrees));
+        zr_print_float(print, "azimuthDegrees", (float)orbit.azimuth_degrees);
+        zr_print_float(print, "elevationDegrees", (float)orbit.elevation_degrees);
     }
-    if (orbit.has_eye) zr_tree_put(w, object, "eye", zr_tree_vec3(w, orbit.eye));
+    if (orbit.has_eye) zr_print_vec3(print, "eye", orbit.eye);
 }
 
-static cJSON *camera_of(struct zr_tree *w, const struct zr_frame *frame, bool z_is_up)
+static void print_camera(struct zr_print *print, const struct zr_frame *frame, bool z_is_up)
 {
     const struct zr_camera *camera = &frame->camera;
-    cJSON *object = zr_tree_check(w, cJSON_CreateObject());
-    zr_tree_put(w, object, "worldToCamera", zr_tree_numbers(w, camera->world_to_eye.m, 16));
-    zr_tree_put(w, object, "projectionMatrix", zr_tree_numbers(w, camera->projection.m, 16));
-    put_intrinsics(w, object, frame);
+    zr_print_begin(print, "camera", '{');
+    zr_print_floats(print, "worldToCamera", camera->world_to_eye.m, 16);
+    zr_print_floats(print, "projectionMatrix", camera->projection.m, 16);
+    print_intrinsics(print, frame);
     if (camera->znear != 0.0f || camera->zfar != 0.0f) {
-        zr_tree_put(w, object, "znear", zr_tree_number(w, camera->znear));
-        zr_tree_put(w, object, "zfar", zr_tree_number(w, camera->zfar));
+        zr_print_float(print, "znear", camera->znear);
+        zr_print_float(print, "zfar", camera->zfar);
     }
-    put_orbit(w, object, camera, z_is_up);
-    return object;
+    print_orbit(print, camera, z_is_up);
+    zr_print_end(print, '}');
 }
 
-static cJSON *counts_of(struct zr_tree *w, const struct zr_scene *scene, const struct zr_frame *frame, uint64_t misfits)
+static void print_counts(struct zr_print *print, const struct zr_scene *scene, const struct zr_frame *frame,
+                         uint64_t misfits)
 {
     const struct zr_counts *c = &frame->counts;
-    cJSON *object = zr_tree_check(w, cJSON_CreateObject());
-    zr_tree_put_count(w, object, "polygons", c->polygons);
-    zr_tree_put_count(w, object, "degeneratePolygons", c->degenerate_polygons);
-    zr_tree_put_count(w, object, "concavePolygons", c->concave_polygons);
-    zr_tree_put_count(w, object, "triangles", c->triangles);
-    zr_tree_put_count(w, object, "outside", c->outside);
-    zr_tree_put_count(w, object, "clipped", c->clipped);
-    zr_tree_put_count(w, object, "culled", c->culled);
-    zr_tree_put_count(w, object, "zeroArea", c->zero_area);
-    zr_tree_put_count(w, object, "drawnWhole", c->drawn_whole);
-    zr_tree_put_count(w, object, "drawnPieces", c->drawn_pieces);
-    zr_tree_put_count(w, object, "culledPieces", c->culled_pieces);
-    zr_tree_put_count(w, object, "clippedOutlines", c->clipped_outlines);
-    zr_tree_put_count(w, object, "lines", c->lines);
-    zr_tree_put_count(w, object, "degenerateLines", c->degenerate_lines);
-    zr_tree_put_count(w, object, "outsideLines", c->outside_lines);
-    zr_tree_put_count(w, object, "clippedLines", c->clipped_lines);
-    zr_tree_put_count(w, object, "points", c->points);
-    zr_tree_put_count(w, object, "outsidePoints", c->outside_points);
-    zr_tree_put_count(w, object, "unplaced", c->unplaced);
-    zr_tree_put_count(w, object, "zeroNormals", scene->counts.zero_normals);
-    zr_tree_put_count(w, object, "leftOutCells", scene->counts.left_out_cells);
-    zr_tree_put_count(w, object, "saturatedDepths", misfits);
-    if (frame->base) zr_tree_put_count(w, object, "clampedBaseDepths", frame->base->clamped_depths);
-    return object;
+    zr_print_begin(print, "counts", '{');
+    zr_print_count(print, "polygons", c->polygons);
+    zr_print_count(print, "degeneratePolygons", c->degenerate_polygons);
+    zr_print_count(print, "concavePolygons", c->concave_polygons);
+    zr_print_count(print, "triangles", c->triangles);
+    zr_print_count(print, "outside", c->outside);
+    zr_print_count(print, "clipped", c->clipped);
+    zr_print_count(print, "culled", c->culled);
+    zr_print_count(print, "zeroArea", c->zero_area);
+    zr_print_count(print, "drawnWhole", c->drawn_whole);
+    zr_print_count(print, "drawnPieces", c->drawn_pieces);
+    zr_print_count(print, "culledPieces", c->culled_pieces);
+    zr_print_count(print, "clippedOutlines", c->clipped_outlines);
+    zr_print_count(print, "lines", c->lines);
+    zr_print_count(print, "degenerateLines", c->degenerate_lines);
+    zr_print_count(print, "outsideLines", c->outside_lines);
+    zr_print_count(print, "clippedLines", c->clipped_lines);
+    zr_print_count(print, "points", c->points);
+    zr_print_count(print, "outsidePoints", c->outside_points);
+    zr_print_count(print, "unplaced", c->unplaced);
+    zr_print_count(print, "zeroNormals", scene->counts.zero_normals);
+    zr_print_count(print, "leftOutCells", scene->counts.left_out_cells);
+    zr_print_count(print, "saturatedDepths", misfits);
+    if (frame->base) zr_print_count(print, "clampedBaseDepths", frame->base->clamped_depths);
+    zr_print_end(print, '}');
 }
 
 static void extend(struct patch *patch, uint32_t x, uint32_t y, uint32_t x1, uint32_t y1, uint64_t pixels)
@@ -119,12 +116,15 @@ static struct patch *patches_of(struct zr_arena *arena, const struct zr_frame *f
     return patches;
 }
 
-static void put_patch(struct zr_tree *w, cJSON *object, const struct patch *patch)
+static void print_patch(struct zr_print *print, const struct patch *patch)
 {
-    zr_tree_put_count(w, object, "pixels", patch->pixels);
+    zr_print_count(print, "pixels", patch->pixels);
     if (patch->pixels == 0) return;
-    int box[4] = {(int)patch->x0, (int)patch->y0, (int)patch->x1, (int)patch->y1};
-    zr_tree_put(w, object, "box", zr_tree_check(w, cJSON_CreateIntArray(box, 4)));
+    const uint32_t box[4] = {patch->x0, patch->y0, patch->x1, patch->y1};
+    zr_print_begin(print, "box", '[');
+    for (int i = 0; i < 4; i++)
+        zr_print_count(print, NULL, box[i]);
+    zr_print_end(print, ']');
 }
 
 /* Returns the covered share of samples, if the picture has several per pixel; else that of pixels, including the
@@ -136,9 +136,9 @@ static double covered_share(const struct zr_frame *frame, uint64_t covered_pixel
     return (double)frame->covered_samples / (pixels * (double)frame->samples_a_pixel);
 }
 
-/* Reports measures by which a client recognizes a useless picture. */
-static cJSON *picture_of(struct zr_tree *w, const struct zr_scene *scene, const struct zr_frame *frame,
-                         const struct patch *patches, uint32_t face_count)
+/* Prints measures by which a client recognizes a useless picture. */
+static void print_picture(struct zr_print *print, const struct zr_scene *scene, const struct zr_frame *frame,
+                          const struct patch *patches, uint32_t face_count)
 {
     const size_t pixels = (size_t)frame->width * frame->height;
     const uint32_t colors = zr_palette_count(frame->color, pixels, scene->background.w >= 1.0f);
@@ -148,120 +148,95 @@ static cJSON *picture_of(struct zr_tree *w, const struct zr_scene *scene, const 
             extend(&all, patches[i].x0, patches[i].y0, patches[i].x1, patches[i].y1, patches[i].pixels);
     const bool touches = all.x0 == 0 || all.y0 == 0 || all.x1 == frame->width || all.y1 == frame->height;
     const double share = covered_share(frame, all.pixels);
-    cJSON *object = zr_tree_check(w, cJSON_CreateObject());
-    zr_tree_put(w, object, "coveredShare", zr_tree_number(w, (float)share));
-    zr_tree_put(w, object, "touchesBorder", zr_tree_check(w, cJSON_CreateBool(all.pixels > 0 && touches)));
-    zr_tree_put(w, object, "blank", zr_tree_check(w, cJSON_CreateBool(share == 0.0 || colors == 1)));
-    zr_tree_put_count(w, object, "colors", colors);
-    return object;
+    zr_print_begin(print, "picture", '{');
+    zr_print_float(print, "coveredShare", (float)share);
+    zr_print_bool(print, "touchesBorder", all.pixels > 0 && touches);
+    zr_print_bool(print, "blank", share == 0.0 || colors == 1);
+    zr_print_count(print, "colors", colors);
+    zr_print_end(print, '}');
 }
 
-static cJSON *faces_of(struct zr_tree *w, const struct patch *patches, uint32_t face_count, uint32_t first)
+static void print_faces(struct zr_print *print, const struct patch *patches, uint32_t face_count, uint32_t first)
 {
-    cJSON *array = zr_tree_check(w, cJSON_CreateArray());
+    zr_print_begin(print, "faces", '[');
     for (uint32_t id = 1; id <= face_count; id++) {
         if (patches[id].pixels == 0) continue;
-        cJSON *face = zr_tree_check(w, cJSON_CreateObject());
-        zr_tree_put_count(w, face, "id", first + (id - 1));
-        put_patch(w, face, &patches[id]);
-        zr_tree_append(w, array, face);
+        zr_print_begin(print, NULL, '{');
+        zr_print_count(print, "id", first + (id - 1));
+        print_patch(print, &patches[id]);
+        zr_print_end(print, '}');
     }
-    return array;
+    zr_print_end(print, ']');
 }
 
-static cJSON *meshes_of(struct zr_tree *w, const struct zr_scene *scene, const struct patch *patches, uint32_t first)
+static void print_meshes(struct zr_print *print, const struct zr_scene *scene, const struct patch *patches,
+                         uint32_t first)
 {
-    cJSON *array = zr_tree_check(w, cJSON_CreateArray());
     uint32_t id = 1;
+    zr_print_begin(print, "meshes", '[');
     for (uint32_t i = 0; i < scene->instance_count && i < ZR_INFO_MESHES_MAX; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
-        cJSON *object = zr_tree_check(w, cJSON_CreateObject());
-        zr_tree_put(w, object, "name", zr_tree_check(w, cJSON_CreateString(mesh->name)));
-        if (scene->instances[i].node)
-            zr_tree_put(w, object, "node", zr_tree_check(w, cJSON_CreateString(scene->instances[i].node)));
-        zr_tree_put_count(w, object, "firstFaceId", first + (id - 1));
-        zr_tree_put_count(w, object, "faces", mesh->face_count);
-        if (mesh->line_count > 0) zr_tree_put_count(w, object, "lines", mesh->line_count);
-        if (mesh->point_count > 0) zr_tree_put_count(w, object, "points", mesh->point_count);
+        zr_print_begin(print, NULL, '{');
+        zr_print_string(print, "name", mesh->name);
+        if (scene->instances[i].node) zr_print_string(print, "node", scene->instances[i].node);
+        zr_print_count(print, "firstFaceId", first + (id - 1));
+        zr_print_count(print, "faces", mesh->face_count);
+        if (mesh->line_count > 0) zr_print_count(print, "lines", mesh->line_count);
+        if (mesh->point_count > 0) zr_print_count(print, "points", mesh->point_count);
         struct patch all = {.pixels = 0};
         for (uint64_t ids = zr_mesh_ids(mesh); ids > 0; ids--, id++)
             if (patches[id].pixels > 0)
                 extend(&all, patches[id].x0, patches[id].y0, patches[id].x1, patches[id].y1, patches[id].pixels);
-        put_patch(w, object, &all);
-        zr_tree_append(w, array, object);
+        print_patch(print, &all);
+        zr_print_end(print, '}');
     }
-    return array;
+    zr_print_end(print, ']');
 }
 
-static cJSON *build(struct zr_tree *w, const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
-                    uint64_t misfits, const struct zr_warning_list *warnings, const struct patch *patches,
-                    uint32_t face_count)
+static void print_view(struct zr_print *print, const struct zr_scene *scene, const struct zr_frame *frame)
 {
-    cJSON *root = zr_tree_check(w, cJSON_CreateObject());
-    zr_tree_put_count(w, root, "rules", ZR_RULES);
-    cJSON *window = zr_tree_check(w, cJSON_CreateObject());
-    zr_tree_put_count(w, window, "width", frame->width);
-    zr_tree_put_count(w, window, "height", frame->height);
-    zr_tree_put(w, root, "window", window);
-    zr_tree_put(w, root, "camera", camera_of(w, frame, scene->picture.z_is_up));
-    if (frame->bounds.valid) {
-        cJSON *bounds = zr_tree_check(w, cJSON_CreateObject());
-        zr_tree_put(w, bounds, "min", zr_tree_vec3(w, frame->bounds.min));
-        zr_tree_put(w, bounds, "max", zr_tree_vec3(w, frame->bounds.max));
-        zr_tree_put(w, root, "bounds", bounds);
-    }
-    if (depth_scale > 0.0f) zr_tree_put(w, root, "depthScale", zr_tree_number(w, depth_scale));
-    zr_tree_put(w, root, "counts", counts_of(w, scene, frame, misfits));
-    zr_tree_put(w, root, "look", zr_tree_check(w, cJSON_CreateString(zr_look_pin_of(scene->look).text)));
-    if (frame->color) zr_tree_put(w, root, "picture", picture_of(w, scene, frame, patches, face_count));
-    zr_tree_put_count(w, root, "backgroundPixels", patches[0].pixels);
-    if (frame->base) {
-        cJSON *base = zr_tree_check(w, cJSON_CreateObject());
-        put_patch(w, base, &patches[face_count + 1]);
-        zr_tree_put(w, root, "base", base);
-    }
-    zr_tree_put_count(w, root, "instances", scene->instance_count);
-    uint32_t first = first_face_id(frame);
-    zr_tree_put(w, root, "meshes", meshes_of(w, scene, patches, first));
-    if (face_count <= ZR_INFO_FACES_MAX) zr_tree_put(w, root, "faces", faces_of(w, patches, face_count, first));
-    static const char *const none[1]; /* cJSON takes no null pointer, even for 0 strings */
-    zr_tree_put(
-        w, root, "warnings",
-        zr_tree_check(w, cJSON_CreateStringArray(warnings->texts ? warnings->texts : none, (int)warnings->count)));
-    return root;
-}
-
-static bool predict_memory(const struct zr_scene *scene, const struct zr_warning_list *warnings, uint32_t face_count,
-                           size_t *bytes)
-{
-    const uint32_t faces = face_count <= ZR_INFO_FACES_MAX ? face_count : 0;
-    size_t characters = 0;
-    uint32_t meshes = 0;
-    bool fits = true;
-    for (; meshes < scene->instance_count && meshes < ZR_INFO_MESHES_MAX; meshes++) {
-        const struct zr_instance *instance = &scene->instances[meshes];
-        fits &= zr_add_size(characters, strlen(scene->meshes[instance->mesh].name), &characters);
-        fits &= zr_add_size(characters, instance->node ? strlen(instance->node) : 0, &characters);
-    }
-    for (size_t i = 0; i < warnings->count; i++)
-        fits &= zr_add_size(characters, strlen(warnings->texts[i]), &characters);
-    return fits && zr_mul_size(characters, ZR_TREE_CHARACTER_BYTES, bytes) &&
-           zr_add_size(*bytes, ZR_TREE_OTHER_BYTES + (size_t)(meshes + faces) * ZR_TREE_LISTED_BYTES, bytes);
+    zr_print_count(print, "rules", ZR_RULES);
+    zr_print_begin(print, "window", '{');
+    zr_print_count(print, "width", frame->width);
+    zr_print_count(print, "height", frame->height);
+    zr_print_end(print, '}');
+    print_camera(print, frame, scene->picture.z_is_up);
+    if (!frame->bounds.valid) return;
+    zr_print_begin(print, "bounds", '{');
+    zr_print_vec3(print, "min", frame->bounds.min);
+    zr_print_vec3(print, "max", frame->bounds.max);
+    zr_print_end(print, '}');
 }
 
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
                              uint64_t misfits, const struct zr_warning_list *warnings, struct zr_buffer *out)
 {
+    struct zr_print root = {.out = out}, *print = &root;
+    const uint32_t first = first_face_id(frame);
     uint32_t face_count = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++)
         face_count += (uint32_t)zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
     const struct patch *patches = patches_of(out->arena, frame, face_count);
-    size_t predicted;
-    if (!patches || !predict_memory(scene, warnings, face_count, &predicted) || !zr_arena_charge(out->arena, predicted))
-        return ZR_NO_MEMORY;
-    struct zr_tree w = {.ok = true};
-    cJSON *root = build(&w, scene, frame, depth_scale, misfits, warnings, patches, face_count);
-    const bool ok = zr_tree_print(&w, root, out);
-    zr_arena_refund(out->arena, predicted);
-    return ok ? ZR_OK : ZR_NO_MEMORY;
+    if (!patches) return ZR_NO_MEMORY;
+    zr_print_begin(print, NULL, '{');
+    print_view(print, scene, frame);
+    if (depth_scale > 0.0f) zr_print_float(print, "depthScale", depth_scale);
+    print_counts(print, scene, frame, misfits);
+    zr_print_string(print, "look", zr_look_pin_of(scene->look).text);
+    if (frame->color) print_picture(print, scene, frame, patches, face_count);
+    zr_print_count(print, "backgroundPixels", patches[0].pixels);
+    if (frame->base) {
+        zr_print_begin(print, "base", '{');
+        print_patch(print, &patches[face_count + 1]);
+        zr_print_end(print, '}');
+    }
+    zr_print_count(print, "instances", scene->instance_count);
+    print_meshes(print, scene, patches, first);
+    if (face_count <= ZR_INFO_FACES_MAX) print_faces(print, patches, face_count, first);
+    zr_print_begin(print, "warnings", '[');
+    for (size_t i = 0; i < warnings->count; i++)
+        zr_print_string(print, NULL, warnings->texts[i]);
+    zr_print_end(print, ']');
+    zr_print_end(print, '}');
+    return zr_buffer_add(out, "\n", 1) && zr_arena_ok(out->arena) ? ZR_OK : ZR_NO_MEMORY;
 }

@@ -176,6 +176,10 @@ static size_t make_requests(struct request *out)
                                    "{\"channel\":\"faceId\",\"encoding\":\"npy\"},{\"channel\":\"info\"}]}");
     out[count++] = with_text("a warning", RENDER("application/json"), SCENE ",\"nodes\":[],\"lights\":[]}");
     out[count++] = with_text("a wrong scene", RENDER("application/json"), SCENE ",\"polygon\":1,\"x\":2,\"y\":3}");
+    out[count++] =
+        with_text("many faults", RENDER("application/json"),
+                  SCENE ",\"a\":1,\"b\":1,\"c\":1,\"d\":1,\"e\":1,\"f\":1,\"g\":1,\"h\":1,\"i\":1,\"j\":1,\"k\":1,"
+                        "\"l\":1,\"m\":1,\"n\":1,\"o\":1,\"p\":1,\"q\":1,\"r\":1,\"s\":1,\"t\":1}");
     out[count++] = with_text("a bare mesh", RENDER("model/obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     out[count++] = with_text("a mesh of text", RENDER("model/stl"),
                              "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "

@@ -1,0 +1,41 @@
+/* json_print.h - output: prints JSON value by value, without blanks.
+ *
+ *     zr_print_begin(&print, NULL, '{');
+ *     zr_print_count(&print, "faces", 12);
+ *     zr_print_end(&print, '}');                    {"faces":12}
+ *
+ * Each value of an object has a key; keys are ASCII and printed as they are. Values of lists have the key NULL. The
+ * text is the same for every LC_NUMERIC. A failed allocation is recorded in the buffer's arena.
+ */
+#ifndef ZR_JSON_PRINT_H
+#define ZR_JSON_PRINT_H
+
+#include <stdint.h>
+
+#include "base/vec.h"
+#include "output/buffer.h"
+
+struct zr_print {
+    struct zr_buffer *out;
+    bool needs_comma; /* a value precedes in the open object or list */
+};
+
+/* Open and close an object or a list. */
+void zr_print_begin(struct zr_print *print, const char *key, char bracket);
+void zr_print_end(struct zr_print *print, char bracket);
+
+/* Escapes quotes, backslashes and control characters; other bytes of the UTF-8 text stay as they are. */
+void zr_print_string(struct zr_print *print, const char *key, const char *text);
+
+void zr_print_bool(struct zr_print *print, const char *key, bool value);
+void zr_print_count(struct zr_print *print, const char *key, uint64_t count);
+
+/* Prints the shortest of the decimals with 6 to 9 digits that reads back as the same float, as "%g" formats it. The
+ * value is finite. */
+void zr_print_float(struct zr_print *print, const char *key, float value);
+
+/* Print a list of floats. */
+void zr_print_floats(struct zr_print *print, const char *key, const float *values, int count);
+void zr_print_vec3(struct zr_print *print, const char *key, zr_vec3 v);
+
+#endif
