@@ -131,6 +131,12 @@ enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const str
                          const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
                          const struct zr_frame **frame, struct zr_error *error);
 
+/* The same with two arenas: the frame lives in `arena`, and `scratch` holds what only drawing needs, such as the sorted
+ * scene, shadow maps and G-buffers. The caller may reset `scratch` as soon as the function returns. */
+enum zr_status zr_render_apart(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                               const struct zr_scene *scene, const struct zr_resolved_view *resolved,
+                               const struct zr_cancel *cancel, const struct zr_frame **frame, struct zr_error *error);
+
 /* Encodes the outputs of the frame's view: a single output as its file, several as a ZIP of files channel.extension.
  * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address (output/idat.h).
  * Fails with ZR_BAD_SCENE if a strict request has warnings, or if a ZIP would have 4 GiB or more; with ZR_NO_MEMORY,

@@ -48,16 +48,17 @@ static bool list_fragments(struct zr_arena *arena, const struct zr_layer_pass *p
     return true;
 }
 
-enum zr_status zr_pixel_fragments_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                       uint32_t x, uint32_t y, const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_pixel_fragments_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                       const struct zr_scene *scene, uint32_t x, uint32_t y,
+                                       const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     const uint32_t up = frame->height - 1 - y;
     const uint32_t number = up / ZR_TILE_SIZE * zr_tile_across(frame->width) + x / ZR_TILE_SIZE;
-    struct zr_layer_pass *pass = zr_arena_zero(arena, 1, sizeof *pass);
-    struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
+    struct zr_layer_pass *pass = zr_arena_zero(scratch, 1, sizeof *pass);
+    struct zr_tile *tile = zr_arena_alloc(scratch, 1, sizeof *tile);
     frame->fragments = (struct zr_pixel_fragments){.x = x, .y = y};
     if (!pass || !tile) return ZR_NO_MEMORY;
-    const enum zr_status status = zr_layer_pass_make(arena, team, scene, false, frame, cancel, pass);
+    const enum zr_status status = zr_layer_pass_make(scratch, team, scene, false, frame, cancel, pass);
     if (status != ZR_OK || !pass->pass.tiles.layers) return status;
     struct zr_layers *layers = zr_layer_pass_find(pass, number, cancel, tile);
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;

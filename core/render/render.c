@@ -60,40 +60,42 @@ static enum zr_status draw_picture_and_channels(struct zr_arena *arena, struct z
     return status;
 }
 
-static enum zr_status draw_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                 const struct zr_cancel *cancel, struct zr_frame *frame)
+/* Only the fragments of a pixel stay in `arena`. */
+static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                 const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     const struct zr_output *pixel = zr_view_output(frame->view, ZR_CHANNEL_FRAGMENTS);
     const bool has_picture = frame->color && zr_picture_has_own_passes(&scene->picture);
     enum zr_status status = ZR_OK;
-    STAGE(has_picture ? draw_picture_and_channels(arena, team, scene, cancel, frame)
-                      : draw_channels(arena, team, scene, cancel, frame));
+    STAGE(has_picture ? draw_picture_and_channels(scratch, team, scene, cancel, frame)
+                      : draw_channels(scratch, team, scene, cancel, frame));
     if (status == ZR_OK) zr_color_bar_draw(scene, frame);
-    if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(arena, team, scene, cancel, frame));
-    if (pixel) STAGE(zr_pixel_fragments_find(arena, team, scene, pixel->x, pixel->y, cancel, frame));
+    if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(scratch, team, scene, cancel, frame));
+    if (pixel) STAGE(zr_pixel_fragments_find(arena, scratch, team, scene, pixel->x, pixel->y, cancel, frame));
     return status;
 }
 
-static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                   const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
-                                   struct zr_frame *frame, struct zr_error *error)
+static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                   const struct zr_scene *scene, const struct zr_resolved_view *resolved,
+                                   const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
 {
     enum zr_status status = ZR_OK;
     if (!resolved) STAGE(zr_resolved_view_find(arena, team, scene, cancel, &resolved, error));
     STAGE(zr_frame_make(arena, resolved, frame));
     STAGE(zr_base_place(arena, scene, frame->view, &frame->camera, &frame->base, error));
-    STAGE(draw_frame(arena, team, scene, cancel, frame));
+    STAGE(draw_frame(arena, scratch, team, scene, cancel, frame));
     return status;
 }
 
-enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
-                         const struct zr_frame **out, struct zr_error *error)
+enum zr_status zr_render_apart(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                               const struct zr_scene *scene, const struct zr_resolved_view *resolved,
+                               const struct zr_cancel *cancel, const struct zr_frame **out, struct zr_error *error)
 {
     struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
-    arena->cancel = cancel;
-    enum zr_status status = frame ? run_pipeline(arena, team, scene, resolved, cancel, frame, error) : ZR_NO_MEMORY;
-    arena->cancel = NULL;
+    arena->cancel = scratch->cancel = cancel;
+    enum zr_status status =
+        frame ? run_pipeline(arena, scratch, team, scene, resolved, cancel, frame, error) : ZR_NO_MEMORY;
+    arena->cancel = scratch->cancel = NULL;
     if (status == ZR_NO_MEMORY && zr_is_cancelled(cancel)) status = ZR_CANCELLED;
     if (status == ZR_BAD_SCENE && error->count == 0)
         zr_error_add(error, status, NULL,
@@ -110,4 +112,11 @@ enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const str
     if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "the algorithm failed");
     *out = frame;
     return status;
+}
+
+enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                         const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
+                         const struct zr_frame **frame, struct zr_error *error)
+{
+    return zr_render_apart(arena, arena, team, scene, resolved, cancel, frame, error);
 }
