@@ -11,7 +11,7 @@
 #include "clock.h"
 #include "cost.h"
 #include "input/formats.h"
-#include "input/nearest.h"
+#include "input/query_text.h"
 #include "problem.h"
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
@@ -19,58 +19,19 @@
 
 /* ---- opening: checks before the body ---- */
 
-#define PARAMETER(name, ...) {#name, offsetof(struct zr_request, name)},
-static const struct {
-    const char *name;
-    size_t offset; /* of a const char * in zr_request */
-} PARAMETERS[] = {ZR_PARAMETER_ROWS(PARAMETER)};
-#undef PARAMETER
-
-/* "channel, encoding, ...", for a message. */
-static const char PARAMETER_NAMES[] =
-#define PARAMETER(name, ...) ", " #name
-    ZR_PARAMETER_ROWS(PARAMETER);
-#undef PARAMETER
-
 /* Reads "name=value&name=value" into request->render. */
 static bool read_query(struct request *request, struct answer *answer)
 {
+    struct zr_error error = {0};
     if (!request->query || !*request->query) return true;
-    /* A decoded text is never longer; the '=' and '&' leave room for the final zeros. */
-    char *values = request->query_values = malloc(2 * strlen(request->query) + 2);
-    if (!values) {
+    request->query_values = malloc(zr_query_room(request->query));
+    if (!request->query_values) {
         problem_busy(answer, 1, "out of memory");
         return false;
     }
-    for (const char *pair = request->query; *pair; pair += *pair == '&') {
-        size_t length = strcspn(pair, "&"), name_length = strcspn(pair, "=&");
-        const char *text = pair;
-        pair += length;
-        if (length == 0) continue;
-        char *name = values;
-        char *value = name + name_length + 1;
-        size_t value_length = name_length < length ? length - name_length - 1 : 0;
-        if (!text_percent_decode(name, text, name_length) ||
-            !text_percent_decode(value, text + length - value_length, value_length)) {
-            problem_answer(answer, 400, "query: a %%-escape is broken");
-            return false;
-        }
-        const char **field = NULL;
-        struct zr_nearest nearest = {.word = name};
-        for (size_t i = 0; i < sizeof PARAMETERS / sizeof PARAMETERS[0]; i++) {
-            if (strcmp(PARAMETERS[i].name, name) == 0)
-                field = (const char **)(void *)((char *)&request->render + PARAMETERS[i].offset);
-            zr_nearest_offer(&nearest, PARAMETERS[i].name);
-        }
-        if (!field || *field) {
-            problem_answer(answer, 400, "query: %s parameter '%.60s'%s; known: %s", field ? "duplicate" : "unknown",
-                           name, field ? "" : zr_nearest_text(&nearest).text, PARAMETER_NAMES + strlen(", "));
-            return false;
-        }
-        *field = value;
-        values = value + value_length + 1;
-    }
-    return true;
+    if (zr_query_split(request->query, request->query_values, &request->render, &error) == ZR_OK) return true;
+    problem_answer(answer, 400, "query: %s", error.items[0].detail);
+    return false;
 }
 
 #define MULTIPART "multipart/form-data"

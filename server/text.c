@@ -1,6 +1,5 @@
 #include "text.h"
 
-#include <ctype.h>
 #include <string.h>
 
 /* Returns the length of the character at `s`, 1..4; 0 for invalid bytes: stray or missing continuations, overlong
@@ -42,34 +41,10 @@ void text_to_ascii(char *out, size_t size, const char *source)
     out[used] = '\0';
 }
 
-static int hex_digit(char c)
-{
-    if (c >= '0' && c <= '9') return c - '0';
-    int lower = tolower((unsigned char)c);
-    return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-}
-
 size_t text_trimmed_length(const char *text)
 {
     size_t length = strlen(text);
     while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
         length--;
     return length;
-}
-
-bool text_percent_decode(char *out, const char *source, size_t length)
-{
-    for (size_t i = 0; i < length; i++) {
-        char c = source[i] == '+' ? ' ' : source[i];
-        if (c == '%') {
-            if (length - i < 3) return false;
-            int high = hex_digit(source[i + 1]), low = hex_digit(source[i + 2]);
-            if (high < 0 || low < 0 || (high == 0 && low == 0)) return false;
-            c = (char)(high * 16 + low);
-            i += 2;
-        }
-        *out++ = c;
-    }
-    *out = '\0';
-    return true;
 }

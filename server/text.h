@@ -15,8 +15,4 @@ void text_to_ascii(char *out, size_t size, const char *source);
 /* Returns the length without trailing space, which is no part of a header's value (RFC 9112, 5). */
 size_t text_trimmed_length(const char *text);
 
-/* Decodes %XX and '+' in `length` bytes of a query, into length + 1 bytes at `out`. False: an escape is broken or gives
- * a zero byte. */
-bool text_percent_decode(char *out, const char *source, size_t length);
-
 #endif
