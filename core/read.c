@@ -1,5 +1,7 @@
 /* read.c - core: reads the query, then the body by the reader of its format, and checks the whole scene. */
+#include "change.h"
 #include "geometry/geometry.h"
+#include "input/change.h"
 #include "input/formats.h"
 #include "input/parameters.h"
 #include "input/sniff.h"
@@ -66,16 +68,30 @@ static enum zr_status validate(const struct zr_request *request, const struct zr
     return status;
 }
 
-static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                                 const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error)
+/* Reads the body, or takes the meshes of a kept scene and reads the changed keys. */
+static enum zr_status read_body(struct zr_scene_builder *builder, const struct zr_request *request,
+                                const struct zr_limits *limits, struct zr_error *error)
 {
     const struct zr_format_row *format = &zr_format_rows[request->format];
+    const struct zr_keeping *keeping = builder->keeping;
+    if (keeping && keeping->from && !format->has_view)
+        return zr_kept_load_bare(keeping->from, builder) ? ZR_OK : ZR_NO_MEMORY;
+    const enum zr_status status = format->read(builder, request, limits, error);
+    if (status == ZR_OK && keeping && keeping->into && !format->has_view) zr_kept_save_bare(keeping->into, builder);
+    return status;
+}
+
+static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                                 const struct zr_limits *limits, const struct zr_keeping *keeping,
+                                 struct zr_scene *scene, struct zr_error *error)
+{
     struct zr_query query;
     zr_scene_defaults(scene);
     struct zr_scene_builder builder = zr_scene_builder_open(arena, team, scene);
+    builder.keeping = keeping;
     enum zr_status status = zr_query_read(request, limits, &builder, &query, error);
     if (status != ZR_OK) return status;
-    status = name_bytes(request, format->read(&builder, request, limits, error), error);
+    status = name_bytes(request, read_body(&builder, request, limits, error), error);
     if (status == ZR_OK) status = zr_query_apply(&query, error);
     if (status != ZR_OK) return status;
     zr_color_bar_warn(arena, scene, &scene->views[0], &builder.warnings);
@@ -87,8 +103,10 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
 }
 
-enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                             const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error)
+/* zr_scene_read, also for scenes that are kept or changed. */
+static enum zr_status read_request(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                                   const struct zr_limits *limits, const struct zr_keeping *keeping,
+                                   const struct zr_scene **scene, struct zr_error *error)
 {
     struct zr_scene *made = zr_arena_alloc(arena, 1, sizeof *made);
     struct zr_request body = *request;
@@ -96,7 +114,7 @@ enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const
     enum zr_status status = made ? find_format(&body, error) : ZR_NO_MEMORY;
     if (status == ZR_OK) skip_byte_order_mark(&body);
     arena->cancel = request->cancel;
-    if (status == ZR_OK) status = read_scene(arena, team, &body, limits, made, error);
+    if (status == ZR_OK) status = read_scene(arena, team, &body, limits, keeping, made, error);
     arena->cancel = NULL;
     if (zr_is_cancelled(request->cancel)) {
         *error = (struct zr_error){0}; /* faults of a partly read body */
@@ -108,5 +126,44 @@ enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const
                          "the scene needs more memory than the %zu bytes that one request may have", arena->ceiling);
     if (status != ZR_OK) return status;
     *scene = made;
+    if (keeping && keeping->into) keeping->into->request.format = body.format;
     return ZR_OK;
+}
+
+enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                             const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error)
+{
+    return read_request(arena, team, request, limits, NULL, scene, error);
+}
+
+enum zr_status zr_scene_keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                             const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error)
+{
+    struct zr_kept *made = zr_arena_zero(arena, 1, sizeof *made);
+    const struct zr_keeping keeping = {.into = made};
+    if (!made) return zr_error_add(error, ZR_NO_MEMORY, NULL, "a scene needs more than %zu bytes", arena->ceiling);
+    made->request = *request;
+    made->limits = *limits;
+    const enum zr_status status = read_request(arena, team, request, limits, &keeping, &made->scene, error);
+    made->request.bytes = NULL;
+    made->request.size = 0;
+    made->request.cancel = NULL;
+    if (status == ZR_OK) *kept = made;
+    return status;
+}
+
+enum zr_status zr_scene_change(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept,
+                               const struct zr_request *change, const struct zr_scene **scene, struct zr_error *error)
+{
+    struct zr_request request;
+    struct zr_keeping keeping;
+    enum zr_status status = zr_change_read(arena, kept, change, &request, &keeping, error);
+    if (status == ZR_NO_MEMORY && error->count == 0)
+        zr_error_add(error, status, NULL, "the change needs more than %zu bytes", arena->ceiling);
+    return status == ZR_OK ? read_request(arena, team, &request, &kept->limits, &keeping, scene, error) : status;
+}
+
+const struct zr_scene *zr_kept_scene(const struct zr_kept *kept)
+{
+    return kept->scene;
 }

@@ -1,6 +1,7 @@
 /* Makes a scene of a bare mesh: {"meshes": [the body]}, with the keys of the query and the look studio by default. */
 #include "input/formats.h"
 #include "input/input.h"
+#include "input/kept.h"
 #include "input/parameters.h"
 #include "scene/defaults.h"
 
@@ -70,10 +71,11 @@ static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
 static enum zr_status build(struct zr_query *query, struct zr_error *error)
 {
     struct zr_parsed_scene *root = &query->given;
+    const struct zr_keeping *keeping = root->builder->keeping;
     struct zr_error faults = {0};
     root->json.error = &faults;
     zr_parsed_use_look(root);
-    use_projection(query);
+    if (!keeping || !keeping->has_view) use_projection(query);
     make_materials(root);
     zr_parsed_check_light(root);
     place(query);

@@ -81,6 +81,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
         if (!kept) return false;
         *kept = given;
     }
+    ((struct zr_parsed_scene *)out)->meshes_end = json->at;
     return true;
 }
 

@@ -1,6 +1,7 @@
 /* Reads the hierarchy of nodes and makes the instances that it places. */
 #include "input/json_objects.h"
 #include "input/json_scene.h"
+#include "input/kept.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -209,6 +210,29 @@ static const uint32_t *read_children(struct reader *reader, uint32_t *total)
     return children;
 }
 
+/* Reads {"node": matrix}, which replace the nodes' own matrices. */
+static void read_poses(struct reader *reader, const struct zr_keeping *keeping)
+{
+    const struct zr_json_path *path = ZR_JSON_KEY(NULL, ZR_POSES);
+    if (!keeping || !keeping->poses) return;
+    struct zr_json there = *reader->json, *json = &there;
+    struct zr_json_text key;
+    zr_json_open(json, keeping->poses, keeping->poses_size);
+    if (zr_json_type(json) != ZR_JSON_OBJECT) {
+        zr_json_expect(json, path, "an object");
+        return;
+    }
+    for (zr_json_enter(json, '{'); zr_json_member(json, &key);) {
+        const char *name = zr_json_decode(json, &key);
+        const struct zr_json_path *at = ZR_JSON_KEY(path, name ? name : "");
+        uint32_t number;
+        zr_mat4 matrix;
+        if (!name) return;
+        if (zr_json_affine(json, at, NULL, &matrix) && find_name(json, at, &reader->nodes, name, &number))
+            reader->made[number].local = matrix;
+    }
+}
+
 static uint64_t visits_max(const struct reader *reader)
 {
     return (uint64_t)ZR_NODES_VISITS_AN_INSTANCE * reader->json->limits->instances_max + reader->nodes.count;
@@ -280,6 +304,7 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
     reader.nodes.count = number;
     sort_names(&reader.nodes);
     struct zr_nodes hierarchy = {.count = reader.nodes.count, .nodes = reader.made};
+    read_poses(&reader, root->builder->keeping);
     hierarchy.children = read_children(&reader, &hierarchy.child_count);
     if (!zr_arena_ok(arena) || json->error->count > 0) return NULL;
     struct zr_quick *quick = root->quick;

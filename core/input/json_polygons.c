@@ -6,6 +6,7 @@
 #include "input/json_objects.h"
 #include "input/json_rows.h"
 #include "input/json_scene.h"
+#include "input/kept.h"
 
 /* Kinds of polygons, by their optional colours and normals. */
 enum { HAS_COLOR = 1, HAS_COLORS = 2, HAS_NORMALS = 4, KINDS = 8 };
@@ -347,8 +348,52 @@ bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, con
     (void)field;
     if (!soup) return false;
     *soup = empty_soup();
-    ((struct zr_parsed_scene *)out)->soup = soup;
-    return zr_json_list_read(json, path, &list, soup);
+    struct zr_parsed_scene *root = out;
+    root->soup = soup;
+    const bool good = zr_json_list_read(json, path, &list, soup);
+    root->polygons_end = json->at;
+    return good;
+}
+
+/* ---- copies ---- */
+
+/* Copies an array to which one more item may be added. */
+static bool copy_array(struct zr_arena *arena, struct zr_growing *array)
+{
+    void *items = zr_arena_alloc(arena, array->count + 1, array->size);
+    if (items && array->count > 0) memcpy(items, array->items, array->count * array->size);
+    if (array->items) array->items = items;
+    array->room = array->items ? array->count + 1 : 0;
+    return items;
+}
+
+static bool copy_texts(struct zr_arena *arena, struct zr_soup *soup)
+{
+    struct style *styles = soup->styles.items;
+    if (!copy_array(arena, &soup->styles)) return false;
+    styles = soup->styles.items;
+    for (size_t i = 0; i < soup->styles.count; i++) {
+        struct zr_json_text *name = &styles[i].material;
+        const size_t size = name->at ? (size_t)(name->end - name->at) : 0;
+        char *copied = name->at ? zr_arena_alloc(arena, size, 1) : NULL;
+        if (!copied) continue;
+        memcpy(copied, name->at, size);
+        name->at = copied;
+        name->end = copied + size;
+    }
+    return zr_arena_ok(arena);
+}
+
+struct zr_soup *zr_soup_copy(struct zr_arena *arena, const struct zr_soup *soup, bool texts)
+{
+    struct zr_soup *copy = zr_arena_alloc(arena, 1, sizeof *copy);
+    if (!copy) return NULL;
+    *copy = *soup;
+    if (texts && !copy_texts(arena, copy)) return NULL;
+    return copy_array(arena, &copy->face_styles) && copy_array(arena, &copy->offsets) &&
+                   copy_array(arena, &copy->rings) && copy_array(arena, &copy->ring_offsets)
+               ? copy
+               : NULL;
 }
 
 /* ---- a mesh ---- */

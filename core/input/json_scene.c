@@ -3,6 +3,7 @@
 
 #include "input/input.h"
 #include "input/json_objects.h"
+#include "input/kept.h"
 
 /* The deepest item of a list, /meshes/0/heights/values/0/0. Rows of numbers are read without counting levels. */
 enum { DEPTH_OF_LISTS = 6 };
@@ -26,6 +27,9 @@ static void place_meshes(struct zr_parsed_scene *root, uint32_t listed)
 {
     struct zr_scene *scene = root->scene;
     uint32_t count = 0, next = root->nodes ? listed : 0;
+    const struct zr_keeping *keeping = root->builder->keeping;
+    if (!root->nodes && keeping && keeping->poses)
+        zr_json_fault(&root->json, ZR_JSON_KEY(NULL, ZR_POSES), "the scene has no nodes");
     struct zr_instance *instances =
         root->nodes ? zr_parsed_read_nodes(root, ZR_SCENE_PATH(ZR_SCENE_NODES), scene->meshes, listed, &count)
                     : zr_arena_alloc(root->json.arena, scene->mesh_count, sizeof *instances);
@@ -65,6 +69,13 @@ static void build(struct zr_parsed_scene *root)
     warn(root, listed);
 }
 
+/* Keeps the root if the caller wants it. False without memory. */
+static bool save(struct zr_parsed_scene *root)
+{
+    const struct zr_keeping *keeping = root->builder->keeping;
+    return !keeping || !keeping->into || root->json.error->count > 0 || zr_kept_save(keeping->into, root);
+}
+
 /* Checks the depth of the whole text. */
 static bool is_shallow(struct zr_json *json)
 {
@@ -77,6 +88,7 @@ static bool is_shallow(struct zr_json *json)
 enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_request *request,
                             const struct zr_limits *limits, struct zr_error *error)
 {
+    const struct zr_keeping *keeping = builder->keeping;
     struct zr_scene *scene = builder->scene;
     struct zr_limits used = *limits;
     if (used.json_depth_max > ZR_JSON_DEPTH_MAX) used.json_depth_max = ZR_JSON_DEPTH_MAX;
@@ -97,7 +109,9 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
     zr_json_open(json, request->bytes, request->size);
     root.assets_used = zr_arena_zero(builder->arena, root.asset_count, sizeof *root.assets_used);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
-    if (root.assets_used && zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.keys) && zr_json_end(json))
+    if (keeping && keeping->from && !zr_kept_load(keeping->from, &root)) return ZR_NO_MEMORY;
+    if (root.assets_used && zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.keys) && zr_json_end(json) &&
+        save(&root))
         build(&root);
     return zr_json_close(json);
 }

@@ -80,6 +80,8 @@ struct zr_parsed_mesh;
 /* The polygons of a scene, likewise. */
 struct zr_soup;
 
+struct zr_kept; /* kept.h */
+
 /* Keys of a scene. */
 enum zr_scene_key {
     ZR_SCENE_VERSION,
@@ -111,6 +113,8 @@ enum zr_scene_key {
     ZR_SCENE_COLOR_BAR
 };
 
+enum { ZR_SCENE_KEYS_MAX = 64 };
+
 /* A JSON scene while it is read. */
 struct zr_parsed_scene {
     struct zr_json json;
@@ -134,9 +138,10 @@ struct zr_parsed_scene {
     const char *nodes, *base;   /* places in the text, or NULL */
 
     size_t material_count;
-    struct zr_parsed_material *materials; /* sorted by name */
-    struct zr_growing meshes;             /* struct zr_parsed_mesh */
-    struct zr_soup *soup;                 /* or NULL */
+    struct zr_parsed_material *materials;  /* sorted by name */
+    struct zr_growing meshes;              /* struct zr_parsed_mesh */
+    struct zr_soup *soup;                  /* or NULL */
+    const char *meshes_end, *polygons_end; /* places in the text behind both lists; NULL: not there */
 
     struct zr_oddity_note oddities[ZR_ODDITIES];
     uint32_t shadings;      /* bit i: a filled face has the shading i */
@@ -236,6 +241,11 @@ void zr_parsed_warn_of_materials(struct zr_parsed_scene *root);
 zr_json_read_fn zr_read_meshes, zr_read_polygons;
 void zr_parsed_make_meshes(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes);
 bool zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh);
+
+/* json_kept.c: keeps the parsed root before references are resolved, or gives the kept meshes to the root (kept.h).
+ * False without memory. */
+bool zr_kept_save(struct zr_kept *kept, struct zr_parsed_scene *root);
+bool zr_kept_load(const struct zr_kept *kept, struct zr_parsed_scene *root);
 
 /* json_nodes.c: returns the instances that nodes place, *count of them, with room for one more. Each mesh is one of
  * meshes[0..mesh_count-1]. NULL after a fault, here or before. */

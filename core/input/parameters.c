@@ -8,9 +8,11 @@
 #include "input/formats.h"
 #include "input/json_objects.h"
 #include "input/json_writer.h"
+#include "input/kept.h"
 #include "input/number.h"
 #include "input/parameter_names.h"
 #include "input/text.h"
+#include "scene/defaults.h"
 
 /* ---- the tables ---- */
 
@@ -328,6 +330,25 @@ static void read_text(const struct reading *r, const struct zr_json_writer *text
     zr_query_report(r->request, ZR_BAD_REQUEST, &faults, r->error);
 }
 
+/* Reads the keys of a changed bare mesh, over those of the query. A view replaces that of the query. */
+static void read_changed_keys(const struct reading *r, const struct zr_keeping *keeping)
+{
+    struct zr_parsed_scene *given = &r->query->given;
+    struct zr_view *view = &given->scene->views[0];
+    struct zr_scene plain;
+    uint64_t keys = 0;
+    zr_scene_defaults(&plain);
+    plain.views[0].width = view->width;
+    plain.views[0].height = view->height;
+    plain.views[0].outputs = view->outputs;
+    plain.views[0].output_count = view->output_count;
+    if (keeping->has_view) *view = plain.views[0];
+    given->json.error = r->error;
+    zr_json_open(&given->json, keeping->keys, keeping->keys_size);
+    zr_json_fields(&given->json, NULL, &zr_json_object_scene, given, &keys);
+    given->keys |= keys;
+}
+
 /* Reads the rows of one object. A wrong value becomes null, so that the other keys are still checked against it. */
 static void read_rows(const struct reading *r, const struct row *row, const struct row *end)
 {
@@ -395,6 +416,7 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
             end++;
         read_rows(&r, &rows[first], &rows[end]);
     }
+    if (builder->keeping && builder->keeping->keys && error->count == 0) read_changed_keys(&r, builder->keeping);
     query->given.json.limits = limits;
     if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
     return error->count > 0 ? error->status : ZR_OK;

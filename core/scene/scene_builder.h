@@ -17,6 +17,7 @@
 #include "scene/scene.h"
 
 struct zr_team;
+struct zr_keeping; /* input/kept.h */
 
 struct zr_scene_builder {
     struct zr_arena *arena;
@@ -32,6 +33,7 @@ struct zr_scene_builder {
     size_t image_room;
     struct zr_texture *textures;
     size_t texture_room;
+    const struct zr_keeping *keeping; /* the scene is kept, or changes a kept one; or NULL */
 };
 
 /* Starts to build on *scene, which holds the defaults. */

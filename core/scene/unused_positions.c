@@ -36,7 +36,10 @@ void zr_unused_positions_move(struct zr_arena *arena, struct zr_team *team, cons
         zr_team_ranges(team, lists[i].count, INDICES_A_RANGE, mark_range, &marking);
     }
     const uint8_t *used = (const uint8_t *)marking.used, *end = used + count, *first = memchr(used, 1, count);
-    for (const uint8_t *at = used; first && (at = memchr(at, 0, (size_t)(end - at))); at++)
-        positions[at - used] = positions[first - used];
+    for (const uint8_t *at = used; first && (at = memchr(at, 0, (size_t)(end - at))); at++) {
+        zr_vec4 *unused = &positions[at - used];
+        const zr_vec4 *wanted = &positions[first - used];
+        if (memcmp(unused, wanted, sizeof *unused) != 0) *unused = *wanted; /* no store if moved before */
+    }
     zr_arena_trim(arena, (void *)marking.used, count, 0, sizeof *marking.used);
 }

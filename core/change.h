@@ -1,0 +1,25 @@
+/* change.h - core: scenes that are read once and drawn with several views, outputs, poses and looks. */
+#ifndef ZR_CHANGE_H
+#define ZR_CHANGE_H
+
+#include "core.h"
+
+struct zr_kept; /* input/kept.h */
+
+/* Reads a scene as zr_scene_read does, with the same errors, and keeps what changes need. The body may go after the
+ * call. The texts of parameters and the assets must stay as long as the arena. */
+enum zr_status zr_scene_keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                             const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error);
+
+/* Returns the scene without a change. */
+const struct zr_scene *zr_kept_scene(const struct zr_kept *kept);
+
+/* Makes a scene with other keys. The body of `change` is a JSON object, or empty: its keys replace those of the same
+ * name. "poses" replaces the matrices of named nodes; meshes and polygons are refused. Parameters of `change` replace
+ * those of the first request, and its assets join them. *scene equals the scene that zr_scene_read makes from all of
+ * these keys, parameters and assets together. It lives in `arena` and points to the kept one. Any number of threads may
+ * call at once, each with its own arena. Errors: those of zr_scene_read, with the same pointers. */
+enum zr_status zr_scene_change(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept,
+                               const struct zr_request *change, const struct zr_scene **scene, struct zr_error *error);
+
+#endif

@@ -1,0 +1,63 @@
+/* kept.h - input: the meshes of a scene that was read, for drawing it again with other keys.
+ *
+ * A changed scene is read from a short text: the keys of the first one without meshes and polygons, in the order of its
+ * text, then the keys of the change, which replace those of the same name. The same readers read it as any scene, and
+ * find the meshes here. So it equals one scene that has all of these keys.
+ * Threads: nothing here changes once the first scene is read; any number of threads may read changed scenes.
+ */
+#ifndef ZR_KEPT_H
+#define ZR_KEPT_H
+
+#include "core.h"
+#include "input/growing.h"
+#include "scene/scene_builder.h"
+
+struct zr_soup;
+
+/* A key of the root and its value, as written. */
+struct zr_kept_key {
+    const char *name;            /* decoded */
+    struct zr_json_text written; /* of a change: the name as written */
+    const char *value;
+    size_t size; /* of the value, bytes */
+};
+
+struct zr_kept {
+    struct zr_request request;    /* without its body; its texts and assets outlive this */
+    struct zr_limits limits;      /* of the first reading */
+    const struct zr_scene *scene; /* the scene without a change */
+
+    size_t key_count; /* of a JSON scene: the root's keys other than meshes and polygons */
+    const struct zr_kept_key *keys;
+    struct zr_growing meshes;   /* struct zr_parsed_mesh */
+    const struct zr_soup *soup; /* or NULL */
+
+    struct zr_scene_builder bare; /* of a bare mesh: meshes and warnings as read */
+    uint32_t mesh_count;
+    struct zr_read_counts bare_counts;
+};
+
+/* The key of poses in a change. */
+#define ZR_POSES "poses"
+
+/* How a scene is read, if it is kept or changed; a builder may point to one. */
+struct zr_keeping {
+    struct zr_kept *into;       /* receives the meshes; or NULL */
+    const struct zr_kept *from; /* has the meshes; or NULL */
+    const char *keys;           /* changed keys of a bare mesh: a JSON object; or NULL */
+    size_t keys_size;
+    bool has_view;     /* `keys` has a view */
+    const char *poses; /* JSON object: matrices by names of nodes; or NULL */
+    size_t poses_size;
+};
+
+/* Keeps the builder of a bare mesh once the reader of its format is done, or gives its meshes to another builder. False
+ * without memory. */
+void zr_kept_save_bare(struct zr_kept *kept, const struct zr_scene_builder *builder);
+bool zr_kept_load_bare(const struct zr_kept *kept, struct zr_scene_builder *builder);
+
+/* json_polygons.c: a copy in the arena that making a mesh may change. `texts`: copies the names of materials, too. NULL
+ * without memory. */
+struct zr_soup *zr_soup_copy(struct zr_arena *arena, const struct zr_soup *soup, bool texts);
+
+#endif
