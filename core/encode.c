@@ -1,5 +1,5 @@
 /* encode.c - core: encodes each output of a frame, and puts several into one archive. */
-#include "core.h"
+#include "encode.h"
 
 #include <stdio.h>
 
@@ -9,7 +9,6 @@
 #include "output/info.h"
 #include "output/npy.h"
 #include "output/png.h"
-#include "output/zip.h"
 #include "scene/looks.h"
 #include "scene/scene.h"
 #include "scene/validate.h"
@@ -29,8 +28,9 @@ struct encoding {
     const struct zr_scene *scene;
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
-    float depth_scale; /* scene units per step of 16-bit depth; 0: no such output */
-    uint64_t misfits;  /* pixels whose depth does not fit 16 bits */
+    float depth_scale;                         /* scene units per step of 16-bit depth; 0: no such output */
+    uint64_t misfits;                          /* pixels whose depth does not fit 16 bits */
+    const struct zr_drawing_warnings *drawing; /* NULL: made from the scene */
     struct zr_warning_list warnings;
     struct zr_error *error;
 };
@@ -124,7 +124,9 @@ static const char *file_name(struct zr_arena *arena, const struct zr_output *out
 /* Collects the warnings of scene and frame, and of outputs encoded so far. */
 static enum zr_status find_warnings(struct encoding *e)
 {
-    e->warnings = zr_warnings_make(e->arena, e->scene, e->frame, e->misfits);
+    const struct zr_drawing_warnings made =
+        e->drawing ? *e->drawing : zr_drawing_warnings_make(e->arena, e->scene, e->frame);
+    e->warnings = zr_warnings_list(e->arena, &made, e->misfits);
     if (!zr_arena_ok(e->arena)) return ZR_NO_MEMORY;
     return zr_strict_check(e->scene, e->warnings.texts, e->warnings.count, e->error);
 }
@@ -157,29 +159,65 @@ static const char *pin_look(const struct encoding *e)
     return pin->text;
 }
 
-static enum zr_status make_answer(struct encoding *e, struct zr_answer *answer)
+const char *zr_file_type(const struct zr_output *output)
 {
-    const struct zr_view *view = e->frame->view;
-    struct zr_zip_entry *entries = zr_arena_alloc(e->arena, view->output_count, sizeof *entries);
-    if (!entries) return ZR_NO_MEMORY;
-    enum zr_status status = encode_all(e, entries);
-    if (status != ZR_OK) return status;
-    const char *warnings = zr_warnings_join(e->arena, &e->warnings), *look = pin_look(e);
-    if (view->output_count == 1) {
-        const struct zr_output *output = &view->outputs[0];
-        *answer =
-            (struct zr_answer){FILE_TYPES[output->encoding].type, entries[0].bytes, entries[0].size, look, warnings};
-    } else {
-        struct zr_buffer out = {.arena = e->arena};
-        size_t size;
-        if (!zr_zip_size(entries, view->output_count, &size))
-            return zr_error_add(
-                e->error, ZR_BAD_SCENE, "/outputs",
-                "together they have 4 GiB or more, which is too much for one ZIP: ask for fewer at once");
-        status = zr_zip_write(entries, view->output_count, &out);
-        *answer = (struct zr_answer){"application/zip", out.bytes, out.size, look, warnings};
-    }
-    return status == ZR_OK && !zr_arena_ok(e->arena) ? ZR_NO_MEMORY : status;
+    return FILE_TYPES[output->encoding].type;
+}
+
+enum zr_status zr_files_join(struct zr_arena *arena, const struct zr_files *files, const struct zr_view *view,
+                             struct zr_answer *answer, struct zr_error *error)
+{
+    const struct zr_zip_entry *entries = files->entries;
+    answer->content_type = files->count == 1 ? zr_file_type(&view->outputs[0]) : "application/zip";
+    answer->bytes = entries[0].bytes;
+    answer->size = entries[0].size;
+    if (files->count == 1) return ZR_OK;
+    struct zr_buffer out = {.arena = arena};
+    size_t size;
+    if (!zr_zip_size(entries, files->count, &size))
+        return zr_error_add(error, ZR_BAD_SCENE, "/outputs",
+                            "together they have 4 GiB or more, which is too much for one ZIP: ask for fewer at once");
+    const enum zr_status status = zr_zip_write(entries, files->count, &out);
+    answer->bytes = out.bytes;
+    answer->size = out.size;
+    return status;
+}
+
+/* Explains a failure that has no fault yet. */
+static enum zr_status explain(const struct encoding *e, enum zr_status status)
+{
+    if (status == ZR_OK && !zr_arena_ok(e->arena)) status = ZR_NO_MEMORY;
+    if (status == ZR_NO_MEMORY)
+        zr_error_add(e->error, status, NULL, "encoding needs more than the %zu bytes a request may use",
+                     e->arena->ceiling);
+    if (status == ZR_CANCELLED) zr_error_add(e->error, status, NULL, "encoding was stopped before it was done");
+    if (status == ZR_INTERNAL) zr_error_add(e->error, status, NULL, "an image could not be written");
+    return status;
+}
+
+static enum zr_status make_files(struct encoding *e, struct zr_files *files)
+{
+    const uint32_t count = e->frame->view->output_count;
+    enum zr_status status = e->scene->is_strict ? find_warnings(e) : ZR_OK; /* before images are compressed */
+    struct zr_zip_entry *entries = zr_arena_alloc(e->arena, count, sizeof *entries);
+    if (status == ZR_OK) status = entries ? encode_all(e, entries) : ZR_NO_MEMORY;
+    *files = (struct zr_files){count, entries, e->warnings};
+    if (status == ZR_OK && !zr_arena_ok(e->arena)) return ZR_NO_MEMORY; /* a name is missing */
+    return status;
+}
+
+enum zr_status zr_encode_files(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                               const struct zr_frame *frame, const struct zr_drawing_warnings *drawing,
+                               const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error)
+{
+    struct encoding encoding = {.arena = arena,
+                                .team = team,
+                                .scene = scene,
+                                .frame = frame,
+                                .cancel = cancel,
+                                .drawing = drawing,
+                                .error = error};
+    return explain(&encoding, make_files(&encoding, files));
 }
 
 enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
@@ -188,11 +226,12 @@ enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const str
 {
     struct encoding encoding = {
         .arena = arena, .team = team, .scene = scene, .frame = frame, .cancel = cancel, .error = error};
-    enum zr_status status = scene->is_strict ? find_warnings(&encoding) : ZR_OK; /* before images are compressed */
-    if (status == ZR_OK) status = make_answer(&encoding, answer);
-    if (status == ZR_NO_MEMORY)
-        zr_error_add(error, status, NULL, "encoding needs more than the %zu bytes a request may use", arena->ceiling);
-    if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "encoding was stopped before it was done");
-    if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "an image could not be written");
-    return status;
+    struct zr_files files;
+    enum zr_status status = make_files(&encoding, &files);
+    if (status == ZR_OK) {
+        answer->warnings = zr_warnings_join(arena, &files.warnings);
+        answer->look = pin_look(&encoding);
+        status = zr_files_join(arena, &files, frame->view, answer, error);
+    }
+    return explain(&encoding, status);
 }

@@ -194,25 +194,34 @@ static const char *why_uncovered(const struct zr_scene *scene, const struct zr_f
     return "no pixel is covered (edge-on, smaller than a pixel, or at the far plane)";
 }
 
-struct zr_warning_list zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene,
-                                        const struct zr_frame *frame, uint64_t misfits)
+struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, const struct zr_scene *scene,
+                                                    const struct zr_frame *frame)
 {
-    struct zr_warning_list w = {.count = 0};
+    struct zr_drawing_warnings w = {.first.count = 0};
     char text[ZR_VIEW_WARNING_SIZE];
     for (uint32_t i = 0; i < scene->warning_count; i++)
-        zr_warning_list_add(arena, &w, "%s", scene->warnings[i]);
-    add_counts(arena, scene, frame, &w);
-    if (zr_view_warns(&frame->camera, text)) zr_warning_list_add(arena, &w, "%s", text);
-    if (misfits > 0)
-        zr_warning_list_add(arena, &w, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
+        zr_warning_list_add(arena, &w.first, "%s", scene->warnings[i]);
+    add_counts(arena, scene, frame, &w.first);
+    if (zr_view_warns(&frame->camera, text)) zr_warning_list_add(arena, &w.first, "%s", text);
     if (frame->covered_pixels == 0 && frame->covered_samples == 0) {
         if (!has_thickness(frame) && !has_layers(frame))
-            zr_warning_list_add(arena, &w, "nothing is seen: %s", why_uncovered(scene, frame));
+            zr_warning_list_add(arena, &w.last, "nothing is seen: %s", why_uncovered(scene, frame));
     } else if (frame->color && any_is_blended(scene)) {
         const char *empty = find_empty_output(scene, frame);
-        if (empty) zr_warning_list_add(arena, &w, "nothing is seen in the output %s: " ONLY_BLENDED, empty);
+        if (empty) zr_warning_list_add(arena, &w.last, "nothing is seen in the output %s: " ONLY_BLENDED, empty);
     }
     return w;
+}
+
+struct zr_warning_list zr_warnings_list(struct zr_arena *arena, const struct zr_drawing_warnings *drawing,
+                                        uint64_t misfits)
+{
+    struct zr_warning_list all = {.count = 0};
+    zr_warning_list_append(arena, &all, &drawing->first);
+    if (misfits > 0)
+        zr_warning_list_add(arena, &all, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
+    zr_warning_list_append(arena, &all, &drawing->last);
+    return all;
 }
 
 /* Room for "; and 4294967295 more": fewer than 2^32 warnings are left out. */

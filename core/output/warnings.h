@@ -8,10 +8,19 @@
 #include "scene/scene.h"
 #include "shade/frame.h"
 
-/* Returns the warnings of reading, of dropped or invisible primitives, and of `misfits` pixels whose depth does not fit
- * 16 bits. Texts lie in the arena. */
-struct zr_warning_list zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene,
-                                        const struct zr_frame *frame, uint64_t misfits);
+/* Warnings of reading, and of dropped or invisible primitives. Those of encoding belong between both lists. */
+struct zr_drawing_warnings {
+    struct zr_warning_list first, last;
+};
+
+/* Makes the warnings of a frame. Texts lie in the arena. */
+struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, const struct zr_scene *scene,
+                                                    const struct zr_frame *frame);
+
+/* Joins both lists, with the warning of `misfits` pixels whose depth does not fit 16 bits between them. Texts are copied
+ * to the arena. */
+struct zr_warning_list zr_warnings_list(struct zr_arena *arena, const struct zr_drawing_warnings *drawing,
+                                        uint64_t misfits);
 
 /* Returns one line of less than ZR_WARNINGS_SIZE bytes (core.h): whole warnings, separated by "; ", and the number
  * of those left out for lack of room. "" if the arena has failed. */

@@ -1,0 +1,31 @@
+/* encode.h - core: the files of a frame's outputs, before several of them become one archive. */
+#ifndef ZR_ENCODE_H
+#define ZR_ENCODE_H
+
+#include "core.h"
+#include "output/warnings.h"
+#include "output/zip.h"
+#include "scene/scene.h"
+
+/* One entry per output of the frame's view, in their order. */
+struct zr_files {
+    uint32_t count;
+    struct zr_zip_entry *entries;    /* names are channel.extension */
+    struct zr_warning_list warnings; /* of scene, frame and encoding */
+};
+
+/* Encodes each output. With `drawing`, the scene needs no geometry (library/remains.h). Other arguments and errors are
+ * those of zr_encode, which makes its answer from these files. */
+enum zr_status zr_encode_files(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                               const struct zr_frame *frame, const struct zr_drawing_warnings *drawing,
+                               const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error);
+
+/* Returns the media type of an output's file. */
+const char *zr_file_type(const struct zr_output *output);
+
+/* Joins files of one or more outputs as the answer of a render: a single one as it is, several as a ZIP. Sets type,
+ * bytes and size. Fails with ZR_BAD_SCENE for 4 GiB or more, or with ZR_NO_MEMORY. */
+enum zr_status zr_files_join(struct zr_arena *arena, const struct zr_files *files, const struct zr_view *view,
+                             struct zr_answer *answer, struct zr_error *error);
+
+#endif
