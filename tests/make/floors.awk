@@ -66,13 +66,14 @@ function learn(line,    words)
     reason[words[1] " " words[2]] = line
 }
 
-# What lies in core/ itself is above all of its folders, and server/ above that. 0: a folder that has no floor yet.
+# What lies in core/ itself is above all of its folders but library/, which is above it, as server/ is. 0: a folder that has no floor yet.
 function floor(file,    name)
 {
     name = file
     sub(/\/.*/, "", name)
     if (name in floor_of) return floor_of[name]
-    if (name == "server") return floors + 2
+    if (name == "library") return floors + 2
+    if (name == "server") return floors + 3
     return name == file ? floors + 1 : 0
 }
 

@@ -1,0 +1,186 @@
+#include "library/picture.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "library/cancel.h"
+#include "library/error.h"
+#include "scene/looks.h"
+#include "strict.h"
+
+/* ---- drawing ---- */
+
+static bool keep_results(zraster_picture *picture, const struct zr_scene *scene, const struct zr_frame *frame)
+{
+    struct zr_arena *arena = picture->arena;
+    struct zr_look_pin *pin = zr_arena_alloc(arena, 1, sizeof *pin);
+    picture->remains = zr_remains_make(arena, scene, frame);
+    if (!pin || !picture->remains) return false;
+    *pin = zr_look_pin_of(scene->look);
+    picture->look = pin->text;
+    picture->warnings = zr_warnings_list(arena, &picture->remains->warnings, 0);
+    return zr_arena_ok(arena);
+}
+
+static enum zr_status draw(zraster_picture *picture, const struct zr_scene *scene, struct zr_error *error)
+{
+    const struct zr_frame *frame;
+    struct zr_arena *scratch = zr_renderer_take(picture->renderer, ZR_ARENA_SCRATCH);
+    if (!scratch) return ZR_NO_MEMORY;
+    enum zr_status status = zr_render_apart(picture->arena, scratch, zr_renderer_team(picture->renderer), scene, NULL,
+                                            zr_cancel_flag(picture->cancel), &frame, error);
+    if (status == ZR_OK && !keep_results(picture, scene, frame)) status = ZR_NO_MEMORY;
+    zr_renderer_give(picture->renderer, scratch, ZR_ARENA_SCRATCH);
+    if (status == ZR_OK) status = zr_strict_check(scene, picture->warnings.texts, picture->warnings.count, error);
+    return status;
+}
+
+enum zr_status zr_picture_make(zraster *renderer, const struct zr_scene *scene, zraster_cancel *cancel,
+                               zraster_picture **out, struct zr_error *error)
+{
+    zraster_picture *picture = calloc(1, sizeof *picture);
+    if (!picture) return ZR_NO_MEMORY;
+    picture->renderer = zr_renderer_use(renderer);
+    picture->cancel = zr_cancel_use(cancel);
+    picture->arena = zr_renderer_take(renderer, ZR_ARENA_RESULT);
+    const enum zr_status status = picture->arena ? draw(picture, scene, error) : ZR_NO_MEMORY;
+    if (status == ZR_OK)
+        *out = picture;
+    else
+        zraster_picture_free(picture);
+    return status;
+}
+
+size_t zraster_picture_memory(const zraster_picture *picture)
+{
+    return picture ? picture->arena->held + picture->arena->spare_bytes : 0;
+}
+
+void zraster_picture_free(zraster_picture *picture)
+{
+    if (!picture) return;
+    zr_renderer_give(picture->renderer, picture->arena, ZR_ARENA_RESULT);
+    zraster_cancel_free(picture->cancel);
+    zraster_close(picture->renderer);
+    free(picture);
+}
+
+/* ---- channels and warnings ---- */
+
+static const struct zr_view *view_of(const zraster_picture *picture)
+{
+    return picture->remains->frame.view;
+}
+
+int zraster_picture_channel(const zraster_picture *picture, const char *channel, struct zraster_array *array)
+{
+    static const uint32_t types[] = {
+        [ZR_VALUES_RGBA] = ZRASTER_U1, [ZR_VALUES_FLOAT32] = ZRASTER_F4, [ZR_VALUES_UINT32] = ZRASTER_U4};
+    const struct zr_frame *frame = &picture->remains->frame;
+    int number = 0;
+    while (number < ZR_CHANNEL_COUNT && strcmp(zr_channel_rows[number].name, channel) != 0)
+        number++;
+    *array = (struct zraster_array){.data = NULL};
+    if (number == ZR_CHANNEL_COUNT || !frame->channels[number] ||
+        !zr_view_wants(view_of(picture), (enum zr_channel)number))
+        return 0;
+    const struct zr_channel_row *row = &zr_channel_rows[number];
+    const size_t last = row->values == ZR_VALUES_RGBA ? 4 : row->words;
+    *array = (struct zraster_array){.data = frame->channels[number],
+                                    .type = types[row->values],
+                                    .ndim = last > 1 ? 3 : 2,
+                                    .shape = {frame->height, frame->width, last > 1 ? last : 0}};
+    return 1;
+}
+
+const char *zraster_picture_look(const zraster_picture *picture)
+{
+    return picture->look;
+}
+
+const char *zraster_picture_warning(const zraster_picture *picture, size_t i)
+{
+    return i < picture->warnings.count ? picture->warnings.texts[i] : NULL;
+}
+
+/* ---- files ---- */
+
+static void *copy(struct zr_arena *arena, const void *bytes, size_t size)
+{
+    void *copied = zr_arena_alloc(arena, size, 1);
+    if (copied && size > 0) memcpy(copied, bytes, size);
+    return copied;
+}
+
+/* Copies the files out of the scratch memory of their encoding. */
+static enum zr_status keep_files(zraster_picture *picture, const struct zr_files *files)
+{
+    struct zr_arena *arena = picture->arena;
+    struct zr_zip_entry *entries = zr_arena_alloc(arena, files->count, sizeof *entries);
+    struct zr_warning_list warnings = {.count = 0};
+    for (uint32_t i = 0; entries && i < files->count; i++) {
+        const struct zr_zip_entry *entry = &files->entries[i];
+        entries[i].name = copy(arena, entry->name, strlen(entry->name) + 1);
+        entries[i].bytes = copy(arena, entry->bytes, entry->size);
+        entries[i].size = entry->size;
+    }
+    zr_warning_list_append(arena, &warnings, &files->warnings);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    picture->warnings = warnings;
+    picture->files = (struct zr_files){files->count, entries, warnings};
+    return ZR_OK;
+}
+
+static enum zr_status encode(zraster_picture *picture, struct zr_error *error)
+{
+    const struct zr_remains *remains = picture->remains;
+    struct zr_files files;
+    struct zr_arena *scratch = zr_renderer_take(picture->renderer, ZR_ARENA_SCRATCH);
+    if (!scratch) return ZR_NO_MEMORY;
+    enum zr_status status =
+        zr_encode_files(scratch, zr_renderer_team(picture->renderer), &remains->scene, &remains->frame,
+                        &remains->warnings, zr_cancel_flag(picture->cancel), &files, error);
+    if (status == ZR_OK) status = keep_files(picture, &files);
+    zr_renderer_give(picture->renderer, scratch, ZR_ARENA_SCRATCH);
+    return status;
+}
+
+static enum zr_status join(zraster_picture *picture, struct zr_error *error)
+{
+    struct zr_answer answer;
+    if (picture->joined.data) return ZR_OK;
+    const enum zr_status status = zr_files_join(picture->arena, &picture->files, view_of(picture), &answer, error);
+    if (status == ZR_OK) picture->joined = (struct zraster_bytes){answer.bytes, answer.size, answer.content_type};
+    return status;
+}
+
+/* Finds the file of "depth" or "depth.npy". */
+static enum zr_status find_file(const zraster_picture *picture, const char *name, struct zraster_bytes *bytes,
+                                struct zr_error *error)
+{
+    const struct zr_view *view = view_of(picture);
+    for (uint32_t i = 0; i < picture->files.count; i++) {
+        const struct zr_zip_entry *entry = &picture->files.entries[i];
+        const char *channel = zr_channel_rows[view->outputs[i].channel].name;
+        if (strcmp(channel, name) != 0 && strcmp(entry->name, name) != 0) continue;
+        *bytes = (struct zraster_bytes){entry->bytes, entry->size, zr_file_type(&view->outputs[i])};
+        return ZR_OK;
+    }
+    return zr_error_add(error, ZR_BAD_REQUEST, NULL, "no output is named '%.60s'", name);
+}
+
+zraster_status zraster_picture_encode(zraster_picture *picture, const char *channel, struct zraster_bytes *bytes,
+                                      zraster_error **error)
+{
+    struct zr_error faults = {0};
+    enum zr_status status = ZR_OK;
+    *bytes = (struct zraster_bytes){.data = NULL};
+    const locale_t before = zr_renderer_enter(picture->renderer);
+    if (!picture->files.entries) status = encode(picture, &faults);
+    if (status == ZR_OK && channel)
+        status = find_file(picture, channel, bytes, &faults);
+    else if (status == ZR_OK && (status = join(picture, &faults)) == ZR_OK)
+        *bytes = picture->joined;
+    zr_renderer_leave(before);
+    return zr_error_give(status, &faults, error);
+}

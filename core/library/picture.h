@@ -1,0 +1,24 @@
+/* picture.h - library: a drawn frame, and its files once they are encoded. */
+#ifndef ZR_LIBRARY_PICTURE_H
+#define ZR_LIBRARY_PICTURE_H
+
+#include "encode.h"
+#include "library/remains.h"
+#include "library/renderer.h"
+
+struct zraster_picture {
+    zraster *renderer;
+    zraster_cancel *cancel; /* of the request; or NULL */
+    struct zr_arena *arena;
+    struct zr_remains *remains;
+    const char *look;
+    struct zr_warning_list warnings;
+    struct zr_files files;       /* entries NULL: not encoded yet */
+    struct zraster_bytes joined; /* data NULL: not joined yet */
+};
+
+/* Draws a scene into a picture. Its scene may go afterwards. On failure *out is NULL. */
+enum zr_status zr_picture_make(zraster *renderer, const struct zr_scene *scene, zraster_cancel *cancel,
+                               zraster_picture **out, struct zr_error *error);
+
+#endif

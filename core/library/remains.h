@@ -1,0 +1,19 @@
+/* remains.h - library: the parts of a scene and its frame that encoding needs, without meshes, images and materials. */
+#ifndef ZR_LIBRARY_REMAINS_H
+#define ZR_LIBRARY_REMAINS_H
+
+#include "output/warnings.h"
+#include "shade/frame.h"
+
+struct zr_remains {
+    struct zr_scene scene; /* names, counts, instances and keys of outputs; no geometry */
+    struct zr_frame frame;
+    struct zr_drawing_warnings warnings;
+    struct zr_base base;
+};
+
+/* Copies what remains of a drawn scene; the frame's channels stay where they are, in the same arena. Nothing points to
+ * the scene afterwards. NULL without memory. */
+struct zr_remains *zr_remains_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame);
+
+#endif

@@ -1,0 +1,117 @@
+/* tables.c - library: parameters, looks, channels, formats and limits as JSON, for programs that offer them as options.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "input/formats.h"
+#include "input/outputs.h"
+#include "library/renderer.h"
+#include "output/json_print.h"
+#include "scene/looks.h"
+#include "scene/shadings.h"
+
+static const struct {
+    const char *name, *key, *bodies, *value, *help;
+} parameters[] = {
+#define ANY                               "all"
+#define MESH                              "mesh"
+#define ROW(name, key, whose, kind, help) {#name, key, whose, #kind, help},
+    ZR_PARAMETER_ROWS(ROW)
+#undef ROW
+#undef ANY
+#undef MESH
+};
+
+static void print_parameters(struct zr_print *print)
+{
+    zr_print_begin(print, "parameters", '[');
+    for (size_t i = 0; i < sizeof parameters / sizeof *parameters; i++) {
+        zr_print_begin(print, NULL, '{');
+        zr_print_string(print, "name", parameters[i].name);
+        zr_print_string(print, "key", parameters[i].key);
+        zr_print_string(print, "bodies", parameters[i].bodies);
+        zr_print_string(print, "value", parameters[i].value);
+        zr_print_string(print, "help", parameters[i].help);
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, ']');
+}
+
+static void print_looks(struct zr_print *print)
+{
+    zr_print_begin(print, "looks", '[');
+    for (int i = 0; i < zr_look_count; i++)
+        zr_print_string(print, NULL, zr_look_pin_of(&zr_looks[i]).text);
+    zr_print_end(print, ']');
+}
+
+static void print_channels(struct zr_print *print)
+{
+    zr_print_begin(print, "channels", '[');
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
+        const struct zr_channel_row *row = &zr_channel_rows[c];
+        zr_print_begin(print, NULL, '{');
+        zr_print_string(print, "name", row->name);
+        zr_print_begin(print, "encodings", '[');
+        for (int k = 0; k < row->encoding_count; k++)
+            zr_print_string(print, NULL, zr_encoding_names.words[row->encodings[k]]);
+        zr_print_end(print, ']');
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, ']');
+}
+
+static void print_formats(struct zr_print *print)
+{
+    zr_print_begin(print, "formats", '[');
+    for (int i = 0; i < ZR_FORMAT_COUNT; i++) {
+        const struct zr_format_row *row = &zr_format_rows[i];
+        zr_print_begin(print, NULL, '{');
+        zr_print_string(print, "name", row->name);
+        zr_print_string(print, "suffix", row->suffix);
+        zr_print_string(print, "types", row->media_types);
+        zr_print_bool(print, "isScene", row->has_view);
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, ']');
+}
+
+static void print_limits(struct zr_print *print, const zraster *renderer)
+{
+    const struct zr_limits *limits = &renderer->limits;
+    zr_print_begin(print, "limits", '{');
+    zr_print_count(print, "memoryMax", renderer->memory_max);
+    zr_print_count(print, "windowSideMax", limits->window_side_max);
+    zr_print_count(print, "windowPixelsMax", limits->window_pixels_max);
+    zr_print_count(print, "imagePixelsMax", limits->image_pixels_max);
+    zr_print_count(print, "instancesMax", limits->instances_max);
+    zr_print_end(print, '}');
+}
+
+static char *make(const zraster *renderer)
+{
+    struct zr_arena arena;
+    zr_arena_init(&arena, (size_t)1 << 24);
+    struct zr_buffer out = {.arena = &arena};
+    struct zr_print print = {.out = &out};
+    zr_print_begin(&print, NULL, '{');
+    print_parameters(&print);
+    print_looks(&print);
+    print_channels(&print);
+    print_formats(&print);
+    print_limits(&print, renderer);
+    zr_print_end(&print, '}');
+    char *text = zr_buffer_add(&out, "", 1) && zr_arena_ok(&arena) ? strdup((const char *)out.bytes) : NULL;
+    zr_arena_free(&arena);
+    return text;
+}
+
+const char *zraster_tables(zraster *renderer)
+{
+    char *there = atomic_load(&renderer->tables);
+    if (there) return there;
+    char *made = make(renderer);
+    if (!made || atomic_compare_exchange_strong(&renderer->tables, &there, made)) return made;
+    free(made); /* another thread was first */
+    return there;
+}
