@@ -2,6 +2,7 @@
 
 BUILD := build
 CC ?= cc
+OBJCOPY ?= objcopy
 CFLAGS ?= -O3 -g
 OURS := -std=c11 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wstrict-prototypes \
 	-Wmissing-prototypes -Werror=implicit-function-declaration -Wvla -D_GNU_SOURCE -Icore -Iserver -Itests -pthread
@@ -39,7 +40,7 @@ NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJS
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
-NEED_TEST := cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl $(NEED_REFERENCE)
+NEED_TEST := c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl $(NEED_REFERENCE)
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
 NEED_EMULATED := simde/x86/avx512.h=libsimde-dev
@@ -89,6 +90,8 @@ kernels := $(basename $(wildcard core/*/*_kernel.c core/*/*/*_kernel.c))
 for_isas = $(foreach isa,$(isas),$(1:%=$(BUILD)/%.$(isa).o))
 kernel_objects := $(call for_isas,$(kernels))
 core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c core/*/*/*.c)) $(kernel_objects)
+# For the shared library, whose header exports the only visible symbols.
+$(core): OURS += -fPIC -fvisibility=hidden
 # The part of it that needs no library.
 renderer_rooms := base scene geometry mesh raster shade effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
@@ -120,7 +123,10 @@ LINK = $(Q)$(CC) $(OURS) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.
 # ---- what people use ----
 
 .PHONY: all
-all: $(BUILD)/zrasterd $(BUILD)/zraster ## the daemon and the client (the default)
+all: $(BUILD)/zrasterd $(BUILD)/zraster library ## the daemon, the client and the library (the default)
+
+.PHONY: library
+library: $(BUILD)/libzraster.so.0 $(BUILD)/libzraster.a $(BUILD)/zraster.pc ## libzraster, shared and static (core/library/zraster.h)
 
 .PHONY: demo
 demo: ## installs what is missing, builds, renders two scenes into build/demo/
@@ -281,14 +287,43 @@ help: ## this list
 
 # ---- programs ----
 
-$(BUILD)/libzraster.a: $(core)
+# For programs of this repository, with all symbols of the core.
+$(BUILD)/libcore.a: $(core)
+
+# ---- the library: only the functions of its header are visible ----
+
+library_header := core/library/zraster.h
+library_version = $(shell sed -n 's/^\#define ZRASTER_VERSION  *"\(.*\)"/\1/p' $(library_header))
+library_functions = sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)(.*/\1/p' $(library_header)
+prefix ?= /usr/local
+
+$(BUILD)/zraster.map: $(library_header)
+	@mkdir -p $(@D)
+	@{ echo 'ZRASTER_0.2 { global:'; $(library_functions) | sed 's/$$/;/'; echo 'local: *; };'; } >$@
+
+$(BUILD)/libzraster.so.0: $(core) $(BUILD)/zraster.map
+	$(Q)$(CC) $(OURS) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,libzraster.so.0 -Wl,--version-script=$(BUILD)/zraster.map \
+		$(if $(SAN),,-Wl,-z,defs) -Wl,-z,now -o $@ $(core) $(CORE_LIBS)
+	@ln -sf libzraster.so.0 $(BUILD)/libzraster.so
+
+$(BUILD)/libzraster.o: $(core)
+	$(Q)$(LD) -r -o $@ $^
+	$(Q)$(OBJCOPY) --localize-hidden $@
+$(BUILD)/libzraster.a: $(BUILD)/libzraster.o
+
+$(BUILD)/zraster.pc: $(library_header) Makefile
+	@mkdir -p $(@D)
+	@printf '%s\n' 'prefix=$(prefix)' 'Name: zraster' 'Description: renders 3D scenes to PNG, depth, normals and ids' \
+		'Version: $(library_version)' 'Requires.private: libpng libjpeg libisal' 'Libs: -L$${prefix}/lib -lzraster' \
+		'Libs.private: -lm -pthread' 'Cflags: -I$${prefix}/include' >$@
+
 # Archives, so that each program links only what it calls.
 $(BUILD)/libsupport.a: $(support)
 $(BUILD)/%.a:
 	@rm -f $@
 	$(Q)$(AR) rcs $@ $^
 
-$(BUILD)/zrasterd: $(server) $(BUILD)/libzraster.a
+$(BUILD)/zrasterd: $(server) $(BUILD)/libcore.a
 	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
 
 $(BUILD)/zraster: $(client) $(BUILD)/core/scene/looks.o
@@ -301,46 +336,46 @@ $(BUILD)/reference-door: always
 .PHONY: always
 always:
 
-$(BUILD)/zraster-verify: $(reference) $(door) $(BUILD)/reference-door $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+$(BUILD)/zraster-verify: $(reference) $(door) $(BUILD)/reference-door $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(DOOR_LIBS) $(CORE_LIBS)
 
-$(BUILD)/zraster-verify-egl: $(reference) $(BUILD)/tests/reference/reference_egl.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+$(BUILD)/zraster-verify-egl: $(reference) $(BUILD)/tests/reference/reference_egl.o $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(reference_libs_egl) $(CORE_LIBS)
 
 $(BUILD)/zraster-verify-lines: $(lines) $(filter-out %/main.o,$(reference)) $(door) $(BUILD)/reference-door \
-		$(BUILD)/libsupport.a $(BUILD)/libzraster.a
+		$(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(DOOR_LIBS) $(CORE_LIBS)
 
 $(BUILD)/zraster-cross: $(cross) $(renderer)
 	$(LINK) -lm
 
-$(BUILD)/zraster-same: $(BUILD)/tests/cross/same.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+$(BUILD)/zraster-same: $(BUILD)/tests/cross/same.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 
-$(BUILD)/zraster-tables: $(BUILD)/tests/make/tables.o $(BUILD)/libzraster.a
+$(BUILD)/zraster-tables: $(BUILD)/tests/make/tables.o $(BUILD)/libcore.a
 	$(LINK) $(CORE_LIBS)
 
-$(BUILD)/zraster-uninitialised: $(BUILD)/tests/uninitialised/main.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+$(BUILD)/zraster-uninitialised: $(BUILD)/tests/uninitialised/main.o $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(CORE_LIBS)
 
 $(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(door) $(BUILD)/reference-door \
-		$(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+		$(server_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(DOOR_LIBS) $(TEST_LIBS) $(CORE_LIBS)
 
 $(bench_alone): $(BUILD)/%: $(BUILD)/%.o
 $(BUILD)/tests/bench/alone/first_frame: $(reference_gl) $(door) $(BUILD)/reference-door
 	$(LINK) $(DOOR_LIBS) -lm
-$(BUILD)/tests/bench/alone/costs: $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+$(BUILD)/tests/bench/alone/costs: $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 $(BUILD)/tests/bench/alone/bare_http:
 	$(LINK) -lmicrohttpd
 
-$(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+$(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 
 # With libFuzzer's main, or with one that hands over files.
 fuzz_main := $(if $(FUZZ),,$(BUILD)/tests/fuzz/replay.o)
-$(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+$(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(if $(FUZZ),-fsanitize=fuzzer) $(CORE_LIBS) -lz
 $(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/gunzip.o
 $(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/multipart.o
@@ -360,7 +395,7 @@ $(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/support/
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(filter-out -fsanitize=% -fno-sanitize-recover=all,$(OURS)) $(CFLAGS) -fPIC -shared -o $@ $< -ldl
 
-$(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+$(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 
 # Where there is no compiler, it is said so once, and what brings one.

@@ -107,6 +107,7 @@ for part in "$@"; do
         run floors tests/make/test_floors.sh
         run contract tests/make/test_contract.sh "$build"
         run calls tests/make/test_calls.sh "$build"
+        run library tests/make/test_library.sh "$build"
         ;;
     server)
         for test in "$build"/tests/server/test_*; do
