@@ -9,7 +9,7 @@
 #define ZR_KEPT_H
 
 #include "core.h"
-#include "input/growing.h"
+#include "input/json_list.h"
 #include "scene/scene_builder.h"
 
 struct zr_soup;

@@ -6,7 +6,7 @@
 #include "library/cancel.h"
 #include "library/error.h"
 #include "scene/looks.h"
-#include "strict.h"
+#include "scene/validate.h"
 
 /* ---- drawing ---- */
 
