@@ -111,8 +111,8 @@ static void assert_same(struct answer wanted, struct answer got, const char *nam
 static const char *const changes[] = {
     "{}",
     "{\"window\": {\"width\": 61, \"height\": 43}}",
-    "{\"view\": {\"azimuthDegrees\": 30, \"elevationDegrees\": 20}, \"outputs\": [{\"channel\": \"color\"}, "
-    "{\"channel\": \"depth\"}, {\"channel\": \"info\"}]}",
+    ("{\"view\": {\"azimuthDegrees\": 30, \"elevationDegrees\": 20}, \"outputs\": [{\"channel\": \"color\"}, "
+     "{\"channel\": \"depth\"}, {\"channel\": \"info\"}]}"),
     "{\"look\": \"studio\", \"samples\": 4}",
     "{\"look\": \"technical\", \"up\": \"z\", \"background\": \"#123456\"}",
     "{\"lights\": [{\"type\": \"directional\", \"direction\": [1, -2, -3]}], \"ambient\": [0.5, 0.5, 0.5]}",
@@ -313,7 +313,7 @@ static int open_renderer(void **state)
     const struct zraster_options options = {.struct_size = sizeof options, .threads = 3};
     (void)state;
     zr_arena_init(&arena, (size_t)1 << 30);
-    return zraster_open(&options, &renderer);
+    return zraster_open(&options, &renderer) == ZRASTER_OK ? 0 : -1;
 }
 
 static int close_renderer(void **state)

@@ -394,7 +394,7 @@ static int open_renderer(void **state)
 {
     const struct zraster_options options = {.struct_size = sizeof options, .threads = 3};
     (void)state;
-    return zraster_open(&options, &renderer);
+    return zraster_open(&options, &renderer) == ZRASTER_OK ? 0 : -1;
 }
 
 static int close_renderer(void **state)

@@ -139,7 +139,7 @@ static enum zr_status read_kept(void *context, const char *sha256, struct zr_are
     return ZR_OK;
 }
 
-static const struct zr_request KEPT = {.format = ZR_FORMAT_JSON, .stored = {read_kept, assets}};
+static const struct zr_request KEPT = {.format = ZR_FORMAT_JSON, .stored = {.read = read_kept, .context = assets}};
 
 #define KEPT_SCENE(color, depth)                                                                                       \
     HEAD "\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"windowDepth\"}]," BASE(                                  \
@@ -190,7 +190,7 @@ TEST(assets_that_cannot_be_read_are_not_called_missing)
     static const char text[] = KEPT_SCENE(HASH_C, HASH_W);
     enum zr_status cases[] = {ZR_INTERNAL, ZR_CANCELLED};
     for (size_t i = 0; i < 2; i++) {
-        const struct zr_request request = {.format = ZR_FORMAT_JSON, .stored = {fail_to_read, &cases[i]}};
+        const struct zr_request request = {.format = ZR_FORMAT_JSON, .stored = {.read = fail_to_read, .context = &cases[i]}};
         struct reading *reading = read_request(request, text, sizeof text - 1, zr_limits_default(), (size_t)1 << 26);
         assert_int_equal(reading->status, cases[i]);
         assert_null(strstr(reading->error.items[0].detail, "is kept"));

@@ -80,7 +80,7 @@ static struct fixture *open_fixture(void)
                                       .assets = f.parts,
                                       .asset_count = PARTS,
                                       .assets_used = f.used,
-                                      .stored = {read_stored, &f.times_read}};
+                                      .stored = {.read = read_stored, .context = &f.times_read}};
     zr_json_open(&f.root.json, "{}", 2);
     return &f;
 }
