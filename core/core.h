@@ -18,6 +18,7 @@
 #include <stdint.h>
 
 #include "base/arena.h"
+#include "base/array.h"
 #include "base/cancel.h"
 #include "base/status.h"
 #include "base/team.h"
@@ -49,11 +50,13 @@ enum zr_format {
     ZR_FORMAT_UNKNOWN = ZR_FORMAT_COUNT /* detected from the bytes */
 };
 
-/* A file sent with the scene; the scene refers to it by {"asset": name}. */
+/* A file or an array sent with the scene; the scene refers to it by {"asset": name}. */
 struct zr_asset {
     const char *name;
-    const void *bytes;
+    const void *bytes; /* of a file, or of the array */
     size_t size;
+    struct zr_array array; /* type ZR_BYTES: a file, and no more of it is set */
+    bool is_lent;          /* both stay unchanged as long as the scene lives: numbers need not be copied */
 };
 
 /* Store of assets by their SHA-256; the scene refers to one by {"asset": "sha256:..."}. `read` takes 64 lower-case
@@ -70,6 +73,7 @@ struct zr_stored {
 struct zr_quick {
     uint64_t image_pixels_max; /* per image of a base, and for all images of textures together */
     uint64_t node_visits_max;  /* scene/nodes.h */
+    size_t array_bytes_max;    /* for all arrays that stand for lists together */
     bool is_exceeded;
 };
 

@@ -80,7 +80,9 @@ static bool unpack_parts(const struct request *request, struct zr_arena *arena, 
     }
     render->asset_count = 0;
     for (const struct multipart_part *part = parts->parts; part < parts->parts + parts->count; part++)
-        if (part != scene) assets[render->asset_count++] = (struct zr_asset){part->name, part->bytes, part->size};
+        if (part != scene)
+            assets[render->asset_count++] =
+                (struct zr_asset){.name = part->name, .bytes = part->bytes, .size = part->size};
     render->assets = assets;
     render->bytes = scene->bytes;
     render->size = scene->size;

@@ -78,7 +78,12 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 /* Limits of a small request: predicted time on the reference machine, since a small request stays small on a slow one;
  * faces for the painter, whose time cannot be counted; input that is read within some milliseconds. */
 static const double SMALL_MS = 10.0;
-enum { SMALL_PAINTER_FACES = 64, SMALL_IMAGE_PIXELS = 1 << 18, SMALL_NODE_VISITS = 100000 };
+enum {
+    SMALL_PAINTER_FACES = 64,
+    SMALL_IMAGE_PIXELS = 1 << 18,
+    SMALL_NODE_VISITS = 100000,
+    SMALL_ARRAY_BYTES = 4 << 20
+};
 
 /* State of one request. */
 struct rendering {
@@ -241,7 +246,7 @@ enum request_next rendering_work(const struct service *service, const struct req
     r.small_left = REQUEST_SMALL_BYTES;
     unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r, r.stored.advice};
     unpacked.cancel = reading;
-    r.quick = (struct zr_quick){SMALL_IMAGE_PIXELS, SMALL_NODE_VISITS, false};
+    r.quick = (struct zr_quick){SMALL_IMAGE_PIXELS, SMALL_NODE_VISITS, SMALL_ARRAY_BYTES, false};
     if (request->small_only) unpacked.quick = &r.quick;
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(&r, &unpacked, &result, &error);

@@ -10,11 +10,6 @@ static int hex_digit(char c)
     return -1;
 }
 
-static float channel_of(int byte)
-{
-    return (float)byte * (1.0f / 255.0f);
-}
-
 /* Reads `count` channels of one or two hexadecimal digits; a single digit is doubled. */
 static bool read_hex(const char *text, size_t digits, size_t count, zr_vec4 *out)
 {
@@ -22,7 +17,7 @@ static bool read_hex(const char *text, size_t digits, size_t count, zr_vec4 *out
     for (size_t i = 0; i < count; i++, text += digits) {
         int high = hex_digit(text[0]), low = hex_digit(text[digits - 1]);
         if (high < 0 || low < 0) return false;
-        channels[i] = channel_of(high * 16 + low);
+        channels[i] = zr_color_channel(high * 16 + low);
     }
     *out = (zr_vec4){channels[0], channels[1], channels[2], channels[3]};
     return true;
@@ -36,6 +31,7 @@ bool zr_color_of_text(const char *text, size_t length, zr_vec4 *out)
     }
     uint32_t rgb;
     if (!zr_color_of_name(text, length, &rgb)) return false;
-    *out = (zr_vec4){channel_of((int)(rgb >> 16)), channel_of((int)(rgb >> 8 & 255)), channel_of((int)(rgb & 255)), 1};
+    *out = (zr_vec4){zr_color_channel((int)(rgb >> 16)), zr_color_channel((int)(rgb >> 8 & 255)),
+                     zr_color_channel((int)(rgb & 255)), 1};
     return true;
 }

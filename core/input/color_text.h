@@ -10,4 +10,10 @@
 /* Reads "#rrggbb", "#rrggbbaa", "#rgb", "#rgba" or a name (color_names.h), `length` characters; default alpha: 1. */
 bool zr_color_of_text(const char *text, size_t length, zr_vec4 *out);
 
+/* Returns the value, 0..1, of a byte. */
+static inline float zr_color_channel(int byte)
+{
+    return (float)byte * (1.0f / 255.0f);
+}
+
 #endif

@@ -226,7 +226,7 @@ void zr_parsed_read_base(struct zr_parsed_scene *root, const struct zr_json_path
     for (int key = COLOR; key < IMAGES; key++) {
         struct zr_json image = zr_json_at(json, reader.places[key]);
         if (has(&reader, key))
-            zr_parsed_read_bytes(root, &image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
+            zr_parsed_read_bytes(&image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
     }
     if (!has(&reader, WINDOW_DEPTH) && !has(&reader, DEPTH))
         zr_json_fault(json, path, "windowDepth is missing, or depth to make it from: nothing says what hides what");

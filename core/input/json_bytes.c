@@ -12,25 +12,23 @@ struct given {
 static const struct zr_json_field fields[] = {ZR_BYTES_NAME_FIELDS(struct given, name)};
 const struct zr_json_object zr_json_object_bytes = ZR_JSON_OBJECT_OF("bytes", fields);
 
-static bool read_uri(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *text,
-                     struct zr_parsed_bytes *out)
+static bool read_uri(struct zr_json *json, const struct zr_json_path *path, const char *text, struct zr_asset *out)
 {
     struct zr_reason reason;
-    enum zr_status status = zr_data_uri_read(root->json.arena, text, &out->bytes, &out->size, &reason);
-    if (status == ZR_BAD_SCENE) zr_json_fault(&root->json, path, "%s", reason.text);
+    enum zr_status status = zr_data_uri_read(json->arena, text, &out->bytes, &out->size, &reason);
+    if (status == ZR_BAD_SCENE) zr_json_fault(json, path, "%s", reason.text);
     return status == ZR_OK;
 }
 
-static bool read_stored(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *sha256,
-                        struct zr_parsed_bytes *out)
+static bool read_stored(struct zr_json *json, const struct zr_json_path *path, const char *sha256, struct zr_asset *out)
 {
     enum { DIGITS = 64 };
-    struct zr_json *json = &root->json;
+    const struct zr_stored *stored = &json->assets->stored;
     if (strspn(sha256, "0123456789abcdef") != DIGITS || sha256[DIGITS] != '\0')
         return zr_json_fault(json, path, "expected sha256: and 64 lower-case hexadecimal digits");
-    const char *advice = root->stored.advice ? root->stored.advice : "hand the bytes over as a part of the request";
-    if (!root->stored.read) return zr_json_fault(json, path, "no assets are kept here; %s", advice);
-    switch (root->stored.read(root->stored.context, sha256, json->arena, &out->bytes, &out->size)) {
+    const char *advice = stored->advice ? stored->advice : "hand the bytes over as a part of the request";
+    if (!stored->read) return zr_json_fault(json, path, "no assets are kept here; %s", advice);
+    switch (stored->read(stored->context, sha256, json->arena, &out->bytes, &out->size)) {
     case ZR_OK:
         return true;
     case ZR_BAD_SCENE:
@@ -46,19 +44,18 @@ static bool read_stored(struct zr_parsed_scene *root, const struct zr_json_path 
     }
 }
 
-static bool read_asset(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name,
-                       struct zr_parsed_bytes *out)
+static bool read_asset(struct zr_json *json, const struct zr_json_path *path, const char *name, struct zr_asset *out)
 {
     static const char STORED[] = "sha256:";
-    if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(root, path, name + sizeof STORED - 1, out);
-    for (size_t i = 0; i < root->asset_count; i++)
-        if (strcmp(root->assets[i].name, name) == 0) {
-            root->assets_used[i] = true;
-            *out = (struct zr_parsed_bytes){root->assets[i].bytes, root->assets[i].size};
+    if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(json, path, name + sizeof STORED - 1, out);
+    struct zr_parsed_assets *assets = json->assets;
+    for (size_t i = 0; i < assets->count; i++)
+        if (strcmp(assets->items[i].name, name) == 0) {
+            assets->uses[i] |= assets->use;
+            *out = assets->items[i];
             return true;
         }
-    return zr_json_fault(&root->json, path, "no part of the request has the name %s",
-                         zr_quote(name, strlen(name)).text);
+    return zr_json_fault(json, path, "no part of the request has the name %s", zr_quote(name, strlen(name)).text);
 }
 
 void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset)
@@ -67,27 +64,55 @@ void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_a
                         zr_quote(asset->name, strlen(asset->name)).text);
 }
 
-bool zr_parsed_read_named(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                          const struct zr_bytes_name *name, struct zr_parsed_bytes *out)
+/* Finds a file or an array. */
+static bool find_named(struct zr_json *json, const struct zr_json_path *path, const struct zr_bytes_name *name,
+                       struct zr_asset *out)
 {
     if (!name->uri == !name->asset)
-        return zr_json_fault(&root->json, path, "%s of uri and asset is needed", name->uri ? "only one" : "one");
-    return name->uri ? read_uri(root, ZR_JSON_KEY(path, ZR_BYTES_URI), name->uri, out)
-                     : read_asset(root, ZR_JSON_KEY(path, ZR_BYTES_ASSET), name->asset, out);
+        return zr_json_fault(json, path, "%s of uri and asset is needed", name->uri ? "only one" : "one");
+    *out = (struct zr_asset){.name = ""};
+    return name->uri ? read_uri(json, ZR_JSON_KEY(path, ZR_BYTES_URI), name->uri, out)
+                     : read_asset(json, ZR_JSON_KEY(path, ZR_BYTES_ASSET), name->asset, out);
 }
 
-bool zr_parsed_read_bytes(struct zr_parsed_scene *root, struct zr_json *json, const struct zr_json_path *path,
-                          struct zr_parsed_bytes *out)
+bool zr_parsed_read_asset(struct zr_json *json, const struct zr_json_path *path, struct zr_asset *out)
 {
-    const enum zr_json_type type = zr_json_type(json);
     struct given given = {{NULL, NULL}};
     uint64_t keys;
+    const size_t faults = json->error->count;
+    return zr_json_fields(json, path, &zr_json_object_bytes, &given, &keys) && json->error->count == faults &&
+           zr_arena_ok(json->arena) && find_named(json, path, &given.name, out);
+}
+
+/* Refuses arrays of numbers. */
+static bool take_file(struct zr_json *json, const struct zr_json_path *path, const struct zr_asset *asset,
+                      struct zr_parsed_bytes *out)
+{
+    if (asset->array.type != ZR_BYTES)
+        return zr_json_fault(json, ZR_JSON_KEY(path, ZR_BYTES_ASSET),
+                             "the part %s is an array of %s; the bytes of a file are needed",
+                             zr_quote(asset->name, strlen(asset->name)).text, zr_number_name(asset->array.type));
+    *out = (struct zr_parsed_bytes){asset->bytes, asset->size};
+    return true;
+}
+
+bool zr_parsed_read_named(struct zr_json *json, const struct zr_json_path *path, const struct zr_bytes_name *name,
+                          struct zr_parsed_bytes *out)
+{
+    struct zr_asset asset;
+    return find_named(json, path, name, &asset) && take_file(json, path, &asset, out);
+}
+
+bool zr_parsed_read_bytes(struct zr_json *json, const struct zr_json_path *path, struct zr_parsed_bytes *out)
+{
+    const enum zr_json_type type = zr_json_type(json);
+    struct zr_asset asset = {.name = ""};
+    const char *uri;
     if (type == ZR_JSON_STRING)
-        return zr_json_string(json, path, NULL, &given.name.uri) && read_uri(root, path, given.name.uri, out);
+        return zr_json_string(json, path, NULL, &uri) && read_uri(json, path, uri, &asset) &&
+               take_file(json, path, &asset, out);
     if (type != ZR_JSON_OBJECT)
         return zr_json_skip(json) &&
                zr_json_fault(json, path, "expected a data: URI, {\"uri\": ...} or {\"asset\": ...}");
-    const size_t faults = json->error->count;
-    zr_json_fields(json, path, &zr_json_object_bytes, &given, &keys);
-    return json->error->count == faults && zr_parsed_read_named(root, path, &given.name, out);
+    return zr_parsed_read_asset(json, path, &asset) && take_file(json, path, &asset, out);
 }

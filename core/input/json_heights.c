@@ -5,12 +5,16 @@
 #include <string.h>
 
 #include "base/checked.h"
+#include "input/json_array.h"
 #include "input/json_list.h"
 #include "input/json_objects.h"
 #include "input/json_rows.h"
 
 /* Four corners per cell are counted in 32 bits. */
 enum { POSITIONS_MAX = INT32_MAX / 4 };
+
+/* Values between two checks for cancellation. */
+enum { VALUES_A_LOOK = 1 << 16 };
 
 /* ---- reading ---- */
 
@@ -104,6 +108,37 @@ static bool join_rows(struct zr_json *json, void *state, const void *part)
     return zr_growing_join(json, &all->values, &heights->values);
 }
 
+/* Reads an array of rows; NaN is a hole. */
+static bool read_value_array(struct zr_json *json, const struct zr_json_path *path, struct zr_heights *heights)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    const struct zr_array_wanted wanted = {
+        .least = 2, .most = POSITIONS_MAX, .has_holes = true, .low = -limit, .high = limit};
+    struct zr_json_array array;
+    if (!zr_json_array_open(json, path, &wanted, &array) || !zr_json_array_floats(json, path, &array, &heights->values))
+        return false;
+    heights->rows = array.rows;
+    const float *values = heights->values.items;
+    for (size_t i = 0; i < heights->values.count && !heights->has_holes; i++) {
+        if (i % VALUES_A_LOOK == 0) {
+            zr_json_look(json);
+            if (zr_json_stops(json)) return false;
+        }
+        heights->has_holes = isnan(values[i]);
+    }
+    heights->columns = array.columns;
+    return true;
+}
+
+/* True if the next value is an object that names an array. */
+static bool names_array(const struct zr_json *json)
+{
+    struct zr_json there = *json;
+    struct zr_json_text key;
+    return zr_json_enter(&there, '{') && zr_json_member(&there, &key) &&
+           (zr_json_is(&key, "asset") || zr_json_is(&key, "uri"));
+}
+
 /* struct zr_heights */
 static bool read_values(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
@@ -112,7 +147,9 @@ static bool read_values(struct zr_json *json, const struct zr_json_path *path, c
     struct zr_heights *heights = out;
     const size_t faults = json->error->count;
     (void)field;
-    if (!zr_json_list_read(json, path, &list, heights)) return false;
+    const bool good = zr_json_type(json) == ZR_JSON_OBJECT ? read_value_array(json, path, heights)
+                                                           : zr_json_list_read(json, path, &list, heights);
+    if (!good) return false;
     zr_growing_trim(&heights->values, json->arena);
     if (heights->rows < 2) zr_json_fault(json, path, "rows: %zu; a grid needs 2 or more", heights->rows);
     if (json->error->count == faults && heights->values.count > POSITIONS_MAX)
@@ -155,7 +192,7 @@ bool zr_read_heights(struct zr_json *json, const struct zr_json_path *path, cons
                      void *out)
 {
     struct zr_heights *heights = out;
-    if (zr_json_type(json) != ZR_JSON_OBJECT) return read_values(json, path, field, out);
+    if (zr_json_type(json) != ZR_JSON_OBJECT || names_array(json)) return read_values(json, path, field, out);
     return zr_json_fields(json, path, &zr_json_object_heights, out, &heights->keys);
 }
 

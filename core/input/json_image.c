@@ -65,7 +65,7 @@ static bool read_named(struct zr_parsed_scene *root, const struct zr_json_path *
     const struct zr_json_path *at = ZR_JSON_KEY(path, named->is_asset ? ZR_BYTES_ASSET : ZR_BYTES_URI);
     if (root->images.count == NAMES_MAX)
         return zr_json_fault(&root->json, at, "more than the %d images that are allowed", NAMES_MAX);
-    if (!zr_parsed_read_named(root, path, name, &named->bytes)) return false;
+    if (!zr_parsed_read_named(&root->json, path, name, &named->bytes)) return false;
     const struct named *same = find_bytes(&root->images, &named->bytes);
     if (!same) return decode(root, at, named);
     named->image = same->image;

@@ -41,6 +41,10 @@ bool zr_kept_save(struct zr_kept *kept, struct zr_parsed_scene *root)
         key.value = end ? NULL : copy(json->arena, key.value, key.size);
         if (key.value) keys[kept->key_count++] = key;
     }
+    uint8_t *uses = zr_arena_alloc(json->arena, root->assets.count, sizeof *uses);
+    for (size_t i = 0; uses && i < root->assets.count; i++)
+        uses[i] = (root->assets.uses[i] & ZR_USED_BY_GEOMETRY) != 0;
+    kept->uses = uses;
     kept->meshes = root->meshes;
     kept->soup = root->soup ? zr_soup_copy(json->arena, root->soup, true) : NULL;
     return zr_arena_ok(json->arena);
@@ -48,6 +52,7 @@ bool zr_kept_save(struct zr_kept *kept, struct zr_parsed_scene *root)
 
 bool zr_kept_load(const struct zr_kept *kept, struct zr_parsed_scene *root)
 {
+    if (kept->request.asset_count > 0) memcpy(root->assets.uses, kept->uses, kept->request.asset_count);
     root->meshes = kept->meshes;
     root->soup = kept->soup ? zr_soup_copy(root->json.arena, kept->soup, false) : NULL;
     return zr_arena_ok(root->json.arena);

@@ -60,6 +60,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
     (void)field;
     list->size = sizeof(struct zr_parsed_mesh);
     if (!zr_json_list(json, path)) return false;
+    json->assets->use |= ZR_USED_BY_GEOMETRY;
     for (zr_json_enter(json, '['); zr_json_item(json); list->count++) {
         /* A local, so that its lists keep their address and can be the arena's newest allocation. */
         struct zr_parsed_mesh given = {.face_style = zr_face_style_unset,
@@ -81,6 +82,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
         if (!kept) return false;
         *kept = given;
     }
+    json->assets->use = ZR_USED;
     ((struct zr_parsed_scene *)out)->meshes_end = json->at;
     return true;
 }

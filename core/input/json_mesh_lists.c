@@ -1,16 +1,27 @@
+#include "input/json_array.h"
 #include "input/json_list.h"
 #include "input/json_mesh.h"
 #include "input/json_rows.h"
+#include "scene/texture.h"
 
 /* Free slots of the index array before each face. A face with more corners than free slots goes through read_face. */
 enum { CORNERS_AT_HAND = 64 };
 
+/* Rows between two checks for cancellation. */
+enum { ROWS_A_LOOK = 1 << 16 };
+
 /* ---- arrays ---- */
 
-/* Reads the next value, a list, into an array; `items` is not NULL from then on, even if the list is empty. */
+/* Reads the next value, a list or what stands for it, into an array; `items` is not NULL from then on, even if the list
+ * is empty. `limit`: the largest magnitude, or 0 for coordinates. */
 static bool read_array(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_list *list,
-                       struct zr_growing *array)
+                       struct zr_array_wanted wanted, float limit, struct zr_growing *array)
 {
+    if (zr_json_type(json) == ZR_JSON_OBJECT) {
+        wanted.high = wanted.is_color ? 1.0 : (double)(limit > 0.0f ? limit : json->limits->coordinate_max);
+        wanted.low = wanted.is_color ? 0.0 : -wanted.high;
+        return zr_json_array_read(json, path, &wanted, array);
+    }
     if (!zr_json_list(json, path) || !zr_growing_reserve(array, json, 1)) return false;
     const bool good = zr_json_list_read(json, path, list, array);
     zr_growing_trim(array, json->arena);
@@ -52,20 +63,35 @@ static void read_tangent_items(struct zr_json *json, const struct zr_json_path *
     zr_rows_read_tangents(json, path, state, 0, until);
 }
 
-#define READER(what, read_items)                                                                                       \
-    bool zr_read_mesh_##what(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, \
-                             void *out)                                                                                \
+/* The shapes of arrays follow; positions are changed by zr_unused_positions_move. */
+#define READER(name, read_items, limit, ...)                                                                           \
+    bool name(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)     \
     {                                                                                                                  \
         static const struct zr_json_list list = {'[', read_items, begin_array, join_array};                            \
         (void)field;                                                                                                   \
-        return read_array(json, path, &list, out);                                                                     \
+        return read_array(json, path, &list, (struct zr_array_wanted){__VA_ARGS__}, limit, out);                       \
     }
-READER(positions, read_position_items)
-READER(colors, read_color_items)
-READER(normals, read_normal_items)
-READER(texcoords, read_texcoord_items)
-READER(tangents, read_tangent_items)
+READER(zr_read_mesh_positions, read_position_items, 0, .least = 3, .most = 4, .is_changed = true)
+READER(zr_read_mesh_colors, read_color_items, 0, .least = 3, .most = 4, .is_color = true)
+READER(zr_read_mesh_normals, read_normal_items, 0, .least = 3, .most = 3)
+READER(zr_read_mesh_texcoords, read_texcoord_items, ZR_TEXCOORD_MAX, .least = 2, .most = 2)
 #undef READER
+
+bool zr_read_mesh_tangents(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                           void *out)
+{
+    static const struct zr_json_list list = {'[', read_tangent_items, begin_array, join_array};
+    const struct zr_growing *array = out;
+    const bool is_array = zr_json_type(json) == ZR_JSON_OBJECT;
+    (void)field;
+    if (!read_array(json, path, &list, (struct zr_array_wanted){.least = 4, .most = 4}, 0, out)) return false;
+    for (size_t i = 0; is_array && i < array->count; i++) {
+        if (i % ROWS_A_LOOK == 0) zr_json_look(json);
+        if (zr_json_stops(json)) return false;
+        zr_tangent_check(json, ZR_JSON_ITEM(path, i), (const zr_vec4 *)array->items + i);
+    }
+    return true;
+}
 
 /* ---- indices ---- */
 
@@ -142,6 +168,27 @@ static bool join_faces(struct zr_json *json, void *state, const void *part)
     return true;
 }
 
+/* Reads an array of faces that all have as many corners. */
+static bool read_face_array(struct zr_json *json, const struct zr_json_path *path, struct zr_parsed_faces *faces)
+{
+    const struct zr_array_wanted wanted = {.least = 3, .most = json->limits->polygon_vertices_max, .is_index = true};
+    struct zr_json_array array;
+    if (!zr_json_array_open(json, path, &wanted, &array) ||
+        !zr_json_array_indices(json, path, &array, faces->positions, "positions", &faces->indices) ||
+        !zr_growing_reserve(&faces->ends, json, array.rows + 1))
+        return false;
+    uint32_t *ends = faces->ends.items;
+    for (size_t i = 0; i <= array.rows; i++) {
+        if (i % ROWS_A_LOOK == 0) {
+            zr_json_look(json);
+            if (zr_json_stops(json)) return false;
+        }
+        ends[i] = (uint32_t)(i * array.columns);
+    }
+    faces->ends.count = array.rows + 1;
+    return true;
+}
+
 bool zr_read_mesh_faces(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
@@ -151,6 +198,7 @@ bool zr_read_mesh_faces(struct zr_json *json, const struct zr_json_path *path, c
     uint32_t *first;
     (void)field;
     faces->positions = known_positions(given);
+    if (zr_json_type(json) == ZR_JSON_OBJECT) return read_face_array(json, path, faces);
     if (!zr_json_list(json, path) || !(first = zr_growing_next(&faces->ends, json))) return false;
     *first = 0;
     faces->ends.count = 1;
@@ -204,6 +252,16 @@ static bool join_lines(struct zr_json *json, void *state, const void *part)
                            &((const struct zr_parsed_lines *)part)->ends);
 }
 
+/* Reads an array of lines or points: `columns` indices each. */
+static bool read_index_array(struct zr_json *json, const struct zr_json_path *path, size_t columns, uint32_t positions,
+                             struct zr_growing *indices)
+{
+    const struct zr_array_wanted wanted = {.least = columns, .most = columns, .is_index = true};
+    struct zr_json_array array;
+    return zr_json_array_open(json, path, &wanted, &array) &&
+           zr_json_array_indices(json, path, &array, positions, "positions", indices);
+}
+
 bool zr_read_mesh_lines(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
@@ -211,6 +269,8 @@ bool zr_read_mesh_lines(struct zr_json *json, const struct zr_json_path *path, c
     struct zr_parsed_mesh *given = out;
     (void)field;
     given->lines.positions = known_positions(given);
+    if (zr_json_type(json) == ZR_JSON_OBJECT)
+        return read_index_array(json, path, 2, given->lines.positions, &given->lines.ends);
     if (!zr_json_list(json, path) || !zr_growing_reserve(&given->lines.ends, json, 1)) return false;
     const bool good = zr_json_list_read(json, path, &list, &given->lines);
     zr_growing_trim(&given->lines.ends, json->arena);
@@ -225,6 +285,7 @@ bool zr_read_mesh_points(struct zr_json *json, const struct zr_json_path *path, 
     uint32_t *index;
     (void)field;
     points->positions = known_positions(out);
+    if (zr_json_type(json) == ZR_JSON_OBJECT) return read_index_array(json, path, 1, points->positions, indices);
     if (!zr_json_list(json, path) || !zr_growing_reserve(indices, json, 1)) return false;
     for (zr_json_enter(json, '['); zr_json_item(json) && (index = zr_growing_next(indices, json)); indices->count++)
         zr_json_index(json, ZR_JSON_ITEM(path, indices->count), points->positions, "positions", index);

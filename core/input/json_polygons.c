@@ -2,6 +2,7 @@
  * material. */
 #include <string.h>
 
+#include "input/json_array.h"
 #include "input/json_list.h"
 #include "input/json_objects.h"
 #include "input/json_rows.h"
@@ -45,6 +46,27 @@ struct polygon {
 
 /* ---- lists of a polygon ---- */
 
+/* Arrays that may stand for a list. The scene's lists are shared by all polygons, and change. */
+static const struct zr_array_wanted position_array = {.least = 3, .most = 4, .is_changed = true},
+                                    color_array = {.least = 3, .most = 4, .is_changed = true, .is_color = true},
+                                    normal_array = {.least = 3, .most = 3, .is_changed = true};
+
+/* Appends the items of the next value, a list or an array. The path numbers them from item `first` on. */
+static bool read_items_of(struct zr_json *json, const struct zr_json_path *path, struct zr_array_wanted wanted,
+                          zr_rows_read_fn *read, size_t first, struct zr_growing *list)
+{
+    if (zr_json_type(json) == ZR_JSON_OBJECT) {
+        wanted.high = wanted.is_color ? 1.0 : (double)json->limits->coordinate_max;
+        wanted.low = wanted.is_color ? 0.0 : -wanted.high;
+        return zr_json_array_read(json, path, &wanted, list);
+    }
+    if (!zr_json_list(json, path) || !zr_json_enter(json, '[')) return false;
+    const unsigned inside = json->depth;
+    read(json, path, list, first, json->end);
+    zr_json_check_closed(json, inside);
+    return true;
+}
+
 /* struct polygon: a ring of positions: the outer one or, called with its path, a hole. */
 static bool read_ring(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                       void *out)
@@ -53,11 +75,7 @@ static bool read_ring(struct zr_json *json, const struct zr_json_path *path, con
     struct zr_growing *positions = &polygon->soup->positions;
     const size_t first = positions->count;
     (void)field;
-    if (!zr_json_list(json, path)) return false;
-    if (!zr_json_enter(json, '[')) return false;
-    const unsigned inside = json->depth;
-    zr_rows_read_positions(json, path, positions, first, json->end);
-    zr_json_check_closed(json, inside);
+    if (!read_items_of(json, path, position_array, zr_rows_read_positions, first, positions)) return false;
     const size_t count = positions->count - first, most = json->limits->polygon_vertices_max;
     const size_t all = positions->count - polygon->first_vertex;
     if (first > polygon->first_vertex && count < 3)
@@ -82,14 +100,10 @@ static const zr_vec3 computed = {0, 0, 0}; /* normal that is computed later */
 
 /* Reads a list with one item per vertex. Earlier polygons get `item` if this is the first such list. */
 static bool read_each(struct zr_json *json, const struct zr_json_path *path, const struct polygon *polygon,
-                      struct zr_growing *list, const void *item, zr_rows_read_fn *read)
+                      struct zr_growing *list, const void *item, struct zr_array_wanted wanted, zr_rows_read_fn *read)
 {
-    if (!zr_json_list(json, path) || !fill(list, json, polygon->first_vertex, item) || !zr_json_enter(json, '['))
-        return false;
-    const unsigned inside = json->depth;
-    read(json, path, list, polygon->first_vertex, json->end);
-    zr_json_check_closed(json, inside);
-    return true;
+    return fill(list, json, polygon->first_vertex, item) &&
+           read_items_of(json, path, wanted, read, polygon->first_vertex, list);
 }
 
 /* struct polygon, also for read_normals */
@@ -98,7 +112,7 @@ static bool read_colors(struct zr_json *json, const struct zr_json_path *path, c
 {
     const struct polygon *polygon = out;
     (void)field;
-    return read_each(json, path, polygon, &polygon->soup->colors, &white, zr_rows_read_colors);
+    return read_each(json, path, polygon, &polygon->soup->colors, &white, color_array, zr_rows_read_colors);
 }
 
 static bool read_normals(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
@@ -106,7 +120,7 @@ static bool read_normals(struct zr_json *json, const struct zr_json_path *path, 
 {
     const struct polygon *polygon = out;
     (void)field;
-    return read_each(json, path, polygon, &polygon->soup->normals, &computed, zr_rows_read_vec3s);
+    return read_each(json, path, polygon, &polygon->soup->normals, &computed, normal_array, zr_rows_read_vec3s);
 }
 
 /* zr_vec4 */
@@ -350,7 +364,9 @@ bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, con
     *soup = empty_soup();
     struct zr_parsed_scene *root = out;
     root->soup = soup;
+    json->assets->use |= ZR_USED_BY_GEOMETRY;
     const bool good = zr_json_list_read(json, path, &list, soup);
+    json->assets->use = ZR_USED;
     root->polygons_end = json->at;
     return good;
 }

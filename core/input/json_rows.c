@@ -149,11 +149,16 @@ static const char *row_tangent(const char *at, const char *end, double limit, zr
     return at && *at == ']' && is_sign(w) ? at + 1 : NULL;
 }
 
+bool zr_tangent_check(struct zr_json *json, const struct zr_json_path *path, const zr_vec4 *tangent)
+{
+    return is_sign(tangent->w) ||
+           zr_json_fault(json, ZR_JSON_ITEM(path, 3), "%.9g; 1 and -1 are allowed: the sign of the bitangent",
+                         (double)tangent->w);
+}
+
 static void read_tangent(struct zr_json *json, const struct zr_json_path *path, zr_vec4 *tangent)
 {
-    if (zr_json_vec4(json, path, NULL, tangent) && !is_sign(tangent->w))
-        zr_json_fault(json, ZR_JSON_ITEM(path, 3), "%.9g; 1 and -1 are allowed: the sign of the bitangent",
-                      (double)tangent->w);
+    if (zr_json_vec4(json, path, NULL, tangent)) zr_tangent_check(json, path, tangent);
 }
 
 void zr_rows_read_tangents(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,

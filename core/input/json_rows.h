@@ -139,4 +139,7 @@ zr_rows_read_fn zr_rows_read_vec3s;                          /* zr_vec3 */
 zr_rows_read_fn zr_rows_read_texcoords;                      /* float[2] */
 zr_rows_read_fn zr_rows_read_tangents;                       /* zr_vec4, with w = 1 or -1 */
 
+/* Reports a w other than 1 and -1; returns false then. */
+bool zr_tangent_check(struct zr_json *json, const struct zr_json_path *path, const zr_vec4 *tangent);
+
 #endif

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "input/json_array.h"
 #include "input/json_rows.h"
 #include "scene/degenerate_face.h"
 #include "scene/mesh_label.h"
@@ -51,8 +52,10 @@ static void read_odd(struct zr_json *json, const struct zr_json_path *path, stru
 bool zr_read_scalars(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                      void *out)
 {
+    static const struct zr_array_wanted wanted = {.least = 1, .most = 1, .low = -VALUE_MAX, .high = VALUE_MAX};
     struct zr_growing *values = &((struct zr_scalars *)out)->values;
     (void)field;
+    if (zr_json_type(json) == ZR_JSON_OBJECT) return zr_json_array_read(json, path, &wanted, values);
     if (!zr_json_list(json, path) || !zr_growing_reserve(values, json, 1)) return false;
     if (!read_plain(json, values)) {
         if (values->count == 0)

@@ -48,8 +48,8 @@ static void warn(struct zr_parsed_scene *root, uint32_t listed)
     if (root->unplaced_meshes > 0)
         zr_warning_list_add(root->json.arena, warnings, "%u of %u meshes are placed by no node and are not drawn",
                             root->unplaced_meshes, listed);
-    for (size_t i = 0; i < root->asset_count; i++)
-        if (!root->assets_used[i]) zr_warn_of_unused_asset(root->builder, &root->assets[i]);
+    for (size_t i = 0; i < root->assets.count; i++)
+        if (!root->assets.uses[i]) zr_warn_of_unused_asset(root->builder, &root->assets.items[i]);
 }
 
 static void build(struct zr_parsed_scene *root)
@@ -101,17 +101,20 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
                                    .scene = scene,
                                    .algorithm = (int)scene->algorithm,
                                    .face_style = zr_face_style_unset,
-                                   .asset_count = request->asset_count,
-                                   .assets = request->assets,
-                                   .stored = request->stored,
+                                   .assets = {.count = request->asset_count,
+                                              .items = request->assets,
+                                              .use = ZR_USED,
+                                              .stored = request->stored,
+                                              .quick = request->quick},
                                    .quick = request->quick};
     struct zr_json *json = &root.json;
+    json->assets = &root.assets;
     zr_json_open(json, request->bytes, request->size);
-    root.assets_used = zr_arena_zero(builder->arena, root.asset_count, sizeof *root.assets_used);
+    root.assets.uses = zr_arena_zero(builder->arena, root.assets.count, sizeof *root.assets.uses);
+    if (!root.assets.uses) return zr_json_close(json);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
     if (keeping && keeping->from && !zr_kept_load(keeping->from, &root)) return ZR_NO_MEMORY;
-    if (root.assets_used && zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.keys) && zr_json_end(json) &&
-        save(&root))
+    if (zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.keys) && zr_json_end(json) && save(&root))
         build(&root);
     return zr_json_close(json);
 }

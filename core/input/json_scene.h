@@ -115,6 +115,19 @@ enum zr_scene_key {
 
 enum { ZR_SCENE_KEYS_MAX = 64 };
 
+/* The assets of a request. A kept scene also notes which of them its meshes and polygons use. */
+enum { ZR_USED = 1, ZR_USED_BY_GEOMETRY = 2 };
+
+struct zr_parsed_assets {
+    size_t count;
+    const struct zr_asset *items;
+    uint8_t *uses; /* one per asset: a sum of the above */
+    uint8_t use;   /* the sum for the part of the scene that is read now */
+    struct zr_stored stored;
+    struct zr_quick *quick; /* the request's; may be NULL */
+    size_t array_bytes;     /* read so far, of arrays that stand for lists */
+};
+
 /* A JSON scene while it is read. */
 struct zr_parsed_scene {
     struct zr_json json;
@@ -147,10 +160,7 @@ struct zr_parsed_scene {
     uint32_t shadings;      /* bit i: a filled face has the shading i */
     const char *linear_key; /* the name of a key, anywhere in the scene, that needs linear light; or NULL */
 
-    size_t asset_count;
-    const struct zr_asset *assets;
-    bool *assets_used;
-    struct zr_stored stored;
+    struct zr_parsed_assets assets;
     struct zr_quick *quick;   /* the request's; may be NULL */
     struct zr_growing images; /* decoded images, private to json_image.c */
     uint64_t image_pixels;    /* decoded pixels, all images */
@@ -310,10 +320,12 @@ struct zr_parsed_bytes {
     const void *bytes;
     size_t size;
 };
-bool zr_parsed_read_named(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                          const struct zr_bytes_name *name, struct zr_parsed_bytes *out);
-bool zr_parsed_read_bytes(struct zr_parsed_scene *root, struct zr_json *json, const struct zr_json_path *path,
+bool zr_parsed_read_named(struct zr_json *json, const struct zr_json_path *path, const struct zr_bytes_name *name,
                           struct zr_parsed_bytes *out);
+bool zr_parsed_read_bytes(struct zr_json *json, const struct zr_json_path *path, struct zr_parsed_bytes *out);
+
+/* The same for an object that may also name an array of numbers. */
+bool zr_parsed_read_asset(struct zr_json *json, const struct zr_json_path *path, struct zr_asset *out);
 
 /* json_image.c: finds the index in scene->images of the image with these bytes; each is decoded once. `path`: of the
  * object with the keys of ZR_BYTES_NAME_FIELDS. False, and reported, on failure. The bytes are read only here, so the

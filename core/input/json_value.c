@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "input/color_text.h"
+#include "input/json_array.h"
 #include "input/nearest.h"
 #include "input/text.h"
 #include "scene/scene.h"
@@ -172,9 +173,10 @@ bool zr_json_place(struct zr_json *json, const struct zr_json_path *path, const 
 
 /* ---- numbers ---- */
 
-static bool check_range(struct zr_json *json, const struct zr_json_path *path, double low, double high, double value)
+bool zr_json_check_range(struct zr_json *json, const struct zr_json_path *path, double low, double high, double value)
 {
     if (value >= low && value <= high) return true;
+    if (isnan(value)) return zr_json_fault(json, path, "not a number; %.9g to %.9g is allowed", low, high);
     if (!isfinite(value)) return zr_json_fault(json, path, "a number too large; %.9g to %.9g is allowed", low, high);
     return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, low, high);
 }
@@ -183,7 +185,7 @@ bool zr_json_number_in(struct zr_json *json, const struct zr_json_path *path, do
 {
     double value;
     if (!expect(json, path, ZR_JSON_NUMBER, "a number") || !zr_json_take_number(json, &value) ||
-        !check_range(json, path, low, high, value))
+        !zr_json_check_range(json, path, low, high, value))
         return false;
     *out = value;
     return true;
@@ -252,16 +254,22 @@ bool zr_json_bad_index(struct zr_json *json, const struct zr_json_path *path, do
                          count > 0 && value == (double)count ? "; they count from 0" : "");
 }
 
-bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32_t count, const char *of, uint32_t *out)
+bool zr_json_check_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
+                         const char *of, uint32_t *out)
 {
-    double value;
-    if (!expect(json, path, ZR_JSON_NUMBER, "an index") || !zr_json_take_number(json, &value)) return false;
     if (!(value >= 0 && value < (double)count) || (double)(uint32_t)value != value) {
         if (count < UINT32_MAX) return zr_json_bad_index(json, path, value, count, of);
         return zr_json_fault(json, path, "index %.15g is not a whole number from 0 on", value);
     }
     *out = (uint32_t)value;
     return true;
+}
+
+bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32_t count, const char *of, uint32_t *out)
+{
+    double value;
+    return expect(json, path, ZR_JSON_NUMBER, "an index") && zr_json_take_number(json, &value) &&
+           zr_json_check_index(json, path, value, count, of, out);
 }
 
 /* ---- words ---- */
@@ -406,6 +414,7 @@ bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_
                     bool *nested)
 {
     size_t count, row = 0;
+    if (zr_json_type(json) == ZR_JSON_OBJECT) return zr_json_array_square(json, path, side, limit, out, nested);
     bool good = expect(json, path, ZR_JSON_LIST, "a matrix");
     if (!good) return false;
     *nested = has_rows(json);

@@ -96,6 +96,11 @@ zr_json_read_fn zr_json_whole;
 bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32_t count, const char *of,
                    uint32_t *out);
 
+/* Checks a number as zr_json_number_in and zr_json_index do. */
+bool zr_json_check_range(struct zr_json *json, const struct zr_json_path *path, double low, double high, double value);
+bool zr_json_check_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
+                         const char *of, uint32_t *out);
+
 /* Reports an index that is no integer below `count`; returns false. */
 bool zr_json_bad_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
                        const char *of);
@@ -119,8 +124,8 @@ zr_json_read_fn zr_json_affine; /* zr_mat4, affine: its bottom row is 0 0 0 1 */
 bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size_t least, size_t most, double low,
                      double high, double *out, size_t *count);
 
-/* Reads a matrix of side x side numbers, magnitudes up to `limit`, in the order of the text. *nested: a list of rows;
- * else one flat list. */
+/* Reads a matrix of side x side numbers, magnitudes up to `limit`, in the order of the text. *nested: a list of rows,
+ * or an array (json_array.h); else one flat list. */
 bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out,
                     bool *nested);
 

@@ -30,6 +30,7 @@ struct zr_kept {
     size_t key_count; /* of a JSON scene: the root's keys other than meshes and polygons */
     const struct zr_kept_key *keys;
     struct zr_growing meshes;   /* struct zr_parsed_mesh */
+    const uint8_t *uses;        /* of its assets: 1 if the meshes or polygons use it */
     const struct zr_soup *soup; /* or NULL */
 
     struct zr_scene_builder bare; /* of a bare mesh: meshes and warnings as read */

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-enum { PREFIX = 8, SIDES_MAX = 3 };
+enum { PREFIX = 8, SIDES_MAX = ZR_ARRAY_SIDES_MAX };
 
 static const char MAGIC[] = "\x93NUMPY";
 
@@ -174,4 +174,55 @@ enum zr_status zr_npy_read(struct zr_arena *arena, const void *bytes, size_t siz
     if (!*values) return ZR_NO_MEMORY;
     copy_values(*values, h.end, count, swapped);
     return ZR_OK;
+}
+
+/* ---- any array ---- */
+
+static bool find_type(const struct header *h, enum zr_number_type *out, struct zr_reason *reason)
+{
+    const bool is_known = h->type_size == 3;
+    for (int type = ZR_F4; is_known && type < ZR_NUMBER_TYPES; type++) {
+        if (memcmp(h->type + 1, zr_number_name((enum zr_number_type)type), 2) != 0) continue;
+        *out = (enum zr_number_type)type;
+        if (h->type[0] == '<' || (type == ZR_U1 && h->type[0] == '|')) return true;
+        if (h->type[0] != '>') break;
+        zr_reason_give(reason, "the array's type is %s, big endian; astype('<%s') makes it little endian",
+                       zr_quote(h->type, h->type_size).text, zr_number_name(*out));
+        return false;
+    }
+    zr_reason_give(reason, "the array's type is %s; f4, f8, u1, i4, u4, i8 and u8 are read",
+                   zr_quote(h->type, h->type_size).text);
+    return false;
+}
+
+bool zr_npy_open(const void *bytes, size_t size, struct zr_array *out, struct zr_reason *reason)
+{
+    struct header h = {.at = NULL};
+    size_t needed;
+    if (!find_header(bytes, size, &h) || !take_dictionary(&h)) {
+        zr_reason_give(reason, "not an NPY file (numpy.save) of version 1.0, 2.0 or 3.0");
+        return false;
+    }
+    *out = (struct zr_array){.data = h.end, .ndim = h.sides};
+    if (!find_type(&h, &out->type, reason)) return false;
+    if (h.fortran) {
+        zr_reason_give(reason, "the array is in Fortran order; numpy.ascontiguousarray makes it rows");
+        return false;
+    }
+    if (h.sides < 1 || h.sides > SIDES_MAX) {
+        zr_reason_give(reason, "the array has %zu dimensions; 1 to %d are read", h.sides, (int)SIDES_MAX);
+        return false;
+    }
+    bool fits = true;
+    for (size_t i = 0; i < h.sides; i++) {
+        out->shape[i] = (size_t)h.shape[i];
+        fits &= out->shape[i] == h.shape[i];
+    }
+    const size_t held = size - (size_t)(h.end - (const char *)bytes);
+    if (!fits || !zr_array_bytes(out, &needed)) {
+        zr_reason_give(reason, "the array's shape is too large");
+        return false;
+    }
+    if (held != needed) zr_reason_give(reason, "%zu bytes of numbers; %zu are needed", held, needed);
+    return held == needed;
 }

@@ -31,17 +31,27 @@ static enum zr_status read_query(struct zr_arena *arena, const char *query, stru
     return room ? zr_query_split(query, room, request, error) : ZR_NO_MEMORY;
 }
 
+static struct zr_array array_of(const struct zraster_array *given)
+{
+    struct zr_array array = {.data = given->data, .type = (enum zr_number_type)given->type, .ndim = given->ndim};
+    memcpy(array.shape, given->shape, sizeof array.shape);
+    return array;
+}
+
 static enum zr_status check_part(const struct zraster_request *given, size_t i, struct zr_error *error)
 {
     const struct zraster_part *part = &given->parts[i];
     const struct zraster_array *array = &part->array;
     if (!part->name || !*part->name) return refuse(error, "", "its name is missing");
-    if (array->type != ZRASTER_BYTES)
-        return refuse(error, part->name,
-                      "arrays of numbers are not supported in this version; give the bytes of a file");
-    if (array->ndim != 1 || (!array->data && array->shape[0] > 0))
-        return refuse(error, part->name, "bytes need data, ndim 1 and their number in shape[0]");
-    if (part->flags != 0) return refuse(error, part->name, "unknown flags");
+    const struct zr_array numbers = array_of(array);
+    size_t bytes;
+    if (array->type >= ZR_NUMBER_TYPES) return refuse(error, part->name, "its type is unknown");
+    if (array->type == ZRASTER_BYTES && array->ndim != 1)
+        return refuse(error, part->name, "bytes need ndim 1 and their number in shape[0]");
+    if (array->ndim < 1 || array->ndim > ZR_ARRAY_SIDES_MAX) return refuse(error, part->name, "its ndim is not 1 to 4");
+    if (!zr_array_bytes(&numbers, &bytes)) return refuse(error, part->name, "its shape is too large");
+    if (!array->data && bytes > 0) return refuse(error, part->name, "its data is NULL");
+    if (part->flags & ~(uint32_t)ZRASTER_LEND) return refuse(error, part->name, "unknown flags");
     for (size_t k = 0; k < i; k++)
         if (strcmp(given->parts[k].name, part->name) == 0) return refuse(error, part->name, "given twice");
     return ZR_OK;
@@ -63,10 +73,15 @@ static enum zr_status take_parts(struct zr_arena *arena, const struct zraster_re
         const struct zraster_part *part = &given->parts[i];
         const enum zr_status status = check_part(given, i, error);
         if (status != ZR_OK) return status;
-        assets[i] = (struct zr_asset){part->name, part->array.data, part->array.shape[0]};
+        struct zr_asset *asset = &assets[i];
+        *asset = (struct zr_asset){.name = part->name, .bytes = part->array.data, .array = array_of(&part->array)};
+        zr_array_bytes(&asset->array, &asset->size);
+        asset->is_lent = part->flags & ZRASTER_LEND;
         if (!is_kept) continue;
-        assets[i].name = copy(arena, part->name, strlen(part->name) + 1);
-        assets[i].bytes = copy(arena, assets[i].bytes, assets[i].size);
+        asset->name = copy(arena, part->name, strlen(part->name) + 1);
+        if (asset->is_lent) continue;
+        asset->bytes = asset->array.data = copy(arena, asset->bytes, asset->size);
+        asset->is_lent = true;
     }
     request->assets = assets;
     request->asset_count = given->part_count;

@@ -11,8 +11,9 @@ struct zr_taken_request {
     zraster_cancel *cancel;
 };
 
-/* Checks the request and translates it; the texts of its query go to the arena. `is_kept`: parts are copied there, too.
- * Otherwise they are borrowed, as the body always is. Fails with ZR_BAD_REQUEST, ZR_BAD_TYPE or ZR_NO_MEMORY. */
+/* Checks the request and translates it; the texts of its query go to the arena. `is_kept`: parts that are not
+ * lent are copied there, too, and then count as lent. Otherwise they are borrowed, as the body always is. Fails with
+ * ZR_BAD_REQUEST, ZR_BAD_TYPE or ZR_NO_MEMORY. */
 enum zr_status zr_request_take(struct zr_arena *arena, const struct zraster_request *given, bool is_kept,
                                struct zr_taken_request *out, struct zr_error *error);
 

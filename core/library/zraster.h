@@ -120,12 +120,21 @@ struct zraster_array { /* numbers in C order and the machine's byte order, or by
     size_t shape[4];
 };
 
-/* A scene refers to a part by {"asset": name}. This version takes files, PNG, JPEG or NPY: type ZRASTER_BYTES, ndim 1,
- * shape[0] bytes. It refuses arrays of numbers with ZRASTER_BAD_REQUEST. */
+/* A scene refers to a part by {"asset": name}. It is a file, PNG, JPEG or NPY: type ZRASTER_BYTES, ndim 1, shape[0]
+ * bytes; or an array, which stands for a list of numbers as an NPY file does, with the same checks ("Arrays" in v1.md):
+ * positions (n, 3) or (n, 4), faces (m, k), normals (n, 3), colors (n, 3) or (n, 4) (u1: 0 to 255), scalars (n,), ...
+ * Data need no alignment. They are converted or copied while the call reads them, so that other threads may write to
+ * them at any time: such numbers have any value, but do no other harm.
+ *
+ * ZRASTER_LEND promises that nobody writes to the data until the scene and all its pictures are freed. Then neither
+ * zraster_scene_read nor the scene copies them if they are u4 or i4 indices, or f4 of the needed columns other than
+ * positions. Indices that change meanwhile crash the process. A picture of a bunny gains some 3 percent. */
+enum { ZRASTER_LEND = 1 };
+
 struct zraster_part {
     const char *name;
     struct zraster_array array;
-    uint32_t flags; /* 0 */
+    uint32_t flags; /* 0, or ZRASTER_LEND */
 };
 
 struct zraster_request {

@@ -17,7 +17,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static const float nearest[BASE_PIXELS];
     char z[NPY_BYTES];
     base_npy(z, "<f4", nearest);
-    const struct zr_asset assets[] = {{"a", data, size}, {"z", z, sizeof z}};
+    const struct zr_asset assets[] = {{.name = "a", .bytes = data, .size = size},
+                                      {.name = "z", .bytes = z, .size = sizeof z}};
     bool accepted = false;
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         fuzz_request(&(struct zr_request){.format = ZR_FORMAT_JSON,

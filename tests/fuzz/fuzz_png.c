@@ -19,7 +19,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (size_t i = 0; i < BASE_PIXELS; i++)
         depths[i] = (float)i / BASE_PIXELS;
     base_npy(z, "<f4", depths);
-    const struct zr_asset assets[] = {{"a", data, size}, {"z", z, sizeof z}};
+    const struct zr_asset assets[] = {{.name = "a", .bytes = data, .size = size},
+                                      {.name = "z", .bytes = z, .size = sizeof z}};
     fuzz_request(&(struct zr_request){
         .format = ZR_FORMAT_JSON, .bytes = scene, .size = sizeof scene - 1, .assets = assets, .asset_count = 2});
     return 0;

@@ -15,11 +15,13 @@
 #include "support/base64.h"
 #include "support/files.h"
 #include "support/jpeg.h"
+#include "support/npy.h"
 
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json", "obj", "stl", "png", "npy", "gzip", "multipart", "image_png", "jpeg"};
+static const char *const targets[] = {"json",  "obj",  "stl",       "png",       "npy",
+                                      "array", "gzip", "multipart", "image_png", "jpeg"};
 
 static void fail(const char *what)
 {
@@ -246,6 +248,33 @@ static void write_pictures(void)
     }
 }
 
+static void write_array(const char *type, const char *shape, const void *numbers, size_t bytes)
+{
+    size_t size;
+    char name[64], *file = npy_file(type, "False", shape, numbers, bytes, &size);
+    if (!file) fail("an array");
+    snprintf(name, sizeof name, "%s-%s", type + 1, shape);
+    write_seed("array", name, file, size);
+    free(file);
+}
+
+static void write_arrays(void)
+{
+    static const float points[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0.5f, 1};
+    static const double heights[6] = {0, 1, 2, 3, 1e-3, 5};
+    static const uint32_t faces[6] = {0, 1, 2, 1, 3, 2};
+    static const long long lines[4] = {0, 1, 2, 3};
+    static const unsigned char colors[16] = {255, 0, 128, 255, 1, 2, 3, 4};
+    write_array("<f4", "(4, 3)", points, 48);
+    write_array("<f4", "(4, 4)", points, 64);
+    write_array("<f8", "(2, 3)", heights, sizeof heights);
+    write_array("<u4", "(2, 3)", faces, sizeof faces);
+    write_array("<i4", "(3,)", faces, 12);
+    write_array("<i8", "(2, 2)", lines, sizeof lines);
+    write_array("<u8", "(4,)", lines, sizeof lines);
+    write_array("|u1", "(4, 4)", colors, sizeof colors);
+}
+
 /* ---- bodies ---- */
 
 static void write_gzip(const char *name, const char *text, size_t size, int level)
@@ -289,6 +318,7 @@ int main(int count, char **arguments)
     write_meshes();
     write_pictures();
     write_jpegs();
+    write_arrays();
     write_bodies();
     return 0;
 }

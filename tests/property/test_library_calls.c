@@ -296,11 +296,33 @@ static void errors_have_a_place_and_a_reason(void **state)
     refuse(&request, ZRASTER_BAD_REQUEST, "", "%-escape");
     request.query = "strict=perhaps";
     refuse(&request, ZRASTER_BAD_REQUEST, "", "parameter strict: 'perhaps' is unknown");
-    const struct zraster_part numbers = {.name = "p", .array = {.type = ZRASTER_F4, .ndim = 1}};
+    static const struct {
+        struct zraster_array array;
+        uint32_t flags;
+        const char *why;
+    } parts[] = {
+        {{"x", 8, 1, {1}}, 0, "its type is unknown"},
+        {{"x", ZRASTER_F4, 0, {1}}, 0, "its ndim is not 1 to 4"},
+        {{"x", ZRASTER_F4, 5, {1}}, 0, "its ndim is not 1 to 4"},
+        {{"x", ZRASTER_BYTES, 2, {1, 1}}, 0, "bytes need ndim 1"},
+        {{"x", ZRASTER_U8, 2, {SIZE_MAX / 2, 3}}, 0, "its shape is too large"},
+        {{NULL, ZRASTER_U1, 1, {1}}, 0, "its data is NULL"},
+        {{"x", ZRASTER_U1, 1, {1}}, 2, "unknown flags"},
+    };
     request = request_of(triangle);
+    request.part_count = 1;
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        const struct zraster_part part = {.name = "p", .array = parts[i].array, .flags = parts[i].flags};
+        request.parts = &part;
+        refuse(&request, ZRASTER_BAD_REQUEST, "", parts[i].why);
+    }
+    const struct zraster_part numbers = {.name = "p", .array = {"abcd", ZRASTER_F4, 1, {1}}};
+    request = request_of("{\"base\": {\"windowDepth\": {\"asset\": \"p\"}}, \"view\": {\"znear\": 1, \"zfar\": 9}, "
+                         "\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}]}");
     request.parts = &numbers;
     request.part_count = 1;
-    refuse(&request, ZRASTER_BAD_REQUEST, "", "arrays of numbers are not supported");
+    refuse(&request, ZRASTER_BAD_SCENE, "/base/windowDepth/asset",
+           "the part 'p' is an array of f4; the bytes of a file are needed");
     refuse(NULL, ZRASTER_BAD_REQUEST, "", "NULL");
 }
 

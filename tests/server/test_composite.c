@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include "client.h"
+#include "support/npy.h"
 #include "support/tests.h"
 
 #define VIEW                                                                                                           \
@@ -120,6 +121,37 @@ TEST(parts_may_be_compressed_together)
     struct reply reply =
         send_body("/v1/render", (const char *const[]){TYPE, "Content-Encoding: gzip", NULL}, packed.bytes, packed.size);
     assert_is_whole(&reply, "/v1/render");
+}
+
+/* The quad as NPY parts, and as lists. */
+TEST(lists_may_come_as_parts)
+{
+    static const double positions[12] = {-1, -1, 0, 1, -1, 0.5, 1, 1, 0.25, -1, 1, 0};
+    static const long long faces[4] = {0, 1, 2, 3};
+    static struct body body;
+    static const char scene[] = "{" VIEW ",\"meshes\":[{\"positions\":{\"asset\":\"p\"},\"faces\":{\"asset\":\"f\"}}]}";
+    size_t p_size, f_size;
+    char *p = npy_file("<f8", "False", "(4, 3)", positions, sizeof positions, &p_size);
+    char *f = npy_file("<i8", "False", "(1, 4)", faces, sizeof faces, &f_size);
+    assert_true(p && f);
+    body.size = 0;
+    add_part(&body, "name=scene", scene, sizeof scene - 1);
+    add_part(&body, "name=p; filename=\"p.npy\"", p, p_size);
+    add_part(&body, "name=f", f, f_size);
+    end_parts(&body);
+    struct reply parts = send_parts("/v1/render", &body);
+    struct reply lists =
+        send_scene("/v1/render", "{" VIEW ",\"meshes\":[{\"positions\":[[-1,-1,0],[1,-1,0.5],[1,1,0.25],"
+                                 "[-1,1,0]],\"faces\":[[0,1,2,3]]}]}");
+    if (parts.status != 200) fail_msg("%ld: %s", parts.status, parts.body);
+    assert_int_equal(lists.status, 200);
+    assert_string_equal(reply_header(&parts, "Zraster-Warnings"), "");
+    assert_int_equal(parts.size, lists.size);
+    assert_memory_equal(parts.body, lists.body, lists.size);
+    reply_free(&parts);
+    reply_free(&lists);
+    free(p);
+    free(f);
 }
 
 static void assert_refused(struct reply reply, long status, const char *text)

@@ -44,14 +44,14 @@ static inline struct zr_asset png_asset(const char *name, enum zr_png_kind kind,
     struct zr_png png = {.kind = kind, .width = width, .height = height, .pixels = width == WIDTH ? colors : large};
     struct zr_buffer out = {.arena = &arena};
     assert_int_equal(zr_png_write(&png, NULL, NULL, &out), ZR_OK);
-    return (struct zr_asset){name, out.bytes, out.size};
+    return (struct zr_asset){.name = name, .bytes = out.bytes, .size = out.size};
 }
 
 static inline struct zr_asset npy_asset(const char *name, enum zr_npy_type type, const void *values)
 {
     struct zr_buffer out = {.arena = &arena};
     assert_int_equal(zr_npy_write(type, WIDTH, HEIGHT, 1, values, &out), ZR_OK);
-    return (struct zr_asset){name, out.bytes, out.size};
+    return (struct zr_asset){.name = name, .bytes = out.bytes, .size = out.size};
 }
 
 static inline int make_assets(void **state)
@@ -85,7 +85,7 @@ static inline struct reading *read_with(const char *text, struct zr_asset extra,
     return read_request(request, text, strlen(text), zr_limits_default(), (size_t)1 << 26);
 }
 
-static const struct zr_asset NO_EXTRA = {NULL, NULL, 0};
+static const struct zr_asset NO_EXTRA = {.name = NULL};
 
 static inline struct reading *read_good(const char *text)
 {

@@ -249,7 +249,8 @@ TEST(a_bar_is_drawn_over_a_base)
     const struct zr_png png = {.kind = ZR_PNG_RGB, .width = WIDTH, .height = HEIGHT, .pixels = colors};
     assert_int_equal(zr_png_write(&png, NULL, NULL, &color), ZR_OK);
     assert_int_equal(zr_npy_write(ZR_NPY_FLOAT32, WIDTH, HEIGHT, 1, depths, &depth), ZR_OK);
-    const struct zr_asset assets[] = {{"c", color.bytes, color.size}, {"w", depth.bytes, depth.size}};
+    const struct zr_asset assets[] = {{.name = "c", .bytes = color.bytes, .size = color.size},
+                                      {.name = "w", .bytes = depth.bytes, .size = depth.size}};
     static const char text[] =
         "{" WINDOW MESH "\"view\": {\"eye\": [0, 0, 5], \"target\": [0, 0, 9], \"znear\": 1, \"zfar\": 9}, "
         "\"colorBar\": true, \"base\": {\"color\": {\"asset\": \"c\"}, \"windowDepth\": {\"asset\": \"w\"}}}";

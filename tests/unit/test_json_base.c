@@ -190,7 +190,8 @@ TEST(assets_that_cannot_be_read_are_not_called_missing)
     static const char text[] = KEPT_SCENE(HASH_C, HASH_W);
     enum zr_status cases[] = {ZR_INTERNAL, ZR_CANCELLED};
     for (size_t i = 0; i < 2; i++) {
-        const struct zr_request request = {.format = ZR_FORMAT_JSON, .stored = {.read = fail_to_read, .context = &cases[i]}};
+        const struct zr_request request = {.format = ZR_FORMAT_JSON,
+                                           .stored = {.read = fail_to_read, .context = &cases[i]}};
         struct reading *reading = read_request(request, text, sizeof text - 1, zr_limits_default(), (size_t)1 << 26);
         assert_int_equal(reading->status, cases[i]);
         assert_null(strstr(reading->error.items[0].detail, "is kept"));
@@ -226,7 +227,7 @@ TEST(what_may_be_meant_otherwise_is_warned_of)
         assert_warned(reading->scene, cases[i].warning);
         reading_free(reading);
     }
-    struct reading *reading = read_with(HEAD BASE(ALL) "}", (struct zr_asset){"extra", "", 0}, NULL);
+    struct reading *reading = read_with(HEAD BASE(ALL) "}", (struct zr_asset){.name = "extra", .bytes = ""}, NULL);
     assert_warned(reading->scene, "the asset 'extra' is not used by the scene");
     reading_free(reading);
 }

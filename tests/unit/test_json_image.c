@@ -61,7 +61,7 @@ struct fixture {
     struct zr_limits limits;
     struct zr_error error;
     struct zr_asset parts[PARTS];
-    bool used[PARTS];
+    uint8_t uses[PARTS];
     int times_read;
 };
 
@@ -70,17 +70,19 @@ static struct fixture *open_fixture(void)
     static struct fixture f;
     zr_arena_reset(&arena, 1 << 26);
     f = (struct fixture){.limits = zr_limits_default(),
-                         .parts = {{"red", pngs[RED], sizes[RED]},
-                                   {"blue", pngs[BLUE], sizes[BLUE]},
-                                   {"broken", pngs[BLUE], sizes[BLUE] - 1}}};
+                         .parts = {{.name = "red", .bytes = pngs[RED], .size = sizes[RED]},
+                                   {.name = "blue", .bytes = pngs[BLUE], .size = sizes[BLUE]},
+                                   {.name = "broken", .bytes = pngs[BLUE], .size = sizes[BLUE] - 1}}};
     f.builder = zr_scene_builder_open(&arena, NULL, &f.scene);
     f.root = (struct zr_parsed_scene){.json = {.arena = &arena, .limits = &f.limits, .error = &f.error},
                                       .builder = &f.builder,
                                       .scene = &f.scene,
-                                      .assets = f.parts,
-                                      .asset_count = PARTS,
-                                      .assets_used = f.used,
-                                      .stored = {.read = read_stored, .context = &f.times_read}};
+                                      .assets = {.count = PARTS,
+                                                 .items = f.parts,
+                                                 .uses = f.uses,
+                                                 .use = ZR_USED,
+                                                 .stored = {.read = read_stored, .context = &f.times_read}}};
+    f.root.json.assets = &f.root.assets;
     zr_json_open(&f.root.json, "{}", 2);
     return &f;
 }
@@ -122,7 +124,7 @@ TEST(the_same_bytes_are_one_image_by_whatever_name)
     assert_int_equal(f->scene.image_count, 2);
     assert_ptr_equal(f->scene.images[0].texels, texels);
     assert_int_equal(f->root.image_pixels, 12);
-    assert_true(f->used[RED] && f->used[BLUE] && !f->used[BROKEN]);
+    assert_true(f->uses[RED] && f->uses[BLUE] && !f->uses[BROKEN]);
     free(plain);
 }
 

@@ -329,8 +329,9 @@ TEST(images_of_textures)
         size_t size;
         uint8_t *bytes = jpeg_memory_write(&kinds[i], pixels, 24, 17, &size);
         assert_non_null(bytes);
-        assert_run_survives("JPEG", run_image, &(struct zr_asset){"jpeg", bytes, size}, ZR_OK);
-        assert_run_survives("JPEG cut short", run_image, &(struct zr_asset){"jpeg", bytes, size / 2}, ZR_BAD_SCENE);
+        assert_run_survives("JPEG", run_image, &(struct zr_asset){.name = "jpeg", .bytes = bytes, .size = size}, ZR_OK);
+        assert_run_survives("JPEG cut short", run_image,
+                            &(struct zr_asset){.name = "jpeg", .bytes = bytes, .size = size / 2}, ZR_BAD_SCENE);
         free(bytes);
     }
 }

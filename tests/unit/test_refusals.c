@@ -2,6 +2,8 @@
  *
  *     format application/json                       the first line: a media type
  *     let NAME = text                               then names; ${NAME} stands for its text in what follows
+ *     npy NAME = '<f4' (2, 3): 0 0 0 1 nan 2        a part of each request: type, shape and numbers of an NPY file;
+ *                                                   '<f4' Fortran (2, 3): in another order
  *
  *     bad scene at /view/eye: three numbers         status, place (left out if it is empty) and a part of the message
  *     and at /view/up: three numbers                lines for the next faults, if they are tested, too
@@ -13,9 +15,10 @@
 #include "input/formats.h"
 #include "input_check.h"
 #include "support/files.h"
+#include "support/npy.h"
 #include "support/tests.h"
 
-enum { LETS_MAX = 16, MORE_MAX = 4, BODY_MAX = 1 << 16, PATH_SIZE = 600 };
+enum { LETS_MAX = 16, PARTS_MAX = 24, NUMBERS_MAX = 64, MORE_MAX = 4, BODY_MAX = 1 << 16, PATH_SIZE = 600 };
 
 static const char *const statuses[] = {[ZR_BAD_SYNTAX] = "bad syntax",
                                        [ZR_BAD_TYPE] = "bad type",
@@ -28,6 +31,8 @@ struct cases {
     enum zr_format format;
     size_t let_count;
     char *names[LETS_MAX], *texts[LETS_MAX];
+    size_t part_count;
+    struct zr_asset parts[PARTS_MAX];
     size_t more_count;
     const char *more[MORE_MAX]; /* the next faults, " at PLACE: message" */
     size_t size;
@@ -81,7 +86,9 @@ static void check(struct cases *cases, const char *head, int line)
         status++;
     if (status > ZR_BAD_SCENE || !strstr(head, ": "))
         fail_msg("%s, line %d: no 'STATUS at PLACE: message'", cases->path, line);
-    struct reading *reading = read_bytes(cases->format, cases->body, cases->size);
+    const struct zr_request request = {
+        .format = cases->format, .assets = cases->parts, .asset_count = cases->part_count};
+    struct reading *reading = read_request(request, cases->body, cases->size, zr_limits_default(), (size_t)1 << 28);
     const struct zr_error *error = &reading->error;
     bool is_refused = reading->status == status && error->status == status && !reading->scene &&
                       has_fault(error, 0, head + strlen(statuses[status]));
@@ -97,6 +104,36 @@ static void check(struct cases *cases, const char *head, int line)
     reading_free(reading);
 }
 
+/* Appends a number of a type such as "<f4". */
+static void put_number(char *numbers, size_t *used, const char *type, const char *text)
+{
+    const size_t bytes = (size_t)(type[2] - '0');
+    const double value = strtod(text, NULL);
+    const float single = (float)value;
+    const long long whole = strtoll(text, NULL, 10);
+    assert_true(bytes <= 8 && *used + bytes <= 8 * NUMBERS_MAX);
+    memcpy(numbers + *used, type[1] != 'f' ? (const void *)&whole : bytes == 4 ? (const void *)&single : &value, bytes);
+    *used += bytes;
+}
+
+/* Adds the part NAME = 'TYPE' SHAPE: NUMBERS. */
+static void add_npy(struct cases *cases, const char *name, char *text)
+{
+    char numbers[8 * NUMBERS_MAX], *type = text + 1, *shape = strchr(text, '('), *values = strchr(text, ':'), *word;
+    size_t used = 0;
+    if (!shape || !values || cases->part_count == PARTS_MAX)
+        fail_msg("%s, line %d: no npy NAME = 'TYPE' SHAPE: NUMBERS", cases->path, cases->line);
+    const char *order = strstr(text, " Fortran ") ? "True" : "False";
+    *strchr(type, '\'') = '\0';
+    *values++ = '\0';
+    while ((word = strsep(&values, " ")))
+        if (*word) put_number(numbers, &used, type, word);
+    struct zr_asset *part = &cases->parts[cases->part_count++];
+    part->name = name;
+    part->bytes = npy_file(type, order, shape, numbers, used, &part->size);
+    assert_non_null(part->bytes);
+}
+
 /* The format and the names; returns what is behind them. */
 static char *read_head(struct cases *cases, char *text)
 {
@@ -106,7 +143,10 @@ static char *read_head(struct cases *cases, char *text)
         char *value = strstr(line, " = ");
         if (strncmp(line, "format ", 7) == 0)
             cases->format = zr_format_of_type(line + 7);
-        else if (*line != '#') {
+        else if (strncmp(line, "npy ", 4) == 0 && value) {
+            *value = '\0';
+            add_npy(cases, line + 4, value + 3);
+        } else if (*line != '#') {
             if (strncmp(line, "let ", 4) != 0 || !value || cases->let_count == LETS_MAX)
                 fail_msg("%s, line %d: no 'let NAME = text'", cases->path, cases->line);
             *value = '\0';
@@ -144,6 +184,8 @@ static void check_file(const char *path, int *count, int *failures)
             head = NULL;
         }
     }
+    for (size_t i = 0; i < cases.part_count; i++)
+        free((void *)(uintptr_t)cases.parts[i].bytes);
     free(text);
     *count += cases.count;
     *failures += cases.failures;
