@@ -212,15 +212,28 @@ static bool read_floats(const struct reading *r, size_t first, size_t end)
     return read(place_of(r, first), end - first, r->array->wanted, (float *)r->to + first);
 }
 
+/* Without unsigned comparisons, which SSE2 lacks: the top bit of an index or of its distance to the last is set. */
+static bool are_below(const uint32_t *indices, size_t count, uint32_t limit)
+{
+    uint32_t most = 0, tops = 0;
+    if (limit == 0) return count == 0;
+    if (limit <= (uint32_t)INT32_MAX + 1) {
+        for (size_t i = 0; i < count; i++)
+            tops |= indices[i] | (limit - 1 - indices[i]);
+        return !(tops >> 31);
+    }
+    for (size_t i = 0; i < count; i++)
+        most = indices[i] > most ? indices[i] : most;
+    return most < limit;
+}
+
 /* Copies first, so that indices that were checked do not change. */
 static bool read_indices(const struct reading *r, size_t first, size_t end)
 {
-    uint32_t *to = (uint32_t *)r->to, most = 0;
-    bool good = r->to == r->array->numbers.data ||
-                index_readers[r->array->numbers.type](place_of(r, first), end - first, to + first);
-    for (size_t i = first; i < end; i++)
-        most = to[i] > most ? to[i] : most;
-    return good && most < r->limit;
+    uint32_t *to = (uint32_t *)r->to + first;
+    const bool is_there = r->to == r->array->numbers.data;
+    return (is_there || index_readers[r->array->numbers.type](place_of(r, first), end - first, to)) &&
+           are_below(to, end - first, r->limit);
 }
 
 static bool read_part(void *context, size_t part)

@@ -177,13 +177,13 @@ static bool read_face_array(struct zr_json *json, const struct zr_json_path *pat
         !zr_json_array_indices(json, path, &array, faces->positions, "positions", &faces->indices) ||
         !zr_growing_reserve(&faces->ends, json, array.rows + 1))
         return false;
-    uint32_t *ends = faces->ends.items;
-    for (size_t i = 0; i <= array.rows; i++) {
-        if (i % ROWS_A_LOOK == 0) {
-            zr_json_look(json);
-            if (zr_json_stops(json)) return false;
-        }
-        ends[i] = (uint32_t)(i * array.columns);
+    uint32_t *ends = faces->ends.items, corners = (uint32_t)array.columns;
+    for (size_t first = 0; first <= array.rows; first += ROWS_A_LOOK) {
+        const size_t left = array.rows + 1 - first, count = left < ROWS_A_LOOK ? left : ROWS_A_LOOK;
+        for (size_t i = 0; i < count; i++)
+            ends[first + i] = (uint32_t)(first + i) * corners;
+        zr_json_look(json);
+        if (zr_json_stops(json)) return false;
     }
     faces->ends.count = array.rows + 1;
     return true;

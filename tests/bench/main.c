@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/arrays.h"
 #include "bench/bench.h"
 #include "bench/compare.h"
 #include "bench/growth.h"
@@ -155,6 +156,7 @@ int main(int count, char **arguments)
     layers_against_llvmpipe(&bench);
     versus_libpng(&bench);
     versus_cjson(&bench);
+    arrays_against_json(&bench);
     service_against_stock(&bench);
     looks_over_http(&bench);
     service_for_simulator(&bench);
