@@ -322,8 +322,7 @@ bool zr_json_array_read(struct zr_json *json, const struct zr_json_path *path, c
     return zr_json_array_open(json, path, wanted, &array) && zr_json_array_floats(json, path, &array, out);
 }
 
-bool zr_json_array_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out,
-                          bool *nested)
+bool zr_json_array_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out)
 {
     const struct zr_array_wanted wanted = {.least = side, .most = side};
     struct zr_json_array array;
@@ -334,6 +333,5 @@ bool zr_json_array_square(struct zr_json *json, const struct zr_json_path *path,
         out[i] = number_at(&array, i);
         good &= zr_json_check_range(json, ZR_JSON_ITEM(ZR_JSON_ITEM(path, i / side), i % side), -limit, limit, out[i]);
     }
-    *nested = true;
     return good;
 }

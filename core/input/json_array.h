@@ -48,8 +48,8 @@ bool zr_json_array_indices(struct zr_json *json, const struct zr_json_path *path
 bool zr_json_array_read(struct zr_json *json, const struct zr_json_path *path, const struct zr_array_wanted *wanted,
                         struct zr_growing *out);
 
-/* Reads a matrix for zr_json_square: the shape (side, side), or (side * side,). */
-bool zr_json_array_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out,
-                          bool *nested);
+/* Reads a matrix of side x side numbers, magnitudes up to `limit`, row by row. */
+bool zr_json_array_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit,
+                          double *out);
 
 #endif

@@ -1,4 +1,5 @@
 /* Reads the hierarchy of nodes and makes the instances that it places. */
+#include "input/json_matrix.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 #include "input/kept.h"

@@ -117,17 +117,9 @@ zr_json_read_fn zr_json_position; /* zr_vec4: three coordinates with w = 1, or f
 /* zr_vec4: [r,g,b] or [r,g,b,a], each 0..1, or a text for zr_color_of_text; the default of alpha is 1. */
 zr_json_read_fn zr_json_color;
 
-zr_json_read_fn zr_json_mat4;   /* zr_mat4: four rows of four numbers, or sixteen numbers column by column */
-zr_json_read_fn zr_json_affine; /* zr_mat4, affine: its bottom row is 0 0 0 1 */
-
 /* Reads `least` to `most` numbers, each within low..high; *count: how many the list has. */
 bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size_t least, size_t most, double low,
                      double high, double *out, size_t *count);
-
-/* Reads a matrix of side x side numbers, magnitudes up to `limit`, in the order of the text. *nested: a list of rows,
- * or an array (json_array.h); else one flat list. */
-bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out,
-                    bool *nested);
 
 /* True if the next value is a list; else reports it. */
 bool zr_json_list(struct zr_json *json, const struct zr_json_path *path);

@@ -1,6 +1,7 @@
 /* The keys of a view. */
 #include <string.h>
 
+#include "input/json_matrix.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 #include "input/json_view.h"

@@ -128,7 +128,7 @@ struct zraster_array { /* numbers in C order and the machine's byte order, or by
  *
  * ZRASTER_LEND promises that nobody writes to the data until the scene and all its pictures are freed. Then neither
  * zraster_scene_read nor the scene copies them if they are u4 or i4 indices, or f4 of the needed columns other than
- * positions. Indices that change meanwhile crash the process. A picture of a bunny gains some 3 percent. */
+ * positions. Indices that change meanwhile crash the process. It saves some 0.1 ms per megabyte. */
 enum { ZRASTER_LEND = 1 };
 
 struct zraster_part {

@@ -352,6 +352,47 @@ static void random_meshes_are_drawn_alike(void **state)
     }
 }
 
+/* So long a list that threads read it ahead, which arrays in between end. */
+static void polygons_may_mix_lists_and_arrays(void **state)
+{
+    enum { POLYGONS = 6000, EVERY = 100 };
+    static struct parts parts;
+    struct random random = random_seeded(3);
+    char *lists = NULL, *arrays = NULL;
+    size_t size;
+    FILE *out[2] = {open_memstream(&lists, &size), open_memstream(&arrays, &size)};
+    (void)state;
+    assert_true(out[0] && out[1]);
+    for (int k = 0; k < 2; k++)
+        fprintf(out[k], "{\"window\": {\"width\": 64, \"height\": 48}, \"polygons\": [");
+    parts.count = 0;
+    for (int i = 0; i < POLYGONS; i++) {
+        float v[9];
+        for (int k = 0; k < 9; k++)
+            v[k] = (float)random_range(&random, -3, 3);
+        for (int k = 0; k < 2; k++) {
+            fprintf(out[k], "%s{\"vertices\": ", i > 0 ? ", " : "");
+            if (k == 1 && i % EVERY == EVERY / 2)
+                fprintf(out[k], "{\"asset\": \"p%zu\"}}", parts.count);
+            else
+                fprintf(out[k], "[[%.9g,%.9g,%.9g],[%.9g,%.9g,%.9g],[%.9g,%.9g,%.9g]]}", (double)v[0], (double)v[1],
+                        (double)v[2], (double)v[3], (double)v[4], (double)v[5], (double)v[6], (double)v[7],
+                        (double)v[8]);
+        }
+        if (i % EVERY == EVERY / 2) add_part(&parts, &ways[i / EVERY % WAYS], ZRASTER_F4, v, sizeof v, 3, 3);
+    }
+    for (int k = 0; k < 2; k++) {
+        fprintf(out[k], "]}");
+        fclose(out[k]);
+    }
+    const struct answer wanted = draw(lists, NULL, "polygons");
+    assert_same(wanted, draw_kept(arrays, &parts, "{}", "polygons"), "polygons", "arrays among them");
+    free(wanted.bytes);
+    free_parts(&parts);
+    free(lists);
+    free(arrays);
+}
+
 #define QUAD "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], \"faces\": [[0,1,2,3]]"
 
 static void bytes_are_colors_from_0_to_255(void **state)
@@ -503,9 +544,13 @@ static int close_renderer(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_scenes_are_drawn_alike),     cmocka_unit_test(random_meshes_are_drawn_alike),
-        cmocka_unit_test(bytes_are_colors_from_0_to_255), cmocka_unit_test(meshes_share_a_part),
-        cmocka_unit_test(a_pose_may_be_an_array),         cmocka_unit_test(indices_that_change_do_no_harm),
+        cmocka_unit_test(all_scenes_are_drawn_alike),
+        cmocka_unit_test(random_meshes_are_drawn_alike),
+        cmocka_unit_test(polygons_may_mix_lists_and_arrays),
+        cmocka_unit_test(bytes_are_colors_from_0_to_255),
+        cmocka_unit_test(meshes_share_a_part),
+        cmocka_unit_test(a_pose_may_be_an_array),
+        cmocka_unit_test(indices_that_change_do_no_harm),
     };
     return cmocka_run_group_tests_name("arrays", tests, open_renderer, close_renderer);
 }

@@ -381,6 +381,38 @@ TEST(reading_of_brackets_and_of_what_is_odd_stops)
     reading_stops("{\"polygons\":[", "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"material\":{\"x\":[[]]}},");
 }
 
+/* Of ten million triangles, before and behind their positions; in one order, indices are checked at once. */
+TEST(reading_of_large_arrays_stops)
+{
+    enum { ROWS = 10000000 };
+    static const char *const texts[] = {
+        "{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":{\"asset\":\"a\"}}]}",
+        "{\"meshes\":[{\"faces\":{\"asset\":\"a\"},\"positions\":[[0,0,0],[1,0,0],[0,1,0]]}]}",
+        "{\"meshes\":[{\"positions\":{\"asset\":\"a\"},\"faces\":[[0,1,2]],\"colors\":{\"asset\":\"a\"}}]}"};
+    void *zeros = calloc(3 * (size_t)ROWS, 8);
+    const struct zr_asset asset = {.name = "a", .array = {zeros, ZR_U8, 2, {ROWS, 3}}};
+    const struct zr_limits limits = zr_limits_default();
+    assert_non_null(zeros);
+    zr_arena_init(&arena, (size_t)3 << 30);
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        for (int after_ms = 2; after_ms <= 50; after_ms *= 5) {
+            struct later later;
+            const struct zr_scene *scene;
+            struct zr_error error = {.count = 0};
+            begin(&later, after_ms);
+            const struct zr_request request = {.format = ZR_FORMAT_JSON,
+                                               .bytes = texts[i],
+                                               .size = strlen(texts[i]),
+                                               .assets = &asset,
+                                               .asset_count = 1,
+                                               .cancel = &later.cancel};
+            assert_ended_soon(&later, zr_scene_read(&arena, NULL, &request, &limits, &scene, &error));
+            zr_arena_reset(&arena, 0);
+        }
+    zr_arena_free(&arena);
+    free(zeros);
+}
+
 /* 3 GB of zeros. */
 TEST(touching_large_memory_stops)
 {
