@@ -6,6 +6,7 @@
 
 #include "assets.h"
 #include "support/base64.h"
+#include "support/npy.h"
 #include "support/tests.h"
 
 static struct folder folder;
@@ -276,6 +277,47 @@ static struct reply render(const char *target, const char *color, const char *de
     struct reply reply = send("POST", target, (const char *const[]){JSON_TYPE, NULL}, scene, (size_t)length);
     free(scene);
     return reply;
+}
+
+/* Of 3 vertices, and of so many that a small request becomes a large one. */
+TEST(list_may_be_an_asset)
+{
+    static float values[3 * 9000];
+    for (size_t rows = 3; rows <= 9000; rows *= 3000) {
+        char shape[32], *text = NULL, *lists = NULL;
+        size_t size, used;
+        FILE *out = open_memstream(&lists, &used);
+        assert_non_null(out);
+        fprintf(out, "{" VIEW ",\"meshes\":[{\"faces\":[[0,1,2]],\"positions\":[");
+        for (size_t i = 0; i < 3 * rows; i++) {
+            values[i] = (float)(i * i % 7) * 0.25f - 0.75f;
+            fprintf(out, "%s%.9g%s", i % 3 == 0 ? "[" : "", (double)values[i],
+                    i % 3 < 2          ? ","
+                    : i + 1 < 3 * rows ? "],"
+                                       : "]");
+        }
+        fprintf(out, "]}]}");
+        fclose(out);
+        snprintf(shape, sizeof shape, "(%zu, 3)", rows);
+        char *file = npy_file("<f4", "False", shape, values, 12 * rows, &size);
+        assert_non_null(file);
+        const struct asset_name name = asset_post(&server, file, size, 201);
+        const int length = asprintf(
+            &text, "{" VIEW ",\"meshes\":[{\"faces\":[[0,1,2]],\"positions\":{\"asset\":\"sha256:%s\"}}]}", name.text);
+        assert_true(length > 0);
+        const char *const headers[] = {JSON_TYPE, NULL};
+        struct reply wanted = send("POST", "/v1/render", headers, lists, used);
+        struct reply reply = send("POST", "/v1/render", headers, text, (size_t)length);
+        if (reply.status != 200) fail_msg("%ld: %s", reply.status, reply.body);
+        assert_int_equal(wanted.status, 200);
+        assert_int_equal(reply.size, wanted.size);
+        assert_memory_equal(reply.body, wanted.body, wanted.size);
+        reply_free(&wanted);
+        reply_free(&reply);
+        free(file);
+        free(text);
+        free(lists);
+    }
 }
 
 static struct reply render_first(const char *target)

@@ -15,6 +15,7 @@ static inline char *npy_file(const char *descr, const char *order, const char *s
         snprintf(text, sizeof text, "{'descr': '%s', 'fortran_order': %s, 'shape': %s, }", descr, order, shape);
     const size_t head = ((size_t)used + 11 + 63) / 64 * 64;
     char *file = malloc(head + bytes);
+    *size = 0;
     if (!file) return NULL;
     memset(file, ' ', head);
     memcpy(file, "\x93NUMPY\1", 8);
