@@ -24,7 +24,7 @@ JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
 CORE_LIBS := -lpng -ljpeg -lisal -lm
 SERVER_LIBS := -lmicrohttpd -lnettle -lcjson -lz
-CLIENT_LIBS := -lcurl -lcjson
+CLIENT_LIBS := -lcjson -ldl
 TEST_LIBS := -lcmocka -lcurl -lcjson -lzip -lz
 reference_libs_osmesa := -lOSMesa
 reference_libs_egl := -lEGL -lOpenGL
@@ -326,8 +326,9 @@ $(BUILD)/%.a:
 $(BUILD)/zrasterd: $(server) $(BUILD)/libcore.a
 	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
 
-$(BUILD)/zraster: $(client) $(BUILD)/core/scene/looks.o
-	$(LINK) $(CLIENT_LIBS)
+# libcurl is loaded once a server is named (clients/curl_rows.h).
+$(BUILD)/zraster: $(client) $(BUILD)/libzraster.a
+	$(LINK) $(CLIENT_LIBS) $(CORE_LIBS)
 
 # Made anew when the door changes, and what was linked with the other one then is, too.
 $(BUILD)/reference-door: always

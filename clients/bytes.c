@@ -1,6 +1,8 @@
 #include "bytes.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +21,25 @@ bool bytes_add(struct bytes *bytes, const void *data, size_t size)
     memcpy(bytes->data + bytes->size, data, size);
     bytes->size += size;
     return true;
+}
+
+bool bytes_print(struct bytes *bytes, const char *format, ...)
+{
+    va_list arguments;
+    char *text;
+    va_start(arguments, format);
+    const int length = vasprintf(&text, format, arguments);
+    va_end(arguments);
+    if (length < 0) return false;
+    const bool ok = bytes_add(bytes, text, (size_t)length + 1); /* with a final zero, */
+    if (ok) bytes->size--;                                      /* that does not count */
+    free(text);
+    return ok;
+}
+
+const char *bytes_text(const struct bytes *bytes)
+{
+    return bytes->data ? bytes->data : "";
 }
 
 void bytes_free(struct bytes *bytes)
@@ -73,28 +94,53 @@ static mode_t mode_for(const char *path)
     return 0666 & ~mask;
 }
 
-static bool write_and_rename(const struct bytes *bytes, int descriptor, const char *beside, const char *path)
+/* ---- files that are complete or absent ---- */
+
+/* Opens a file without a name in the folder of `path`, so that a process that is killed leaves nothing. -1: the file
+ * system or the sandbox has no such files. */
+static int open_nameless(const char *path)
 {
-    fchmod(descriptor, mode_for(path));
-    FILE *file = fdopen(descriptor, "wb");
-    if (!file) {
-        close(descriptor);
-        return false;
+    const char *slash = strrchr(path, '/');
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    const bool can_name = access("/proc/self/fd", X_OK) == 0;
+    const int descriptor = folder && can_name ? open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600) : -1;
+    free(folder);
+    return descriptor;
+}
+
+/* Gives a nameless file its name, by way of `beside` if the name is taken. */
+static bool give_name(int descriptor, const char *beside, const char *path)
+{
+    char nameless[40];
+    snprintf(nameless, sizeof nameless, "/proc/self/fd/%d", descriptor);
+    if (linkat(AT_FDCWD, nameless, AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0) return true;
+    if (errno != EEXIST) return false;
+    return linkat(AT_FDCWD, nameless, AT_FDCWD, beside, AT_SYMLINK_FOLLOW) == 0 && rename(beside, path) == 0;
+}
+
+static bool write_all(const struct bytes *bytes, int descriptor)
+{
+    for (size_t done = 0; done < bytes->size;) {
+        const ssize_t some = write(descriptor, bytes->data + done, bytes->size - done);
+        if (some < 0 && errno != EINTR) return false;
+        if (some > 0) done += (size_t)some;
     }
-    bool ok = write_whole(bytes, file);
-    return fclose(file) == 0 && ok && rename(beside, path) == 0;
+    return true;
 }
 
 static bool write_beside(const struct bytes *bytes, const char *path)
 {
-    size_t size = strlen(path) + sizeof ".XXXXXX";
-    char *beside = malloc(size);
-    if (!beside) return false;
-    snprintf(beside, size, "%s.XXXXXX", path);
-    int descriptor = mkstemp(beside);
-    bool ok = descriptor >= 0 && write_and_rename(bytes, descriptor, beside, path);
-    int why = errno;
-    if (descriptor >= 0 && !ok) unlink(beside);
+    char *beside = NULL;
+    int descriptor = open_nameless(path);
+    const bool is_nameless = descriptor >= 0;
+    if (is_nameless ? asprintf(&beside, "%s.%ld", path, (long)getpid()) < 0 : asprintf(&beside, "%s.XXXXXX", path) < 0)
+        beside = NULL;
+    if (beside && !is_nameless) descriptor = mkstemp(beside);
+    bool ok = beside && descriptor >= 0 && fchmod(descriptor, mode_for(path)) == 0 && write_all(bytes, descriptor);
+    if (ok) ok = is_nameless ? give_name(descriptor, beside, path) : rename(beside, path) == 0;
+    const int why = errno;
+    if (descriptor >= 0) close(descriptor);
+    if (!ok && beside && descriptor >= 0) unlink(beside);
     errno = why;
     free(beside);
     return ok;

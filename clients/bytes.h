@@ -11,6 +11,11 @@ struct bytes {
 };
 
 bool bytes_add(struct bytes *bytes, const void *data, size_t size);
+
+/* Adds a text. bytes_text returns all of them as one, which ends at the next change. */
+__attribute__((format(printf, 2, 3))) bool bytes_print(struct bytes *bytes, const char *format, ...);
+const char *bytes_text(const struct bytes *bytes);
+
 void bytes_free(struct bytes *bytes);
 
 /* Reads a file; "-": standard input. False with errno on failure. */
@@ -19,8 +24,8 @@ bool bytes_read(struct bytes *bytes, const char *path);
 /* Returns true if both paths are one regular file. For `a`, "-" is standard input. */
 bool bytes_same_file(const char *a, const char *b);
 
-/* Writes a file; "-": standard output. A regular file is written beside its target and renamed, so it is never
- * incomplete. */
+/* Writes a file; "-": standard output. A regular file gets its name once it is written, so it is never incomplete, even
+ * if the process is killed. */
 bool bytes_write(const struct bytes *bytes, const char *path);
 
 #endif

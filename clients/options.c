@@ -1,210 +1,304 @@
 #include "options.h"
 
 #include <ctype.h>
+#include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-#include "format_rows.h"
 #include "scene/shadings.h"
+#include "words.h"
 
-enum { EXIT_USAGE = 2, SIZE_DIGITS = 7 };
+enum { SIZE_DIGITS = 7, THREADS_MAX = 256 };
 
-int options_wrong(const char *what, const char *which)
+int options_wrong(const char *format, ...)
 {
-    fprintf(stderr, "zraster: %s%s%s\nzraster --help shows how it is used.\n", what, *which ? ": " : "", which);
-    return EXIT_USAGE;
+    va_list arguments;
+    va_start(arguments, format);
+    fputs("zraster: ", stderr);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+    va_end(arguments);
+    return STATUS_USAGE;
 }
 
-/* Reports an unknown option by its name only, since its value may be a secret. */
-static int unknown(const char *flag)
-{
-    char name[64];
-    if (strncmp(flag, "--token", strlen("--token")) == 0)
-        return options_wrong("a token on the command line is seen by all who may list processes; --token-file FILE or "
-                             "the variable ZRASTER_TOKEN gives it",
-                             "");
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(flag, "="), flag);
-    return options_wrong("unknown option", name);
-}
+/* ---- the tables ---- */
 
-/* ---- parameters ---- */
+#define COMMAND(name, letter, arguments, summary) {#name, letter, arguments, summary, command_##name},
+const struct command commands[COMMAND_COUNT] = {COMMAND_ROWS(COMMAND)};
+
+#define OPTION(ID, name, letter, value, of, help) {name, letter, value, of, help},
+const struct option_row option_rows[OPTION_COUNT] = {OPTION_ROWS(OPTION)};
 
 enum { ANY, MESH };
 #define KIND(ID, placeholder) static const char VALUE_##ID[] = placeholder;
 ZR_PARAMETER_KINDS(KIND)
-#undef KIND
 #define PARAMETER(name, pointer, of, kind, help) {#name, of == MESH, VALUE_##kind, help},
-const struct parameter options_parameters[OPTIONS_PARAMETERS] = {ZR_PARAMETER_ROWS(PARAMETER)};
-#undef PARAMETER
+const struct parameter_row parameter_rows[PARAMETER_COUNT] = {ZR_PARAMETER_ROWS(PARAMETER)};
 
-void options_flag_of(const char *name, size_t length, char flag[OPTIONS_FLAG_SIZE])
+char parameter_letter(enum parameter parameter)
+{
+#define LETTER(name, letter) [PARAMETER_##name] = letter,
+    static const char letters[PARAMETER_COUNT] = {LETTER_ROWS(LETTER)};
+    return letters[parameter];
+}
+
+void options_flag_of(const char *name, size_t length, char flag[FLAG_SIZE])
 {
     size_t used = 0;
     flag[used++] = '-';
     flag[used++] = '-';
-    for (size_t i = 0; i < length && used + 2 < OPTIONS_FLAG_SIZE; i++) {
+    for (size_t i = 0; i < length && used + 2 < FLAG_SIZE; i++) {
         if (isupper((unsigned char)name[i])) flag[used++] = '-';
         flag[used++] = (char)tolower((unsigned char)name[i]);
     }
     flag[used] = '\0';
 }
 
-static const char **parameter_slot(struct options *o, const char *name)
+static void flag_of(size_t parameter, char flag[FLAG_SIZE])
 {
-    for (size_t i = 0; i < OPTIONS_PARAMETERS; i++)
-        if (strcmp(options_parameters[i].name, name) == 0) return &o->parameters[i];
-    return NULL;
+    options_flag_of(parameter_rows[parameter].name, strlen(parameter_rows[parameter].name), flag);
 }
 
-/* Returns the member of `options` that a flag of `length` characters sets, or NULL. */
-static const char **slot_of(struct options *o, const char *flag, size_t length)
+bool options_set(struct options *options, const char *name, const char *value)
 {
-    const struct {
-        const char *flag;
-        const char **slot;
-    } table[] = {{"-o", &o->out},
-                 {"--size", &o->size},
-                 {"--type", &o->type},
-                 {"--server", &o->server},
-                 {"--token-file", &o->token_file}};
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-        if (strlen(table[i].flag) == length && strncmp(flag, table[i].flag, length) == 0) return table[i].slot;
-    for (size_t i = 0; i < OPTIONS_PARAMETERS; i++) {
-        char known[OPTIONS_FLAG_SIZE];
-        options_flag_of(options_parameters[i].name, strlen(options_parameters[i].name), known);
-        if (strlen(known) == length && strncmp(flag, known, length) == 0) return &o->parameters[i];
-    }
-    return NULL;
-}
-
-/* Returns true if the slot is a parameter that is true or false. */
-static bool is_boolean(const struct options *o, const char **slot)
-{
-    for (size_t i = 0; i < OPTIONS_PARAMETERS; i++)
-        if (slot == &o->parameters[i]) return options_parameters[i].value[0] == '[';
+    for (size_t i = 0; i < PARAMETER_COUNT; i++)
+        if (strcmp(parameter_rows[i].name, name) == 0) {
+            options->parameters[i] = value;
+            return true;
+        }
     return false;
+}
+
+/* ---- one option ---- */
+
+/* An option that was found: its slot, and its row or parameter. */
+struct found {
+    const char **slot;
+    const struct option_row *row;
+    const struct parameter_row *parameter;
+};
+
+/* Finds "--name", or by letter if `letter` is not 0. */
+static struct found find(struct options *o, const char *flag, size_t length, char letter)
+{
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        const struct option_row *row = &option_rows[i];
+        const bool is_name = length == strlen(row->name) + 2 && strncmp(flag, "--", 2) == 0 &&
+                             strncmp(flag + 2, row->name, length - 2) == 0;
+        if (letter ? row->letter == letter : is_name) return (struct found){&o->own[i], row, NULL};
+    }
+    for (size_t i = 0; i < PARAMETER_COUNT; i++) {
+        char known[FLAG_SIZE];
+        flag_of(i, known);
+        const bool is_name = strlen(known) == length && strncmp(flag, known, length) == 0;
+        if (letter ? parameter_letter((enum parameter)i) == letter : is_name)
+            return (struct found){&o->parameters[i], NULL, &parameter_rows[i]};
+    }
+    return (struct found){NULL, NULL, NULL};
+}
+
+/* Reports an unknown option by its name only, since its value may be a secret. */
+static int unknown(const char *flag, size_t length)
+{
+    char name[FLAG_SIZE + 1], known[FLAG_SIZE];
+    if (strncmp(flag, "--token", strlen("--token")) == 0)
+        return options_wrong("a token on the command line is visible to all users of this machine; give it by "
+                             "--token-file FILE or the variable ZRASTER_TOKEN");
+    snprintf(name, sizeof name, "%.*s", (int)length, flag);
+    if (strcasecmp(name, "-w") == 0) return options_wrong("unknown option -w; did you mean -W (width)?");
+    static char best[FLAG_SIZE];
+    char wanted[FLAG_SIZE + 2];
+    snprintf(wanted, sizeof wanted, "%s%s", flag[1] == '-' ? "" : "-", name);
+    struct near_word near = {.word = wanted};
+    for (size_t i = 0; i < OPTION_COUNT + PARAMETER_COUNT; i++) {
+        if (i < OPTION_COUNT)
+            snprintf(known, sizeof known, "--%s", option_rows[i].name);
+        else
+            flag_of(i - OPTION_COUNT, known);
+        const size_t before = near.best ? near.distance : SIZE_DIGITS * FLAG_SIZE;
+        near_offer(&near, known);
+        if (near.best && near.distance < before) near.best = strcpy(best, known);
+    }
+    if (near.best) return options_wrong("unknown option %s; did you mean %s?", name, near.best);
+    return options_wrong("unknown option %s; \"zraster help\" lists all options", name);
 }
 
 static bool is_truth(const char *text)
 {
     static const char *const words[] = {"true", "false", "1", "0"};
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+    for (size_t i = 0; text && i < sizeof words / sizeof *words; i++)
         if (strcmp(text, words[i]) == 0) return true;
     return false;
 }
 
+/* Returns true for "--name", and for "-x" that is no number. */
 static bool is_option(const char *text)
 {
-    return strncmp(text, "--", 2) == 0 || strcmp(text, "-o") == 0;
+    return text[0] == '-' && (text[1] == '-' || isalpha((unsigned char)text[1]));
 }
 
-/* Reads --name VALUE or --name=VALUE at arguments[*at] and moves *at to its last argument. A boolean takes the next
- * argument only if that is a boolean value: it may be the file. */
-static int read_option(int count, char **arguments, int *at, struct options *options)
+static int missing(const struct found *found, const char *flag, size_t length)
 {
-    const char *flag = arguments[*at], *equals = strchr(flag, '=');
-    const char **slot = slot_of(options, flag, equals ? (size_t)(equals - flag) : strlen(flag));
-    if (!slot) return unknown(flag);
-    if (!equals && is_boolean(options, slot) && (*at + 1 >= count || !is_truth(arguments[*at + 1]))) {
-        *slot = "true";
-        return 0;
+    const char *value = found->row ? found->row->value : found->parameter->value;
+    const bool is_color = strcmp(value, "COLOR") == 0;
+    return options_wrong("a value is missing behind %.*s: %.*s %s%s", (int)length, flag, (int)length, flag, value,
+                         is_color ? "; the shell takes # for a comment: quote '#ff6347'" : "");
+}
+
+static int store(struct options *options, const struct found *found, const char *value)
+{
+    if (found->row == &option_rows[OPTION_PART]) {
+        const char *equals = strchr(value, '=');
+        if (!equals || equals == value || !equals[1])
+            return options_wrong("--part takes NAME=FILE, such as --part wood=wood.png, not %s", value);
+        if (options->part_count == PARTS_MAX) return options_wrong("--part: at most %d parts", PARTS_MAX);
+        options->parts[options->part_count++] = value;
     }
-    const char *value = equals ? equals + 1 : *at + 1 < count ? arguments[++*at] : "";
-    if (*value == '\0' || (!equals && is_option(value))) {
-        char name[64];
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(flag, "="), flag);
-        return options_wrong("a value is missing behind", name);
-    }
-    *slot = value;
+    *found->slot = value;
     return 0;
 }
 
-/* ---- checks ---- */
+/* Reads --name VALUE, --name=VALUE, -x VALUE or -xVALUE at arguments[*at] and moves *at to its last argument. A
+ * parameter that is true or false takes the next argument only if that is one: it may be the file. */
+static int read_option(int count, const char **arguments, int *at, struct options *options)
+{
+    const char *flag = arguments[*at];
+    size_t length = strcspn(flag, "=");
+    const char *inside = flag[length] ? flag + length + 1 : NULL;
+    struct found found = find(options, flag, length, 0);
+    if (!found.slot && flag[1] != '-') {
+        char dashed[FLAG_SIZE];
+        snprintf(dashed, sizeof dashed, "-%.*s", (int)length, flag);
+        if (length > 2 && find(options, dashed, length + 1, 0).slot)
+            return options_wrong("unknown option %.*s; did you mean %s?", (int)length, flag, dashed);
+        found = find(options, flag, 0, flag[1]);
+        if (flag[2] && flag[2] != '=') inside = flag + 2;
+        length = found.slot ? 2 : length;
+    }
+    if (!found.slot) return unknown(flag, length);
+    if (found.row && !found.row->value) {
+        if (inside) return options_wrong("%.*s takes no value: leave out %s", (int)length, flag, inside);
+        return store(options, &found, "true");
+    }
+    const bool is_boolean = found.parameter && found.parameter->value[0] == '[';
+    if (is_boolean && !inside && (*at + 1 >= count || !is_truth(arguments[*at + 1])))
+        return store(options, &found, "true");
+    const char *value = inside ? inside : *at + 1 < count ? arguments[++*at] : "";
+    if (*value == '\0' || (!inside && is_option(value))) return missing(&found, flag, length);
+    return store(options, &found, value);
+}
 
-#define FORMAT(ID, suffix, media_types, has_view, ...) {suffix, media_types, has_view},
-static const struct {
-    const char *suffix, *media_types; /* the first media type is sent */
-    bool has_view;
-} formats[] = {ZR_FORMAT_ROWS(FORMAT)};
-enum { FORMATS = sizeof formats / sizeof formats[0] };
+/* ---- checks ---- */
 
 static size_t count_digits(const char *text)
 {
     return strspn(text, "0123456789");
 }
 
-static bool read_size(struct options *options)
+/* Reads WxH or N. */
+static int read_size(struct options *options)
 {
-    const char *width = options->size, *height = width + count_digits(width) + 1;
-    const size_t width_digits = count_digits(width);
-    if (width_digits < 1 || width_digits > SIZE_DIGITS || width[width_digits] != 'x') return false;
-    const size_t height_digits = count_digits(height);
-    if (height_digits < 1 || height_digits > SIZE_DIGITS || height[height_digits] != '\0') return false;
-    snprintf(options->width, sizeof options->width, "%.*s", (int)width_digits, width);
-    snprintf(options->height, sizeof options->height, "%s", height);
-    *parameter_slot(options, "width") = options->width;
-    *parameter_slot(options, "height") = options->height;
-    return true;
+    const char *size = options->own[OPTION_SIZE];
+    if (!size) return 0;
+    const size_t width = count_digits(size), height = size[width] ? count_digits(size + width + 1) : width;
+    const char *second = size[width] ? size + width + 1 : size;
+    if (width < 1 || width > SIZE_DIGITS || height < 1 || height > SIZE_DIGITS || second[height] ||
+        (size[width] && size[width] != 'x'))
+        return options_wrong("--size takes WIDTHxHEIGHT, such as 800x600, or one number for a square, not %s", size);
+    snprintf(options->width, sizeof options->width, "%.*s", (int)width, size);
+    snprintf(options->height, sizeof options->height, "%s", second);
+    options->parameters[PARAMETER_width] = options->width;
+    options->parameters[PARAMETER_height] = options->height;
+    return 0;
 }
 
-/* Finds the type by --type or the file's ending. Otherwise the daemon detects it from the bytes. */
-static int find_content_type(struct options *options)
+/* Completes a width or height alone to 4:3. The renderer reports texts that are no numbers. */
+static void complete_size(struct options *options)
 {
-    static char known[128], wrong[160];
-    const char *slash = strrchr(options->file, '/'), *dot = strrchr(slash ? slash : options->file, '.');
-    const char *type = options->type ? options->type : dot ? dot + 1 : "";
-    for (size_t i = 0; i < FORMATS; i++) {
-        if (strcasecmp(type, formats[i].suffix) != 0) continue;
-        snprintf(known, sizeof known, "%.*s", (int)strcspn(formats[i].media_types, " "), formats[i].media_types);
-        options->content_type = known;
-        options->has_view = formats[i].has_view;
-        return 0;
+    const char *width = options->parameters[PARAMETER_width], *height = options->parameters[PARAMETER_height];
+    const char *one = width ? width : height;
+    if (!one || (width && height) || strlen(one) > SIZE_DIGITS || one[count_digits(one)]) return;
+    const int side = atoi(one), other = width ? side * 3 / 4 : side * 4 / 3;
+    snprintf(options->width, sizeof options->width, "%d", other > 0 ? other : 1);
+    options->parameters[width ? PARAMETER_height : PARAMETER_width] = options->width;
+}
+
+static int check_values(struct options *options)
+{
+    const char *strict = options->parameters[PARAMETER_strict], *threads = options->own[OPTION_THREADS];
+    const char *server = options->own[OPTION_SERVER];
+    if (strict && !is_truth(strict)) return options_wrong("--strict takes true, false or nothing, not %s", strict);
+    if (threads && (threads[count_digits(threads)] || atoi(threads) < 1 || atoi(threads) > THREADS_MAX))
+        return options_wrong("--threads takes a number from 1 to %d, not %s", THREADS_MAX, threads);
+    if (!server && getenv("ZRASTER_SERVER") && *getenv("ZRASTER_SERVER"))
+        options->own[OPTION_SERVER] = getenv("ZRASTER_SERVER");
+    const int wrong = read_size(options);
+    if (!wrong) complete_size(options);
+    return wrong;
+}
+
+/* Refuses options of other commands. */
+static int check_commands(const struct options *options)
+{
+    const struct command *command = options->command;
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        const struct option_row *row = &option_rows[i];
+        if (!options->own[i] || strchr(row->commands, command->letter)) continue;
+        const struct command *other = commands;
+        while (other->letter != row->commands[0])
+            other++;
+        return options_wrong("--%s is no option of \"zraster %s\"; \"zraster %s\" has it", row->name, command->name,
+                             other->name);
     }
-    options->content_type = "application/octet-stream";
-    if (!options->type) return 0;
-    for (size_t i = 0, used = 0; i < FORMATS && used < sizeof known; i++)
-        used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", formats[i].suffix);
-    snprintf(wrong, sizeof wrong, "--type takes one of %s, not", known);
-    return options_wrong(wrong, options->type);
-}
-
-/* Refuses options that are keys of scenes. */
-static int check_scene(const struct options *options)
-{
-    static char wrong[128];
-    const char *flag = options->size ? "--size" : NULL;
-    char known[OPTIONS_FLAG_SIZE];
-    if (!options->has_view) return 0;
-    for (size_t i = 0; i < OPTIONS_PARAMETERS && !flag; i++)
-        if (options_parameters[i].of_mesh && options->parameters[i]) {
-            options_flag_of(options_parameters[i].name, strlen(options_parameters[i].name), known);
-            flag = known;
+    char flag[FLAG_SIZE];
+    for (size_t i = 0; i < PARAMETER_COUNT; i++)
+        if (options->parameters[i] && !strchr("ribw", command->letter)) {
+            flag_of(i, flag);
+            return options_wrong("%s is no option of \"zraster %s\"; \"zraster render\" has it", flag, command->name);
         }
-    if (!flag) return 0;
-    snprintf(wrong, sizeof wrong,
-             "%s is for meshes, ending with" OPTIONS_MESHES "; a JSON scene has keys of its own for that", flag);
-    return options_wrong(wrong, "");
+    return 0;
 }
 
-int options_read(int count, char **arguments, struct options *options)
+bool options_strict(const struct options *options)
+{
+    const char *strict = options->parameters[PARAMETER_strict];
+    return strict && (strcmp(strict, "true") == 0 || strcmp(strict, "1") == 0);
+}
+
+unsigned options_threads(const struct options *options)
+{
+    return options->own[OPTION_THREADS] ? (unsigned)atoi(options->own[OPTION_THREADS]) : 0;
+}
+
+/* Takes the first argument if it is a command. */
+static int take_command(int count, const char **arguments, struct options *options)
+{
+    options->command = &commands[0];
+    for (size_t i = 0; count > 0 && i < COMMAND_COUNT; i++)
+        if (strcmp(arguments[0], commands[i].name) == 0) {
+            options->command = &commands[i];
+            return 1;
+        }
+    return 0;
+}
+
+int options_read(int count, const char **arguments, struct options *options)
 {
     bool only_files = false;
     int wrong = 0;
-    for (int i = 0; i < count && !wrong; i++) {
+    *options = (struct options){.files = arguments};
+    for (int i = take_command(count, arguments, options); i < count && !wrong; i++) {
         const char *argument = arguments[i];
         if (!only_files && strcmp(argument, "--") == 0)
             only_files = true;
         else if (!only_files && argument[0] == '-' && argument[1] != '\0')
             wrong = read_option(count, arguments, &i, options);
-        else if (options->file)
-            wrong = options_wrong("one file at a time; there is a second one", argument);
         else
-            options->file = argument;
+            options->files[options->file_count++] = argument;
     }
-    if (!wrong && !options->file) wrong = options_wrong("which file? usage: zraster render FILE", "");
-    if (!wrong && options->size && !read_size(options))
-        wrong = options_wrong("--size takes WIDTHxHEIGHT, such as 800x600, not", options->size);
-    if (!wrong) wrong = find_content_type(options);
-    return wrong ? wrong : check_scene(options);
+    if (wrong || options->own[OPTION_HELP] || options->own[OPTION_VERSION]) return wrong;
+    wrong = check_commands(options);
+    return wrong ? wrong : check_values(options);
 }

@@ -1,46 +1,106 @@
-/* options.h - client: the command line of `zraster render`. */
+/* options.h - client: reads the command line. */
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "command_rows.h"
 #include "format_rows.h"
 #include "parameter_rows.h"
 
-#define DEFAULT_SERVER "http://127.0.0.1:8080"
+/* Exit statuses. */
+enum {
+    STATUS_DONE,
+    STATUS_FAILED,    /* a file cannot be read, drawn or written */
+    STATUS_USAGE,     /* the command line is wrong */
+    STATUS_WARNED,    /* warnings, with --strict */
+    STATUS_DIFFERENT, /* compare: pictures differ */
+    STATUS_INTERRUPTED = 130
+};
 
-/* A query parameter. Each one is an option: doubleSided is --double-sided. */
-struct parameter {
+struct options;
+
+struct command {
     const char *name;
-    bool of_mesh; /* for meshes only */
-    const char *value,
-        *help; /* placeholder and text of --help; a placeholder in brackets: may be omitted, and is true then */
+    char letter; /* in the rows of options */
+    const char *arguments, *summary;
+    int (*run)(struct options *options); /* returns the exit status */
 };
 #define OPTIONS_COUNT(...) +1
-enum { OPTIONS_PARAMETERS = 0 ZR_PARAMETER_ROWS(OPTIONS_COUNT) };
+enum {
+    COMMAND_COUNT = 0 COMMAND_ROWS(OPTIONS_COUNT),
+    PARAMETER_COUNT = 0 ZR_PARAMETER_ROWS(OPTIONS_COUNT),
+    PARTS_MAX = 31,
+    FLAG_SIZE = 32
+};
 #undef OPTIONS_COUNT
-extern const struct parameter options_parameters[OPTIONS_PARAMETERS];
+extern const struct command commands[COMMAND_COUNT];
 
-enum { OPTIONS_FLAG_SIZE = 32 };
+#define COMMAND_DECLARED(name, ...) int command_##name(struct options *options);
+COMMAND_ROWS(COMMAND_DECLARED)
+#undef COMMAND_DECLARED
+
+/* Options of the client itself. */
+enum option {
+#define OPTION_ENUM(ID, ...) OPTION_##ID,
+    OPTION_ROWS(OPTION_ENUM)
+#undef OPTION_ENUM
+        OPTION_COUNT
+};
+struct option_row {
+    const char *name;
+    char letter;       /* 0: none */
+    const char *value; /* placeholder; NULL: a switch */
+    const char *commands, *help;
+};
+extern const struct option_row option_rows[OPTION_COUNT];
+
+/* Parameters of the query. Each one is an option: doubleSided is --double-sided. */
+enum parameter {
+#define PARAMETER_ENUM(name, ...) PARAMETER_##name,
+    ZR_PARAMETER_ROWS(PARAMETER_ENUM)
+#undef PARAMETER_ENUM
+};
+struct parameter_row {
+    const char *name;
+    bool of_mesh;      /* for meshes only */
+    const char *value; /* placeholder; in brackets: may be omitted, and is true then */
+    const char *help;
+};
+extern const struct parameter_row parameter_rows[PARAMETER_COUNT];
+
+char parameter_letter(enum parameter parameter); /* 0: none */
 
 /* Writes the option of a parameter, whose name has `length` characters: "--name". */
-void options_flag_of(const char *name, size_t length, char flag[OPTIONS_FLAG_SIZE]);
+void options_flag_of(const char *name, size_t length, char flag[FLAG_SIZE]);
 
-/* Options as given; NULL: not given. */
+/* Options as given; NULL: not given. Switches have the text "true". */
 struct options {
-    const char *file, *out, *server, *token_file, *type, *size;
-    const char *parameters[OPTIONS_PARAMETERS];
-    char width[12], height[12]; /* from `size` */
-    const char *content_type;   /* of the file */
-    bool has_view;              /* the format includes a view (scenes) */
+    const struct command *command;
+    const char *own[OPTION_COUNT];
+    const char *parameters[PARAMETER_COUNT];
+    const char **files; /* in the arguments */
+    size_t file_count;
+    const char *parts[PARTS_MAX]; /* NAME=FILE */
+    size_t part_count;
+    char width[12], height[12]; /* texts of these parameters */
 };
 
-/* Reads the arguments behind "render". Returns 0, or the exit status of a wrong command line, reported on stderr. */
-int options_read(int count, char **arguments, struct options *options);
+/* Reads the arguments of the program, without its name; sorts the files among them to their front. Returns 0, or the
+ * exit status of a wrong command line, reported on stderr. */
+int options_read(int count, const char **arguments, struct options *options);
 
-/* Reports a fault of the command line on stderr; returns the exit status. `which` may be "". */
-int options_wrong(const char *what, const char *which);
+/* Sets a parameter by its name in queries. False if there is none. */
+bool options_set(struct options *options, const char *name, const char *value);
+
+/* Reports a fault of the command line on stderr; returns the exit status. */
+__attribute__((format(printf, 1, 2))) int options_wrong(const char *format, ...);
+
+bool options_strict(const struct options *options);
+
+/* Returns the number of threads that were asked for; 0: all. */
+unsigned options_threads(const struct options *options);
 
 /* Endings of file names, for messages: of meshes " .obj .stl", of all formats " json obj stl". */
 #define OPTIONS_ENDING_true(suffix)

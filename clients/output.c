@@ -5,7 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 #include <unistd.h>
+
+#include "input.h"
+#include "unzip.h"
 
 struct format {
     const char *type, *ending, *name, *instead;
@@ -19,110 +23,196 @@ static const struct format FORMATS[] = {
     {"application/zip", "zip", "a ZIP archive of several outputs", "; or get one of them: --channel color"},
 };
 
-/* Endings of formats that the server never sends. Other endings, such as .part, name no format. */
+/* Endings of formats that are never written. Other endings, such as .part, name no format. */
 static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "tiff", "webp", "bmp",  "ppm", "pgm",
                                       "exr", "hdr",  "svg", "pdf", "npz",  "gz",   "html", "txt", "csv"};
 
-/* Endings of request bodies. Endings that are also in FORMATS are found there first. */
-#define ENDING(ID, suffix, ...) suffix,
-static const char *const BODIES[] = {ZR_FORMAT_ROWS(ENDING)};
-#undef ENDING
-
 static const struct format *format_of(const char *type)
 {
+    static const struct format unknown = {"", "bin", "of an unknown type", ""};
     for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
         if (strcasecmp(type, FORMATS[i].type) == 0) return &FORMATS[i];
-    return NULL;
+    return &unknown;
 }
 
-/* Returns the last part of a path. */
-static const char *base_of(const char *path)
+/* ---- names ---- */
+
+const char *output_base(const char *path)
 {
     const char *slash = strrchr(path, '/');
     return slash ? slash + 1 : path;
 }
 
 /* Returns the dot before the ending of a file name, or the end of the name. */
-static const char *dot_of(const char *base)
+static const char *dot_of(const char *path)
 {
-    const char *dot = strrchr(base, '.');
+    const char *base = output_base(path), *dot = strrchr(base, '.');
     return dot && dot > base ? dot : base + strlen(base);
 }
 
-/* Returns true if an ending names a known format other than this one. */
-static bool says_another_format(const char *ending, const struct format *format)
+static const char *ending_of(const char *path)
 {
+    const char *dot = dot_of(path);
+    return *dot ? dot + 1 : dot;
+}
+
+bool output_is_folder(const char *path)
+{
+    struct stat status;
+    return path[strlen(path) - 1] == '/' || (stat(path, &status) == 0 && S_ISDIR(status.st_mode));
+}
+
+static bool is_foreign(const char *ending)
+{
+    for (size_t i = 0; i < sizeof FOREIGN / sizeof *FOREIGN; i++)
+        if (strcasecmp(ending, FOREIGN[i]) == 0) return true;
+    return false;
+}
+
+bool output_is_name(const char *name)
+{
+    const char *ending = ending_of(name);
+    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
+        if (strcasecmp(ending, FORMATS[i].ending) == 0 && !input_has_ending(name)) return true;
+    return strcmp(name, "-") == 0 || is_foreign(ending) || output_is_folder(name);
+}
+
+/* Returns true if an ending names a known format other than this one. */
+static bool says_another_format(const char *out, const struct format *format)
+{
+    const char *ending = ending_of(out);
     if (strcasecmp(ending, format->ending) == 0) return false;
     for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
         if (strcasecmp(ending, FORMATS[i].ending) == 0) return true;
-    for (size_t i = 0; i < sizeof FOREIGN / sizeof *FOREIGN; i++)
-        if (strcasecmp(ending, FOREIGN[i]) == 0) return true;
-    for (size_t i = 0; i < sizeof BODIES / sizeof *BODIES; i++)
-        if (strcasecmp(ending, BODIES[i]) == 0) return true;
-    return false;
+    return is_foreign(ending) || input_has_ending(out);
 }
 
-/* Returns, to be freed, `path` without its ending, `between`, and the ending of the format. */
-static char *renamed(const char *path, const char *between, const struct format *format)
+struct target output_target(const char *file, const char *out)
 {
-    const int length = (int)(dot_of(base_of(path)) - path);
-    const size_t size = (size_t)length + strlen(between) + strlen(format->ending) + 2;
-    char *name = malloc(size);
-    if (name) snprintf(name, size, "%.*s%s.%s", length, path, between, format->ending);
+    const bool is_pipe = strcmp(file, "-") == 0;
+    struct target target = {.file = file, .out = out, .folder = "", .stem = is_pipe ? "stdin" : output_base(file)};
+    if (!out && is_pipe) target.out = "-";
+    if (!out || strcmp(out, "-") == 0 || !output_is_folder(out)) return target;
+    target.out = NULL;
+    target.folder = out;
+    return target;
+}
+
+char *output_name(const struct target *target, const char *channel, const char *extension)
+{
+    const char *folder = target->folder, *stem = target->stem;
+    const bool is_main = strcmp(channel, "color") == 0;
+    char *name = NULL;
+    const bool slash = *folder && folder[strlen(folder) - 1] != '/';
+    for (int again = 0; again < 2; again++) { /* the input is never overwritten */
+        free(name);
+        if (asprintf(&name, "%s%s%.*s%s%s%s.%s", folder, slash ? "/" : "", (int)(dot_of(stem) - stem), stem,
+                     again ? ".out" : "", is_main ? "" : ".", is_main ? "" : channel, extension) < 0)
+            return NULL;
+        if (strcmp(target->file, "-") == 0 || !bytes_same_file(target->file, name)) break;
+    }
     return name;
 }
 
-static bool ending_fits(const char *out, const struct format *format)
-{
-    const char *dot = dot_of(base_of(out));
-    if (*dot == '\0' || !says_another_format(dot + 1, format)) return true;
-    char *better = renamed(out, "", format);
-    fprintf(stderr, "zraster: %s: nothing is saved, since what came back is %s; -o %s takes it%s\n", out, format->name,
-            better ? better : format->ending, strcasecmp(dot + 1, "png") == 0 ? format->instead : "");
-    free(better);
-    return false;
-}
+/* ---- checks ---- */
 
-bool output_is_input(const struct options *options, const char *out)
+static bool is_input(const struct target *target, const char *out, struct bytes *faults)
 {
-    if (strcmp(out, "-") == 0 || !bytes_same_file(options->file, out)) return false;
-    fprintf(stderr, "zraster: %s would overwrite its own input; -o names another file\n", out);
+    if (strcmp(out, "-") == 0 || !bytes_same_file(target->file, out)) return false;
+    bytes_print(faults, "%s would overwrite its own input; -o names another file", out);
     return true;
 }
 
-static bool save(const struct options *options, const struct bytes *picture, const char *out)
+/* Checks, or with a slash at its end makes, the folder `path`, of `length` characters. */
+static bool check_folder(const char *path, size_t length, struct bytes *faults)
 {
-    const bool to_stdout = strcmp(out, "-") == 0;
-    if (output_is_input(options, out)) return false;
-    if (!bytes_write(picture, out)) {
-        fprintf(stderr, "zraster: cannot write %s: %s\n", to_stdout ? "to standard output" : out, strerror(errno));
-        return false;
-    }
-    if (!to_stdout) puts(out);
-    return true;
+    char *folder = strndup(path, length);
+    struct stat status;
+    bool ok = folder && (length == 0 || (stat(folder, &status) == 0 && S_ISDIR(status.st_mode)));
+    if (folder && !ok && path[length] == '/' && !path[length + 1]) ok = mkdir(folder, 0777) == 0;
+    if (!ok) bytes_print(faults, "the folder %s does not exist; mkdir -p %s makes it", folder, folder);
+    free(folder);
+    return ok;
 }
 
-bool output_save(const struct options *options, const struct bytes *picture, const char *type)
+int output_check(const struct target *target, struct bytes *faults)
 {
-    const struct format *format = format_of(type);
-    if (!format) {
-        fprintf(stderr, "zraster: what answers is no zrasterd: it sent %s; --server names another\n",
-                *type ? type : "something without a type");
-        return false;
+    const char *out = target->out ? target->out : target->folder;
+    const char *slash = strrchr(out, '/');
+    if (target->out && is_foreign(ending_of(out)))
+        bytes_print(faults, "-o %s: zraster writes no .%s; -o %.*s.png takes a picture", out, ending_of(out),
+                    (int)(dot_of(out) - out), out);
+    else if (slash && slash > out && !check_folder(out, (size_t)(slash - out), faults))
+        return STATUS_USAGE;
+    else if (!target->out || !is_input(target, out, faults))
+        return STATUS_DONE;
+    return STATUS_USAGE;
+}
+
+/* ---- saving ---- */
+
+static int save(const struct target *target, const char *out, const void *data, size_t size, bool no_clobber,
+                struct bytes *names, struct bytes *faults)
+{
+    const struct bytes bytes = {.data = (char *)data, .size = size};
+    if (is_input(target, out, faults)) return STATUS_USAGE;
+    if (no_clobber && strcmp(out, "-") != 0 && access(out, F_OK) == 0) {
+        bytes_print(faults, "%s exists; leave out -n to overwrite it, or choose another name by -o", out);
+        return STATUS_FAILED;
     }
-    const char *out = options->out ? options->out : strcmp(options->file, "-") == 0 ? "-" : NULL;
-    if (out && strcmp(out, "-") == 0 && strcmp(format->ending, "json") != 0 && isatty(STDOUT_FILENO)) {
-        fprintf(stderr, "zraster: %s is nothing for a terminal; -o FILE saves it\n", format->name);
-        return false;
+    if (!bytes_write(&bytes, out)) {
+        bytes_print(faults, "cannot write %s: %s", strcmp(out, "-") == 0 ? "standard output" : out, strerror(errno));
+        return STATUS_FAILED;
     }
-    if (out) return ending_fits(out, format) && save(options, picture, out);
-    const char *base = base_of(options->file);
-    char *name = renamed(base, "", format);
-    if (name && strcmp(name, options->file) == 0) { /* the input is never overwritten */
+    bytes_print(names, "%s\n", out);
+    return STATUS_DONE;
+}
+
+/* Saves each file of an archive. The first one is saved last: once it exists, all do. */
+static int save_all(const struct target *target, const struct answer *answer, bool no_clobber, struct bytes *names,
+                    struct bytes *faults)
+{
+    struct unzip unzip = {answer->file.data, (const unsigned char *)answer->file.data + answer->file.size};
+    struct unzip_file file, first = {.size = 0};
+    int status = unzip_next(&unzip, &first) ? STATUS_DONE : STATUS_FAILED;
+    for (bool more = true; status == STATUS_DONE && more;) {
+        more = unzip_next(&unzip, &file);
+        if (!more) file = first;
+        char *dot = strchr(file.name, '.');
+        *dot = '\0';
+        char *name = output_name(target, file.name, dot + 1);
+        status = name ? save(target, name, file.data, file.size, no_clobber, names, faults) : STATUS_FAILED;
         free(name);
-        name = renamed(base, ".out", format);
     }
-    const bool saved = name && save(options, picture, name);
+    if (!unzip.at) bytes_print(faults, "the archive of the server is broken");
+    return unzip.at ? status : STATUS_FAILED;
+}
+
+static int save_as(const struct target *target, const struct answer *answer, const struct format *format,
+                   bool no_clobber, struct bytes *names, struct bytes *faults)
+{
+    const char *out = target->out;
+    if (strcmp(out, "-") == 0 && strcmp(format->ending, "json") != 0 && isatty(STDOUT_FILENO)) {
+        bytes_print(faults, "%s is nothing for a terminal; -o FILE saves it, --show draws it", format->name);
+        return STATUS_USAGE;
+    }
+    if (!says_another_format(out, format))
+        return save(target, out, answer->file.data, answer->file.size, no_clobber, names, faults);
+    bytes_print(faults, "nothing is saved: the output is %s; -o %.*s.%s takes it%s", format->name,
+                (int)(dot_of(out) - out), out, format->ending,
+                strcasecmp(ending_of(out), "png") == 0 ? format->instead : "");
+    return STATUS_USAGE;
+}
+
+int output_save(const struct target *target, const struct answer *answer, bool no_clobber, struct bytes *names,
+                struct bytes *faults)
+{
+    const struct format *format = format_of(answer->file.type);
+    if (target->out) return save_as(target, answer, format, no_clobber, names, faults);
+    if (strcmp(format->ending, "zip") == 0) return save_all(target, answer, no_clobber, names, faults);
+    char *name = output_name(target, "color", format->ending);
+    const int status =
+        name ? save(target, name, answer->file.data, answer->file.size, no_clobber, names, faults) : STATUS_FAILED;
     free(name);
-    return saved;
+    return status;
 }

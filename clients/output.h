@@ -1,20 +1,42 @@
-/* output.h - client: saves the answer. */
+/* output.h - client: names and saves the files of an answer. */
 #ifndef OUTPUT_H
 #define OUTPUT_H
 
 #include <stdbool.h>
 
+#include "answer.h"
 #include "bytes.h"
 #include "options.h"
 
-/* Saves `picture`, with its Content-Type, and prints the name. Without options->out, the picture of standard input goes
- * to standard output. That of a file is saved in the current folder, under the file's name with the ending of the
- * answer's format. False, with
- * the reason on stderr: it cannot be written, would overwrite its own input, has the ending of another format, or would
- * go to a terminal. */
-bool output_save(const struct options *options, const struct bytes *picture, const char *type);
+/* Where the outputs of a file go. */
+struct target {
+    const char *file;   /* the input; "-": standard input */
+    const char *out;    /* name of the only output, "-", or NULL: FOLDER/STEM.ext, of several STEM.channel.ext */
+    const char *folder; /* "": this one */
+    const char *stem;   /* name in the folder, whose ending is replaced; may have folders of its own */
+};
 
-/* Returns true, with a message on stderr, if `out` is the input file. */
-bool output_is_input(const struct options *options, const char *out);
+/* Makes the target of a file for the option -o, which may be NULL. */
+struct target output_target(const char *file, const char *out);
+
+/* Returns true if a name can only be one of an output. */
+bool output_is_name(const char *name);
+
+/* Checks before drawing: the folder exists (one named with a slash at its end is made), the input is not overwritten,
+ * the ending is one of an output. Returns 0, or an exit status with lines in *faults. */
+int output_check(const struct target *target, struct bytes *faults);
+
+/* Saves the files of an answer and adds their names to *names, each with a final line break. Returns 0 or an exit
+ * status with lines in *faults. */
+int output_save(const struct target *target, const struct answer *answer, bool no_clobber, struct bytes *names,
+                struct bytes *faults);
+
+/* Returns, to be freed, the name that the output CHANNEL.EXT gets; NULL without memory. */
+char *output_name(const struct target *target, const char *channel, const char *extension);
+
+/* Returns the last part of a path. */
+const char *output_base(const char *path);
+
+bool output_is_folder(const char *path);
 
 #endif

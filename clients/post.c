@@ -1,72 +1,62 @@
 #include "post.h"
 
-#include <curl/curl.h>
+#include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "curl_rows.h"
+#include "engine.h"
+#include "report.h"
+
 enum { CONNECT_SECONDS = 10, TOTAL_SECONDS = 300, HEADER_SIZE = TOKEN_SIZE + 64 };
 
 #define PATH "/v1/render"
 
-static char *joined(const char *a, const char *b)
+static struct curl_functions curl;
+
+int post_open(void)
 {
-    const size_t size = strlen(a) + strlen(b) + 1;
-    char *both = malloc(size);
-    if (both) snprintf(both, size, "%s%s", a, b);
-    return both;
+    static const char *const names[] = {"libcurl-gnutls.so.4", "libcurl.so.4"};
+    void *library = NULL;
+    for (size_t i = 0; !library && i < sizeof names / sizeof *names; i++)
+        library = dlopen(names[i], RTLD_NOW);
+    bool ok = library != NULL;
+#define CURL_LOAD(name)                                                                                                \
+    if (ok) ok = (*(void **)(void *)&curl.name = dlsym(library, "curl_" #name)) != NULL;
+    CURL_ROWS(CURL_LOAD)
+#undef CURL_LOAD
+    if (ok && curl.global_init(CURL_GLOBAL_DEFAULT) == CURLE_OK) return 0;
+    fputs("zraster: --server needs libcurl; as root: apt-get install libcurl3-gnutls; or leave out --server to render "
+          "here\n",
+          stderr);
+    return STATUS_FAILED;
+}
+
+void post_close(void)
+{
+    if (curl.global_cleanup) curl.global_cleanup();
 }
 
 /* ---- address ---- */
 
-static bool add_parameter(CURLU *url, const char *name, const char *value)
+/* Sets the server's address; HOST:PORT means http. Appends to its own path, such as https://example.org/zraster. */
+static bool set_address(CURLU *url, const char *server, const char *query)
 {
-    if (!value || !*value) return true;
-    char *escaped = curl_easy_escape(NULL, value, 0);
-    if (!escaped) return false;
-    size_t size = strlen(name) + strlen(escaped) + 2;
-    char *pair = malloc(size);
-    if (pair) snprintf(pair, size, "%s=%s", name, escaped);
-    bool ok = pair && curl_url_set(url, CURLUPART_QUERY, pair, CURLU_APPENDQUERY) == CURLUE_OK;
-    free(pair);
-    curl_free(escaped);
-    return ok;
-}
-
-/* Sets the server's address; HOST:PORT means http. */
-static bool set_server(CURLU *url, const char *server)
-{
-    char *whole = joined(strstr(server, "://") ? "" : "http://", server);
-    bool ok = whole && curl_url_set(url, CURLUPART_URL, whole, 0) == CURLUE_OK;
-    free(whole);
-    return ok && curl_url_set(url, CURLUPART_QUERY, NULL, 0) == CURLUE_OK &&
-           curl_url_set(url, CURLUPART_FRAGMENT, NULL, 0) == CURLUE_OK;
-}
-
-/* Appends to the server's own path, such as https://example.org/zraster. */
-static bool add_path(CURLU *url)
-{
-    char *path = NULL;
-    if (curl_url_get(url, CURLUPART_PATH, &path, 0) != CURLUE_OK) return false;
-    for (size_t end = strlen(path); end > 0 && path[end - 1] == '/'; end--)
+    char *whole = NULL, *path = NULL, *longer = NULL;
+    if (asprintf(&whole, "%s%s", strstr(server, "://") ? "" : "http://", server) < 0) return false;
+    bool ok = curl.url_set(url, CURLUPART_URL, whole, 0) == CURLUE_OK &&
+              curl.url_set(url, CURLUPART_QUERY, *query ? query : NULL, 0) == CURLUE_OK &&
+              curl.url_set(url, CURLUPART_FRAGMENT, NULL, 0) == CURLUE_OK &&
+              curl.url_get(url, CURLUPART_PATH, &path, 0) == CURLUE_OK;
+    for (size_t end = ok ? strlen(path) : 0; end > 0 && path[end - 1] == '/'; end--)
         path[end - 1] = '\0';
-    char *whole = joined(path, PATH);
-    bool ok = whole && curl_url_set(url, CURLUPART_PATH, whole, 0) == CURLUE_OK;
+    ok = ok && asprintf(&longer, "%s" PATH, path) >= 0 && curl.url_set(url, CURLUPART_PATH, longer, 0) == CURLUE_OK;
+    if (path) curl.free(path);
+    free(longer);
     free(whole);
-    curl_free(path);
     return ok;
-}
-
-static CURLU *make_url(const struct options *o)
-{
-    CURLU *url = curl_url();
-    bool ok = url && set_server(url, o->server) && add_path(url);
-    for (size_t i = 0; i < OPTIONS_PARAMETERS && ok; i++)
-        ok = add_parameter(url, options_parameters[i].name, o->parameters[i]);
-    if (ok) return url;
-    curl_url_cleanup(url);
-    return NULL;
 }
 
 /* ---- answer ---- */
@@ -76,75 +66,154 @@ static size_t receive(char *data, size_t size, size_t count, void *body)
     return bytes_add(body, data, size * count) ? size * count : 0;
 }
 
-static size_t receive_header(char *line, size_t size, size_t count, void *unused)
+/* Returns the value of a header line, or NULL for another header. *length: without the line's end. */
+static const char *value_of(const char *line, size_t size, const char *name, int *length)
 {
-    static const char name[] = "zraster-warnings:";
-    (void)unused;
-    if (size * count > sizeof name && strncasecmp(line, name, sizeof name - 1) == 0)
-        fprintf(stderr, "warning:%.*s", (int)(size * count - (sizeof name - 1)), line + sizeof name - 1);
+    const size_t begin = strlen(name);
+    if (size <= begin || strncasecmp(line, name, begin) != 0) return NULL;
+    size_t first = begin, end = size;
+    while (first < end && line[first] == ' ')
+        first++;
+    while (end > first && (line[end - 1] == '\r' || line[end - 1] == '\n'))
+        end--;
+    *length = (int)(end - first);
+    return line + first;
+}
+
+static size_t receive_header(char *line, size_t size, size_t count, void *context)
+{
+    struct answer *answer = context;
+    int length;
+    const char *value = value_of(line, size * count, "zraster-warnings:", &length);
+    if (value) bytes_print(&answer->warnings, "%.*s\n", length, value);
+    value = value_of(line, size * count, "zraster-look:", &length);
+    if (value) snprintf(answer->look, sizeof answer->look, "%.*s", length, value);
     return size * count;
 }
 
-static void read_reply(CURL *curl, struct reply *reply)
+/* Stops a transfer after SIGINT. */
+static int go_on(void *context, curl_off_t a, curl_off_t b, curl_off_t c, curl_off_t d)
+{
+    (void)context, (void)a, (void)b, (void)c, (void)d;
+    return engine_interrupted();
+}
+
+static void take_reply(CURL *handle, const struct token *token, struct answer *answer)
 {
     const char *type = NULL;
     curl_off_t seconds = 0;
-    curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &reply->status);
-    curl_easy_getinfo(curl, CURLINFO_CONTENT_TYPE, &type);
-    curl_easy_getinfo(curl, CURLINFO_RETRY_AFTER, &seconds);
-    reply->retry_seconds = (long)seconds;
-    snprintf(reply->type, sizeof reply->type, "%s", type ? type : "");
-    reply->type[strcspn(reply->type, "; ")] = '\0';
+    long status = 0;
+    curl.easy_getinfo(handle, CURLINFO_RESPONSE_CODE, &status);
+    curl.easy_getinfo(handle, CURLINFO_CONTENT_TYPE, &type);
+    curl.easy_getinfo(handle, CURLINFO_RETRY_AFTER, &seconds);
+    snprintf(answer->type, sizeof answer->type, "%.*s", (int)strcspn(type ? type : "", "; "), type ? type : "");
+    answer->file = (struct zraster_bytes){bytes_text(&answer->received), answer->received.size, answer->type};
+    if (status == 200) return;
+    report_problem(&answer->faults, status, &answer->received);
+    if (status == 401 && *token->text)
+        bytes_print(&answer->faults, "\nThe token of %s is not the server's.", token->from);
+    else if (status == 401)
+        bytes_print(&answer->faults, "\n--token-file FILE, or the variable ZRASTER_TOKEN, gives the token.");
+    if (seconds > 0) bytes_print(&answer->faults, "\nTry again in %ld s.", (long)seconds);
+    answer_refuse(answer);
 }
 
-static struct curl_slist *make_headers(const struct options *options, const struct token *token)
+/* ---- request ---- */
+
+static struct curl_slist *make_headers(const char *content_type, const struct token *token)
 {
     char type[HEADER_SIZE], authorization[HEADER_SIZE];
-    snprintf(type, sizeof type, "Content-Type: %s", options->content_type);
+    snprintf(type, sizeof type, "Content-Type: %s", content_type);
     snprintf(authorization, sizeof authorization, "Authorization: Bearer %s", token->text);
-    struct curl_slist *headers = curl_slist_append(NULL, type);
+    struct curl_slist *headers = curl.slist_append(NULL, type);
     if (!headers || !*token->text) return headers;
-    struct curl_slist *both = curl_slist_append(headers, authorization);
-    if (!both) curl_slist_free_all(headers);
+    struct curl_slist *both = curl.slist_append(headers, authorization);
+    if (!both) curl.slist_free_all(headers);
     return both;
 }
 
-static void explain(const struct options *options, CURLcode code, const char *why)
+static bool add_part(curl_mime *form, const char *name, const char *type, const void *data, size_t size)
 {
-    const char *at = strrchr(options->server, '@'); /* text before it may be a password */
-    fprintf(stderr, "zraster: %s: %s\n", at ? at + 1 : options->server, *why ? why : curl_easy_strerror(code));
-    if (code == CURLE_COULDNT_CONNECT || code == CURLE_COULDNT_RESOLVE_HOST)
-        fprintf(stderr,
-                "Does zrasterd run there? --server HOST:PORT, or the variable ZRASTER_SERVER, names another.\n");
+    curl_mimepart *part = curl.mime_addpart(form);
+    return part && curl.mime_name(part, name) == CURLE_OK && curl.mime_data(part, data, size) == CURLE_OK &&
+           curl.mime_type(part, type) == CURLE_OK;
 }
 
-bool post(const struct options *options, const struct token *token, const struct bytes *body, struct reply *reply)
+/* Makes a form of the scene and its parts. */
+static curl_mime *make_form(CURL *handle, const struct input *input)
+{
+    curl_mime *form = curl.mime_init(handle);
+    bool ok = form && add_part(form, "scene", input->type, bytes_text(&input->body), input->body.size);
+    for (size_t i = 0; ok && i < input->part_count; i++)
+        ok = add_part(form, input->part_names[i], "application/octet-stream", bytes_text(&input->part_bytes[i]),
+                      input->part_bytes[i].size);
+    if (!ok && form) curl.mime_free(form);
+    return ok ? form : NULL;
+}
+
+static void set_options(CURL *handle, CURLU *url, char *why, struct answer *answer)
+{
+    curl.easy_setopt(handle, CURLOPT_CURLU, url);
+    curl.easy_setopt(handle, CURLOPT_WRITEFUNCTION, receive);
+    curl.easy_setopt(handle, CURLOPT_WRITEDATA, &answer->received);
+    curl.easy_setopt(handle, CURLOPT_HEADERFUNCTION, receive_header);
+    curl.easy_setopt(handle, CURLOPT_HEADERDATA, answer);
+    curl.easy_setopt(handle, CURLOPT_CONNECTTIMEOUT, (long)CONNECT_SECONDS);
+    curl.easy_setopt(handle, CURLOPT_TIMEOUT, (long)TOTAL_SECONDS);
+    curl.easy_setopt(handle, CURLOPT_NOSIGNAL, 1L);
+    curl.easy_setopt(handle, CURLOPT_NOPROGRESS, 0L);
+    curl.easy_setopt(handle, CURLOPT_XFERINFOFUNCTION, go_on);
+    curl.easy_setopt(handle, CURLOPT_PROTOCOLS_STR, "http,https");
+    curl.easy_setopt(handle, CURLOPT_USERAGENT, "zraster");
+    curl.easy_setopt(handle, CURLOPT_ERRORBUFFER, why);
+}
+
+static CURLcode send_to(CURLU *url, CURL *handle, const struct token *token, const struct input *input, char *why,
+                        struct answer *answer)
+{
+    curl_mime *form = input->part_count ? make_form(handle, input) : NULL;
+    struct curl_slist *headers = make_headers(form ? "multipart/form-data" : input->type, token);
+    CURLcode code = CURLE_OUT_OF_MEMORY;
+    set_options(handle, url, why, answer);
+    if (form)
+        curl.easy_setopt(handle, CURLOPT_MIMEPOST, form);
+    else {
+        curl.easy_setopt(handle, CURLOPT_POSTFIELDS, bytes_text(&input->body));
+        curl.easy_setopt(handle, CURLOPT_POSTFIELDSIZE_LARGE, (curl_off_t)input->body.size);
+    }
+    curl.easy_setopt(handle, CURLOPT_HTTPHEADER, headers);
+    if (headers && (form || input->part_count == 0)) code = curl.easy_perform(handle);
+    if (code == CURLE_OK) take_reply(handle, token, answer);
+    curl.slist_free_all(headers);
+    if (form) curl.mime_free(form);
+    return code;
+}
+
+static void explain(const char *server, CURLcode code, const char *why, struct bytes *faults)
+{
+    const char *at = strrchr(server, '@'); /* text before it may be a password */
+    const char *shown = at ? at + 1 : server;
+    if (code == CURLE_COULDNT_CONNECT || code == CURLE_COULDNT_RESOLVE_HOST)
+        bytes_print(faults, "nothing answers at %s: start zrasterd there, or leave out --server to render here", shown);
+    else
+        bytes_print(faults, "%s: %s", shown, *why ? why : curl.easy_strerror(code));
+}
+
+void post(const char *server, const struct token *token, const struct input *input, const char *query,
+          struct answer *answer)
 {
     char why[CURL_ERROR_SIZE] = "";
-    struct curl_slist *headers = make_headers(options, token);
-    CURLU *url = make_url(options);
-    CURL *curl = curl_easy_init();
+    CURLU *url = curl.url();
+    CURL *handle = curl.easy_init();
     CURLcode code = CURLE_FAILED_INIT;
-    if (!url) snprintf(why, sizeof why, "not an address; HOST:PORT and http://HOST:PORT are");
-    if (url && curl && headers) {
-        curl_easy_setopt(curl, CURLOPT_CURLU, url);
-        curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers);
-        curl_easy_setopt(curl, CURLOPT_POSTFIELDS, body->data ? body->data : "");
-        curl_easy_setopt(curl, CURLOPT_POSTFIELDSIZE_LARGE, (curl_off_t)body->size);
-        curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, receive);
-        curl_easy_setopt(curl, CURLOPT_WRITEDATA, &reply->body);
-        curl_easy_setopt(curl, CURLOPT_HEADERFUNCTION, receive_header);
-        curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, (long)CONNECT_SECONDS);
-        curl_easy_setopt(curl, CURLOPT_TIMEOUT, (long)TOTAL_SECONDS);
-        curl_easy_setopt(curl, CURLOPT_PROTOCOLS_STR, "http,https");
-        curl_easy_setopt(curl, CURLOPT_USERAGENT, "zraster");
-        curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, why);
-        code = curl_easy_perform(curl);
-        if (code == CURLE_OK) read_reply(curl, reply);
+    if (url && !set_address(url, server, query))
+        snprintf(why, sizeof why, "not an address; HOST:PORT and http://HOST:PORT are");
+    else if (url && handle)
+        code = send_to(url, handle, token, input, why, answer);
+    if (code != CURLE_OK) {
+        answer->status = engine_interrupted() ? STATUS_INTERRUPTED : STATUS_FAILED;
+        explain(server, code, why, &answer->faults);
     }
-    if (code != CURLE_OK) explain(options, code, why);
-    curl_easy_cleanup(curl);
-    curl_url_cleanup(url);
-    curl_slist_free_all(headers);
-    return code == CURLE_OK;
+    curl.easy_cleanup(handle);
+    curl.url_cleanup(url);
 }

@@ -1,22 +1,18 @@
-/* post.h - client: sends one request to the server and receives the answer. */
+/* post.h - client: sends a request to the server and receives the answer. */
 #ifndef POST_H
 #define POST_H
 
-#include <stdbool.h>
-
-#include "bytes.h"
-#include "options.h"
+#include "answer.h"
+#include "input.h"
 #include "token.h"
 
-struct reply {
-    struct bytes body;
-    long status;
-    char type[64];      /* Content-Type without parameters */
-    long retry_seconds; /* until the next try, from the server; 0: none given */
-};
+/* Loads libcurl. Returns 0, or the exit status of a failure reported on stderr. */
+int post_open(void);
+void post_close(void);
 
-/* True: an answer of any status arrived. False: the reason is on stderr. Prints warnings of the server to stderr on
- * arrival. */
-bool post(const struct options *options, const struct token *token, const struct bytes *body, struct reply *reply);
+/* Sends the file and its parts. Fills the answer, also with the reason if the server refuses or cannot be reached. Any
+ * number of threads may call at once. */
+void post(const char *server, const struct token *token, const struct input *input, const char *query,
+          struct answer *answer);
 
 #endif

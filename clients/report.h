@@ -1,4 +1,4 @@
-/* report.h - client: prints a refusal of the server for people. */
+/* report.h - client: faults and warnings for people. */
 #ifndef REPORT_H
 #define REPORT_H
 
@@ -6,7 +6,14 @@
 
 #include "bytes.h"
 
-/* `answer`: application/problem+json, or any text of a proxy. */
-void report_problem(FILE *out, const char *file, long status, const struct bytes *answer);
+/* Adds the faults of a server's refusal, one per line. `answer`: application/problem+json, or any text of a proxy. */
+void report_problem(struct bytes *faults, long status, const struct bytes *answer);
+
+/* Prints faults: a single one behind the file's name, several below it. Faults of a parameter name its option; alone,
+ * they need no file. `file` may be "-". */
+void report_faults(FILE *out, const char *file, const struct bytes *faults);
+
+/* Prints each warning on a line. `file`: printed in front of it, unless NULL. */
+void report_warnings(FILE *out, const char *file, const struct bytes *warnings);
 
 #endif

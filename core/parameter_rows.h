@@ -28,13 +28,13 @@
  * expand help include scene/shadings.h. The help of `look` is printed after the names of the looks. */
 #define ZR_PARAMETER_ROWS(ROW)                                                                                         \
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
-        "one output instead of the scene's: color, depth, normals or others")                                          \
+        "outputs instead of the scene's, with commas between them: color, depth, normals or others")                   \
     ROW(encoding, "/outputs/0/encoding", ANY, NAME,                                                                    \
         "format of the output: png, npy, png16 or json (default: by channel)")                                         \
     ROW(scale, "/outputs/0/scale", ANY, UNITS, "scene units per step of a 16-bit depth picture")                       \
     ROW(x, "/outputs/0/x", ANY, PIXEL, "column of the pixel for the channel fragments, from 0 at the left")            \
     ROW(y, "/outputs/0/y", ANY, PIXEL, "row of that pixel, from 0 at the top")                                         \
-    ROW(compress, "/query/compress", ANY, NAME, "PNG compression: fast, or small for fewer bytes (default: fast)")     \
+    ROW(compress, "/query/compress", ANY, NAME, "compression of PNGs: fast or small (default: fast)")                  \
     ROW(strict, "/query/strict", ANY, BOOL, "errors instead of warnings (default: false)")                             \
     ROW(colorBar, "/colorBar", ANY, BOOL, "colour bar with numbers over the picture (default: the scene's)")           \
     ROW(look, "/look", MESH, NAME, "; NAME@VERSION pins a version (default: studio)")                                  \

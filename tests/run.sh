@@ -117,6 +117,7 @@ for part in "$@"; do
         ;;
     clients)
         run client "ZRASTERD=$build/zrasterd" "ZRASTER=$build/zraster" tests/clients/test_client.sh
+        run wrong-lines tests/clients/test_wrong_lines.sh "$build"
         run gallery tests/clients/test_gallery.sh "$build"
         run readme tests/clients/test_readme.sh "$build"
         ;;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "input/channel_list.h"
 #include "input/color_text.h"
 #include "input/formats.h"
 #include "input/json_objects.h"
@@ -286,10 +287,11 @@ void zr_query_report(const struct zr_request *request, enum zr_status status, co
 {
     for (size_t i = 0; i < zr_error_held(faults); i++) {
         const struct zr_error_item *item = &faults->items[i];
-        const char *name = name_of(request, item->pointer);
+        const struct zr_output_pointer first = zr_output_pointer(item->pointer, 0);
+        const char *name = name_of(request, first.text);
         if (name)
             zr_error_add(error, status, NULL, "parameter %s: %s", name,
-                         zr_parameter_names(item->pointer, item->detail).text);
+                         zr_parameter_names(first.text, item->detail).text);
         else
             zr_error_add(error, status, item->pointer, "%s", item->detail);
     }
@@ -302,7 +304,8 @@ static void drop_reported(struct zr_error *faults, uint64_t reported)
     for (size_t k = 0; k < zr_error_held(faults); k++) {
         bool is_new = true;
         for (int i = 0; i < ROWS; i++)
-            if (reported >> i & 1u && strcmp(rows[i].pointer, faults->items[k].pointer) == 0) is_new = false;
+            if (reported >> i & 1u && strcmp(rows[i].pointer, zr_output_pointer(faults->items[k].pointer, 0).text) == 0)
+                is_new = false;
         if (is_new) faults->items[kept++] = faults->items[k];
     }
     faults->count = kept;
@@ -349,18 +352,16 @@ static void read_changed_keys(const struct reading *r, const struct zr_keeping *
     given->keys |= keys;
 }
 
-/* Reads the rows of one object. A wrong value becomes null, so that the other keys are still checked against it. */
-static void read_rows(const struct reading *r, const struct row *row, const struct row *end)
+/* Writes the rows of one object, or of the output `number`. A wrong value becomes null, so that the other keys are
+ * still checked against it. Returns the rows whose values were wrong, one bit each. */
+static uint64_t put_rows(const struct reading *r, const struct row *row, const struct row *end, size_t number,
+                         struct zr_json_writer *json)
 {
     const bool has_view = zr_format_rows[r->request->format].has_view;
-    size_t room = 0;
-    for (const struct row *at = row; at < end; at++)
-        if (text_of(r->request, at)) room += 2 * strlen(at->pointer) + 6 * strlen(text_of(r->request, at)) + 128;
-    if (room == 0) return;
-    struct zr_json_writer json = {.text = zr_arena_alloc(r->query->given.json.arena, room, 1), .pointer = ""};
+    struct zr_arena *arena = r->query->given.json.arena;
     uint64_t reported = 0;
-    for (const struct row *at = row; json.text && at < end; at++) {
-        const char *text = text_of(r->request, at);
+    for (const struct row *at = row; at < end; at++) {
+        const char *text = zr_channel_list_text(r->request, arena, number, at->name, text_of(r->request, at));
         if (!text) continue;
         if (at->whose == MESH && has_view) {
             zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
@@ -368,14 +369,38 @@ static void read_rows(const struct reading *r, const struct row *row, const stru
                          at->name);
             continue;
         }
-        put_required(&json, at->pointer);
-        zr_json_go_to(&json, at->pointer);
-        const size_t used = json.used;
-        if (put_value(r, &json, at, text)) continue;
-        json.used = used;
-        zr_json_put(&json, "null");
+        struct zr_output_pointer *pointer = zr_arena_alloc(arena, 1, sizeof *pointer);
+        if (!pointer) return reported;
+        *pointer = zr_output_pointer(at->pointer, number);
+        put_required(json, pointer->text);
+        zr_json_go_to(json, pointer->text);
+        const size_t used = json->used;
+        if (put_value(r, json, at, text)) continue;
+        json->used = used;
+        zr_json_put(json, "null");
         reported |= UINT64_C(1) << (at - rows);
     }
+    return reported;
+}
+
+/* Reads the rows of one object. Those of outputs may be several objects. */
+static void read_rows(const struct reading *r, const struct row *row, const struct row *end)
+{
+    const bool is_outputs = strncmp(row->pointer, "/outputs/", strlen("/outputs/")) == 0;
+    const size_t count = is_outputs ? zr_channel_list_count(r->request) : 1;
+    size_t room = 0;
+    for (const struct row *at = row; at < end; at++)
+        if (text_of(r->request, at)) room += 2 * strlen(at->pointer) + 6 * strlen(text_of(r->request, at)) + 128;
+    if (room == 0) return;
+    if (count > ZR_CHANNEL_COUNT) {
+        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "parameter channel: %zu channels; up to %d are allowed", count,
+                     ZR_CHANNEL_COUNT);
+        return;
+    }
+    struct zr_json_writer json = {.text = zr_arena_alloc(r->query->given.json.arena, count * room, 1), .pointer = ""};
+    uint64_t reported = 0;
+    for (size_t number = 0; json.text && number < count; number++)
+        reported |= put_rows(r, row, end, number, &json);
     if (json.used == 0) return;
     zr_json_go_to(&json, "");
     read_text(r, &json, strncmp(row->pointer, query_prefix, strlen(query_prefix)) == 0, reported);

@@ -1,0 +1,46 @@
+/* command_rows.h - client: commands and their options, one row each. Parser, help, completion and man page follow from
+ * the rows. Parameters of pictures are options, too (core/parameter_rows.h). */
+#ifndef COMMAND_ROWS_H
+#define COMMAND_ROWS_H
+
+/* ROW(name, letter in the rows of options, arguments, summary); the first one is the default. command_NAME runs it. */
+#define COMMAND_ROWS(ROW)                                                                                              \
+    ROW(render, 'r', "FILE... [-o OUTPUT] [OPTION]...", "draws models and scenes (default)")                           \
+    ROW(info, 'i', "FILE [OPTION]...", "prints the facts of a model or scene: camera, bounds, counts, warnings")       \
+    ROW(batch, 'b', "FILE|FOLDER|GLOB|-... [-o FOLDER] [OPTION]...",                                                   \
+        "draws many files on all cores; -: names or JSON Lines from standard input")                                   \
+    ROW(compare, 'c', "A.png B.png [-o DIFF.png]", "counts the pixels that differ; exit status 4 if any do")           \
+    ROW(watch, 'w', "FILE [-o OUTPUT] [OPTION]...", "draws the file again whenever it changes")                        \
+    ROW(looks, 'l', "", "lists the looks")                                                                             \
+    ROW(help, 'h', "[COMMAND]", "explains a command")
+
+/* ROW(ID, name, short letter or 0, placeholder or NULL for a switch, letters of its commands, help) */
+#define OUTPUT_OPTION_ROWS(ROW)                                                                                        \
+    ROW(OUTPUT, "output", 'o', "FILE|DIR|-", "rbcw",                                                                   \
+        "file, folder or standard output (default: FILE with another ending, in this folder)")                         \
+    ROW(SIZE, "size", 's', "WxH|N", "ribw", "window in pixels; N means NxN; -W or -H alone keeps 4:3")                 \
+    ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcw", "existing files stay as they are")                                \
+    ROW(SHOW, "show", 0, NULL, "rw", "picture in the terminal (kitty, iTerm2, sixel)")                                 \
+    ROW(RESUME, "resume", 0, NULL, "b", "files whose output exists are skipped")                                       \
+    ROW(JSON, "json", 0, NULL, "ib", "JSON on standard output: the facts, or one line per file")
+#define GENERAL_OPTION_ROWS(ROW)                                                                                       \
+    ROW(TYPE, "type", 0, "TYPE", "ribw", "format of FILE (default: by its ending, else by its bytes), one of")         \
+    ROW(PART, "part", 0, "NAME=FILE", "ribw", "file for {\"asset\": \"NAME\"} of a scene; may be repeated")            \
+    ROW(SERVER, "server", 0, "URL", "ribw", "daemon that draws instead (default: $ZRASTER_SERVER, else none)")         \
+    ROW(TOKEN_FILE, "token-file", 0, "FILE", "ribw",                                                                   \
+        "file whose first line is the server's token (default: $ZRASTER_TOKEN)")                                       \
+    ROW(THREADS, "threads", 'j', "N", "ribw", "number of threads (default: all processors)")                           \
+    ROW(QUIET, "quiet", 'q', NULL, "ribw", "no warnings")                                                              \
+    ROW(VERBOSE, "verbose", 'v', NULL, "ribw", "times and facts")                                                      \
+    ROW(PLAIN, "plain", 0, NULL, "rbw", "no progress bar (also by the variable NO_COLOR)")                             \
+    ROW(HELP, "help", 'h', NULL, "ribcwlh", "this text")                                                               \
+    ROW(VERSION, "version", 'V', NULL, "ribcwlh", "version of zraster")
+#define OPTION_ROWS(ROW) OUTPUT_OPTION_ROWS(ROW) GENERAL_OPTION_ROWS(ROW)
+
+/* ROW(parameter, short letter) */
+#define LETTER_ROWS(ROW)                                                                                               \
+    ROW(channel, 'c')                                                                                                  \
+    ROW(width, 'W')                                                                                                    \
+    ROW(height, 'H')
+
+#endif

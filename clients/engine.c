@@ -1,0 +1,113 @@
+#include "engine.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "post.h"
+#include "query.h"
+
+/* ---- interruption ---- */
+
+static zraster_cancel *running;
+static volatile sig_atomic_t interrupted;
+
+static void interrupt(int signal)
+{
+    (void)signal;
+    interrupted = 1;
+    zraster_cancel_raise(running);
+}
+
+bool engine_interrupted(void)
+{
+    return interrupted;
+}
+
+/* The second signal ends the process at once. */
+static void catch_signals(void)
+{
+    struct sigaction action = {.sa_handler = interrupt, .sa_flags = (int)SA_RESETHAND};
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+/* ---- opening ---- */
+
+int engine_open(struct engine *engine, const struct options *options, unsigned threads)
+{
+    struct zraster_options wanted = {.struct_size = sizeof wanted, .threads = threads};
+    *engine = (struct engine){.server = options->own[OPTION_SERVER]};
+    if (engine->server)
+        return token_read(&engine->token, options->own[OPTION_TOKEN_FILE]) ? post_open() : STATUS_FAILED;
+    running = engine->cancel = zraster_cancel_new();
+    if (!engine->cancel || zraster_open(&wanted, &engine->renderer) != ZRASTER_OK) {
+        fputs("zraster: out of memory\n", stderr);
+        return STATUS_FAILED;
+    }
+    catch_signals();
+    return 0;
+}
+
+void engine_close(struct engine *engine)
+{
+    if (engine->server) post_close();
+    zraster_close(engine->renderer);
+    running = NULL;
+    zraster_cancel_free(engine->cancel);
+}
+
+/* ---- drawing ---- */
+
+static void take_picture(struct answer *answer, const struct input *input)
+{
+    const char *warning;
+    (void)input;
+    for (size_t i = 0; (warning = zraster_picture_warning(answer->picture, i)) != NULL; i++)
+        bytes_print(&answer->warnings, "%s\n", warning);
+    snprintf(answer->look, sizeof answer->look, "%s", zraster_picture_look(answer->picture));
+}
+
+static void draw_here(const struct engine *engine, const struct input *input, const char *query, struct answer *answer)
+{
+    struct zraster_part parts[PARTS_MAX];
+    const struct zraster_request request = {.struct_size = sizeof request,
+                                            .body = input->body.data,
+                                            .body_size = input->body.size,
+                                            .type = input->is_known ? input->type : NULL,
+                                            .query = query,
+                                            .parts = parts,
+                                            .part_count = input_parts(input, parts),
+                                            .cancel = engine->cancel};
+    zraster_error *error = NULL;
+    zraster_status status = zraster_draw(engine->renderer, &request, &answer->picture, &error);
+    if (status == ZRASTER_OK) status = zraster_picture_encode(answer->picture, NULL, &answer->file, &error);
+    if (status == ZRASTER_OK)
+        take_picture(answer, input);
+    else {
+        bytes_print(&answer->faults, "%s", zraster_error_text(error));
+        answer_refuse(answer);
+    }
+    if (engine_interrupted()) answer->status = STATUS_INTERRUPTED;
+    zraster_error_free(error);
+}
+
+void engine_draw(const struct engine *engine, const struct input *input, const struct options *options,
+                 struct answer *answer)
+{
+    char *query = query_make(options);
+    *answer = (struct answer){.status = STATUS_DONE};
+    if (!query) {
+        bytes_print(&answer->faults, "out of memory");
+        answer->status = STATUS_FAILED;
+    } else if (engine->server)
+        post(engine->server, &engine->token, input, query, answer);
+    else
+        draw_here(engine, input, query, answer);
+    free(query);
+    if (answer->status != STATUS_DONE || !options_strict(options) || answer->warnings.size == 0) return;
+    bytes_add(&answer->faults, bytes_text(&answer->warnings), answer->warnings.size + 1);
+    answer->faults.size--;
+    answer->status = STATUS_WARNED;
+}

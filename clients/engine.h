@@ -1,0 +1,28 @@
+/* engine.h - client: draws a request in this process, or has a server draw it. */
+#ifndef ENGINE_H
+#define ENGINE_H
+
+#include "library/zraster.h"
+
+#include "answer.h"
+#include "input.h"
+#include "token.h"
+
+struct engine {
+    zraster *renderer;      /* NULL: the server draws */
+    zraster_cancel *cancel; /* raised by SIGINT */
+    const char *server;
+    struct token token;
+};
+
+/* Opens an engine for the options; `threads` share one picture (0: all processors). Returns 0, or the exit status of a
+ * fault reported on stderr. SIGINT and SIGTERM then cancel what is under way; engine_interrupted tells it. */
+int engine_open(struct engine *engine, const struct options *options, unsigned threads);
+void engine_close(struct engine *engine);
+bool engine_interrupted(void);
+
+/* Draws. Any number of threads may call at once. The answer is to be freed in every case. */
+void engine_draw(const struct engine *engine, const struct input *input, const struct options *options,
+                 struct answer *answer);
+
+#endif

@@ -1,0 +1,212 @@
+#include "file_list.h"
+
+#include <cjson/cJSON.h>
+#include <dirent.h>
+#include <glob.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "words.h"
+
+static int no_memory(void)
+{
+    fputs("zraster: out of memory\n", stderr);
+    return STATUS_FAILED;
+}
+
+/* Adds a job, or returns NULL without memory. Takes copies of the texts. */
+static struct job *add(struct file_list *list, const char *file, const char *stem)
+{
+    if (list->count == list->room) {
+        const size_t room = list->room ? 2 * list->room : 256;
+        struct job *jobs = realloc(list->jobs, room * sizeof *jobs);
+        if (!jobs) return NULL;
+        list->jobs = jobs;
+        list->room = room;
+    }
+    struct job *job = &list->jobs[list->count];
+    *job = (struct job){.options = list->options,
+                        .target = {.file = strdup(file), .folder = list->folder, .stem = strdup(stem)}};
+    if (!job->target.file || !job->target.stem) return NULL;
+    list->count++;
+    return job;
+}
+
+/* ---- folders ---- */
+
+static int is_visible(const struct dirent *entry)
+{
+    return entry->d_name[0] != '.';
+}
+
+static int add_folder(struct file_list *list, const char *folder, const char *below)
+{
+    struct dirent **entries;
+    const int count = scandir(folder, &entries, is_visible, alphasort);
+    int status = count < 0 ? options_wrong("%s: the folder cannot be read", folder) : 0;
+    for (int i = 0; i < count; i++) {
+        char *path = NULL, *stem = NULL;
+        struct stat about;
+        if (status != 0) {
+        } else if (asprintf(&path, "%s/%s", folder, entries[i]->d_name) < 0 ||
+                   asprintf(&stem, "%s%s", below, entries[i]->d_name) < 0)
+            status = no_memory();
+        else if (lstat(path, &about) == 0 && S_ISDIR(about.st_mode)) {
+            char *deeper = NULL;
+            status = asprintf(&deeper, "%s/", stem) < 0 ? no_memory() : add_folder(list, path, deeper);
+            free(deeper);
+        } else if (input_has_ending(path) && !add(list, path, stem))
+            status = no_memory();
+        free(path);
+        free(stem);
+        free(entries[i]);
+    }
+    if (count >= 0) free(entries);
+    return status;
+}
+
+/* ---- lines of standard input ---- */
+
+/* Sets options of a job by the members of an object. */
+static int set_members(struct job *job, struct options *options, const cJSON *object, size_t line)
+{
+    const cJSON *member;
+    cJSON_ArrayForEach(member, object)
+    {
+        char text[40];
+        const char *value = cJSON_GetStringValue(member);
+        if (cJSON_IsBool(member)) value = cJSON_IsTrue(member) ? "true" : "false";
+        if (cJSON_IsNumber(member)) {
+            snprintf(text, sizeof text, "%.15g", member->valuedouble);
+            value = text;
+        }
+        if (!value) return options_wrong("line %zu: \"%s\" takes a text, number or boolean", line, member->string);
+        value = strdup(value);
+        if (!value) return no_memory();
+        if (strcmp(member->string, "output") == 0)
+            job->target.out = value;
+        else if (strcmp(member->string, "file") != 0 && !options_set(options, member->string, value)) {
+            struct near_word near = {.word = member->string};
+            for (size_t i = 0; i < PARAMETER_COUNT; i++)
+                near_offer(&near, parameter_rows[i].name);
+            near_offer(&near, "output");
+            return options_wrong("line %zu: unknown key \"%s\"%s%s%s", line, member->string,
+                                 near.best ? "; did you mean " : "; \"file\", \"output\" and parameters are known",
+                                 near.best ? near.best : "", near.best ? "?" : "");
+        }
+    }
+    return 0;
+}
+
+static int add_line(struct file_list *list, const char *text, size_t line)
+{
+    if (*text != '{') return *text && !add(list, text, output_base(text)) ? no_memory() : 0;
+    cJSON *object = cJSON_Parse(text);
+    const char *file = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(object, "file"));
+    struct options *options = malloc(sizeof *options);
+    struct job *job = file && options ? add(list, file, output_base(file)) : NULL;
+    int status = 0;
+    if (!file)
+        status = options_wrong("line %zu is no JSON object such as {\"file\": \"part.stl\", \"look\": \"clay\"}", line);
+    else if (!job)
+        status = no_memory();
+    else {
+        *options = *list->options;
+        job->options = options;
+        status = set_members(job, options, object, line);
+    }
+    if (!job) free(options);
+    cJSON_Delete(object);
+    return status;
+}
+
+static int add_lines(struct file_list *list)
+{
+    char *text = NULL;
+    size_t room = 0, line = 0;
+    int status = 0;
+    for (ssize_t length; status == 0 && (length = getline(&text, &room, stdin)) >= 0;) {
+        while (length > 0 && (text[length - 1] == '\n' || text[length - 1] == '\r'))
+            text[--length] = '\0';
+        status = add_line(list, text, ++line);
+    }
+    free(text);
+    return status;
+}
+
+/* ---- arguments ---- */
+
+static int add_glob(struct file_list *list, const char *pattern)
+{
+    glob_t found;
+    int status = glob(pattern, 0, NULL, &found) == 0 ? 0 : options_wrong("no file matches %s", pattern);
+    if (status != 0) return status;
+    for (size_t i = 0; i < found.gl_pathc && status == 0; i++)
+        if (!add(list, found.gl_pathv[i], output_base(found.gl_pathv[i]))) status = no_memory();
+    globfree(&found);
+    return status;
+}
+
+static int add_argument(struct file_list *list, const char *argument)
+{
+    struct stat about;
+    if (strcmp(argument, "-") == 0) return add_lines(list);
+    if (stat(argument, &about) != 0 && strpbrk(argument, "*?[")) return add_glob(list, argument);
+    if (stat(argument, &about) == 0 && S_ISDIR(about.st_mode)) {
+        const size_t before = list->count;
+        const int status = add_folder(list, argument, "");
+        if (status != 0 || list->count > before) return status;
+        return options_wrong("the folder %s has no file ending with one of" OPTIONS_TYPES, argument);
+    }
+    return add(list, argument, output_base(argument)) ? 0 : no_memory();
+}
+
+/* ---- names ---- */
+
+static char *main_name(const struct job *job)
+{
+    return job->target.out ? strdup(job->target.out) : output_name(&job->target, "color", "");
+}
+
+struct named {
+    char *name;
+    const char *file;
+};
+
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(((const struct named *)a)->name, ((const struct named *)b)->name);
+}
+
+/* Refuses two files whose outputs would have one name. */
+static int check_names(const struct file_list *list)
+{
+    struct named *named = calloc(list->count + 1, sizeof *named);
+    int status = named ? 0 : no_memory();
+    size_t count = 0;
+    for (; status == 0 && count < list->count; count++) {
+        named[count] = (struct named){main_name(&list->jobs[count]), list->jobs[count].target.file};
+        if (!named[count].name) status = no_memory();
+    }
+    if (status == 0) qsort(named, count, sizeof *named, compare_names);
+    for (size_t i = 1; status == 0 && i < count; i++)
+        if (strcmp(named[i].name, named[i - 1].name) == 0)
+            status = options_wrong("%s and %s would get one output, %s; draw them in two calls with -o FOLDER",
+                                   named[i - 1].file, named[i].file, named[i].name);
+    for (size_t i = 0; named && i < count; i++)
+        free(named[i].name);
+    free(named);
+    return status;
+}
+
+int file_list_make(struct file_list *list, const struct options *options)
+{
+    const char *folder = options->own[OPTION_OUTPUT];
+    *list = (struct file_list){.folder = folder ? folder : "", .options = options};
+    int status = 0;
+    for (size_t i = 0; status == 0 && i < options->file_count; i++)
+        status = add_argument(list, options->files[i]);
+    return status ? status : check_names(list);
+}

@@ -1,0 +1,20 @@
+/* file_list.h - client: the files of a batch, from files, folders, globs and standard input. */
+#ifndef FILE_LIST_H
+#define FILE_LIST_H
+
+#include "job.h"
+
+struct file_list {
+    struct job *jobs;
+    size_t count, room;
+    const char *folder; /* of the outputs; "": this one */
+    const struct options *options;
+};
+
+/* Adds the jobs of all arguments. A folder stands for all files below it whose ending is that of a format; their
+ * outputs keep the folders below it. "-" stands for lines of standard input: names, or objects {"file": ..., "output":
+ * ..., "look": ...} with any parameters. Returns 0, or an exit status reported on stderr: a file is missing, a line is
+ * no such object, or two outputs have one name. The texts live until the process ends. */
+int file_list_make(struct file_list *list, const struct options *options);
+
+#endif

@@ -1,0 +1,97 @@
+/* info.c - client: `zraster info`: the facts of the channel info as a table. */
+#include <cjson/cJSON.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "job.h"
+#include "report.h"
+
+enum { COLUMN = 26, LIST_MAX = 16 };
+
+static bool is_plain(const cJSON *value)
+{
+    return !cJSON_IsArray(value) && !cJSON_IsObject(value);
+}
+
+static void print_value(const cJSON *value)
+{
+    if (cJSON_IsString(value))
+        fputs(value->valuestring, stdout);
+    else if (cJSON_IsNumber(value))
+        printf("%.9g", value->valuedouble);
+    else
+        fputs(cJSON_IsTrue(value) ? "true" : cJSON_IsFalse(value) ? "false" : "null", stdout);
+}
+
+/* Prints a list of plain values on one line. */
+static bool print_list(const cJSON *list)
+{
+    const cJSON *item;
+    if (!cJSON_IsArray(list) || cJSON_GetArraySize(list) > LIST_MAX) return false;
+    cJSON_ArrayForEach(item, list) if (!is_plain(item)) return false;
+    cJSON_ArrayForEach(item, list)
+    {
+        if (item != list->child) putchar(' ');
+        print_value(item);
+    }
+    return true;
+}
+
+/* Counts of nothing, and names that are not given. */
+static bool is_nothing(const char *path, const cJSON *value)
+{
+    const bool is_count = strncmp(path, "counts.", strlen("counts.")) == 0;
+    return (is_count && cJSON_IsNumber(value) && value->valuedouble == 0) ||
+           (cJSON_IsString(value) && !*value->valuestring) || (!is_plain(value) && cJSON_GetArraySize(value) == 0);
+}
+
+/* Prints a line for each value: its path, "bounds.min", and the value. */
+static void print_facts(const char *path, const cJSON *value)
+{
+    const cJSON *member;
+    char inner[256];
+    int number = 0;
+    if (is_nothing(path, value)) return;
+    if (is_plain(value) || (cJSON_IsArray(value) && is_plain(value->child) && cJSON_GetArraySize(value) <= LIST_MAX)) {
+        printf("%-*s ", COLUMN, path);
+        if (!print_list(value)) print_value(value);
+        putchar('\n');
+        return;
+    }
+    cJSON_ArrayForEach(member, value)
+    {
+        if (member->string)
+            snprintf(inner, sizeof inner, "%s%s%s", path, *path ? "." : "", member->string);
+        else
+            snprintf(inner, sizeof inner, "%s.%d", path, number++);
+        print_facts(inner, member);
+    }
+}
+
+int command_info(struct options *options)
+{
+    struct engine engine;
+    struct answer answer;
+    if (options->file_count != 1) return options_wrong("info takes one file: \"zraster info part.stl\"");
+    if (options->parameters[PARAMETER_channel]) return options_wrong("info has no --channel; leave it out");
+    options->parameters[PARAMETER_channel] = "info";
+    int status = input_check_type(options);
+    if (status == 0) status = engine_open(&engine, options, options_threads(options));
+    if (status != 0) return status;
+    struct job job = {.target = output_target(options->files[0], "-"), .options = options};
+    job_draw(&engine, &job, &answer);
+    if (job.status != STATUS_DONE)
+        report_faults(stderr, job.target.file, &job.faults);
+    else if (options->own[OPTION_JSON])
+        fwrite(answer.file.data, 1, answer.file.size, stdout);
+    else {
+        cJSON *facts = cJSON_ParseWithLength(answer.file.data, answer.file.size);
+        print_facts("", facts);
+        cJSON_Delete(facts);
+    }
+    status = job.status;
+    answer_free(&answer);
+    job_free(&job);
+    engine_close(&engine);
+    return status;
+}

@@ -1,0 +1,170 @@
+#include "input.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+#define FORMAT(ID, suffix, media_types, has_view, ...) {suffix, media_types, has_view},
+static const struct {
+    const char *suffix, *media_types; /* the first media type is sent */
+    bool has_view;
+} formats[] = {ZR_FORMAT_ROWS(FORMAT)};
+enum { FORMATS = sizeof formats / sizeof formats[0] };
+
+/* Formats of other programs, and programs that convert them. */
+#define BY_CAD  "freecadcmd, or cadquery's exporters.export"
+#define BY_MESH "assimp export, Blender or meshio"
+static const struct {
+    const char *suffixes, *name, *converter;
+} foreign[] = {{" step stp ", "a STEP", BY_CAD},
+               {" iges igs ", "an IGES", BY_CAD},
+               {" brep fcstd ", "a CAD", BY_CAD},
+               {" scad ", "an OpenSCAD", "openscad -o part.stl"},
+               {" gltf glb ", "a glTF", BY_MESH},
+               {" ply ", "a PLY", BY_MESH},
+               {" 3mf ", "a 3MF", BY_MESH},
+               {" off dae fbx 3ds wrl x3d blend usd usda usdc usdz vtk vtu msh dxf ", "a 3D", BY_MESH}};
+
+static const char *ending_of(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+    return dot ? dot + 1 : "";
+}
+
+static size_t format_of(const char *suffix)
+{
+    size_t i = 0;
+    while (i < FORMATS && strcasecmp(suffix, formats[i].suffix) != 0)
+        i++;
+    return i;
+}
+
+bool input_has_ending(const char *path)
+{
+    return format_of(ending_of(path)) < FORMATS;
+}
+
+bool input_is_scene(const char *path)
+{
+    const size_t i = format_of(ending_of(path));
+    return i < FORMATS && formats[i].has_view;
+}
+
+int input_check_type(const struct options *options)
+{
+    const char *type = options->own[OPTION_TYPE];
+    if (!type || format_of(type) < FORMATS) return 0;
+    return options_wrong("--type takes one of" OPTIONS_TYPES ", not %s", type);
+}
+
+/* ---- refusals that say what to do instead ---- */
+
+static bool refuse_foreign(const char *path, struct bytes *faults)
+{
+    char suffix[16];
+    snprintf(suffix, sizeof suffix, " %.12s ", ending_of(path));
+    for (size_t i = 0; i < sizeof foreign / sizeof *foreign && strlen(suffix) > 2; i++)
+        if (strcasestr(foreign[i].suffixes, suffix)) {
+            bytes_print(faults, "it is %s file, which zraster does not read. Convert it to STL or OBJ: %s",
+                        foreign[i].name, foreign[i].converter);
+            return true;
+        }
+    return false;
+}
+
+static bool is_web_page(const struct bytes *body)
+{
+    static const char *const heads[] = {"<!doctype html", "<html"};
+    const size_t space = body->data ? strspn(body->data, " \t\r\n") : 0;
+    for (size_t i = 0; i < 2; i++)
+        if (body->size > space + strlen(heads[i]) && strncasecmp(body->data + space, heads[i], strlen(heads[i])) == 0)
+            return true;
+    return false;
+}
+
+/* Refuses options that are keys of scenes. */
+static bool refuse_parameters(const struct options *options, struct bytes *faults)
+{
+    char flag[FLAG_SIZE];
+    for (size_t i = 0; i < PARAMETER_COUNT; i++) {
+        if (!parameter_rows[i].of_mesh || !options->parameters[i]) continue;
+        options_flag_of(parameter_rows[i].name, strlen(parameter_rows[i].name), flag);
+        const bool is_size = options->own[OPTION_SIZE] && strcmp(parameter_rows[i].name, "width") == 0;
+        bytes_print(faults,
+                    "%s is for meshes, ending with" OPTIONS_MESHES "; a JSON scene has the key %s in the file instead",
+                    is_size ? "--size" : flag, is_size ? "window" : parameter_rows[i].name);
+        return true;
+    }
+    return false;
+}
+
+/* ---- reading ---- */
+
+static void find_type(struct input *input, const struct options *options)
+{
+    const char *type = options->own[OPTION_TYPE] ? options->own[OPTION_TYPE] : ending_of(input->path);
+    const size_t i = format_of(type);
+    input->is_known = i < FORMATS;
+    input->is_scene = input->is_known && formats[i].has_view;
+    const char *media_type = input->is_known ? formats[i].media_types : "application/octet-stream";
+    snprintf(input->type, sizeof input->type, "%.*s", (int)strcspn(media_type, " "), media_type);
+}
+
+static bool read_parts(struct input *input, const struct options *options, struct bytes *faults)
+{
+    for (size_t i = 0; i < options->part_count; i++) {
+        const char *equals = strchr(options->parts[i], '=');
+        snprintf(input->part_names[i], sizeof input->part_names[i], "%.*s", (int)(equals - options->parts[i]),
+                 options->parts[i]);
+        input->part_count = i + 1;
+        if (bytes_read(&input->part_bytes[i], equals + 1)) continue;
+        bytes_print(faults, "--part %s: %s", options->parts[i], strerror(errno));
+        return false;
+    }
+    return true;
+}
+
+bool input_read(struct input *input, const char *path, const struct options *options, struct bytes *faults)
+{
+    struct stat status;
+    *input = (struct input){.path = path};
+    find_type(input, options);
+    input->is_usage = true;
+    if (strcmp(path, "-") != 0 && stat(path, &status) == 0 && S_ISDIR(status.st_mode)) {
+        bytes_print(faults, "it is a folder; \"zraster batch %s\" draws its files", path);
+        return false;
+    }
+    if (input->is_scene && refuse_parameters(options, faults)) return false;
+    input->is_usage = false;
+    if (!bytes_read(&input->body, path)) {
+        bytes_print(faults, "%s", strerror(errno));
+        return false;
+    }
+    if (!input->is_known && refuse_foreign(path, faults)) return false;
+    if (input->body.size == 0)
+        bytes_print(faults, "it is empty");
+    else if (is_web_page(&input->body))
+        bytes_print(faults, "it is an HTML page: was the download refused?");
+    else
+        return read_parts(input, options, faults);
+    return false;
+}
+
+size_t input_parts(const struct input *input, struct zraster_part parts[PARTS_MAX])
+{
+    for (size_t i = 0; i < input->part_count; i++) {
+        const struct bytes *bytes = &input->part_bytes[i];
+        parts[i] = (struct zraster_part){.name = input->part_names[i],
+                                         .array = {.data = bytes_text(bytes), .ndim = 1, .shape = {bytes->size}}};
+    }
+    return input->part_count;
+}
+
+void input_free(struct input *input)
+{
+    bytes_free(&input->body);
+    for (size_t i = 0; i < input->part_count; i++)
+        bytes_free(&input->part_bytes[i]);
+}

@@ -1,0 +1,36 @@
+/* job.h - client: one file, from reading to saving. */
+#ifndef JOB_H
+#define JOB_H
+
+#include <stdio.h>
+
+#include "engine.h"
+#include "output.h"
+
+struct job {
+    struct target target;
+    const struct options *options;
+    /* results */
+    int status;                           /* exit status of this file */
+    bool is_skipped;                      /* --resume */
+    struct bytes faults, warnings, names; /* lines */
+    char look[64];
+    unsigned width, height; /* of a PNG; else 0 */
+    size_t bytes;           /* of the answer */
+    double read_ms, draw_ms, save_ms;
+};
+
+/* Reads, draws and saves. Any number of threads may run jobs at once. */
+void job_run(const struct engine *engine, struct job *job);
+
+/* Reads and draws; the answer is to be freed in every case. */
+void job_draw(const struct engine *engine, struct job *job, struct answer *answer);
+
+/* Prints the line of a job that is done: "part.png  640x480  studio  41 ms". */
+void job_print(FILE *out, const struct job *job);
+
+void job_free(struct job *job);
+
+double job_clock(void); /* ms */
+
+#endif

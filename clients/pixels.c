@@ -1,0 +1,95 @@
+#include "pixels.h"
+
+#include <png.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct reading {
+    const unsigned char *at, *end;
+    struct bytes *faults;
+};
+
+static void read_bytes(png_structp png, png_bytep out, size_t size)
+{
+    struct reading *reading = png_get_io_ptr(png);
+    if ((size_t)(reading->end - reading->at) < size) png_error(png, "it ends too early");
+    memcpy(out, reading->at, size);
+    reading->at += size;
+}
+
+static void fail(png_structp png, png_const_charp text)
+{
+    struct reading *reading = png_get_error_ptr(png);
+    bytes_print(reading->faults, "it is no PNG that can be read: %s", text);
+    png_longjmp(png, 1);
+}
+
+static void ignore(png_structp png, png_const_charp text)
+{
+    (void)png, (void)text;
+}
+
+/* Reads rows as RGBA of 8 or 16 bits. */
+static void read_rows(png_structp png, png_infop info, struct pixels *pixels, png_bytep *row)
+{
+    png_read_info(png, info);
+    png_set_expand(png);
+    png_set_gray_to_rgb(png);
+    pixels->width = png_get_image_width(png, info);
+    pixels->height = png_get_image_height(png, info);
+    pixels->is_16_bit = png_get_bit_depth(png, info) == 16;
+    png_set_add_alpha(png, 65535, PNG_FILLER_AFTER);
+    const int passes = png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    const size_t row_size = png_get_rowbytes(png, info), count = (size_t)pixels->width * 4;
+    pixels->rgba = calloc((size_t)pixels->height * count, sizeof *pixels->rgba);
+    *row = calloc(pixels->height, row_size);
+    if (!pixels->rgba || !*row) png_error(png, "out of memory");
+    for (int pass = 0; pass < passes; pass++)
+        for (uint32_t y = 0; y < pixels->height; y++)
+            png_read_row(png, *row + y * row_size, NULL);
+    for (uint32_t y = 0; y < pixels->height; y++)
+        for (size_t i = 0; i < count; i++) {
+            const png_bytep at = *row + y * row_size + i * (pixels->is_16_bit ? 2 : 1);
+            pixels->rgba[y * count + i] = pixels->is_16_bit ? (uint16_t)(at[0] << 8 | at[1]) : at[0];
+        }
+}
+
+bool pixels_read(struct pixels *pixels, const void *data, size_t size, struct bytes *faults)
+{
+    struct reading reading = {data, (const unsigned char *)data + size, faults};
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, fail, ignore);
+    png_infop info = png ? png_create_info_struct(png) : NULL;
+    png_bytep *volatile rows = calloc(1, sizeof *rows);
+    volatile bool ok = false;
+    *pixels = (struct pixels){.width = 0};
+    if (info && rows && setjmp(png_jmpbuf(png)) == 0) {
+        png_set_read_fn(png, &reading, read_bytes);
+        read_rows(png, info, pixels, rows);
+        ok = true;
+    }
+    if (rows) free(*rows);
+    free(rows);
+    png_destroy_read_struct(&png, &info, NULL);
+    if (!ok) pixels_free(pixels);
+    return ok;
+}
+
+void pixels_free(struct pixels *pixels)
+{
+    free(pixels->rgba);
+    pixels->rgba = NULL;
+}
+
+bool pixels_write(struct bytes *bytes, uint32_t width, uint32_t height, const uint8_t *rgb)
+{
+    png_image image = {.version = PNG_IMAGE_VERSION, .width = width, .height = height, .format = PNG_FORMAT_RGB};
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+    char *data = malloc(size);
+    if (!data || !png_image_write_to_memory(&image, data, &size, 0, rgb, 0, NULL)) {
+        free(data);
+        return false;
+    }
+    *bytes = (struct bytes){data, size, size};
+    return true;
+}

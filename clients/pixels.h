@@ -1,0 +1,22 @@
+/* pixels.h - client: decoded PNGs. */
+#ifndef PIXELS_H
+#define PIXELS_H
+
+#include <stdint.h>
+
+#include "bytes.h"
+
+struct pixels {
+    uint32_t width, height;
+    bool is_16_bit;
+    uint16_t *rgba; /* 4 per pixel, from the top left; 0..255, or 0..65535 if is_16_bit */
+};
+
+/* Decodes a PNG of any kind as RGBA, without any conversion of colours. False, with a line in *faults. */
+bool pixels_read(struct pixels *pixels, const void *png, size_t size, struct bytes *faults);
+void pixels_free(struct pixels *pixels);
+
+/* Encodes RGB, 8 bits, as a PNG. */
+bool pixels_write(struct bytes *png, uint32_t width, uint32_t height, const uint8_t *rgb);
+
+#endif

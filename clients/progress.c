@@ -1,0 +1,40 @@
+#include "progress.h"
+
+#include <stdio.h>
+
+#include "job.h"
+
+enum { BAR = 20, PERIOD_MS = 100 };
+
+void progress_format(const struct progress *progress, double now, char *line, size_t size)
+{
+    char bar[BAR + 1];
+    const size_t drawn = progress->done - progress->skipped, left = progress->total - progress->done;
+    const size_t filled = progress->total ? progress->done * BAR / progress->total : BAR;
+    for (size_t i = 0; i < BAR; i++)
+        bar[i] = i < filled ? '#' : '.';
+    bar[BAR] = '\0';
+    const double seconds = (now - progress->began) / 1e3, rate = seconds > 0 ? (double)drawn / seconds : 0;
+    size_t used = (size_t)snprintf(line, size, "[%s] %zu/%zu  %.*f/s", bar, progress->done, progress->total,
+                                   rate < 10 ? 1 : 0, rate);
+    if (left > 0 && rate > 0)
+        used += (size_t)snprintf(line + used, size - used, "  %.0f s left", (double)left / rate + 0.5);
+    if (progress->skipped) used += (size_t)snprintf(line + used, size - used, "  %zu skipped", progress->skipped);
+    if (progress->failed) snprintf(line + used, size - used, "  %zu failed", progress->failed);
+}
+
+void progress_show(struct progress *progress, bool is_last)
+{
+    const double now = job_clock();
+    char line[160];
+    if (!progress->is_shown || (!is_last && now - progress->printed < PERIOD_MS)) return;
+    progress->printed = now;
+    progress_format(progress, now, line, sizeof line);
+    fprintf(stderr, "\r%s\033[K%s", line, is_last ? "\n" : "");
+    fflush(stderr);
+}
+
+void progress_hide(const struct progress *progress)
+{
+    if (progress->is_shown) fputs("\r\033[K", stderr);
+}

@@ -1,0 +1,22 @@
+/* progress.h - client: a bar on stderr, at most ten times a second. */
+#ifndef PROGRESS_H
+#define PROGRESS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct progress {
+    bool is_shown;
+    size_t total, done, failed, skipped;
+    double began, printed; /* ms */
+};
+
+/* Writes "[#####.....] 512/1000  86/s  6 s left  2 failed" into `line`. */
+void progress_format(const struct progress *progress, double now, char *line, size_t size);
+
+void progress_show(struct progress *progress, bool is_last);
+
+/* Clears the line of the bar. */
+void progress_hide(const struct progress *progress);
+
+#endif

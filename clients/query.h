@@ -1,0 +1,11 @@
+/* query.h - client: the query of a request. */
+#ifndef QUERY_H
+#define QUERY_H
+
+#include "options.h"
+
+/* Returns "look=technical&width=800", percent-encoded, to be freed; NULL without memory. --strict stays here: the
+ * client tells warnings from errors by its exit status. */
+char *query_make(const struct options *options);
+
+#endif

@@ -1,0 +1,70 @@
+/* render.c - client: `zraster render`, the default. */
+#include "render.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "help.h"
+#include "report.h"
+#include "show.h"
+#include "words.h"
+
+/* Refuses a first word that looks like a command, and is no file either. */
+static int check_command(const struct options *options)
+{
+    const char *word = options->files[0];
+    struct near_word near = {.word = word};
+    if (strpbrk(word, "./") || strcmp(word, "-") == 0 || access(word, F_OK) == 0) return 0;
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        near_offer(&near, commands[i].name);
+    if (near.best) return options_wrong("there is no command or file %s; did you mean %s?", word, near.best);
+    return options_wrong("there is no command or file %s; \"zraster help\" lists the commands", word);
+}
+
+/* Takes a second file as the output: zraster part.stl out.png. */
+static int take_output(struct options *options)
+{
+    const char **out = &options->own[OPTION_OUTPUT];
+    if (options->file_count == 2 && !*out && output_is_name(options->files[1])) {
+        *out = options->files[1];
+        options->file_count = 1;
+    }
+    if (options->file_count < 2 || (*out && output_is_folder(*out))) return 0;
+    if (*out) return options_wrong("several files go to a folder: -o FOLDER/, not -o %s", *out);
+    return options_wrong("%s is a second file: -o %s makes it the output; \"zraster batch %s %s\" draws both",
+                         options->files[1], options->files[1], options->files[0], options->files[1]);
+}
+
+void render_report(const struct job *job)
+{
+    const struct options *options = job->options;
+    if (job->status != STATUS_DONE && job->status != STATUS_INTERRUPTED)
+        report_faults(stderr, job->target.file, &job->faults);
+    if (job->status == STATUS_DONE && !options->own[OPTION_QUIET]) report_warnings(stderr, NULL, &job->warnings);
+    const bool is_pipe = job->target.out && strcmp(job->target.out, "-") == 0;
+    const bool is_person = isatty(STDERR_FILENO) && !is_pipe && !options->own[OPTION_QUIET];
+    if (job->status == STATUS_DONE && (is_person || options->own[OPTION_VERBOSE])) job_print(stderr, job);
+}
+
+int command_render(struct options *options)
+{
+    struct engine engine;
+    if (options->file_count == 0) return help_short();
+    int status = check_command(options);
+    if (status == 0) status = take_output(options);
+    if (status == 0) status = input_check_type(options);
+    if (status == 0 && options->file_count > 1) return command_batch(options);
+    if (status == 0) status = engine_open(&engine, options, options_threads(options));
+    if (status != 0) return status;
+    struct job job = {.target = output_target(options->files[0], options->own[OPTION_OUTPUT]), .options = options};
+    if (options->own[OPTION_SHOW])
+        show_run(&engine, &job);
+    else
+        job_run(&engine, &job);
+    render_report(&job);
+    status = job.status;
+    job_free(&job);
+    engine_close(&engine);
+    return status;
+}

@@ -1,0 +1,72 @@
+#include "sixel.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Levels of red, green and blue: the eye tells greens best. */
+enum { REDS = 6, GREENS = 8, BLUES = 5, COLORS = REDS * GREENS * BLUES, BAND = 6 };
+
+static int level(const struct pixels *pixels, const uint16_t *at, int k, int levels)
+{
+    const int white = pixels->is_16_bit ? 65535 : 255;
+    const int value = (int)((long)at[k] * at[3] / white); /* over black */
+    return (int)((long)value * (levels - 1) + white / 2) / white;
+}
+
+static int color_at(const struct pixels *pixels, uint32_t x, uint32_t y)
+{
+    const uint16_t *at = pixels->rgba + ((size_t)y * pixels->width + x) * 4;
+    return (level(pixels, at, 0, REDS) * GREENS + level(pixels, at, 1, GREENS)) * BLUES + level(pixels, at, 2, BLUES);
+}
+
+static void write_palette(struct bytes *out)
+{
+    for (int i = 0; i < COLORS; i++)
+        bytes_print(out, "#%d;2;%d;%d;%d", i, i / BLUES / GREENS * 100 / (REDS - 1),
+                    i / BLUES % GREENS * 100 / (GREENS - 1), i % BLUES * 100 / (BLUES - 1));
+}
+
+/* Writes the columns of one colour in a band of six rows, with counts of equal ones. */
+static void write_color(struct bytes *out, const unsigned char *colors, uint32_t width, uint32_t rows, int color)
+{
+    bytes_print(out, "#%d", color);
+    for (uint32_t x = 0, run = 0; x < width; x += run) {
+        int bits = 0;
+        for (uint32_t y = 0; y < rows; y++)
+            bits |= (colors[y * width + x] == color) << y;
+        for (run = 1; x + run < width; run++) {
+            int next = 0;
+            for (uint32_t y = 0; y < rows; y++)
+                next |= (colors[y * width + x + run] == color) << y;
+            if (next != bits) break;
+        }
+        if (run > 3)
+            bytes_print(out, "!%u%c", run, 63 + bits);
+        else
+            bytes_add(out, (char[]){(char)(63 + bits), (char)(63 + bits), (char)(63 + bits)}, run);
+    }
+    bytes_print(out, "$");
+}
+
+void sixel_write(struct bytes *out, const struct pixels *pixels)
+{
+    unsigned char *colors = malloc((size_t)pixels->width * BAND);
+    if (!colors) return;
+    bytes_print(out, "\033Pq\"1;1;%u;%u", pixels->width, pixels->height);
+    write_palette(out);
+    for (uint32_t top = 0; top < pixels->height; top += BAND) {
+        bool is_used[COLORS] = {false};
+        const uint32_t rows = pixels->height - top < BAND ? pixels->height - top : BAND;
+        for (uint32_t y = 0; y < rows; y++)
+            for (uint32_t x = 0; x < pixels->width; x++) {
+                const int color = color_at(pixels, x, top + y);
+                colors[y * pixels->width + x] = (unsigned char)color;
+                is_used[color] = true;
+            }
+        for (int color = 0; color < COLORS; color++)
+            if (is_used[color]) write_color(out, colors, pixels->width, rows, color);
+        bytes_print(out, "-");
+    }
+    bytes_print(out, "\033\\");
+    free(colors);
+}

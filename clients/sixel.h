@@ -1,0 +1,10 @@
+/* sixel.h - client: pictures for terminals that read DEC's sixels. */
+#ifndef SIXEL_H
+#define SIXEL_H
+
+#include "pixels.h"
+
+/* Writes the picture in 240 colours, 6 reds, 8 greens and 5 blues at even distances; transparent pixels over black. */
+void sixel_write(struct bytes *out, const struct pixels *pixels);
+
+#endif

@@ -1,0 +1,73 @@
+#include "tables.h"
+
+#include <cjson/cJSON.h>
+#include <string.h>
+
+#include "library/zraster.h"
+
+static cJSON *tables;
+
+void tables_open(void)
+{
+    zraster *renderer;
+    if (tables || zraster_open(NULL, &renderer) != ZRASTER_OK) return;
+    tables = cJSON_Parse(zraster_tables(renderer));
+    zraster_close(renderer);
+}
+
+void tables_close(void)
+{
+    cJSON_Delete(tables);
+    tables = NULL;
+}
+
+static const cJSON *list_of(const char *name)
+{
+    tables_open();
+    return cJSON_GetObjectItemCaseSensitive(tables, name);
+}
+
+static const char *text_of(const cJSON *item, const char *key)
+{
+    const char *text = cJSON_GetStringValue(key ? cJSON_GetObjectItemCaseSensitive(item, key) : item);
+    return text ? text : "";
+}
+
+void tables_looks(struct words *words)
+{
+    const cJSON *look;
+    cJSON_ArrayForEach(look, list_of("looks")) words_add(words, text_of(look, NULL), strcspn(text_of(look, NULL), "@"));
+}
+
+void tables_channels(struct words *words)
+{
+    const cJSON *channel;
+    cJSON_ArrayForEach(channel, list_of("channels"))
+    {
+        const char *name = text_of(channel, "name");
+        words_add(words, name, strlen(name));
+    }
+}
+
+const char *tables_extension(const char *name, const char *encoding)
+{
+    const cJSON *channel;
+    if (!*encoding)
+        cJSON_ArrayForEach(channel, list_of("channels")) if (strcmp(text_of(channel, "name"), name) == 0) encoding =
+            text_of(cJSON_GetArrayItem(cJSON_GetObjectItemCaseSensitive(channel, "encodings"), 0), NULL);
+    return strcmp(encoding, "png16") == 0 ? "png" : encoding;
+}
+
+void tables_values(struct words *words, enum parameter parameter)
+{
+    const char *value = parameter_rows[parameter].value;
+    if (parameter == PARAMETER_channel)
+        tables_channels(words);
+    else if (parameter == PARAMETER_look)
+        tables_looks(words);
+    else if (value[0] == '[') {
+        words_add(words, "true", 4);
+        words_add(words, "false", 5);
+    } else if (strcmp(value, "NAME") == 0 || strcmp(value, "COUNT") == 0)
+        words_of_help(words, parameter_rows[parameter].help);
+}

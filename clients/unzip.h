@@ -1,0 +1,21 @@
+/* unzip.h - client: the files of an answer with several outputs. */
+#ifndef UNZIP_H
+#define UNZIP_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct unzip {
+    const unsigned char *at, *end;
+};
+struct unzip_file {
+    char name[64]; /* "depth.npy" */
+    const void *data;
+    size_t size;
+};
+
+/* Moves to the next stored file of an archive, which begins at unzip->at. False behind the last one, and if the archive
+ * is broken: unzip->at is then NULL. */
+bool unzip_next(struct unzip *unzip, struct unzip_file *file);
+
+#endif

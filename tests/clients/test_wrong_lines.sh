@@ -1,0 +1,40 @@
+#!/bin/sh
+# test_wrong_lines.sh BUILD: each wrong command line of wrong-lines.txt ends with its status and says what to type instead,
+# in one sentence with one prefix. Prints TAP.
+set -u
+zraster=$(realpath "$1")/zraster
+lines=$(realpath tests/clients/wrong-lines.txt)
+work=$(mktemp -d)
+. tests/support/verdict.sh
+said=$work/said complained=$work/complained
+trap 'rm -rf "$work"' EXIT
+unset ZRASTER_SERVER ZRASTER_TOKEN
+mkdir "$work/in"
+cd "$work/in" || exit 1
+
+mkdir parts none
+printf 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n' >part.stl
+cp part.stl other.stl && cp part.stl parts && : >empty.stl
+printf '<!DOCTYPE html><title>403</title>' >page.stl
+printf 'ISO-10303-21;\n' >part.step && printf 'ply\nformat ascii 1.0\n' >part.ply
+printf '{"polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >scene.json
+printf '{"polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
+"$zraster" part.stl a.png -s 8 && "$zraster" part.stl small.png -s 4 || exit 1
+ls >"$work/files" && cksum * >"$work/sums" 2>/dev/null
+
+count_lines() { grep -c '^[0-9]' "$lines"; }
+verdict "there are thirty wrong command lines at least" [ "$(count_lines)" -ge 30 ]
+while IFS='|' read -r status arguments message; do
+    case $status in '#'*) continue ;; esac
+    message=${message# }
+    eval "\"\$zraster\" $arguments" >"$said" 2>"$complained" </dev/null
+    ended=$?
+    cat "$said" >>"$complained"
+    verdict "zraster$arguments" eval '[ $ended = $status ] && grep -qF -e "$message" "$complained"'
+    # One prefix, and of a fault one line.
+    verdict "  says so once" eval '[ "$(grep -c "zraster: " "$complained")" -le 1 ] && ! grep -q "zraster:.*zraster: " "$complained"'
+done <"$lines"
+verdict "a value behind an unknown option is not repeated" eval '! "$zraster" part.stl --passwort=geheim >"$complained" 2>&1 && ! grep -q geheim "$complained"'
+ls >"$work/files-after" && cksum * >"$work/sums-after" 2>/dev/null
+verdict "no file came, went or changed" eval 'cmp "$work/files" "$work/files-after" && cmp "$work/sums" "$work/sums-after"'
+verdicts
