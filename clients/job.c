@@ -70,6 +70,7 @@ void job_run(const struct engine *engine, struct job *job)
 void job_print(FILE *out, const struct job *job)
 {
     const char *name = bytes_text(&job->names);
+    if (!*name) fputs(job->target.file, out); /* shown, not saved */
     for (size_t length; *name; name += length + 1) {
         length = strcspn(name, "\n");
         fprintf(out, "%s%.*s", name == bytes_text(&job->names) ? "" : ", ", (int)length, name);

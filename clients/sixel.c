@@ -6,17 +6,21 @@
 /* Levels of red, green and blue: the eye tells greens best. */
 enum { REDS = 6, GREENS = 8, BLUES = 5, COLORS = REDS * GREENS * BLUES, BAND = 6 };
 
-static int level(const struct pixels *pixels, const uint16_t *at, int k, int levels)
+/* Rounds up where the remainder exceeds the threshold of the pixel, in 32nds, so that areas have the right mean. */
+static int level(const struct pixels *pixels, const uint16_t *at, int k, int levels, int threshold)
 {
-    const int white = pixels->is_16_bit ? 65535 : 255;
-    const int value = (int)((long)at[k] * at[3] / white); /* over black */
-    return (int)((long)value * (levels - 1) + white / 2) / white;
+    const long white = pixels->is_16_bit ? 65535 : 255;
+    const long value = (long)at[k] * at[3] / white; /* over black */
+    return (int)((value * (levels - 1) * 32 + threshold * white) / (32 * white));
 }
 
 static int color_at(const struct pixels *pixels, uint32_t x, uint32_t y)
 {
+    static const int thresholds[4][4] = {{1, 17, 5, 21}, {25, 9, 29, 13}, {7, 23, 3, 19}, {31, 15, 27, 11}};
     const uint16_t *at = pixels->rgba + ((size_t)y * pixels->width + x) * 4;
-    return (level(pixels, at, 0, REDS) * GREENS + level(pixels, at, 1, GREENS)) * BLUES + level(pixels, at, 2, BLUES);
+    const int t = thresholds[y % 4][x % 4];
+    return (level(pixels, at, 0, REDS, t) * GREENS + level(pixels, at, 1, GREENS, t)) * BLUES +
+           level(pixels, at, 2, BLUES, t);
 }
 
 static void write_palette(struct bytes *out)

@@ -1,0 +1,212 @@
+#!/bin/sh
+# test_command.sh BUILD: the command without a daemon: outputs and their names, channels, info, looks, compare, batch, watch,
+# pictures in the terminal, and that no socket is opened. Prints TAP.
+set -u
+build=$(realpath "$1")
+zraster=$build/zraster
+models=$(realpath clients/gallery/models.awk)
+work=$(mktemp -d)
+. tests/support/verdict.sh
+said=$work/said complained=$work/complained
+watcher=
+trap '[ -z "$watcher" ] || kill -9 "$watcher" 2>/dev/null; rm -rf "$work"' EXIT
+unset ZRASTER_SERVER ZRASTER_TOKEN NO_COLOR KITTY_WINDOW_ID TERM_PROGRAM LC_TERMINAL
+export TERM=xterm
+mkdir "$work/in"
+cd "$work/in" || exit 1
+
+check() { # TEXT WANTED-STATUS COMMAND...
+    text=$1 wanted=$2
+    shift 2
+    "$@" >"$said" 2>"$complained" </dev/null
+    status=$?
+    verdict "$text" [ "$status" = "$wanted" ]
+}
+skip() { # TEXT WHY
+    count=$((count + 1))
+    echo "ok $count - $1 # skip $2"
+    echo "LEFT OUT: $1: $2" >&2
+}
+is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]; }
+size_of_png() { od -An -j16 -N8 -tu1 "$1" | awk '{print $3 * 256 + $4 "x" $7 * 256 + $8}'; }
+
+printf 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n' >part.stl
+printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >scene.json
+
+# outputs
+check "a model becomes a picture" 0 "$zraster" part.stl
+verdict "under its name, in the usual size" [ "$(size_of_png part.png)" = 640x480 ]
+verdict "and nothing is said" [ ! -s "$said" ] && [ ! -s "$complained" ]
+check "the second argument is the output" 0 "$zraster" part.stl second.png --size=40
+verdict "and one number is a square" [ "$(size_of_png second.png)" = 40x40 ]
+check "--output is -o" 0 "$zraster" part.stl --output third.png -W 80
+verdict "and a width alone keeps 4:3" [ "$(size_of_png third.png)" = 80x60 ]
+"$zraster" - -s64x48 <part.stl >piped.png 2>"$complained"
+verdict "a pipe gets the picture" [ "$(size_of_png piped.png)" = 64x48 ]
+check "verbose says what was done" 0 "$zraster" part.stl -s 64x48 -v
+verdict "on one line" grep -qE '^part.png  64x48  studio  [0-9]+ ms' "$complained"
+cmp -s part.png piped.png
+verdict "and the bytes are those of the pipe" [ $? = 0 ]
+ls >"$work/before"
+check "a folder takes the output" 0 "$zraster" part.stl -o new/ -s 8
+verdict "and is made" is_png new/part.png
+check "several channels become several files" 0 "$zraster" part.stl -c color,depth,instanceId,info -o new -s 8
+verdict "named by their channels" [ "$(ls new | tr '\n' ' ')" = "part.depth.npy part.info.json part.instanceId.npy part.png " ]
+check "in this folder, too" 0 "$zraster" scene.json --channel depth,normals
+verdict "named likewise" [ -s scene.depth.npy -a -s scene.normals.npy ]
+check "or one archive" 0 "$zraster" part.stl -c color,depth -o both.zip -s 8
+verdict "which is one" [ "$(head -c 2 both.zip)" = PK ]
+check "existing files are overwritten" 0 "$zraster" part.stl -o new -s 9
+verdict "as is usual" [ "$(size_of_png new/part.png)" = 9x9 ]
+check "but not with -n" 1 "$zraster" part.stl -o new -s 10 -n
+verdict "as was asked" [ "$(size_of_png new/part.png)" = 9x9 ]
+printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
+check "warnings are told" 0 "$zraster" away.json
+verdict "on standard error" grep -q '^warning: nothing is seen' "$complained"
+check "unless they are not wanted" 0 "$zraster" away.json -q
+verdict "by -q" [ ! -s "$complained" ]
+rm -f away.png
+check "strict, they end with 3" 3 "$zraster" away.json --strict
+verdict "and nothing is saved" [ ! -e away.png ]
+
+# parts
+printf '{"window": {"width": 8, "height": 8}, "view": {"preset": "front", "znear": 1, "zfar": 9}, "base": {"color": {"asset": "color"}, "windowDepth": {"asset": "z"}}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >over.json
+"$zraster" scene.json -c color,windowDepth -o base/
+check "files are parts of a scene" 0 "$zraster" over.json --part color=base/scene.png --part z=base/scene.windowDepth.npy
+verdict "by their names" is_png over.png
+check "a part that is missing" 1 "$zraster" over.json --part color=base/scene.png
+grep -q "'z'" "$complained"
+verdict "is named" [ $? = 0 ]
+check "and one that is no file" 1 "$zraster" over.json --part color=nothing.png
+verdict "likewise" grep -q -e '--part color=nothing.png: No such file' "$complained"
+
+# info, looks, help
+check "info" 0 "$zraster" info part.stl
+verdict "is a table" grep -qE '^counts.triangles +1$' "$said"
+check "info as JSON" 0 "$zraster" info part.stl --json
+verdict "is that of the channel info" grep -q '"triangles": *1' "$said"
+check "looks" 0 "$zraster" looks
+verdict "are listed" grep -qx technical "$said"
+for command in render info batch compare watch looks help; do
+    check "help $command" 0 "$zraster" help $command
+    verdict "names it" grep -q "zraster.*$command" "$said"
+done
+for option in -o -s -n --show --resume --json --server --token-file -j -q -v --plain; do
+    verdict "$option is explained" eval '{ "$zraster" help; "$zraster" help batch; } | grep -qe "^ .*$option[ ,]"'
+done
+
+# compare
+"$zraster" part.stl a.png -s 32 && "$zraster" part.stl b.png -s 32 --color red --background white
+check "equal pictures" 0 "$zraster" compare a.png a.png
+verdict "are equal" grep -q '^all 1024 pixels are equal' "$said"
+check "different pictures end with 4" 4 "$zraster" compare a.png b.png -o diff.png
+verdict "with counts" grep -qE '^[0-9]+ of 1024 pixels differ \(.*\); the largest difference is [0-9]+ of 255, at' "$said"
+verdict "and a picture" [ "$(size_of_png diff.png)" = 32x32 ]
+"$zraster" part.stl d.png -s 32 --channel depth --encoding png16
+check "16 bits are compared as they are" 0 "$zraster" compare d.png d.png
+check "and with 8 bits" 4 "$zraster" compare d.png a.png
+verdict "in 16" grep -q 'of 65535' "$said"
+
+# batch
+mkdir -p many/deep
+for i in 01 02 03 04 05 06 07 08 09 10 11 12; do awk -v model=ball -v seed=$i 'BEGIN { for (k = 0; k < 40; k++) { a = k * 2.4 + seed; print "v", cos(a) * k, sin(a) * k, (k * seed) % 7 } for (k = 1; k < 39; k++) print "f", k, k + 1, k + 2 }' >many/m$i.obj; done
+cp many/m01.obj many/deep/m01.obj
+check "a folder is drawn" 0 "$zraster" batch many -o drawn -s 64
+verdict "with the folders in it" [ "$(find drawn -name '*.png' | wc -l)" = 13 -a -s drawn/deep/m01.png ]
+verdict "a line for each file" [ "$(grep -c 'png  64x64  studio' "$complained")" = 13 ]
+check "so is a pattern, and a failure ends with 1" 1 "$zraster" batch 'many/*.obj' nothing.stl -o drawn2 -s 64 --json
+verdict "after all others" [ "$(ls drawn2 | wc -l)" = 12 ]
+verdict "listed last" eval 'tail -n 2 "$complained" | grep -q "nothing.stl: No such file"'
+verdict "a JSON object for each" [ "$(grep -c '^{"file":"many/m.*"status":"done"' "$said")" = 12 ]
+verdict "and the failure" grep -q '^{"file":"nothing.stl","status":"failed".*"errors":\["No such file' "$said"
+verdict "the same bytes as alone" eval '"$zraster" many/m07.obj -o m07.png -s 64 && cmp m07.png drawn/m07.png && cmp m07.png drawn2/m07.png'
+printf '{"file": "part.stl", "output": "lines/red.png", "color": "red", "width": 20, "height": 10, "edges": true}\npart.stl\n' >lines.txt
+mkdir lines
+"$zraster" batch - -o lines <lines.txt >"$said" 2>"$complained"
+verdict "lines of standard input are names or objects" [ $? = 0 -a "$(size_of_png lines/red.png)" = 20x10 -a -s lines/part.png ]
+printf '{"file": "part.stl", "colour": "red"}\n' >lines.txt
+"$zraster" batch - <lines.txt >"$said" 2>"$complained"
+verdict "an unknown key is refused" [ $? = 2 ]
+verdict "with the nearest one" grep -q 'line 1: unknown key "colour"; did you mean color?' "$complained"
+script -qec "'$zraster' batch many -o bar -s 16" typescript </dev/null >"$said" 2>"$complained"
+verdict "a terminal gets a bar" grep -qE '\[#{20}\] 13/13  [0-9.]+/s' "$said"
+
+# Killed at some time, and resumed: each file is drawn once, and nothing else is there.
+check "all files, for comparison" 0 "$zraster" batch many -o whole -c color,depth -s 400 -j 1
+killed=0 try=1
+while [ $try -le 20 ] && [ $killed = 0 ]; do
+    rm -rf part
+    "$zraster" batch many -o part -c color,depth -s 400 -j 1 --json >first.txt 2>/dev/null &
+    pid=$!
+    tries=0
+    while [ "$(find part -name '*.png' 2>/dev/null | wc -l)" -lt 3 ] && [ $tries -lt 1000 ]; do tries=$((tries + 1)); done
+    kill -9 $pid 2>/dev/null
+    wait $pid 2>/dev/null
+    [ "$(find part -name 'm*.png' | wc -l)" -lt 12 ] && killed=1
+    try=$((try + 1))
+done
+verdict "a batch was killed in the middle" [ $killed = 1 ]
+there=$(find part -name '*.png' | wc -l)
+check "it is resumed" 0 "$zraster" batch many -o part -c color,depth -s 400 -j 1 --resume --json
+verdict "what was done is skipped" [ "$(grep -c '"status":"skipped"' "$said")" = "$there" ]
+verdict "the rest is drawn" [ "$(grep -c '"status":"done"' "$said")" = $((13 - there)) ]
+verdict "and nothing is lost, broken or left over" diff -r whole part
+check "once more" 0 "$zraster" batch many -o part -c color,depth -s 400 --resume --json
+verdict "there is nothing to do" [ "$(grep -c '"status":"skipped"' "$said")" = 13 ]
+mkdir scenes && cp scene.json scenes/plain.json
+printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}], "outputs": [{"channel": "depth"}, {"channel": "color"}]}' >scenes/two.json
+check "scenes with outputs of their own" 0 "$zraster" batch scenes -o own
+verdict "get them" [ "$(ls own | tr '\n' ' ')" = "plain.png two.depth.npy two.png " ]
+check "and are resumed" 0 "$zraster" batch scenes -o own --resume --json
+verdict "by the first one" [ "$(grep -c '"status":"skipped"' "$said")" = 2 ]
+"$zraster" batch many -o stopped -s 2000 -j 1 >"$said" 2>"$complained" &
+pid=$!
+sleep 0.3
+kill -INT $pid
+wait $pid
+verdict "an interrupted batch ends with 130" [ $? = 130 ]
+verdict "and names the way to go on" grep -q 'interrupted: --resume draws the rest' "$complained"
+
+# watch
+cp part.stl live.stl
+"$zraster" watch live.stl -o live.png -s 16 2>"$complained" &
+watcher=$!
+appears() { tries=0; until [ -s live.png ]; do tries=$((tries + 1)); [ $tries -lt 100 ] || return 1; sleep 0.05; done; }
+verdict "watch draws at once" appears
+rm -f live.png
+touch live.stl
+verdict "and again when the file changes" appears
+kill -INT $watcher
+wait $watcher
+verdict "and ends with 130" [ $? = 130 ]
+watcher=
+
+# terminals
+TERM=xterm-kitty script -qec "'$zraster' part.stl -s 16 --show" typescript </dev/null >"$said" 2>"$complained"
+verdict "kitty gets its protocol" grep -q '_Gf=100,a=T,m=0;iVBORw0KGgo' "$said"
+TERM_PROGRAM=iTerm.app script -qec "'$zraster' part.stl -s 16 --show" typescript </dev/null >"$said" 2>"$complained"
+verdict "iTerm2 gets its own" grep -q ']1337;File=inline=1;size=[0-9]*:iVBORw0KGgo' "$said"
+(sleep 0.15; printf '\033[?62;4;22c') | script -qec "'$zraster' part.stl -s 16 --show" typescript >"$said" 2>"$complained"
+verdict "a terminal that answers so gets sixels" grep -q 'Pq"1;1;16;16#0;2;0;0;0' "$said"
+script -qec "'$zraster' part.stl -s 16 --show" typescript </dev/null >"$said" 2>"$complained"
+verdict "another one is told that it shows none" grep -q 'and this one does not; -o FILE saves the picture' "$said"
+
+# sandboxes
+if command -v strace >/dev/null; then
+    ASAN_OPTIONS=detect_leaks=0 strace -f -e trace=network -o trace "$zraster" part.stl -s 64 2>"$complained"
+    verdict "no socket is opened" eval '[ -s trace ] && ! grep -qE "^[0-9]+ +[a-z]+\(" trace'
+else
+    skip "no socket is opened" "strace is not here"
+fi
+inside() {
+    bwrap --unshare-all --ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 --ro-bind "$zraster" /zraster \
+        --ro-bind part.stl /part.stl /zraster /part.stl -s 64 -o - >inside.png 2>"$complained"
+}
+if bwrap --unshare-all --ro-bind / / true 2>/dev/null; then
+    "$zraster" part.stl -s 64
+    verdict "in a sandbox of /usr and the file" inside
+    verdict "the bytes are the same" cmp inside.png part.png
+else
+    skip "in a sandbox of /usr and the file the bytes are the same" "bwrap is not here, or may not make a sandbox"
+fi
+verdicts

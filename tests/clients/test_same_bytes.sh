@@ -1,0 +1,44 @@
+#!/bin/sh
+# test_same_bytes.sh BUILD: the command gives the bytes of POST /v1/render, in its own process and by --server: scenes of
+# tests/scenes, and every look of models. SAME=all: all scenes, and three models of DATA; else every tenth scene, and a
+# small model. Prints TAP.
+set -u
+build=$(realpath "$1")
+work=$(mktemp -d)
+. tests/support/verdict.sh
+out=$work said=$work/said complained=$work/complained
+. clients/start_daemon.sh
+trap 'kill "$daemon" 2>/dev/null; wait "$daemon" 2>/dev/null; rm -rf "$work"' EXIT
+unset ZRASTER_SERVER
+: >"$said"
+: >"$complained"
+
+same() { # FILE QUERY OPTION...
+    file=$1 query=$2
+    shift 2
+    curl -sf --data-binary @"$file" "$server/v1/render?$query" -o "$work/http" || return 1
+    "$build/zraster" "$file" -o - "$@" >"$work/here" 2>>"$complained" && cmp "$work/http" "$work/here" >>"$said" || return 1
+    "$build/zraster" "$file" -o - --server "$server" "$@" >"$work/there" 2>>"$complained" && cmp "$work/http" "$work/there" >>"$said"
+}
+
+count_scenes=0
+for scene in tests/scenes/*.json; do
+    count_scenes=$((count_scenes + 1))
+    [ "${SAME:-}" = all ] || [ $((count_scenes % 10)) = 1 ] || continue
+    verdict "$scene" same "$scene" ''
+done
+
+models="$work/part.obj"
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 3 4\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n' >"$work/part.obj"
+if [ "${SAME:-}" = all ]; then
+    data=${DATA:-../shared/data}/models
+    models="$data/stanford-bunny.obj $data/suzanne.obj $data/teapot.obj"
+fi
+for model in $models; do
+    for look in $("$build/zraster" looks); do
+        verdict "${model##*/} in the look $look" same "$model" "look=$look&width=200&height=150" --look "$look" -s 200x150
+    done
+done
+verdict "several channels of a model" same "$work/part.obj" 'channel=color,depth,instanceId,info&encoding=png16' -c color,depth,instanceId,info --encoding png16
+verdict "and of a scene" same tests/scenes/nodes-hierarchy.json 'channel=normals,faceId' --channel normals,faceId
+verdicts
