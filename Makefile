@@ -40,7 +40,7 @@ NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJS
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
-NEED_TEST := c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl $(NEED_REFERENCE)
+NEED_TEST := c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl strace=strace $(NEED_REFERENCE)
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
 NEED_EMULATED := simde/x86/avx512.h=libsimde-dev
@@ -123,13 +123,18 @@ LINK = $(Q)$(CC) $(OURS) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.
 # ---- what people use ----
 
 .PHONY: all
-all: $(BUILD)/zrasterd $(BUILD)/zraster library ## the daemon, the client and the library (the default)
+all: $(BUILD)/zrasterd $(BUILD)/zraster library documents ## the command, the daemon, the library and their man pages (the default)
 
 .PHONY: library
 library: $(BUILD)/libzraster.so.0 $(BUILD)/libzraster.a $(BUILD)/zraster.pc ## libzraster, shared and static (core/library/zraster.h)
 
+manuals := $(addprefix $(BUILD)/,zraster.1 zrasterd.8 libzraster.3)
+completions := $(addprefix $(BUILD)/completion.,bash zsh fish)
+.PHONY: documents
+documents: $(manuals) $(completions) ## man pages, and completion for bash, zsh and fish, from the tables of options
+
 .PHONY: demo
-demo: ## installs what is missing, builds, renders two scenes into build/demo/
+demo: ## installs what is missing, builds, renders a model and scenes into build/demo/, without and with the daemon
 	@.ci/need $(NEED_BUILD) $(NEED_DEMO)
 	@$(MAKE) -s -j$(JOBS) all
 	@clients/demo.sh $(BUILD)
@@ -171,6 +176,12 @@ repeat: ## 200 pictures from each of 150 processes, with every instruction set: 
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/tests/server/test_repeat
 	@ZRASTERD=$(BUILD)/zrasterd REPEAT_PROCESSES=$(or $(REPEAT_PROCESSES),150) $(BUILD)/tests/server/test_repeat
+
+.PHONY: same-command
+same-command: ## all scenes of tests/scenes, and every look of three models: the command gives the daemon's bytes
+	@.ci/need $(NEED_BUILD) curl=curl
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster
+	@SAME=all DATA="$(DATA)" tests/clients/test_same_bytes.sh $(BUILD)
 
 .PHONY: algorithms
 algorithms: ## the five algorithms against one another: 100 000 triangles and 40 000 polygons
@@ -329,6 +340,11 @@ $(BUILD)/zrasterd: $(server) $(BUILD)/libcore.a
 # libcurl is loaded once a server is named (clients/curl_rows.h).
 $(BUILD)/zraster: $(client) $(BUILD)/libzraster.a
 	$(LINK) $(CLIENT_LIBS) $(CORE_LIBS)
+
+$(manuals) &: clients/man.sh $(BUILD)/zraster $(BUILD)/zrasterd $(library_header)
+	$(Q)clients/man.sh $(BUILD)
+$(completions): $(BUILD)/completion.%: $(BUILD)/zraster
+	$(Q)$< help completion $* >$@
 
 # Made anew when the door changes, and what was linked with the other one then is, too.
 $(BUILD)/reference-door: always

@@ -117,6 +117,9 @@ for part in "$@"; do
         ;;
     clients)
         run client "ZRASTERD=$build/zrasterd" "ZRASTER=$build/zraster" tests/clients/test_client.sh
+        run command tests/clients/test_command.sh "$build"
+        run same-bytes tests/clients/test_same_bytes.sh "$build"
+        run documents tests/clients/test_documents.sh "$build"
         run wrong-lines tests/clients/test_wrong_lines.sh "$build"
         run gallery tests/clients/test_gallery.sh "$build"
         run readme tests/clients/test_readme.sh "$build"

@@ -1,0 +1,54 @@
+#!/bin/sh
+# test_documents.sh BUILD: man pages and completion have every option, and their readers accept them. Prints TAP.
+set -u
+build=$1
+work=$(mktemp -d)
+. tests/support/verdict.sh
+said=$work/said complained=$work/complained
+trap 'rm -rf "$work"' EXIT
+: >"$said"
+: >"$complained"
+skip() { # TEXT WHY
+    count=$((count + 1))
+    echo "ok $count - $1 # skip $2"
+    echo "LEFT OUT: $1: $2" >&2
+}
+options=$({ "$build/zraster" help; "$build/zraster" help batch; } | grep -oE '^ +(-[a-zA-Z], |    )--[a-z-]+' | grep -oE -- '--[a-z-]+' | sort -u)
+flags=$("$build/zrasterd" --help | grep -oE '^  --[a-z-]+' | tr -d ' ')
+has_all() { # FILE WORD...: with roff's dashes as plain ones
+    sed 's/\\-/-/g' "$1" >"$work/plain"
+    shift
+    for word in "$@"; do
+        grep -qe "$word" "$work/plain" || { echo "# no $word" >>"$complained"; return 1; }
+    done
+}
+verdict "there are fifty options at least" [ "$(echo "$options" | wc -l)" -ge 50 ]
+verdict "zraster.1 has all" has_all "$build/zraster.1" $options
+verdict "zrasterd.8 has all flags of the daemon" has_all "$build/zrasterd.8" $flags
+verdict "libzraster.3 has all functions" has_all "$build/libzraster.3" $(sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)(.*/\1/p' core/library/zraster.h)
+verdict "and one that is not there would be found" eval '! has_all "$build/zraster.1" --not-an-option'
+for shell in bash zsh fish; do
+    dashes=--
+    [ $shell = fish ] && dashes='-l '
+    verdict "$shell completes all options" has_all "$build/completion.$shell" $(echo "$options" | sed "s/^--/$dashes/" | tr -d ' ' | sed 's/^-l/-l./')
+    verdict "and looks, channels and presets" has_all "$build/completion.$shell" technical instanceId isometric
+    if command -v $shell >/dev/null; then
+        verdict "$shell reads it" $shell -n "$build/completion.$shell"
+    else
+        skip "$shell reads its completion" "$shell is not here"
+    fi
+done
+complete() { # WORD...: the answers of bash's completion
+    bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _zraster; printf "%s\n" "${COMPREPLY[@]}"' bash "$build/completion.bash" "$@"
+}
+verdict "bash completes a look" [ "$(complete zraster --look te | tr '\n' ' ')" = "technical textbook " ]
+verdict "an option" [ "$(complete zraster part.stl --az)" = --azimuth ]
+verdict "and a command" [ "$(complete zraster comp)" = compare ]
+if command -v groff >/dev/null; then
+    for page in zraster.1 zrasterd.8 libzraster.3; do
+        verdict "groff reads $page without a warning" eval "groff -man -Tutf8 -ww '$build/$page' >'$said' 2>'$complained' && [ ! -s '$complained' ]"
+    done
+else
+    skip "groff reads the pages" "groff is not here"
+fi
+verdicts
