@@ -48,7 +48,7 @@ NEED_UNINITIALISED := valgrind=valgrind
 NEED_FUZZ := cmocka.h=libcmocka-dev clang=clang -fsanitize=address=libclang-rt-dev
 NEED_SYSTEMS := debootstrap=debootstrap /usr/share/keyrings/debian-archive-keyring.gpg=debian-archive-keyring git=git \
 	unshare=util-linux
-NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
+NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels curl=curl
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
 DATA ?= ../shared/data

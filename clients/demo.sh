@@ -1,19 +1,20 @@
 #!/bin/sh
-# demo.sh BUILD: starts a daemon on a free port, sends it an example scene and a third-party mesh, and saves the pictures in
-# BUILD/demo/.
+# demo.sh BUILD: draws a third-party mesh and an example scene by the command, then sends them to a daemon on a free port. Saves
+# the pictures in BUILD/demo/.
 set -eu
 build=$1
 out=$build/demo
 scene=clients/examples/solids.json
 mesh=/usr/share/assimp/models/OBJ/spider.obj
 mkdir -p "$out"
+unset ZRASTER_SERVER
 
+echo "a mesh from Debian's assimp-testmodels ($mesh), by the command:"
+"$build/zraster" "$mesh" "$out/spider.png" --preset isometric -s 800x600 -v
+echo "colour and depth of an example scene ($scene):"
+"$build/zraster" "$scene" -c color,depth --encoding png16 -o "$out/" -v
+echo "the same by the daemon:"
 . clients/start_daemon.sh
-
-render() { "$build/zraster" render --server "$server" "$@"; }
-echo "an example scene ($scene):"
-render "$scene" --channel color -o "$out/solids-color.png"
-render "$scene" --channel depth --encoding png16 -o "$out/solids-depth.png"
-echo "a mesh from Debian's assimp-testmodels ($mesh):"
-render "$mesh" --preset isometric --size 800x600 -o "$out/spider-color.png"
-render "$mesh" --preset isometric --size 800x600 --channel depth --encoding png16 -o "$out/spider-depth.png"
+curl -sf "$server/v1/render?preset=isometric&width=800&height=600" --data-binary @"$mesh" -o "$out/spider-http.png"
+"$build/zraster" "$scene" --server "$server" -o "$out/solids-http.png" -c color -v
+cmp "$out/spider.png" "$out/spider-http.png" && cmp "$out/solids.png" "$out/solids-http.png" && echo "the same bytes: $out/"

@@ -86,6 +86,33 @@ TEST(query_says_how_a_mesh_looks)
     reading_free(reading);
 }
 
+TEST(channels_with_commas_are_outputs)
+{
+    struct zr_request request = {
+        .channel = "color,depth,fragments,normals", .encoding = "png16", .scale = "0.5", .x = "3", .y = "4"};
+    static const struct zr_output wanted[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+                                              {ZR_CHANNEL_DEPTH, ZR_ENCODING_PNG16, 0.5f, ZR_SPACE_CAMERA, 0, 0},
+                                              {ZR_CHANNEL_FRAGMENTS, ZR_ENCODING_JSON, 0, ZR_SPACE_CAMERA, 3, 4},
+                                              {.channel = ZR_CHANNEL_NORMALS, .encoding = ZR_ENCODING_NPY}};
+    static const char scene[] = "{\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}], "
+                                "\"outputs\": [{\"channel\": \"faceId\"}]}";
+    for (int is_scene = 0; is_scene < 2; is_scene++) {
+        request.format = is_scene ? ZR_FORMAT_JSON : ZR_FORMAT_OBJ;
+        const char *text = is_scene ? scene : MESH;
+        struct reading *reading = read_request(request, text, strlen(text), zr_limits_default(), 1 << 20);
+        assert_read(reading);
+        const struct zr_view *view = &reading->scene->views[0];
+        assert_int_equal(view->output_count, 4);
+        for (uint32_t i = 0; i < view->output_count; i++) {
+            const struct zr_output *output = &view->outputs[i];
+            assert_int_equal(output->channel, wanted[i].channel);
+            assert_int_equal(output->encoding, wanted[i].encoding);
+            assert_true(output->scale == wanted[i].scale && output->x == wanted[i].x && output->y == wanted[i].y);
+        }
+        reading_free(reading);
+    }
+}
+
 TEST(wrong_query_gives_bad_request_naming_the_parameter)
 {
     static const struct {
@@ -112,6 +139,17 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "0"}, "scale: '0' is not"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "nan"}, "scale: 'nan'"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "1e39"}, "scale: '1e39'"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "color,dept"}, "channel: 'dept' is unknown (did you mean depth?)"},
+        {{.format = ZR_FORMAT_JSON, .channel = "color,"}, "channel: '' is unknown; allowed: color, depth"},
+        {{.format = ZR_FORMAT_OBJ, .channel = ","}, "channel: '' is unknown"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "depth,depth"}, "channel: the same file name as"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "color,fragments"}, "channel: missing the keys x and y"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "color,depth", .x = "2"}, "x: only the channel fragments"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "color,depth", .scale = "2"}, "scale: only the encoding png16"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "color,depth", .encoding = "json"},
+         "encoding: the channel color cannot be had as json"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "color,depth", .encoding = "png16", .scale = "0"}, "scale: '0' is not"},
+        {{.format = ZR_FORMAT_OBJ, .channel = ",,,,,,,,,,,,,,,"}, "channel: 16 channels; up to 15 are allowed"},
         {{.format = ZR_FORMAT_OBJ, .preset = "up"}, "preset: 'up' is unknown; allowed: front"},
         {{.format = ZR_FORMAT_OBJ, .shading = "toon"}, "shading: 'toon' is"},
         {{.format = ZR_FORMAT_OBJ, .look = "stduio"},
@@ -180,6 +218,7 @@ TEST(all_faults_of_one_object_are_reported)
     } cases[] = {
         {{.channel = "depht", .encoding = "png17", .x = "a"},
          {"x: 'a' is not", "channel: 'depht'", "encoding: 'png17'"}},
+        {{.channel = "color,depth", .encoding = "png16", .scale = "a"}, {"scale: 'a' is not"}},
         {{.preset = "zz", .azimuth = "x"}, {"azimuth: 'x' is not", "preset: 'zz'", "two poses: preset and azimuth"}},
         {{.light = "spot", .lightDirection = "1,2"},
          {"lightDirection: '1,2' is not", "light: lightPosition is missing"}},
