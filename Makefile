@@ -33,6 +33,9 @@ reference_libs_egl := -lEGL -lOpenGL
 need_osmesa := $(if $(REFERENCE),$(if $(filter osmesa,$(REFERENCE)),GL/osmesa.h=libosmesa6-dev),GL/osmesa.h=libosmesa6-dev?)
 REFERENCE := $(or $(REFERENCE),$(shell $(CC) -E -include GL/osmesa.h -x c /dev/null >/dev/null 2>&1 && echo osmesa || echo egl))
 
+# Debian's, for which apt has numpy.
+PYTHON ?= /usr/bin/python3
+
 # FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it; PACKAGE?: unless there is
 # no such package.
 NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev jpeglib.h=libjpeg62-turbo-dev \
@@ -40,7 +43,8 @@ NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJS
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
-NEED_TEST := c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl strace=strace $(NEED_REFERENCE)
+NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl strace=strace $(NEED_REFERENCE) \
+	$(NEED_PYTHON)
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
 NEED_EMULATED := simde/x86/avx512.h=libsimde-dev
@@ -48,6 +52,9 @@ NEED_UNINITIALISED := valgrind=valgrind
 NEED_FUZZ := cmocka.h=libcmocka-dev clang=clang -fsanitize=address=libclang-rt-dev
 NEED_SYSTEMS := debootstrap=debootstrap /usr/share/keyrings/debian-archive-keyring.gpg=debian-archive-keyring git=git \
 	unshare=util-linux
+NEED_WHEEL := $(PYTHON)=python3 patchelf=patchelf readelf=binutils
+# patchelf and pip for the wheel that tests install.
+NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy /usr/share/doc/python3-venv=python3-venv
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels curl=curl
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
@@ -149,13 +156,25 @@ gallery: ## a picture of each feature beside its scene: build/gallery/index.html
 test: ## installs what tests need and runs every test
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@CC="$(CC)" DATA="$(DATA)" tests/run.sh $(BUILD) unit fuzz make server clients reference models mutants
+	@CC="$(CC)" PYTHON="$(PYTHON)" DATA="$(DATA)" tests/run.sh $(BUILD) unit fuzz make server clients python reference models mutants
 
 .PHONY: test-quick
 test-quick: ## unit and property tests, the server, and a short reference run
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@DATA="$(DATA)" REFERENCE_TRIANGLES=20000 REFERENCE_LINES=20000 tests/run.sh $(BUILD) unit fuzz make server clients reference
+	@PYTHON="$(PYTHON)" DATA="$(DATA)" REFERENCE_TRIANGLES=20000 REFERENCE_LINES=20000 tests/run.sh $(BUILD) unit fuzz make server clients python reference
+
+.PHONY: wheel
+wheel: ## the Python package with its libraries: build/wheel/zraster-*.whl
+	@.ci/need $(NEED_BUILD) $(NEED_WHEEL)
+	@$(MAKE) -s -j$(JOBS) library
+	@$(PYTHON) clients/python/wheel.py $(BUILD) $(library_version)
+
+.PHONY: test-python
+test-python: ## the Python package and its notebook; PYTHON_RENDERS=10000: memory after as many rounds
+	@.ci/need $(NEED_BUILD) $(NEED_PYTHON)
+	@$(MAKE) -s -j$(JOBS) library $(BUILD)/zrasterd
+	@PYTHON="$(PYTHON)" PYTHON_RENDERS="$(or $(PYTHON_RENDERS),300)" DATA="$(DATA)" tests/run.sh $(BUILD) python
 
 .PHONY: reference
 reference: ## the long comparison with Mesa, and build/reference/report.html about it; REFERENCE=egl: without OSMesa

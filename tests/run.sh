@@ -124,6 +124,12 @@ for part in "$@"; do
         run gallery tests/clients/test_gallery.sh "$build"
         run readme tests/clients/test_readme.sh "$build"
         ;;
+    python)
+        python=${PYTHON:-/usr/bin/python3}
+        for test in tests/python/test_*.py; do
+            ZRASTER_DATA=$data run "python-$(basename "$test" .py)" "$python" tests/python/run.py "$build" "$test"
+        done
+        ;;
     reference)
         triangles=${REFERENCE_TRIANGLES:-210000}
         verify reference "$programs/zraster-verify" --triangles "$triangles" --floats 300

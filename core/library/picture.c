@@ -93,6 +93,11 @@ int zraster_picture_channel(const zraster_picture *picture, const char *channel,
     return 1;
 }
 
+int zraster_picture_has_alpha(const zraster_picture *picture)
+{
+    return picture->remains->scene.background.w < 1.0f;
+}
+
 const char *zraster_picture_look(const zraster_picture *picture)
 {
     return picture->look;

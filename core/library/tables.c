@@ -1,9 +1,10 @@
-/* tables.c - library: parameters, looks, channels, formats and limits as JSON, for programs that offer them as options.
- */
+/* tables.c - library: parameters, keys of scenes, looks, channels, formats and limits as JSON, for programs that offer
+ * them as options. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "input/formats.h"
+#include "input/json_objects.h"
 #include "input/outputs.h"
 #include "library/renderer.h"
 #include "output/json_print.h"
@@ -32,6 +33,20 @@ static void print_parameters(struct zr_print *print)
         zr_print_string(print, "bodies", parameters[i].bodies);
         zr_print_string(print, "value", parameters[i].value);
         zr_print_string(print, "help", parameters[i].help);
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, ']');
+}
+
+static void print_keys(struct zr_print *print)
+{
+    const struct zr_json_object *scene = &zr_json_object_scene;
+    zr_print_begin(print, "keys", '[');
+    for (size_t i = 0; i < scene->count; i++) {
+        if (!scene->fields[i].read) continue;
+        zr_print_begin(print, NULL, '{');
+        zr_print_string(print, "name", scene->fields[i].key);
+        zr_print_string(print, "help", scene->fields[i].text);
         zr_print_end(print, '}');
     }
     zr_print_end(print, ']');
@@ -96,6 +111,7 @@ static char *make(const zraster *renderer)
     struct zr_print print = {.out = &out};
     zr_print_begin(&print, NULL, '{');
     print_parameters(&print);
+    print_keys(&print);
     print_looks(&print);
     print_channels(&print);
     print_formats(&print);

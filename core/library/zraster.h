@@ -185,6 +185,9 @@ ZRASTER_API zraster_status zraster_picture_encode(zraster_picture *picture, cons
  * the top. Returns 1, or 0 if no output has the channel or it has no pixels. */
 ZRASTER_API int zraster_picture_channel(const zraster_picture *picture, const char *channel,
                                         struct zraster_array *array);
+
+/* Returns 1 if the file of the colours has alpha, since the background is not opaque; else 0. */
+ZRASTER_API int zraster_picture_has_alpha(const zraster_picture *picture);
 ZRASTER_API const char *zraster_picture_look(const zraster_picture *picture); /* "studio@1" */
 
 /* Returns a warning of reading and drawing, and, once the picture is encoded, of encoding; NULL behind the last. */
@@ -197,8 +200,8 @@ ZRASTER_API void zraster_picture_free(zraster_picture *picture);
 ZRASTER_API const char *zraster_version(void); /* of the library that runs; ZRASTER_VERSION is the header's */
 ZRASTER_API uint32_t zraster_rules(void);      /* rises when the same scene gets other pixels */
 
-/* Returns JSON with the parameters of queries, looks, channels, formats and limits, for help and bindings. The text is
- * the renderer's. NULL without memory. */
+/* Returns JSON with the parameters of queries, keys of scenes, looks, channels, formats and limits, for help and
+ * bindings. The text is the renderer's. NULL without memory. */
 ZRASTER_API const char *zraster_tables(zraster *renderer);
 
 #ifdef __cplusplus

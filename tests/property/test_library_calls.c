@@ -58,6 +58,20 @@ static bool is_same(struct zraster_bytes a, struct zraster_bytes b)
 
 /* ---- pictures ---- */
 
+static void alpha_is_that_of_the_background(void **state)
+{
+    (void)state;
+    static const char *const backgrounds[] = {"\"#ffffff80\"", "\"#fff\""};
+    for (int i = 0; i < 2; i++) {
+        char scene[200];
+        snprintf(scene, sizeof scene, "{\"background\": %s, \"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}]}",
+                 backgrounds[i]);
+        zraster_picture *picture = draw(renderer, scene);
+        assert_int_equal(zraster_picture_has_alpha(picture), i == 0);
+        zraster_picture_free(picture);
+    }
+}
+
 static void channels_lie_in_the_picture(void **state)
 {
     (void)state;
@@ -143,6 +157,9 @@ static void tables_list_all_parameters_and_looks(void **state)
     assert_non_null(all);
     assert_ptr_equal(zraster_tables(renderer), tables);
     assert_true(cJSON_GetArraySize(cJSON_GetObjectItem(all, "parameters")) > 40);
+    assert_true(cJSON_GetArraySize(cJSON_GetObjectItem(all, "keys")) >= 28);
+    assert_non_null(strstr(tables, "{\"name\":\"lights\",\"help\":\"list of lights\"}"));
+    assert_null(strstr(tables, "turntable")); /* reserved */
     assert_true(cJSON_GetArraySize(cJSON_GetObjectItem(all, "channels")) >= 15);
     assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(all, "formats")), 3);
     assert_non_null(strstr(tables, "\"looks\":["));
@@ -429,6 +446,7 @@ static int close_renderer(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(alpha_is_that_of_the_background),
         cmocka_unit_test(channels_lie_in_the_picture),
         cmocka_unit_test(a_picture_holds_its_channels_and_not_its_drawing),
         cmocka_unit_test(scene_and_renderer_may_be_freed_before_their_pictures),

@@ -1,0 +1,86 @@
+"""zraster renders 3D scenes and meshes to pictures, depth, normals and ids, within this process, without a GPU or a display.
+
+>>> import zraster
+>>> zraster.render("part.stl", look="technical", size=(800, 600)).save("part.png")
+>>> picture = zraster.render(scene, ["color", "depth"])  # scene: a dict as in server/api/v1.md, arrays for lists
+>>> picture["depth"]  # (h, w) float32, scene units
+"""
+from __future__ import annotations
+
+from typing import Any, Mapping, Optional
+
+from . import _server
+from ._errors import (
+    Cancelled,
+    Error,
+    Fault,
+    InternalError,
+    MemoryLimitError,
+    OptionError,
+    SceneError,
+    ServerError,
+    Warning,
+)
+from ._library import library as _library
+from ._options import Channels as _Channels
+from ._options import options
+from ._picture import Picture
+from ._renderer import Cancel, Renderer, shared
+from ._request import make as _make
+from ._scene import Scene
+
+__all__ = [
+    "Cancel", "Cancelled", "Error", "Fault", "InternalError", "MemoryLimitError", "OptionError", "Picture", "Renderer",
+    "Scene", "SceneError", "ServerError", "Warning", "options", "render", "rules",
+]  # fmt: skip
+
+__version__: str = _library.version().decode()
+
+
+def rules() -> int:
+    """Returns the number of the drawing rules, which rises when the same scene gets other pixels."""
+    return int(_library.rules())
+
+
+def render(
+    source: Any,
+    channels: Optional[_Channels] = None,
+    *,
+    size: Any = None,
+    view: Any = None,
+    parts: Optional[Mapping[str, Any]] = None,
+    renderer: Optional[Renderer] = None,
+    cancel: Optional[Cancel] = None,
+    server: Optional[str] = None,
+    **options: Any,
+) -> Picture:
+    """Draws a file, bytes, a scene or a mesh.
+
+    source: a path (STL, OBJ, JSON); the bytes of such a file; a dict as in the scene format, where arrays may stand for
+        lists; or an object with `vertices` (n, 3) and `faces` (m, 3), such as those of trimesh and Open3D
+    channels: "depth", or a list such as ["color", "depth", {"channel": "normals", "space": "world"}]; default: color,
+        or the outputs of the scene
+    size: (width, height) in pixels, or one number for both; default: (640, 480), or the scene's window
+    view: a dict as in the scene format, a preset such as "front", or a 4x4 matrix from camera to world
+    parts: bytes or arrays by name, to which a scene refers by {"asset": name}
+    renderer: threads and limits of its own; default: one renderer that the process shares
+    cancel: a flag that ends the call
+    server: "http://host:port" of a daemon that draws instead, with the same bytes. ZRASTER_TOKEN is its token
+    options: parameters and keys of scenes in snake_case, such as look="technical", samples=16; options() lists all.
+        They replace keys of a scene. Those of the camera (preset, azimuth, padding, ...) make a view, which for scenes
+        and objects is orthographic unless it says otherwise
+
+    Raises SceneError (.pointer, .faults), OptionError, MemoryLimitError, Cancelled, ServerError, and OSError for files.
+    Issues zraster.Warning at the caller's line for each problem that does not stop the render.
+
+    >>> zraster.render("part.stl", look="clay").save("part.png")
+    """
+    request = _make(source, channels, size, parts, {**options, "view": view})
+    if server is not None:
+        if cancel is not None:
+            raise OptionError("cancel: a server's call cannot be cancelled")
+        picture = _server.render(server, request, request.query, request.keys)
+    else:
+        picture = request.draw(renderer or shared(), cancel)
+    picture._warn(3)
+    return picture

@@ -1,0 +1,133 @@
+"""Arrays of numpy, and of others that numpy can read, as parts of a request. numpy is imported once an array is seen."""
+from __future__ import annotations
+
+import json
+from ctypes import c_char_p, c_void_p, cast, sizeof
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
+
+from . import _library as c
+from ._errors import SceneError
+
+INLINE_MAX = 64  # numbers of an array that is written as a list: matrices, vectors, colours
+PARTS_MAY_BE_ARRAYS = False  # until the library takes arrays of numbers: they are written as lists
+_CONVERTED = {"f2": "f4", "f16": "f8", "i1": "i4", "i2": "i4", "u2": "u4", "b1": "u1"}
+
+
+def is_array(value: Any) -> bool:
+    return hasattr(value, "__array_interface__") or hasattr(value, "__array__")
+
+
+def as_numbers(value: Any) -> Any:
+    """Returns an array in C order and native byte order, of one of the library's types, without a copy if it has them."""
+    import numpy
+
+    array = numpy.asarray(value)
+    name = f"{array.dtype.kind}{array.dtype.itemsize}"
+    name = _CONVERTED.get(name, name)
+    if name not in c.NUMBERS:
+        raise SceneError(f"arrays of the type {array.dtype} are no numbers")
+    return numpy.ascontiguousarray(array, dtype="=" + name)
+
+
+class Parts:
+    """Parts of a request by name: files as bytes, numbers as arrays."""
+
+    def __init__(self, named: Optional[Mapping[str, Any]] = None) -> None:
+        self.named: Dict[str, Any] = {}
+        for name, value in (named or {}).items():
+            self.named[name] = as_numbers(value) if is_array(value) else bytes(value)
+
+    def put(self, value: Any) -> Union[List[Any], Dict[str, str], float]:
+        """Returns the JSON value that stands for an array: a short list, or the name of a new part."""
+        array = as_numbers(value)
+        is_small = array.size <= INLINE_MAX and array.dtype.name != "uint8"
+        if array.ndim == 0 or is_small or not PARTS_MAY_BE_ARRAYS:
+            return (array / 255 if array.dtype.name == "uint8" else array).tolist()
+        name = f"array{len(self.named)}"
+        self.named[name] = array
+        return {"asset": name}
+
+    def own(self) -> None:
+        """Copies arrays that the caller may change."""
+        for name, value in self.named.items():
+            if is_array(value):
+                self.named[name] = value.copy()
+
+    def __bool__(self) -> bool:
+        return bool(self.named)
+
+    def fill(self, request: c.Request) -> Any:
+        """Puts the parts into a request. Returns what must live as long as the call."""
+        parts = (c.Part * len(self.named))()
+        kept = [parts]
+        for part, (name, value) in zip(parts, self.named.items()):
+            part.name = name.encode()
+            array = part.array
+            if isinstance(value, bytes):
+                array.data, array.type, array.ndim = cast(c_char_p(value), c_void_p), c.BYTES, 1
+                array.shape[0] = len(value)
+            else:
+                array.data = value.__array_interface__["data"][0]
+                array.type, array.ndim = c.NUMBERS.index(f"{value.dtype.kind}{value.dtype.itemsize}"), value.ndim
+                array.shape[: value.ndim] = value.shape
+            kept.append(value)
+        request.parts, request.part_count = parts, len(parts)
+        return kept
+
+    def files(self) -> Dict[str, bytes]:
+        """Returns the parts as files, for a server: arrays as NPY."""
+        return {name: value if isinstance(value, bytes) else npy(value) for name, value in self.named.items()}
+
+
+def npy(array: Any) -> bytes:
+    """Returns an array as the bytes of an NPY file."""
+    import io
+
+    import numpy
+
+    file = io.BytesIO()
+    numpy.lib.format.write_array(file, array, version=(1, 0), allow_pickle=False)
+    return file.getvalue()
+
+
+def dump(scene: Any, parts: Parts) -> bytes:
+    """Returns a scene as JSON. Its arrays become parts."""
+
+    def convert(value: Any) -> Any:
+        if is_array(value):
+            return parts.put(value)
+        if isinstance(value, Mapping):
+            return dict(value)
+        if hasattr(value, "__iter__"):
+            return list(value)
+        raise SceneError(f"{type(value).__name__} is no value of a scene")
+
+    try:
+        return json.dumps(scene, default=convert, allow_nan=False, separators=(",", ":")).encode()
+    except ValueError as error:
+        if isinstance(error, SceneError):
+            raise
+        found = _find_nan(scene, "")
+        if not found:
+            raise SceneError(str(error)) from None
+        pointer, value = found
+        detail = f"a finite number expected, got {value}"
+        raise SceneError(f"{pointer}: {detail}", [(pointer, detail)]) from None
+
+
+def _find_nan(value: Any, pointer: str) -> Optional[Tuple[str, float]]:
+    """Returns the JSON Pointer and value of the first number that JSON cannot hold."""
+    if isinstance(value, float):
+        return None if value - value == 0 else (pointer, value)
+    items: Any = ()
+    if isinstance(value, Mapping):
+        items = ((str(key).replace("~", "~0").replace("/", "~1"), item) for key, item in value.items())
+    elif is_array(value):
+        items = enumerate(as_numbers(value).tolist() if getattr(value, "ndim", 1) else ())
+    elif isinstance(value, (list, tuple)):
+        items = enumerate(value)
+    for key, item in items:
+        found = _find_nan(item, f"{pointer}/{key}")
+        if found:
+            return found
+    return None

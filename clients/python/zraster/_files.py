@@ -1,0 +1,102 @@
+"""Answers as files: read from a ZIP, and decoded to arrays without the renderer. Pictures of servers and pickled ones are files."""
+from __future__ import annotations
+
+import io
+import struct
+import zipfile
+import zlib
+from typing import Any, Dict, Mapping
+
+from ._errors import OptionError
+
+PNG = b"\x89PNG\r\n\x1a\n"
+SUFFIXES = {"image/png": ".png", "application/zip": ".zip", "application/json": ".json", "application/x-npy": ".npy"}
+
+
+def unzip(data: bytes) -> Dict[str, bytes]:
+    """Returns the files of a ZIP by channel: "depth" for depth.npy."""
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        return {name.rsplit(".", 1)[0]: archive.read(name) for name in archive.namelist()}
+
+
+def decode(channel: str, data: bytes) -> Any:
+    """Returns the array of an NPY file or of a PNG with 8 bits per channel."""
+    import numpy
+
+    if data[:6] == b"\x93NUMPY":
+        return numpy.lib.format.read_array(io.BytesIO(data), allow_pickle=False)
+    if data[:8] == PNG:
+        return _decode_png(channel, data)
+    raise OptionError(f"{channel} has no pixels")
+
+
+def _chunks(data: bytes) -> Mapping[bytes, bytes]:
+    found: Dict[bytes, bytes] = {}
+    at = len(PNG)
+    while at < len(data):
+        size, kind = struct.unpack_from(">I4s", data, at)
+        found[kind] = found.get(kind, b"") + data[at + 8 : at + 8 + size]
+        at += size + 12
+    return found
+
+
+def _unfilter(rows: Any, step: int) -> Any:
+    """Undoes the filters of PNG rows: (h, 1 + bytes) u1. step: bytes per pixel."""
+    import numpy
+
+    kinds, rows = rows[:, 0], rows[:, 1:].copy()
+    above = numpy.zeros(rows.shape[1], "u1")
+    for kind, row in zip(kinds, rows):
+        if kind == 1:
+            pixels = row.reshape(-1, step)
+            numpy.cumsum(pixels, axis=0, dtype="u1", out=pixels)
+        elif kind == 2:
+            row += above
+        elif kind > 2:
+            _unfilter_slowly(kind, row, above, step)
+        above = row
+    return rows
+
+
+def _unfilter_slowly(kind: int, row: Any, above: Any, step: int) -> None:
+    line, upper = row.tolist(), above.tolist()
+    for i, value in enumerate(line):
+        a, b, c = (line[i - step], upper[i], upper[i - step]) if i >= step else (0, upper[i], 0)
+        if kind == 3:
+            guess = (a + b) // 2
+        else:
+            p = a + b - c
+            guess = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+        line[i] = (value + guess) & 255
+    row[:] = line
+
+
+def _decode_png(channel: str, data: bytes) -> Any:
+    """Returns (h, w, 3) or (h, w, 4) u1 of an RGB, RGBA or palette PNG, which is not interlaced."""
+    import numpy
+
+    chunks = _chunks(data)
+    width, height, depth, kind = struct.unpack_from(">IIBB", chunks[b"IHDR"])
+    if depth > 8:
+        raise OptionError(f"{channel} is a PNG of {depth} bits: ask for the encoding npy to get its numbers")
+    samples = {2: 3, 3: 1, 6: 4}[kind]
+    packed = numpy.frombuffer(zlib.decompress(chunks[b"IDAT"]), "u1").reshape(height, -1)
+    rows = _unfilter(packed, max(1, samples * depth // 8))
+    if kind != 3:
+        return rows.reshape(height, width, samples)
+    bits = numpy.unpackbits(rows, axis=1)[:, : width * depth].reshape(height, width, depth)
+    indices = (bits << numpy.arange(depth - 1, -1, -1, dtype="u1")).sum(axis=2, dtype="u1")
+    palette = numpy.frombuffer(chunks[b"PLTE"], "u1").reshape(-1, 3)
+    if b"tRNS" in chunks:
+        alpha = numpy.full((len(palette), 1), 255, "u1")
+        alpha[: len(chunks[b"tRNS"]), 0] = numpy.frombuffer(chunks[b"tRNS"], "u1")
+        palette = numpy.hstack([palette, alpha])
+    return palette[indices]
+
+
+def zip_files(files: Mapping[str, bytes]) -> bytes:
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w") as archive:
+        for name, data in files.items():
+            archive.writestr(name, data)
+    return file.getvalue()

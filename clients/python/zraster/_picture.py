@@ -1,0 +1,263 @@
+"""Pictures: drawn in this process, or files of a server."""
+from __future__ import annotations
+
+import json
+import os
+import threading
+import warnings
+from collections.abc import Mapping as AbstractMapping
+from ctypes import byref, c_void_p, string_at
+from typing import Any, Dict, Iterator, List, Optional, Tuple
+
+from . import _library as c
+from ._errors import OptionError, Warning, raise_status
+from ._files import SUFFIXES, decode, unzip, zip_files
+from ._renderer import shared
+
+
+class _Lent:
+    """Memory of a picture, which it keeps, for numpy."""
+
+    def __init__(self, handle: c.Handle, array: c.Array) -> None:
+        self.handle = handle
+        self.__array_interface__ = {
+            "data": (array.data, True),
+            "typestr": "<" + c.NUMBERS[array.type],
+            "shape": tuple(array.shape[: array.ndim]),
+            "version": 3,
+        }
+
+
+class Drawn:
+    """A picture of the library."""
+
+    def __init__(self, handle: c.Handle) -> None:
+        self.handle = handle
+        self.lock = threading.Lock()  # encoding belongs to one thread at a time
+
+    def encode(self, channel: Optional[str]) -> Optional[Tuple[bytes, str]]:
+        """Returns the file of a channel, or the answer, and its type; None without such a channel."""
+        data, error = c.Bytes(), c_void_p()
+        with self.lock:
+            name = channel.encode() if channel is not None else None
+            status = c.library.picture_encode(self.handle.pointer, name, byref(data), byref(error))
+        if status == c.BAD_REQUEST and channel is not None:
+            c.library.error_free(error)
+            return None
+        if status != c.OK:
+            raise_status(status, error)
+        return string_at(data.data, data.size), data.type.decode()
+
+    def array(self, channel: str) -> Any:
+        """Returns a read-only array where the picture lies; None without such a channel."""
+        found = c.Array()
+        if not c.library.picture_channel(self.handle.pointer, channel.encode(), byref(found)):
+            return None
+        import numpy
+
+        array = numpy.asarray(_Lent(self.handle, found))
+        is_rgb = channel == "color" and not c.library.picture_has_alpha(self.handle.pointer)
+        return array[:, :, :3] if is_rgb else array
+
+    def channels(self) -> List[str]:
+        found = c.Array()
+
+        def is_there(row: Dict[str, Any]) -> bool:
+            if "json" in row["encodings"]:
+                return self.encode(row["name"]) is not None
+            return bool(c.library.picture_channel(self.handle.pointer, row["name"].encode(), byref(found)))
+
+        return [row["name"] for row in shared().tables["channels"] if is_there(row)]
+
+    @property
+    def look(self) -> str:
+        return str(c.library.picture_look(self.handle.pointer).decode())
+
+    @property
+    def warnings(self) -> List[str]:
+        texts: List[str] = []
+        while True:
+            text = c.library.picture_warning(self.handle.pointer, len(texts))
+            if text is None:
+                return texts
+            texts.append(text.decode())
+
+
+class Files:
+    """A picture as files by channel."""
+
+    def __init__(self, answer: Tuple[bytes, str], files: Dict[str, bytes], look: str, warnings: List[str]) -> None:
+        self.answer, self.files, self.look, self.warnings = answer, files, look, warnings
+
+    def encode(self, channel: Optional[str]) -> Optional[Tuple[bytes, str]]:
+        if channel is None:
+            return self.answer
+        name = channel.rsplit(".", 1)[0]
+        if name not in self.files:
+            return None
+        data = self.files[name]
+        signatures = {b"\x89PNG": "image/png", b"\x93NUM": "application/x-npy"}
+        return data, signatures.get(data[:4], "application/json")
+
+    def array(self, channel: str) -> Any:
+        return decode(channel, self.files[channel]) if channel in self.files else None
+
+    def channels(self) -> List[str]:
+        return list(self.files)
+
+
+def _unpickle(answer: Tuple[bytes, str], files: Dict[str, bytes], look: str, warnings: List[str]) -> "Picture":
+    return Picture(Files(answer, files, look, warnings))
+
+
+class Picture(AbstractMapping):  # type: ignore[type-arg]
+    """A picture: a mapping of channels to arrays, and a file for each of them. Row 0 is the top.
+
+    picture["color"]: (h, w, 3) uint8; (h, w, 4) if the background is not opaque. Values are sRGB
+    picture["depth"]: (h, w) float32, distance along the view axis in scene units; inf where nothing is
+    picture["distance"]: (h, w) float32, length of the ray from the eye in scene units; inf where nothing is
+    picture["normals"], picture["position"]: (h, w, 3) float32; 0 where nothing is
+    picture["instanceId"], picture["faceId"]: (h, w) uint32, counted from 1; 0 where nothing is
+    picture["info"], picture["fragments"]: dicts
+    dict(picture) has all of them. Arrays are copies; view() returns one without a copy.
+    """
+
+    def __init__(self, made: Any) -> None:
+        self._made = made
+        self._told = 0  # warnings issued so far
+
+    # ---- files ----
+
+    def _encode(self, channel: Optional[str]) -> Tuple[bytes, str]:
+        found = self._made.encode(channel)
+        if found is None:
+            raise self._missing(str(channel))
+        self._warn(4)
+        return found  # type: ignore[no-any-return]
+
+    @property
+    def content(self) -> bytes:
+        """The answer of POST /v1/render: the file of the only channel, or a ZIP of all."""
+        return self._encode(None)[0]
+
+    @property
+    def content_type(self) -> str:
+        """The media type of `content`, such as "image/png"."""
+        return self._encode(None)[1]
+
+    @property
+    def png(self) -> bytes:
+        """The only file if it is a PNG, else the PNG of color."""
+        data, type_ = self._encode(None)
+        return data if type_ == "image/png" else self._encode("color")[0]
+
+    def file(self, channel: str) -> bytes:
+        """Returns the file of a channel: PNG, NPY or JSON."""
+        return self._encode(channel)[0]
+
+    def save(self, path: Any) -> None:
+        """Writes a file. The ending selects it: .png, .npy or .json, or .zip for several channels; without an ending,
+        that of `content`."""
+        suffix = os.path.splitext(os.fspath(path))[1].lower()
+        choices = [self._encode(None)] + [self._encode(channel) for channel in self._made.channels()]
+        fitting = [data for data, type_ in choices if suffix in ("", SUFFIXES.get(type_))]
+        if not fitting:
+            there = ", ".join(sorted({SUFFIXES.get(type_, type_) for _, type_ in choices}))
+            raise OptionError(f"{os.fspath(path)}: the picture has no file for this ending, but {there}")
+        with open(path, "wb") as file:
+            file.write(fitting[0])
+
+    def _repr_png_(self) -> Optional[bytes]:
+        return self.png if "color" in self or self.content_type == "image/png" else None
+
+    # ---- arrays ----
+
+    def _missing(self, channel: str) -> KeyError:
+        there = ", ".join(self._made.channels())
+        return KeyError(f"{channel}: the picture has {there}; ask for others by channels=[...]")
+
+    def view(self, channel: str) -> Any:
+        """Returns a channel as an array without a copy: read-only, and valid as long as the array is."""
+        array = self._made.array(channel)
+        if array is None:
+            raise self._missing(channel)
+        return array
+
+    def __getitem__(self, channel: str) -> Any:
+        array = self._made.array(channel) if channel not in ("info", "fragments") else None
+        if array is not None:
+            return array.copy()
+        data, type_ = self._encode(channel)
+        if type_ != "application/json":
+            raise self._missing(channel)
+        return json.loads(data)
+
+    @property
+    def array(self) -> Any:
+        """color, else the only channel, as an array."""
+        channels = self._made.channels()
+        return self["color" if "color" in channels or len(channels) != 1 else channels[0]]
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> Any:
+        return self.array if dtype is None else self.array.astype(dtype)
+
+    @property
+    def info(self) -> Dict[str, Any]:
+        """Camera, bounds, counts and warnings; needs the channel info."""
+        return self["info"]  # type: ignore[no-any-return]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._made.channels())
+
+    def __len__(self) -> int:
+        return len(self._made.channels())
+
+    def __contains__(self, channel: object) -> bool:
+        return channel in self._made.channels()
+
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
+
+    # ---- facts ----
+
+    @property
+    def look(self) -> str:
+        """The look and its version, such as "studio@1"."""
+        return str(self._made.look)
+
+    @property
+    def warnings(self) -> List[str]:
+        """Texts of all warnings."""
+        return list(self._made.warnings)
+
+    def _warn(self, level: int) -> None:
+        """Issues warnings that are new. level: 2 is the function that calls this one, 3 its caller."""
+        texts = self._made.warnings
+        for text in texts[self._told :]:
+            warnings.warn(text, Warning, stacklevel=level)
+        self._told = len(texts)
+
+    def __repr__(self) -> str:
+        return f"<zraster.Picture {', '.join(self)} in {self.look}>"
+
+    def __reduce__(self):  # type: ignore[no-untyped-def]
+        files = {channel: self.file(channel) for channel in self}
+        return _unpickle, (self._encode(None), files, self.look, self.warnings)
+
+
+def from_answer(data: bytes, type_: str, channel: str, look: str, warnings: List[str]) -> Picture:
+    """Makes a picture of an answer of POST /v1/render. channel: the only one, unless the answer is a ZIP."""
+    files = unzip(data) if type_ == "application/zip" else {channel: data}
+    return Picture(Files((data, type_), files, look, warnings))
+
+
+def joined(pictures: List[Picture]) -> Picture:
+    """Joins pictures of one channel each."""
+    files: Dict[str, Tuple[bytes, str]] = {}
+    for picture in pictures:
+        files.update({channel: picture._encode(channel) for channel in picture})
+    names = {channel: channel + SUFFIXES[type_] for channel, (_, type_) in files.items()}
+    archive = zip_files({names[channel]: data for channel, (data, _) in files.items()})
+    warnings = list(dict.fromkeys(text for picture in pictures for text in picture.warnings))
+    only = {channel: data for channel, (data, _) in files.items()}
+    return Picture(Files((archive, "application/zip"), only, pictures[0].look, warnings))

@@ -1,0 +1,93 @@
+"""Renderers and cancels."""
+from __future__ import annotations
+
+import json
+import os
+from ctypes import byref, c_void_p, sizeof
+from typing import Any, Dict, Optional
+
+from . import _library as c
+from ._errors import MemoryLimitError, raise_status
+
+
+class Cancel:
+    """A flag that stops calls: pass it to `render`, and call `cancel()` in any thread. Calls under way then raise
+    Cancelled, usually within 10 ms, and later calls at once."""
+
+    def __init__(self) -> None:
+        pointer = c.library.cancel_new()
+        if not pointer:
+            raise MemoryLimitError("the system has no memory for a cancel")
+        self._handle = c.Handle(pointer, c.library.cancel_free)
+
+    def cancel(self) -> None:
+        c.library.cancel_raise(self._handle.pointer)
+
+
+class Renderer:
+    """Threads, limits, and memory kept for the next call. Any number of threads may use one at once.
+
+    threads: number of threads that share the work of a call; 0: one per processor
+    memory_max: bytes that a scene, a picture and the drawing of one may hold, each; 0: 1 GiB
+    memory_keep: bytes kept for the next calls; 0: 64 MiB
+    Limits, as in GET /v1/limits; 0: the default: window_side_max (pixels), window_pixels_max, image_pixels_max,
+    instances_max
+    """
+
+    def __init__(
+        self,
+        threads: int = 0,
+        memory_max: int = 0,
+        memory_keep: int = 0,
+        *,
+        window_side_max: int = 0,
+        window_pixels_max: int = 0,
+        image_pixels_max: int = 0,
+        instances_max: int = 0,
+    ) -> None:
+        self._options: Dict[str, int] = {
+            "threads": threads,
+            "memory_max": memory_max,
+            "memory_keep": memory_keep,
+            "window_side_max": window_side_max,
+            "window_pixels_max": window_pixels_max,
+            "image_pixels_max": image_pixels_max,
+            "instances_max": instances_max,
+        }
+        options = c.Options(struct_size=sizeof(c.Options), **self._options)
+        pointer = c_void_p()
+        status = c.library.open(byref(options), byref(pointer))
+        if status != c.OK or not pointer.value:
+            raise_status(status, c_void_p())
+        self._handle = c.Handle(pointer.value, c.library.close)
+        self._tables: Optional[Dict[str, Any]] = None
+
+    def trim(self) -> None:
+        """Returns kept memory to the system."""
+        c.library.trim(self._handle.pointer)
+
+    @property
+    def tables(self) -> Dict[str, Any]:
+        """Parameters, keys of scenes, looks, channels, formats and limits, as lists and dicts."""
+        if self._tables is None:
+            text = c.library.tables(self._handle.pointer)
+            if not text:
+                raise MemoryLimitError("the system has no memory for the tables")
+            self._tables = json.loads(text)
+        return self._tables
+
+    def __reduce__(self):  # type: ignore[no-untyped-def]
+        return _open, (self._options,)
+
+
+def _open(options: Dict[str, int]) -> Renderer:
+    return Renderer(**options)
+
+
+_shared: Dict[int, Renderer] = {}
+
+
+def shared() -> Renderer:
+    """Returns the process's renderer, made at the first call. A child process gets one of its own."""
+    process = os.getpid()
+    return _shared.get(process) or _shared.setdefault(process, Renderer())

@@ -1,0 +1,119 @@
+"""Scenes that are read once and drawn many times."""
+from __future__ import annotations
+
+from typing import Any, Dict, Mapping, Optional, Tuple
+
+from . import _library as c
+from . import _options, _server
+from ._errors import OptionError
+from ._picture import Picture
+from ._renderer import Cancel, Renderer, shared
+from ._request import Request, draw_change, make, view_of
+
+
+class Scene:
+    """A scene that is read once and drawn many times, with other views, poses and looks.
+
+    source, size, view, parts, renderer, server, options: as for `render`; they apply to each picture that does not
+    give its own. Arrays are copied: later changes of theirs have no effect. Any number of threads may draw a scene at
+    once. It works in a child process after fork. Pickled, it is read again.
+
+    >>> scene = zraster.Scene({"meshes": [{"name": "arm", "positions": positions, "faces": faces}], "nodes": [...]})
+    >>> for matrix in matrices:
+    ...     depth = scene.render("depth", poses={"arm": matrix})["depth"]
+    """
+
+    def __init__(
+        self,
+        source: Any,
+        *,
+        size: Any = None,
+        view: Any = None,
+        parts: Optional[Mapping[str, Any]] = None,
+        renderer: Optional[Renderer] = None,
+        server: Optional[str] = None,
+        **options: Any,
+    ) -> None:
+        request = make(source, None, size, parts, {**options, "view": view})
+        request.parts.own()
+        self._state: Tuple[Request, Optional[Renderer], Optional[str]] = (request, renderer, server)
+        self._handle: Optional[c.Handle] = None
+        self._read()
+
+    def _read(self) -> None:
+        request, renderer, server = self._state
+        if server is None:
+            self._handle = request.read_scene(renderer or shared())
+
+    def render(
+        self,
+        channels: Optional[_options.Channels] = None,
+        *,
+        size: Any = None,
+        view: Any = None,
+        poses: Optional[Mapping[str, Any]] = None,
+        out: Optional[Dict[str, Any]] = None,
+        cancel: Optional[Cancel] = None,
+        **options: Any,
+    ) -> Any:
+        """Draws the scene with other keys; meshes are not read again.
+
+        channels: such as ["color", "depth", "instanceId"]; else those of the scene
+        size, view: as for `render`
+        poses: 4x4 matrices of nodes by name, which replace those of the scene
+        out: dict of arrays by channel, which are filled and returned instead of a Picture. Their shapes and types are
+            those of `view`; without `channels`, their names are the channels
+        options: each key of the scene, in snake_case, replaces the scene's own
+        Returns a Picture, or `out`. Raises and warns as `render` does.
+        """
+        if out is not None and channels is None:
+            channels = list(out)
+        picture = self._draw(channels, size, poses, cancel, {**options, "view": view_of(view)})
+        picture._warn(3)
+        return picture if out is None else _fill(out, picture)
+
+    def _draw(self, channels: Any, size: Any, poses: Any, cancel: Any, options: Dict[str, Any]) -> Picture:
+        request, _, server = self._state
+        handle = self._handle  # close() in another thread then frees it after this call
+        if handle is None and server is None:
+            raise OptionError("the scene is closed")
+        query, keys = _options.split(options, channels, size, request.source)
+        keys = {**request.keys, **keys}
+        if poses:
+            keys["poses"] = {name: _matrix(name, matrix) for name, matrix in poses.items()}
+        if server is not None:
+            return _server.render(server, request, {**request.query, **query}, keys)
+        return draw_change(handle, keys, query, cancel)  # type: ignore[arg-type]
+
+    def close(self) -> None:
+        """Frees the scene; its pictures stay valid."""
+        self._handle = None
+
+    def __enter__(self) -> "Scene":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def __getstate__(self) -> Any:
+        return self._state
+
+    def __setstate__(self, state: Any) -> None:
+        self._state, self._handle = state, None
+        self._read()
+
+
+def _matrix(name: str, matrix: Any) -> Any:
+    rows = matrix.tolist() if hasattr(matrix, "tolist") else matrix
+    if len(rows) not in (4, 16):
+        raise OptionError(f"poses: {name}: a 4x4 matrix expected")
+    return rows
+
+
+def _fill(out: Dict[str, Any], picture: Picture) -> Dict[str, Any]:
+    for channel, array in out.items():
+        drawn = picture.view(channel)
+        if array.shape != drawn.shape or array.dtype != drawn.dtype:
+            raise OptionError(f"out: {channel} is {drawn.dtype} {drawn.shape}, not {array.dtype} {array.shape}")
+        array[...] = drawn
+    return out

@@ -1,0 +1,129 @@
+"""Calls that a server draws instead: POST /v1/render."""
+from __future__ import annotations
+
+import json
+import os
+import uuid
+from typing import Any, Dict, List, Optional, Tuple
+from urllib.error import HTTPError, URLError
+from urllib.parse import urlencode
+from urllib.request import Request as HttpRequest
+from urllib.request import urlopen
+
+from ._arrays import Parts, dump
+from ._errors import Error, MemoryLimitError, OptionError, SceneError, ServerError
+from ._picture import Picture, from_answer, joined
+from ._request import Request
+from ._renderer import shared
+
+TYPES = {400: OptionError, 422: SceneError, 415: SceneError}
+
+
+def _media_type(type_: Optional[str]) -> str:
+    for row in shared().tables["formats"]:
+        if type_ == row["suffix"]:
+            return str(row["types"].split()[0])
+    return type_ or "application/octet-stream"
+
+
+def _multipart(body: bytes, type_: str, parts: Parts) -> Tuple[bytes, str]:
+    boundary = uuid.uuid4().hex
+    pieces: List[bytes] = []
+    for name, data, kind in [("scene", body, type_)] + [(n, d, "") for n, d in parts.files().items()]:
+        head = f'--{boundary}\r\nContent-Disposition: form-data; name="{name}"\r\n'
+        head += f"Content-Type: {kind}\r\n\r\n" if kind else "\r\n"
+        pieces += [head.encode(), data, b"\r\n"]
+    pieces.append(f"--{boundary}--\r\n".encode())
+    return b"".join(pieces), f"multipart/form-data; boundary={boundary}"
+
+
+def _error_of(status: int, text: bytes) -> Error:
+    try:
+        problem = json.loads(text)
+        faults = [(item.get("pointer", ""), item["detail"]) for item in problem.get("errors", ())]
+        detail = problem["detail"]
+    except (ValueError, KeyError, TypeError):
+        return ServerError(f"status {status}: {text[:200]!r}")
+    lines = [f"{pointer}: {fault}" if pointer else fault for pointer, fault in faults]
+    kind = TYPES.get(status, ServerError)
+    if status == 400 and not detail.startswith("parameter"):
+        kind = SceneError
+    return kind("\n".join(lines) or detail, faults or [("", detail)])
+
+
+def _post(server: str, body: bytes, type_: str, query: Dict[str, str]) -> Tuple[bytes, str, str, List[str]]:
+    """Returns the answer, its type, its look and its warnings."""
+    address = server if "://" in server else "http://" + server
+    url = f"{address.rstrip('/')}/v1/render" + (f"?{urlencode(query)}" if query else "")
+    headers = {"Content-Type": type_}
+    if os.environ.get("ZRASTER_TOKEN"):
+        headers["Authorization"] = "Bearer " + os.environ["ZRASTER_TOKEN"]
+    try:
+        with urlopen(HttpRequest(url, body, headers)) as answer:
+            told = answer.headers.get("Zraster-Warnings", "")
+            warnings = told.split("; ") if told else []
+            return answer.read(), answer.headers.get_content_type(), answer.headers.get("Zraster-Look", ""), warnings
+    except HTTPError as error:
+        raise _error_of(error.code, error.read()) from None
+    except (URLError, OSError) as error:
+        reason = getattr(error, "reason", error)
+        raise ServerError(f"nothing answers at {address} ({reason}); leave out server to render here") from None
+
+
+def _outputs(scene: Any, query: Dict[str, str]) -> str:
+    """Returns the channel of a scene's only output."""
+    if "channel" in query:
+        return query["channel"]
+    listed = scene.get("outputs") if isinstance(scene, dict) else None
+    return listed[0]["channel"] if listed else "color"
+
+
+def _pose(scene: Dict[str, Any], poses: Dict[str, Any]) -> None:
+    nodes = [dict(node) for node in scene.get("nodes", ())]
+    for name, matrix in poses.items():
+        named = [node for node in nodes if node.get("name") == name]
+        if not named:
+            raise SceneError(f"/poses/{name}: no node has this name", [(f"/poses/{name}", "no node has this name")])
+        for node in named:
+            for key in ("translation", "rotation", "scale"):
+                node.pop(key, None)
+            node["matrix"] = matrix
+    scene["nodes"] = nodes
+
+
+def _render_scene(server: str, request: Request, query: Dict[str, str], keys: Dict[str, Any]) -> Picture:
+    parts = Parts(request.parts.named)
+    body = request.body
+    try:
+        scene = json.loads(body)
+    except ValueError:
+        scene = None  # the server says more about it
+    if keys and not isinstance(scene, dict):
+        raise SceneError("the scene is no JSON object")
+    if keys:
+        scene.update({key: value for key, value in keys.items() if key != "poses"})
+        _pose(scene, keys.get("poses", {}))
+        body = dump(scene, parts)
+    type_ = "application/json"
+    if parts:
+        body, type_ = _multipart(body, type_, parts)
+    data, content_type, look, warnings = _post(server, body, type_, query)
+    return from_answer(data, content_type, _outputs(scene, query), look, warnings)
+
+
+def _render_mesh(server: str, request: Request, query: Dict[str, str], keys: Dict[str, Any]) -> Picture:
+    outputs = keys.pop("outputs", None)
+    if keys:
+        raise OptionError(f"{', '.join(keys)}: a server takes parameters of a mesh only; zraster.options() lists them")
+    pictures = []
+    for output in outputs or [{}]:
+        asked = {**query, **{key: str(value) for key, value in output.items()}}
+        data, type_, look, warnings = _post(server, request.body, _media_type(request.type), asked)
+        pictures.append(from_answer(data, type_, asked.get("channel", "color"), look, warnings))
+    return pictures[0] if len(pictures) == 1 else joined(pictures)
+
+
+def render(server: str, request: Request, query: Dict[str, str], keys: Dict[str, Any]) -> Picture:
+    if request.source.is_mesh:
+        return _render_mesh(server, request, query, dict(keys))
+    return _render_scene(server, request, query, keys)

@@ -1,0 +1,72 @@
+"""support.py: paths, meshes and a daemon for the tests of the Python package."""
+import os
+import re
+import struct
+import subprocess
+import unittest
+import urllib.request
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+here = os.path.dirname(os.path.abspath(__file__))
+root = os.path.normpath(os.path.join(here, "../.."))
+build = os.environ["ZRASTER_BUILD"]
+scenes = os.path.join(root, "tests/scenes")
+needs_numpy = unittest.skipUnless(numpy, "there is no numpy (python3-numpy)")
+
+LOOKS = ["studio", "technical", "clay", "dark", "metal", "outdoor", "blueprint", "xray", "textbook"]
+OBJ = b"v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n"
+SCENE = {
+    "window": {"width": 60, "height": 40},
+    "meshes": [
+        {"name": "low", "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "faces": [[0, 1, 2]]},
+        {"name": "high", "positions": [[0, 0, 1], [1, 0, 1], [1, 1, 1]], "faces": [[0, 1, 2]]},
+    ],
+    "nodes": [{"name": "a", "mesh": "low"}, {"name": "b", "mesh": "high"}],
+}
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def stl(side=8):
+    """Returns a binary STL of 2 side² triangles: a bumpy sheet."""
+    height = lambda x, y: ((x * 7 + y * 3) % 5) * 0.2
+    corners = []
+    for x in range(side):
+        for y in range(side):
+            a, b, c, d = [(i, j, height(i, j)) for i, j in ((x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1))]
+            corners += [(a, b, c), (a, c, d)]
+    body = b"".join(struct.pack("<3f9fH", 0, 0, 1, *p, *q, *r, 0) for p, q, r in corners)
+    return bytes(80) + struct.pack("<I", len(corners)) + body
+
+
+class Daemon:
+    """A daemon on a free port, while a `with` runs."""
+
+    def __enter__(self):
+        command = [os.path.join(build, "zrasterd"), "--port", "0"]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
+        return self
+
+    def post(self, body, query="", type_="application/octet-stream"):
+        request = urllib.request.Request(f"{self.address}/v1/render?{query}", body, {"Content-Type": type_})
+        with urllib.request.urlopen(request) as answer:
+            return answer.read()
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        self.process.wait()
+        self.process.stdout.close()
+
+
+def rss_kb():
+    """Returns the resident memory of this process."""
+    with open("/proc/self/status") as file:
+        return int(re.search(r"VmRSS:\s+(\d+)", file.read()).group(1))

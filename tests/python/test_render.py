@@ -1,0 +1,320 @@
+"""render, Picture, errors and warnings."""
+import json
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+
+import support
+import zraster
+from support import OBJ, SCENE, needs_numpy, numpy
+
+CASES = [
+    "fog.json", "textures-linear.json", "look-studio.json", "heights-colormap.json", "nodes-hierarchy.json",
+    "transparent-background.json", "scalars-of-vertices.json", "look-xray.json", "samples-64-lines.json",
+]  # fmt: skip
+quiet = warnings.catch_warnings
+
+
+class SameBytes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.daemon = support.Daemon().__enter__()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.daemon.__exit__()
+
+    def test_scenes(self):
+        """scenes by path, bytes and dict give the daemon's bytes"""
+        for name in CASES:
+            path = os.path.join(support.scenes, name)
+            body = support.read(path)
+            wanted = self.daemon.post(body)
+            for source in (path, body, json.loads(body)):
+                with self.subTest(name, source=type(source)), quiet():
+                    warnings.simplefilter("ignore")
+                    self.assertEqual(zraster.render(source).content, wanted)
+
+    def test_looks(self):
+        """so do meshes in every look"""
+        self.assertLessEqual(set(support.LOOKS), {pin.split("@")[0] for pin in zraster.Renderer().tables["looks"]})
+        for body in (OBJ, support.stl()):
+            for look in support.LOOKS:
+                with self.subTest(look):
+                    wanted = self.daemon.post(body, f"look={look}&width=90&height=70")
+                    self.assertEqual(zraster.render(body, look=look, size=(90, 70)).content, wanted)
+
+    def test_server(self):
+        """server= sends the same calls"""
+        sources = [
+            (SCENE, {"channels": ["color", "depth", "info"], "look": "clay"}),
+            (json.dumps(SCENE).encode(), {"size": 30, "view": "top"}),
+            (os.path.join(support.scenes, "look-studio.json"), {}),
+            (OBJ, {"look": "technical", "samples": 4, "color": "#ff6347"}),
+            (support.stl(), {"size": (40, 30), "type": "stl"}),
+        ]
+        for source, options in sources:
+            with self.subTest(str(options)), quiet():
+                warnings.simplefilter("ignore")
+                here = zraster.render(source, **options)
+                there = zraster.render(source, server=self.daemon.address, **options)
+                self.assertEqual(there.content, here.content)
+                self.assertEqual((there.look, there.warnings, list(there)), (here.look, here.warnings, list(here)))
+
+    @needs_numpy
+    def test_server_arrays(self):
+        """pictures of a server have the same arrays, channels of a mesh, too"""
+        channels = ["color", "depth", "normals", "instanceId"]
+        for source in (SCENE, OBJ):
+            for background in ("white", "#ff000080", {"top": "#123456", "bottom": "#fedcba"}):
+                if source is OBJ and isinstance(background, dict):
+                    continue
+                here = zraster.render(source, channels, look="studio", background=background, size=50)
+                there = zraster.render(
+                    source, channels, look="studio", background=background, size=50, server=self.daemon.address
+                )
+                for channel in channels:
+                    with self.subTest(channel, background=background):
+                        numpy.testing.assert_array_equal(there[channel], here[channel])
+                        self.assertEqual(there[channel].dtype, here[channel].dtype)
+
+    def test_server_errors(self):
+        """a server's errors are those of render"""
+        for source, options in (({"polygons": [{"vertices": [1]}]}, {}), (OBJ, {"look": "tecnical"}), (b"{", {})):
+            with self.subTest(str(options)):
+                errors = []
+                for server in (None, self.daemon.address):
+                    with self.assertRaises(zraster.Error) as caught:
+                        zraster.render(source, server=server, **options)
+                    errors.append(caught.exception)
+                self.assertEqual(type(errors[0]), type(errors[1]))
+                self.assertEqual(errors[0].faults, errors[1].faults)
+        with self.assertRaisesRegex(zraster.ServerError, "nothing answers at http://127.0.0.1:1 "):
+            zraster.render(OBJ, server="127.0.0.1:1")
+
+
+class Errors(unittest.TestCase):
+    def refused(self, kind, pattern, source, *arguments, **options):
+        with self.assertRaisesRegex(kind, pattern) as caught:
+            zraster.render(source, *arguments, **options)
+        return caught.exception
+
+    def test_pointers(self):
+        """faults have JSON Pointers"""
+        scene = {"polygons": [{"vertices": [[0, 0, 0], [1, 0], [0, 1, 0]], "colour": "red"}], "samples": 5}
+        error = self.refused(zraster.SceneError, "/polygons/0/vertices/1: ", scene)
+        self.assertEqual(error.pointer, "/polygons/0/vertices/1")
+        pointers = [fault.pointer for fault in error.faults]
+        self.assertEqual(pointers, ["/polygons/0/vertices/1", "/polygons/0/colour", "/samples"])
+        self.assertIn("color", error.faults[1].detail)
+        self.assertIsInstance(error, ValueError)
+        copy = pickle.loads(pickle.dumps(error))
+        self.assertEqual((type(copy), str(copy), copy.faults), (type(error), str(error), error.faults))
+
+    def test_options(self):
+        """options that are unknown or wrong are explained"""
+        self.refused(zraster.OptionError, r"unknown option: lok \(did you mean look\?\)", OBJ, lok="clay")
+        self.refused(zraster.OptionError, r"did you mean line_width\?", OBJ, lineWidth=2)
+        self.refused(zraster.OptionError, r"did you mean technical\?", OBJ, look="tecnical")
+        self.refused(zraster.OptionError, "samples: .* 64", OBJ, samples=5)
+        self.refused(zraster.OptionError, "size: 'big' is not", OBJ, size="big")
+        self.refused(zraster.OptionError, "size: width and height", OBJ, size=3, width=3)
+        self.refused(zraster.OptionError, r"give size=\(width, height\)", SCENE, width=3)
+        self.refused(zraster.OptionError, "color: for meshes without a scene", SCENE, color="red")
+        self.refused(zraster.OptionError, "channels: the list is empty", OBJ, [])
+        self.refused(zraster.OptionError, "give one of them", OBJ, ["depth"], channel="depth")
+        self.refused(zraster.SceneError, "colour", SCENE, ["colour"])
+        self.refused(zraster.OptionError, "int is no source", 3)
+        self.refused(zraster.OptionError, "view: give a dict", OBJ, view=3)
+        self.refused(zraster.SceneError, "/view/yfov", SCENE, view={"yfov": 1})
+
+    def test_sources(self):
+        """sources that cannot be read are explained"""
+        self.refused(FileNotFoundError, "nothing.stl", "nothing.stl")
+        self.refused(zraster.SceneError, "XML or HTML", b"<html></html>")
+        self.refused(zraster.SceneError, "", b"")
+        self.refused(zraster.SceneError, "line 1|byte", b'{"meshes": [}')
+        self.refused(zraster.SceneError, "/nodes/0/scale/1: a finite number", {"nodes": [{"scale": [1, float("nan")]}]})
+        self.refused(zraster.SceneError, "object is no value of a scene", {"meshes": object()})
+
+    def test_strict(self):
+        """warnings are Python's, at the caller's line, or errors with strict"""
+        scene = {**SCENE, "meshes": SCENE["meshes"] + [{"positions": [[0, 0, 0]], "points": [0], "pointSize": 1}]}
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            picture = zraster.render(scene)
+        self.assertEqual([str(one.message) for one in caught], picture.warnings)
+        self.assertEqual(len(caught), 1)
+        self.assertIs(caught[0].category, zraster.Warning)
+        self.assertEqual(caught[0].filename, __file__)
+        self.refused(zraster.SceneError, "", scene, strict=True)
+
+    def test_memory(self):
+        """a renderer's limits hold"""
+        with self.assertRaises(zraster.MemoryLimitError):
+            zraster.render(OBJ, size=2000, renderer=zraster.Renderer(memory_max=1 << 20))
+        with self.assertRaisesRegex(zraster.SceneError, "100"):
+            zraster.render(OBJ, size=200, renderer=zraster.Renderer(window_side_max=100))
+
+    def test_import(self):
+        """importing starts no thread and reads no numpy, and pictures need none"""
+        code = (
+            "import os, sys, zraster\n"
+            "assert len(os.listdir('/proc/self/task')) == 1\n"
+            "assert zraster.render(b'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3').png[1:4] == b'PNG'\n"
+            "assert 'numpy' not in sys.modules\n"
+        )
+        subprocess.run([sys.executable, "-c", code], check=True)
+
+
+class Pictures(unittest.TestCase):
+    def test_save(self):
+        """the ending of a file selects what is saved"""
+        picture = zraster.render(SCENE, ["color", "depth", "info"])
+        with tempfile.TemporaryDirectory() as folder:
+            starts = {"a.png": b"\x89PNG", "a.npy": b"\x93NUM", "a.json": b"{", "a.zip": b"PK", "a": b"PK"}
+            for name, start in starts.items():
+                picture.save(os.path.join(folder, name))
+                self.assertTrue(support.read(os.path.join(folder, name)).startswith(start), name)
+            with self.assertRaisesRegex(zraster.OptionError, r"a.jpg: .* \.json, \.npy, \.png, \.zip"):
+                picture.save(os.path.join(folder, "a.jpg"))
+            self.assertFalse(os.path.exists(os.path.join(folder, "a.jpg")))
+
+    def test_facts(self):
+        """a picture has its look, channels, info and PNG"""
+        picture = zraster.render(SCENE, ["color", "info", {"channel": "normals", "encoding": "png"}], look="clay")
+        self.assertEqual(picture.look, "clay@1")
+        self.assertEqual(list(picture), ["color", "info", "normals"])
+        self.assertEqual(picture.info["window"], {"width": 60, "height": 40})
+        self.assertEqual(picture._repr_png_(), picture.png)
+        self.assertEqual(picture.file("color"), picture.png)
+        self.assertNotEqual(picture.file("normals"), picture.png)
+        self.assertEqual(picture.content_type, "application/zip")
+        self.assertIn("color, info, normals in clay@1", repr(picture))
+        with self.assertRaisesRegex(KeyError, "depth: the picture has color, info, normals"):
+            picture["depth"]
+        with self.assertRaisesRegex(KeyError, "ask for others"):
+            zraster.render(SCENE).info
+        self.assertIsNone(zraster.render(SCENE, "depth")._repr_png_())
+        fragments = zraster.render(SCENE, channel="fragments", x=30, y=20)
+        self.assertEqual(fragments["fragments"]["x"], 30)
+
+    @needs_numpy
+    def test_arrays(self):
+        """channels have the shapes and types of the manual"""
+        names = ["color", "depth", "windowDepth", "distance", "normals", "position", "texcoord", "barycentrics"]
+        names += ["instanceId", "faceId", "frontFacing", "layers", "thickness"]
+        all_of_them = zraster.Renderer().tables["channels"]
+        self.assertEqual({row["name"] for row in all_of_them} - set(names), {"info", "fragments"})
+        last = {"color": 3, "normals": 3, "position": 3, "barycentrics": 3, "texcoord": 2}
+        types = dict.fromkeys(names[1:8], "float32") | {"color": "uint8", "thickness": "float32"}
+        picture = zraster.render(SCENE, names)
+        self.assertEqual(set(dict(picture)), set(names))
+        for name in names:
+            with self.subTest(name):
+                array = picture[name]
+                self.assertEqual(array.shape, (40, 60, last[name]) if name in last else (40, 60))
+                self.assertEqual(array.dtype.name, types.get(name, "uint32"))
+                self.assertTrue(array.flags.writeable and array.flags.c_contiguous)
+                numpy.testing.assert_array_equal(picture.view(name), array)
+                self.assertFalse(picture.view(name).flags.writeable)
+        depth = picture["depth"]
+        nothing = picture["instanceId"] == 0
+        self.assertTrue(0 < nothing.sum() < nothing.size)
+        self.assertTrue(numpy.isinf(depth[nothing]).all() and numpy.isfinite(depth[~nothing]).all())
+
+    @needs_numpy
+    def test_color(self):
+        """colours have alpha if the background is not opaque, and equal the PNG"""
+        for options in ({}, {"background": "#0000"}, {"look": "studio"}, {"background": [0, 1, 0, 0.5]}):
+            picture = zraster.render(SCENE, **options)
+            wanted = 4 if "background" in options else 3
+            self.assertEqual(picture["color"].shape, (40, 60, wanted))
+            numpy.testing.assert_array_equal(zraster._files.decode("color", picture.png), picture.array)
+            numpy.testing.assert_array_equal(numpy.asarray(picture), picture.array)
+        self.assertEqual(zraster.render(SCENE, "depth").array.dtype.name, "float32")
+
+    @needs_numpy
+    def test_views_outlive(self):
+        """a view stays valid without its picture"""
+        view = zraster.render(SCENE).view("color")
+        wanted = zraster.render(SCENE)["color"]
+        for _ in range(20):
+            zraster.render(OBJ, size=300)
+        numpy.testing.assert_array_equal(view, wanted)
+
+    @needs_numpy
+    def test_png_filters(self):
+        """PNGs of every filter and palette depth are decoded, small ones as written by compress=small"""
+        for options in ({"compress": "small"}, {"compress": "fast"}):
+            for scene in ("look-studio.json", "color-bar.json", "textures-linear.json", "tiny-window.json"):
+                with self.subTest(scene, **options), quiet():
+                    warnings.simplefilter("ignore")
+                    picture = zraster.render(os.path.join(support.scenes, scene), "color", **options)
+                    numpy.testing.assert_array_equal(zraster._files.decode("color", picture.png), picture["color"])
+
+    def test_pickle(self):
+        """a pickled picture has the same files, look and warnings"""
+        picture = zraster.render(SCENE, ["color", "depth", "info"])
+        copy = pickle.loads(pickle.dumps(picture))
+        self.assertEqual(copy.content, picture.content)
+        self.assertEqual((copy.look, copy.info, list(copy)), (picture.look, picture.info, list(picture)))
+        if numpy:
+            numpy.testing.assert_array_equal(copy["depth"], picture["depth"])
+            numpy.testing.assert_array_equal(copy.array, picture.array)
+
+
+class Options(unittest.TestCase):
+    def test_names(self):
+        """each parameter and key of the tables is a keyword, in snake_case, with help"""
+        options = zraster.options()
+        for name in ("look", "line_width", "light_direction", "lights", "crease_degrees", "view", "nodes", "channel"):
+            self.assertTrue(options[name], name)
+        tables = zraster.Renderer().tables
+        self.assertEqual(len(options), len({row["name"] for row in tables["parameters"] + tables["keys"]}))
+
+    def test_meshes_and_scenes(self):
+        """a keyword for a mesh is the key of a scene"""
+        mesh = {"positions": [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]], "faces": [[0, 1, 2, 3]]}
+        scene = {"look": "studio", "meshes": [{**mesh, "doubleSided": True}]}
+        cases = [
+            {},
+            {"look": "metal", "samples": 4, "size": (70, 50)},
+            {"azimuth": 30, "elevation": 10, "padding": 0.1, "projection": "orthographic", "edges": True, "background": "navy"},
+            {"light": "point", "light_position": (1, 2, 3), "light_intensity": 5.5},
+            {"light_direction": [0, 0, -1], "shadows": True},
+            {"preset": "top", "padding": 0.2, "projection": "orthographic", "outline": "#ff0000", "line_width": 2},
+            {"lights": [{"type": "directional", "direction": [0, 0, -1]}], "fog": None},
+            {"occlusion": {"radius": 0.5}, "view": {"eye": [3, 2, 4], "perspective": {"yfovDegrees": 40}}},
+        ]
+
+        class Mesh:
+            vertices, faces = mesh["positions"], mesh["faces"]
+
+        for options in cases:
+            with self.subTest(str(options)):
+                wanted = zraster.render(OBJ, **options).png
+                self.assertEqual(zraster.render(scene, **options).png, wanted)
+                self.assertEqual(zraster.render(json.dumps(scene).encode(), **options).png, wanted)
+                self.assertEqual(zraster.render(Mesh(), **options).png, wanted)
+        tomato = {"color": "tomato", "metallic": 0.5, "roughness": 0.2}
+        self.assertEqual(zraster.render(Mesh(), **tomato).png, zraster.render(OBJ, **tomato).png)
+
+    def test_parts(self):
+        """parts are named by a scene"""
+        with open(os.path.join(support.root, "clients/gallery/bricks.png"), "rb") as file:
+            bricks = file.read()
+        scene = {
+            "materials": [{"name": "m", "baseColorTexture": {"asset": "bricks"}}],
+            "meshes": [{"heights": [[0, 0], [0, 1]], "material": "m"}],
+            "view": {"preset": "front"},
+        }
+        picture = zraster.render(scene, parts={"bricks": bricks})
+        plain = {**scene, "materials": [{"name": "m"}]}
+        self.assertNotEqual(picture.png, zraster.render(plain).png)
+        with self.assertRaisesRegex(zraster.SceneError, "bricks"):
+            zraster.render(scene)
