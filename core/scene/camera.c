@@ -110,7 +110,7 @@ static double rounded(double degrees)
 static void set_angles(struct zr_orbit *orbit, const double back[4], bool z_is_up)
 {
     const double right = back[0], front = z_is_up ? -back[1] : back[2], up = z_is_up ? back[2] : back[1];
-    const double level = hypot(right, front), length = hypot(level, up);
+    const double level = sqrt(right * right + front * front), length = sqrt(level * level + up * up);
     if (!(length > 0.0) || !isfinite(length)) return;
     orbit->has_angles = true;
     orbit->elevation_degrees = rounded(atan2(up, level) * DEGREES);
