@@ -134,8 +134,9 @@ class Arrays(unittest.TestCase):
         for name, array, listed in (
             ("scalars", numpy.arange(count, dtype="f4"), list(range(count))),
             ("normals", numpy.tile(numpy.float32([0, 0, 1]), (count, 1)), [[0, 0, 1]] * count),
-            ("colors", colors, (colors / 255).tolist()),
-            ("colors", colors[:, :3], (colors[:, :3] / 255).tolist()),
+            ("colors", colors, [f"#{bytes(color).hex()}" for color in colors]),
+            ("colors", colors[:, :3], [f"#{bytes(color).hex()}" for color in colors[:, :3]]),
+            ("colors", colors / 255, (colors / 255).tolist()),
         ):
             with self.subTest(name), warnings.catch_warnings():
                 warnings.simplefilter("ignore")
@@ -203,6 +204,29 @@ class Arrays(unittest.TestCase):
         mesh["faces"][:] = 1 << 30
         self.assertEqual(scene.render().content, wanted)
         self.assertEqual(pickle.loads(pickle.dumps(scene)).render().content, wanted)
+
+    def test_writers(self):
+        """a thread that writes to the arrays of a picture or scene meanwhile does no harm"""
+        mesh = self.sheet(side=100)
+        kept = zraster.Scene({"meshes": [mesh]})
+        wanted = kept.render().content
+        done = threading.Event()
+
+        def write():
+            while not done.is_set():
+                mesh["faces"][:] = numpy.random.default_rng(1).integers(0, 1 << 31, mesh["faces"].shape)
+                mesh["positions"][:] = numpy.nan
+
+        writer = threading.Thread(target=write)
+        writer.start()
+        for _ in range(30):
+            with self.assertRaises(zraster.SceneError), warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                while True:
+                    zraster.render({"meshes": [mesh]}, size=50)
+        done.set()
+        writer.join()
+        self.assertEqual(kept.render().content, wanted)
 
     def test_out(self):
         """out= fills arrays, and refuses others"""

@@ -9,7 +9,6 @@ from . import _library as c
 from ._errors import SceneError
 
 INLINE_MAX = 64  # numbers of an array that is written as a list: matrices, vectors, colours
-PARTS_MAY_BE_ARRAYS = False  # until the library takes arrays of numbers: they are written as lists
 _CONVERTED = {"f2": "f4", "f16": "f8", "i1": "i4", "i2": "i4", "u2": "u4", "b1": "u1"}
 
 
@@ -40,9 +39,8 @@ class Parts:
     def put(self, value: Any) -> Union[List[Any], Dict[str, str], float]:
         """Returns the JSON value that stands for an array: a short list, or the name of a new part."""
         array = as_numbers(value)
-        is_small = array.size <= INLINE_MAX and array.dtype.name != "uint8"
-        if array.ndim == 0 or is_small or not PARTS_MAY_BE_ARRAYS:
-            return (array / 255 if array.dtype.name == "uint8" else array).tolist()
+        if array.ndim == 0 or (array.size <= INLINE_MAX and array.dtype.name != "uint8"):
+            return array.tolist()
         name = f"array{len(self.named)}"
         self.named[name] = array
         return {"asset": name}
