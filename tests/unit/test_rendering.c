@@ -20,6 +20,7 @@ struct trial {
     struct folder folder;
     struct config config;
     struct service service;
+    struct slowness slowness;
 };
 
 static void trial_open(struct trial *trial)
@@ -29,7 +30,9 @@ static void trial_open(struct trial *trial)
     trial->folder = folder_make();
     struct store *store = store_open(trial->folder.path, trial->config.assets_max_bytes, message, sizeof message);
     if (!store) fail_msg("%s", message);
-    service_init(&trial->service, &trial->config, NULL, 1.0, store);
+    trial->slowness = (struct slowness){
+        .mutex = PTHREAD_MUTEX_INITIALIZER, .known = PTHREAD_COND_INITIALIZER, .is_known = true, .value = 1.0};
+    service_init(&trial->service, &trial->config, NULL, &trial->slowness, store);
 }
 
 static void trial_close(struct trial *trial)
