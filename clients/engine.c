@@ -39,6 +39,7 @@ int engine_open(struct engine *engine, const struct options *options, unsigned t
 {
     struct zraster_options wanted = {.struct_size = sizeof wanted, .threads = threads};
     *engine = (struct engine){.server = options->own[OPTION_SERVER]};
+    catch_signals();
     if (engine->server)
         return token_read(&engine->token, options->own[OPTION_TOKEN_FILE]) ? post_open() : STATUS_FAILED;
     running = engine->cancel = zraster_cancel_new();
@@ -46,7 +47,6 @@ int engine_open(struct engine *engine, const struct options *options, unsigned t
         fputs("zraster: out of memory\n", stderr);
         return STATUS_FAILED;
     }
-    catch_signals();
     return 0;
 }
 

@@ -41,6 +41,14 @@ static int is_visible(const struct dirent *entry)
     return entry->d_name[0] != '.';
 }
 
+/* The outputs of an earlier call are no inputs of this one. */
+static bool is_output_folder(const struct file_list *list, const struct stat *folder)
+{
+    struct stat output;
+    return *list->folder && stat(list->folder, &output) == 0 && output.st_dev == folder->st_dev &&
+           output.st_ino == folder->st_ino;
+}
+
 static int add_folder(struct file_list *list, const char *folder, const char *below)
 {
     struct dirent **entries;
@@ -55,7 +63,10 @@ static int add_folder(struct file_list *list, const char *folder, const char *be
             status = no_memory();
         else if (lstat(path, &about) == 0 && S_ISDIR(about.st_mode)) {
             char *deeper = NULL;
-            status = asprintf(&deeper, "%s/", stem) < 0 ? no_memory() : add_folder(list, path, deeper);
+            if (asprintf(&deeper, "%s/", stem) < 0)
+                status = no_memory();
+            else if (!is_output_folder(list, &about))
+                status = add_folder(list, path, deeper);
             free(deeper);
         } else if (input_has_ending(path) && !add(list, path, stem))
             status = no_memory();

@@ -82,8 +82,7 @@ void job_print(FILE *out, const struct job *job)
     fprintf(out, "  %.*s  %.0f ms", (int)strcspn(job->look, "@"), job->look,
             job->read_ms + job->draw_ms + job->save_ms);
     if (job->options->own[OPTION_VERBOSE])
-        fprintf(out, " (reading %.1f, drawing %.1f, saving %.1f)  %zu bytes", job->read_ms, job->draw_ms, job->save_ms,
-                job->bytes);
+        fprintf(out, " (reading %.1f, drawing %.1f, saving %.1f)", job->read_ms, job->draw_ms, job->save_ms);
     fputc('\n', out);
 }
 

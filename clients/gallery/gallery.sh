@@ -1,6 +1,6 @@
 #!/bin/sh
-# gallery.sh BUILD: draws every line of scenes.txt, grids of balls, and the pictures of the README, with its own daemon on a
-# free port. Writes the page BUILD/gallery/index.html, with each picture's scene beside it.
+# gallery.sh BUILD: draws every line of scenes.txt, grids of balls, and the pictures of the README. Writes the page
+# BUILD/gallery/index.html, with each picture's scene beside it.
 set -eu
 build=$1
 here=clients/gallery
@@ -8,14 +8,12 @@ out=$build/gallery
 page=$out/index.html
 rm -rf "$out"
 mkdir -p "$out"
-: >"$out/daemon.out"
-
-. clients/start_daemon.sh
+unset ZRASTER_SERVER
 
 render() { # NAME OPTION...: NAME.json -> NAME.png
     name=$1
     shift
-    "$build/zraster" render "$out/$name.json" --server "$server" "$@" -o "$out/$name.png" >"$out/client.log" 2>&1 || {
+    "$build/zraster" "$out/$name.json" "$@" -o "$out/$name.png" >"$out/client.log" 2>&1 || {
         echo "error: $name:" >&2
         cat "$out/client.log" >&2
         exit 1

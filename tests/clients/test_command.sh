@@ -131,6 +131,11 @@ verdict "with the nearest one" grep -q 'line 1: unknown key "colour"; did you me
 script -qec "'$zraster' batch many -o bar -s 16" typescript </dev/null >"$said" 2>"$complained"
 verdict "a terminal gets a bar" grep -qE '\[#{20}\] 13/13  [0-9.]+/s' "$said"
 
+mkdir inner && cp scene.json inner/
+check "outputs within the folder" 0 "$zraster" batch inner -o inner/out -c info,color --json
+check "are no inputs" 0 "$zraster" batch inner -o inner/out -c info,color --json
+verdict "of the next call" [ "$(wc -l <"$said")" = 1 ]
+
 # Killed at some time, and resumed: each file is drawn once, and nothing else is there.
 check "all files, for comparison" 0 "$zraster" batch many -o whole -c color,depth -s 400 -j 1
 killed=0 try=1
@@ -199,10 +204,10 @@ else
     skip "no socket is opened" "strace is not here"
 fi
 inside() {
-    bwrap --unshare-all --ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 --ro-bind "$zraster" /zraster \
+    bwrap --unshare-all --proc /proc --ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 --ro-bind "$zraster" /zraster \
         --ro-bind part.stl /part.stl /zraster /part.stl -s 64 -o - >inside.png 2>"$complained"
 }
-if bwrap --unshare-all --ro-bind / / true 2>/dev/null; then
+if bwrap --unshare-all --proc /proc --ro-bind / / true 2>/dev/null; then
     "$zraster" part.stl -s 64
     verdict "in a sandbox of /usr and the file" inside
     verdict "the bytes are the same" cmp inside.png part.png

@@ -6,10 +6,9 @@ build=$1
 out=$build/gallery
 work=$(mktemp -d)
 . tests/support/verdict.sh
-. tests/support/address.sh
 said=$work/said complained=$work/complained
-daemon=
-trap '[ -z "$daemon" ] || kill "$daemon" 2>/dev/null; wait 2>/dev/null; rm -rf "$work"' EXIT
+unset ZRASTER_SERVER
+trap 'rm -rf "$work"' EXIT
 
 clients/gallery/gallery.sh "$build" >"$said" 2>"$complained"
 status=$?
@@ -40,10 +39,6 @@ gear-studio occlusion" ]
 
 # Libraries that pack PNGs differ in bytes: pixels are compared once each picture has been packed here, as a base that
 # nothing is drawn into.
-: >"$work/out"
-"$build/zrasterd" --port 0 >"$work/out" 2>"$work/log" &
-daemon=$!
-server=$(address_in "$work/out") || { echo "$server"; exit 1; }
 side() { od -An -j"$2" -N4 -tu1 "$1" | awk '{ print $3 * 256 + $4 }'; }
 depths() { # WIDTH HEIGHT: an array of zeros, the depth of what is nearest
     printf '\223NUMPY\001\000\166\000%-117s\n' "{'descr': '<f4', 'fortran_order': False, 'shape': ($2, $1)}"
@@ -56,7 +51,7 @@ repack() { # PNG OUT
         printf '"polygons": [{"vertices": [[0,0,0], [1,0,0], [0,1,0]]}], "base": {"color": "data:image/png;base64,%s", ' "$(base64 -w 0 "$1")"
         printf '"windowDepth": "data:;base64,%s"}}' "$(depths "$width" "$height" | base64 -w 0)"
     } >"$work/base.json"
-    "$build/zraster" render "$work/base.json" --server "$server" -o "$2" >>"$said" 2>>"$complained"
+    "$build/zraster" "$work/base.json" -o "$2" >>"$said" 2>>"$complained"
 }
 is_todays() { # PNG
     cmp -s "$1" "$out/${1##*/}" && return 0
@@ -67,7 +62,7 @@ verdict "the README has a picture, and one of each look but textbook" [ "$(echo 
 for picture in $pictures; do
     verdict "$picture is as it is drawn now" is_todays "$picture"
 done
-"$build/zraster" render "$out/look-clay.json" --server "$server" -o "$work/clay.png" >>"$said" 2>>"$complained"
+"$build/zraster" "$out/look-clay.json" -o "$work/clay.png" >>"$said" 2>>"$complained"
 verdict "other bytes of a picture" is_png "$work/clay.png"
 verdict "are not those that are shown" eval '! cmp -s "$work/clay.png" "$out/look-clay.png"'
 cp "$work/clay.png" "$work/look-clay.png"

@@ -41,4 +41,17 @@ for model in $models; do
 done
 verdict "several channels of a model" same "$work/part.obj" 'channel=color,depth,instanceId,info&encoding=png16' -c color,depth,instanceId,info --encoding png16
 verdict "and of a scene" same tests/scenes/nodes-hierarchy.json 'channel=normals,faceId' --channel normals,faceId
+parts() {
+    "$build/zraster" "$work/plain.json" -c color,windowDepth -o "$work/" || return 1
+    curl -sf "$server/v1/render" -F "scene=<$work/over.json;type=application/json" -F color=@"$work/plain.png" \
+        -F z=@"$work/plain.windowDepth.npy" -o "$work/http" || return 1
+    for where in '' "$server"; do
+        ZRASTER_SERVER=$where "$build/zraster" "$work/over.json" -o - --part color="$work/plain.png" \
+            --part z="$work/plain.windowDepth.npy" | cmp "$work/http" - || return 1
+    done
+}
+triangle='"window": {"width": 8, "height": 8}, "view": {"preset": "front", "znear": 1, "zfar": 9}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]'
+echo "{$triangle}" >"$work/plain.json"
+echo "{$triangle, \"base\": {\"color\": {\"asset\": \"color\"}, \"windowDepth\": {\"asset\": \"z\"}}}" >"$work/over.json"
+verdict "files by --part are parts of a form" parts
 verdicts
