@@ -272,6 +272,13 @@ bench-costs: ## predicted times beside those taken, of all scenes and models
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/tests/bench/alone/costs
 	@$(BUILD)/tests/bench/alone/costs tests/scenes/*.json $(DATA)/models/*.obj
 
+.PHONY: bench-command
+bench-command: ## the command, started anew, beside a warm HTTP request, and a batch of 1000 files: MODEL=FILE
+	@.ci/need $(NEED_BUILD) curl=curl
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster
+	@tests/bench/cold.sh $(BUILD) $(or $(MODEL),$(DATA)/models/stanford-bunny.obj)
+	@tests/bench/batch.sh $(BUILD)
+
 .PHONY: bench-rivals
 bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB): MESH=../shared/data/models/stanford-bunny.obj
 	@.ci/need $(NEED_BUILD) f3d=f3d xvfb-run=xvfb xauth=xauth /usr/share/doc/python3-vtk9=python3-vtk9

@@ -30,6 +30,8 @@ static int take_output(struct options *options)
         *out = options->files[1];
         options->file_count = 1;
     }
+    if (options->file_count > 1 && options->own[OPTION_SHOW])
+        return options_wrong("--show draws one file; leave out %s", options->files[1]);
     if (options->file_count < 2 || (*out && output_is_folder(*out))) return 0;
     if (*out) return options_wrong("several files go to a folder: -o FOLDER/, not -o %s", *out);
     return options_wrong("%s is a second file: -o %s makes it the output; \"zraster batch %s %s\" draws both",

@@ -68,7 +68,7 @@ static void print_line(FILE *out, const char *line, size_t length)
 
 void report_faults(FILE *out, const char *file, const struct bytes *faults)
 {
-    const char *line = bytes_text(faults);
+    const char *line = faults->size ? bytes_text(faults) : "out of memory";
     const char *name = strcmp(file, "-") == 0 ? "standard input" : file;
     const size_t first = strcspn(line, "\n");
     const bool is_single = !line[first] || !line[first + 1];
