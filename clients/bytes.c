@@ -9,15 +9,21 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* Makes room for `size` bytes more. */
+static bool reserve(struct bytes *bytes, size_t size)
+{
+    if (size <= bytes->room - bytes->size) return true;
+    const size_t room = bytes->room * 2 > bytes->size + size ? bytes->room * 2 : bytes->size + size;
+    char *grown = realloc(bytes->data, room);
+    if (!grown) return false;
+    bytes->data = grown;
+    bytes->room = room;
+    return true;
+}
+
 bool bytes_add(struct bytes *bytes, const void *data, size_t size)
 {
-    if (size > bytes->room - bytes->size) {
-        size_t room = bytes->room * 2 > bytes->size + size ? bytes->room * 2 : bytes->size + size + 65536;
-        char *grown = realloc(bytes->data, room);
-        if (!grown) return false;
-        bytes->data = grown;
-        bytes->room = room;
-    }
+    if (!reserve(bytes, size)) return false;
     memcpy(bytes->data + bytes->size, data, size);
     bytes->size += size;
     return true;
@@ -50,15 +56,22 @@ void bytes_free(struct bytes *bytes)
 
 bool bytes_read(struct bytes *bytes, const char *path)
 {
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
-    if (!file) return false;
-    char chunk[65536];
-    bool ok = true;
-    for (size_t got; ok && (got = fread(chunk, 1, sizeof chunk, file)) > 0;)
-        ok = bytes_add(bytes, chunk, got);
-    int why = errno;
-    ok = ok && !ferror(file);
-    if (file != stdin) fclose(file);
+    struct stat status;
+    const bool is_pipe = strcmp(path, "-") == 0;
+    const int descriptor = is_pipe ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    const bool has_size = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+    bool ok = reserve(bytes, has_size ? (size_t)status.st_size + 1 : 1);
+    for (ssize_t some = 1; ok && some != 0;) {
+        if (bytes->size == bytes->room) ok = reserve(bytes, 65536);
+        some = ok ? read(descriptor, bytes->data + bytes->size, bytes->room - bytes->size) : 0;
+        ok = ok && (some >= 0 || errno == EINTR);
+        if (some > 0) bytes->size += (size_t)some;
+    }
+    ok = ok && reserve(bytes, 1);
+    if (ok) bytes->data[bytes->size] = '\0'; /* behind the bytes, for readers of texts */
+    const int why = errno;
+    if (!is_pipe) close(descriptor);
     errno = why;
     return ok;
 }

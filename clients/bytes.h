@@ -18,7 +18,7 @@ const char *bytes_text(const struct bytes *bytes);
 
 void bytes_free(struct bytes *bytes);
 
-/* Reads a file; "-": standard input. False with errno on failure. */
+/* Reads a file; "-": standard input. A zero follows the bytes. False with errno on failure. */
 bool bytes_read(struct bytes *bytes, const char *path);
 
 /* Returns true if both paths are one regular file. For `a`, "-" is standard input. */

@@ -102,13 +102,13 @@ static struct found find(struct options *o, const char *flag, size_t length, cha
 /* Reports an unknown option by its name only, since its value may be a secret. */
 static int unknown(const char *flag, size_t length)
 {
+    static char best[FLAG_SIZE]; /* near.best points here */
     char name[FLAG_SIZE + 1], known[FLAG_SIZE];
     if (strncmp(flag, "--token", strlen("--token")) == 0)
         return options_wrong("a token on the command line is visible to all users of this machine; give it by "
                              "--token-file FILE or the variable ZRASTER_TOKEN");
     snprintf(name, sizeof name, "%.*s", (int)length, flag);
     if (strcasecmp(name, "-w") == 0) return options_wrong("unknown option -w; did you mean -W (width)?");
-    static char best[FLAG_SIZE];
     char wanted[FLAG_SIZE + 2];
     snprintf(wanted, sizeof wanted, "%s%s", flag[1] == '-' ? "" : "-", name);
     struct near_word near = {.word = wanted};
