@@ -279,6 +279,12 @@ bench-command: ## the command, started anew, beside a warm HTTP request, and a b
 	@tests/bench/cold.sh $(BUILD) $(or $(MODEL),$(DATA)/models/stanford-bunny.obj)
 	@tests/bench/batch.sh $(BUILD)
 
+.PHONY: bench-python
+bench-python: ## the Python package beside the same calls in C, and two threads of it beside one; ROUNDS=31
+	@.ci/need $(NEED_BUILD) $(PYTHON)=python3
+	@$(MAKE) -s -j$(JOBS) library $(BUILD)/tests/bench/alone/library_draw
+	@ROUNDS="$(or $(ROUNDS),31)" $(PYTHON) tests/bench/python/compare.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
+
 .PHONY: bench-rivals
 bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB): MESH=../shared/data/models/stanford-bunny.obj
 	@.ci/need $(NEED_BUILD) f3d=f3d xvfb-run=xvfb xauth=xauth /usr/share/doc/python3-vtk9=python3-vtk9
@@ -410,6 +416,8 @@ $(BUILD)/tests/bench/alone/first_frame: $(reference_gl) $(door) $(BUILD)/referen
 	$(LINK) $(DOOR_LIBS) -lm
 $(BUILD)/tests/bench/alone/costs: $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
+$(BUILD)/tests/bench/alone/library_draw: $(BUILD)/libzraster.so.0
+	$(LINK) $(BUILD)/libzraster.so.0 '-Wl,-rpath,$$ORIGIN/../../..'
 $(BUILD)/tests/bench/alone/bare_http:
 	$(LINK) -lmicrohttpd
 

@@ -4,7 +4,6 @@ import math
 import unittest
 import warnings
 
-import support
 import zraster
 from support import needs_numpy, numpy
 

@@ -1,7 +1,6 @@
 """zraster.trimesh with python3-trimesh, and with objects that look like its scenes."""
 import unittest
 
-import support
 import zraster
 from support import needs_numpy, numpy
 

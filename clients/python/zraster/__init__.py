@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any, Mapping, Optional
 
-from . import _server
+from . import _library, _server
 from ._errors import (
     Cancelled,
     Error,
@@ -21,7 +21,6 @@ from ._errors import (
     ServerError,
     Warning,
 )
-from ._library import library as _library
 from ._options import Channels as _Channels
 from ._options import options
 from ._picture import Picture
@@ -34,12 +33,12 @@ __all__ = [
     "Scene", "SceneError", "ServerError", "Warning", "options", "render", "rules",
 ]  # fmt: skip
 
-__version__: str = _library.version().decode()
+__version__: str = _library.library.version().decode()
 
 
 def rules() -> int:
     """Returns the number of the drawing rules, which rises when the same scene gets other pixels."""
-    return int(_library.rules())
+    return int(_library.library.rules())
 
 
 def render(

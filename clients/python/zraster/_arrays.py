@@ -2,8 +2,9 @@
 from __future__ import annotations
 
 import json
-from ctypes import c_char_p, c_void_p, cast, sizeof
-from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
+from collections.abc import Mapping as AbstractMapping
+from ctypes import c_char_p, c_void_p, cast
+from typing import Any, Dict, Mapping, Optional, Tuple
 
 from . import _library as c
 from ._errors import SceneError
@@ -36,7 +37,7 @@ class Parts:
         for name, value in (named or {}).items():
             self.named[name] = as_numbers(value) if is_array(value) else bytes(value)
 
-    def put(self, value: Any) -> Union[List[Any], Dict[str, str], float]:
+    def put(self, value: Any) -> Any:
         """Returns the JSON value that stands for an array: a short list, or the name of a new part."""
         array = as_numbers(value)
         if array.ndim == 0 or (array.size <= INLINE_MAX and array.dtype.name != "uint8"):
@@ -84,7 +85,8 @@ def npy(array: Any) -> bytes:
     import numpy
 
     file = io.BytesIO()
-    numpy.lib.format.write_array(file, array, version=(1, 0), allow_pickle=False)
+    write: Any = numpy.lib.format.write_array
+    write(file, array, version=(1, 0), allow_pickle=False)
     return file.getvalue()
 
 
@@ -94,7 +96,7 @@ def dump(scene: Any, parts: Parts) -> bytes:
     def convert(value: Any) -> Any:
         if is_array(value):
             return parts.put(value)
-        if isinstance(value, Mapping):
+        if isinstance(value, AbstractMapping):
             return dict(value)
         if hasattr(value, "__iter__"):
             return list(value)
@@ -118,7 +120,7 @@ def _find_nan(value: Any, pointer: str) -> Optional[Tuple[str, float]]:
     if isinstance(value, float):
         return None if value - value == 0 else (pointer, value)
     items: Any = ()
-    if isinstance(value, Mapping):
+    if isinstance(value, AbstractMapping):
         items = ((str(key).replace("~", "~0").replace("/", "~1"), item) for key, item in value.items())
     elif is_array(value):
         items = enumerate(as_numbers(value).tolist() if getattr(value, "ndim", 1) else ())

@@ -24,7 +24,8 @@ def decode(channel: str, data: bytes) -> Any:
     import numpy
 
     if data[:6] == b"\x93NUMPY":
-        return numpy.lib.format.read_array(io.BytesIO(data), allow_pickle=False)
+        read: Any = numpy.lib.format.read_array
+        return read(io.BytesIO(data), allow_pickle=False)
     if data[:8] == PNG:
         return _decode_png(channel, data)
     raise OptionError(f"{channel} has no pixels")

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import difflib
 import re
+from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 from ._errors import OptionError
@@ -78,7 +79,7 @@ def _set(keys: Dict[str, Any], pointer: str, value: Any) -> None:
         if below.isdigit():
             around = list(around) if isinstance(around, list) else [{}]
         else:
-            around = dict(around) if isinstance(around, Mapping) else {}
+            around = dict(around) if isinstance(around, AbstractMapping) else {}
         at[place] = around
         at = around
     at[last] = value
@@ -102,7 +103,7 @@ def _is_key(row: _Row, value: Any, is_mesh: bool) -> bool:
     if not row.name or (row.is_mesh and not is_mesh):
         return True
     is_list = isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0
-    return isinstance(value, Mapping) or (is_list and row.kind != "VECTOR")
+    return isinstance(value, AbstractMapping) or (is_list and row.kind != "VECTOR")
 
 
 def _size(size: Any) -> Tuple[int, int]:
@@ -115,7 +116,7 @@ def _size(size: Any) -> Tuple[int, int]:
 
 def outputs_of(channels: Channels) -> List[Dict[str, Any]]:
     """Converts "depth", or ["color", {"channel": "depth", "encoding": "png16"}], to the outputs of a scene."""
-    names = [channels] if isinstance(channels, str) else list(channels)
+    names: List[Any] = [channels] if isinstance(channels, str) else list(channels)
     if not names:
         raise OptionError("channels: the list is empty")
     return [{"channel": item} if isinstance(item, str) else dict(item) for item in names]

@@ -11,7 +11,7 @@ from urllib.request import Request as HttpRequest
 from urllib.request import urlopen
 
 from ._arrays import Parts, dump
-from ._errors import Error, MemoryLimitError, OptionError, SceneError, ServerError
+from ._errors import Error, OptionError, SceneError, ServerError
 from ._picture import Picture, from_answer, joined
 from ._request import Request
 from ._renderer import shared
@@ -75,7 +75,7 @@ def _outputs(scene: Any, query: Dict[str, str]) -> str:
     if "channel" in query:
         return query["channel"]
     listed = scene.get("outputs") if isinstance(scene, dict) else None
-    return listed[0]["channel"] if listed else "color"
+    return str(listed[0]["channel"]) if listed else "color"
 
 
 def _pose(scene: Dict[str, Any], poses: Dict[str, Any]) -> None:

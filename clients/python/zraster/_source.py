@@ -1,9 +1,9 @@
 """Sources: files, bytes, scenes and meshes, as bodies of requests."""
 from __future__ import annotations
 
-import copy
 import os
-from typing import Any, Dict, Mapping, Optional
+from collections.abc import Mapping as AbstractMapping
+from typing import Any, Dict, Optional
 
 from ._arrays import is_array
 from ._errors import OptionError
@@ -27,9 +27,10 @@ class Source:
 
     def without_geometry(self) -> "Source":
         """Returns a source that takes the same keywords."""
-        made = copy.copy(self)
-        made.body = None
-        made.scene = {"materials": self.scene["materials"]} if self.is_object and self.scene else None
+        made = Source(None, None, self.type, self.is_object)
+        made.is_mesh = self.is_mesh
+        if self.is_object and self.scene:
+            made.scene = {"materials": self.scene["materials"]}
         return made
 
 
@@ -59,7 +60,7 @@ def _list_of(value: Any) -> Any:
 
 
 def _colors_of(mesh: Any) -> Dict[str, Any]:
-    visual = getattr(mesh, "visual", None)  # trimesh
+    visual: Any = getattr(mesh, "visual", None)  # trimesh
     kind = getattr(visual, "kind", None)
     if kind == "vertex":
         return {"colors": visual.vertex_colors}
@@ -86,7 +87,7 @@ def read(source: Any, type_: Optional[str] = None) -> Source:
         return _read_file(source, type_)
     if isinstance(source, (bytes, bytearray, memoryview)):
         return Source(None, bytes(source), type_)
-    if isinstance(source, Mapping):
+    if isinstance(source, AbstractMapping):
         return Source(dict(source), None, None)
     if hasattr(source, "vertices") and (hasattr(source, "faces") or hasattr(source, "triangles")):
         return Source(scene_of_mesh(source), None, None, True)

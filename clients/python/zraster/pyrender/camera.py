@@ -59,7 +59,7 @@ class OrthographicCamera(Camera):
         self.xmag, self.ymag = float(xmag), float(ymag)
 
     def get_projection_matrix(self, width: Any = None, height: Any = None) -> Any:
-        near, far = self.znear, self.zfar
+        near, far = self.znear, float(self.zfar or DEFAULT_Z_FAR)
         half_width = self.xmag if width is None or height is None else width / height * self.ymag
         matrix = np.diag([1.0 / half_width, 1.0 / self.ymag, 2.0 / (near - far), 1.0])
         matrix[2, 3] = (far + near) / (near - far)
@@ -74,7 +74,7 @@ class IntrinsicsCamera(Camera):
         super().__init__(znear, zfar, name)
         self.fx, self.fy, self.cx, self.cy = float(fx), float(fy), float(cx), float(cy)
 
-    def get_projection_matrix(self, width: Any, height: Any) -> Any:
+    def get_projection_matrix(self, width: Any = None, height: Any = None) -> Any:
         matrix = np.zeros((4, 4))
         matrix[0, 0], matrix[0, 2] = 2.0 * self.fx / width, 1.0 - 2.0 * self.cx / width
         matrix[1, 1], matrix[1, 2] = 2.0 * self.fy / height, 2.0 * self.cy / height - 1.0

@@ -31,7 +31,7 @@ class Texture:
         array = None if source is None else np.asarray(source)
         if array is not None and np.issubdtype(array.dtype, np.floating):
             array = array * 255.0
-        self.source = None if array is None else array.astype(np.uint8)
+        self.source: Any = None if array is None else array.astype(np.uint8)
 
     def png(self) -> bytes:
         """Returns the image as a PNG of RGB or RGBA."""

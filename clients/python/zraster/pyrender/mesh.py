@@ -156,8 +156,11 @@ def _material_of(visual: Any) -> Optional[Material]:
 
 def _primitive_of(mesh: Any, material: Optional[Material], poses: Any, wireframe: bool, smooth: bool) -> Primitive:
     faces = np.asarray(mesh.faces)
-    corners = lambda values: np.asarray(values) if smooth else np.asarray(values)[faces].reshape(3 * len(faces), -1)
-    visual = getattr(mesh, "visual", None)
+
+    def corners(values: Any) -> Any:
+        return np.asarray(values) if smooth else np.asarray(values)[faces].reshape(3 * len(faces), -1)
+
+    visual: Any = getattr(mesh, "visual", None)
     kind = getattr(visual, "kind", None) if getattr(visual, "defined", True) else None
     colors = texcoords = None
     if kind == "face" and material is None:

@@ -13,7 +13,7 @@ import numpy as np
 from .._errors import Warning
 from .._renderer import shared
 from .._request import make
-from .constants import GLTF, RenderFlags
+from .constants import RenderFlags
 from .light import DirectionalLight, PointLight, SpotLight
 from .material import scene_material, srgb
 from .mesh import Primitive
@@ -72,7 +72,7 @@ class _Drawing:
         return {"cameraToWorld": self.scene.get_pose(node).tolist(), "projectionMatrix": matrix.tolist()}  # type: ignore[arg-type]
 
     def background(self) -> List[float]:
-        color = np.clip(self.scene.bg_color, 0, 1).astype(np.float64).tolist()
+        color: List[float] = np.clip(self.scene.bg_color, 0, 1).astype(np.float64).tolist()
         return color if self.flags & RenderFlags.RGBA else color[:3]
 
     def style(self) -> Dict[str, Any]:
@@ -125,7 +125,8 @@ class _Drawing:
                     materials.append(scene_material(name, primitive.material, alpha, self.is_flat, self.parts))
                 meshes[id(primitive)] = self.mesh(name, primitive)
             pose = self.scene.get_pose(node)
-            for instance in (None,) if primitive.poses is None else primitive.poses:
+            instances: Any = (None,) if primitive.poses is None else primitive.poses
+            for instance in instances:
                 matrix = pose if instance is None else pose @ instance
                 nodes.append({"mesh": meshes[id(primitive)]["name"], "matrix": matrix.tolist()})
                 self.owners.append(node)

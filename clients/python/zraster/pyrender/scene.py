@@ -156,8 +156,11 @@ class Scene:
                   obj_name: Optional[str] = None) -> Set[Node]:  # fmt: skip
         """Returns the nodes that fit all given values."""
         if node is not None:
-            return {node} & self.nodes
-        objects = lambda one: [item for item in (one.mesh, one.camera, one.light) if item is not None]
+            return {node} if node in self._parents else set()
+
+        def objects(one: Node) -> List[Any]:
+            return [item for item in (one.mesh, one.camera, one.light) if item is not None]
+
         return {one for one in self._parents
                 if (name is None or one.name == name) and (obj is None or any(item is obj for item in objects(one)))
                 and (obj_name is None or any(item.name == obj_name for item in objects(one)))}  # fmt: skip
