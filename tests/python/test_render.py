@@ -84,7 +84,7 @@ class SameBytes(unittest.TestCase):
 
     def test_server_errors(self):
         """a server's errors are those of render"""
-        for source, options in (({"polygons": [{"vertices": [1]}]}, {}), (OBJ, {"look": "tecnical"}), (b"{", {})):
+        for source, options in (({"polygons": [{"vertices": [1]}]}, {}), (OBJ, {"look": "tecnical"}), (b"{", {}), (OBJ, {"line_width": 99})):
             with self.subTest(str(options)):
                 errors = []
                 for server in (None, self.daemon.address):
@@ -120,7 +120,8 @@ class Errors(unittest.TestCase):
         self.refused(zraster.OptionError, r"unknown option: lok \(did you mean look\?\)", OBJ, lok="clay")
         self.refused(zraster.OptionError, r"did you mean line_width\?", OBJ, lineWidth=2)
         self.refused(zraster.OptionError, r"did you mean technical\?", OBJ, look="tecnical")
-        self.refused(zraster.OptionError, "samples: .* 64", OBJ, samples=5)
+        self.refused(zraster.OptionError, "^samples: .* 64", OBJ, samples=5)
+        self.refused(zraster.OptionError, "^line_width: ", OBJ, line_width=100)
         self.refused(zraster.OptionError, "size: 'big' is not", OBJ, size="big")
         self.refused(zraster.OptionError, "size: width and height", OBJ, size=3, width=3)
         self.refused(zraster.OptionError, r"give size=\(width, height\)", SCENE, width=3)

@@ -1,6 +1,7 @@
 """Errors and warnings."""
 from __future__ import annotations
 
+import re
 from ctypes import c_void_p
 from typing import Iterable, NamedTuple, NoReturn, Optional, Sequence, Tuple
 
@@ -70,8 +71,17 @@ CLASSES = {
 }
 
 
+def snake(name: str) -> str:
+    return re.sub("([A-Z])", lambda match: "_" + match.group(1).lower(), name)
+
+
+def words(text: str) -> str:
+    """Names keywords as they are typed: "line_width: ..." for "parameter lineWidth: ..."."""
+    return re.sub(r"\bparameter (\w+)", lambda match: snake(match.group(1)), text)
+
+
 def _text(value: Optional[bytes]) -> str:
-    return (value or b"").decode("utf-8", "replace")
+    return words((value or b"").decode("utf-8", "replace"))
 
 
 def raise_status(status: int, error: c_void_p) -> NoReturn:

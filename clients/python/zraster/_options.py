@@ -2,11 +2,10 @@
 from __future__ import annotations
 
 import difflib
-import re
 from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
-from ._errors import OptionError
+from ._errors import OptionError, snake
 from ._renderer import shared
 from ._source import Source
 
@@ -24,18 +23,14 @@ class _Row(NamedTuple):
 _rows: Dict[str, _Row] = {}
 
 
-def _snake(name: str) -> str:
-    return re.sub("([A-Z])", lambda match: "_" + match.group(1).lower(), name)
-
-
 def rows() -> Dict[str, _Row]:
     """Returns the rows by keyword."""
     if not _rows:
         tables = shared().tables
-        made = {_snake(key["name"]): _Row("", "/" + key["name"], False, "", key["help"]) for key in tables["keys"]}
+        made = {snake(key["name"]): _Row("", "/" + key["name"], False, "", key["help"]) for key in tables["keys"]}
         for row in tables["parameters"]:
             is_mesh = row["bodies"] == "mesh"
-            made[_snake(row["name"])] = _Row(row["name"], row["key"], is_mesh, row["value"], row["help"])
+            made[snake(row["name"])] = _Row(row["name"], row["key"], is_mesh, row["value"], row["help"])
         _rows.update(made)
     return _rows
 
@@ -50,7 +45,7 @@ def _find(keyword: str) -> _Row:
     if row:
         return row
     known = [*rows(), "size", "channels"]
-    near = difflib.get_close_matches(keyword, known, 1) or difflib.get_close_matches(_snake(keyword), known, 1)
+    near = difflib.get_close_matches(keyword, known, 1) or difflib.get_close_matches(snake(keyword), known, 1)
     hint = f" (did you mean {near[0]}?)" if near else "; zraster.options() lists all"
     raise OptionError(f"unknown option: {keyword}{hint}")
 

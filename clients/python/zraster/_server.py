@@ -11,7 +11,7 @@ from urllib.request import Request as HttpRequest
 from urllib.request import urlopen
 
 from ._arrays import Parts, dump
-from ._errors import Error, OptionError, SceneError, ServerError
+from ._errors import Error, OptionError, SceneError, ServerError, words
 from ._picture import Picture, from_answer, joined
 from ._request import Request
 from ._renderer import shared
@@ -40,13 +40,13 @@ def _multipart(body: bytes, type_: str, parts: Parts) -> Tuple[bytes, str]:
 def _error_of(status: int, text: bytes) -> Error:
     try:
         problem = json.loads(text)
-        faults = [(item.get("pointer", ""), item["detail"]) for item in problem.get("errors", ())]
-        detail = problem["detail"]
+        faults = [(item.get("pointer", ""), words(item["detail"])) for item in problem.get("errors", ())]
+        detail = words(problem["detail"])
     except (ValueError, KeyError, TypeError):
         return ServerError(f"status {status}: {text[:200]!r}")
     lines = [f"{pointer}: {fault}" if pointer else fault for pointer, fault in faults]
     kind = TYPES.get(status, ServerError)
-    if status == 400 and not detail.startswith("parameter"):
+    if status == 400 and "parameter" not in problem["detail"]:
         kind = SceneError
     return kind("\n".join(lines) or detail, faults or [("", detail)])
 
