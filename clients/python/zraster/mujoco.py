@@ -7,7 +7,7 @@ arrows and labels are not drawn. Planes of size 0 reach 20 times the extent of t
 from __future__ import annotations
 
 import importlib
-from typing import Any, Dict, List, Optional, Tuple, Union
+from typing import Any, Dict, List, Tuple, Union
 
 import numpy as np
 
