@@ -54,7 +54,8 @@ NEED_SYSTEMS := debootstrap=debootstrap /usr/share/keyrings/debian-archive-keyri
 	unshare=util-linux
 NEED_WHEEL := $(PYTHON)=python3 patchelf=patchelf readelf=binutils
 # patchelf and pip for the wheel that tests install.
-NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy /usr/share/doc/python3-venv=python3-venv
+NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy /usr/share/doc/python3-venv=python3-venv \
+	/usr/lib/python3/dist-packages/trimesh=python3-trimesh?
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels curl=curl
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.

@@ -127,7 +127,7 @@ for part in "$@"; do
     python)
         python=${PYTHON:-/usr/bin/python3}
         for test in tests/python/test_*.py; do
-            ZRASTER_DATA=$data run "python-$(basename "$test" .py)" "$python" tests/python/run.py "$build" "$test"
+            run "python-$(basename "$test" .py)" "ZRASTER_DATA=$data" "$python" tests/python/run.py "$build" "$test"
         done
         ;;
     reference)
