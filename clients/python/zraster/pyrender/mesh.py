@@ -179,6 +179,9 @@ def _primitive_of(mesh: Any, material: Optional[Material], poses: Any, wireframe
 
         material = copy.copy(material)
         material.wireframe = wireframe
-    normals = mesh.vertex_normals if smooth else np.repeat(mesh.face_normals, 3, axis=0)
+    try:
+        normals = mesh.vertex_normals if smooth else np.repeat(mesh.face_normals, 3, axis=0)
+    except ImportError:  # trimesh averages normals by scipy; without it, the renderer does
+        normals = None
     return Primitive(corners(mesh.vertices), normals, texcoord_0=texcoords, color_0=colors, material=material,
                      indices=faces if smooth else None, poses=poses)  # fmt: skip
