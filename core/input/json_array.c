@@ -10,7 +10,7 @@
 
 /* PART_NUMBERS: numbers between two checks for cancellation, whole rows of three, some 20 us of work. TEAM_NUMBERS:
  * smaller arrays are read by one thread. ROWS_MAX: kernels gather rows by 32-bit offsets. */
-enum { PART_NUMBERS = 3 << 13, TEAM_NUMBERS = 1 << 19, ROWS_MAX = (1 << 29) - 1 };
+enum { PART_NUMBERS = 3 << 13, TEAM_NUMBERS = 1 << 16, ROWS_MAX = (1 << 29) - 1 };
 
 /* ---- finding an array ---- */
 
