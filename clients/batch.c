@@ -202,6 +202,7 @@ int command_batch(struct options *options)
     batch.progress = (struct progress){.total = batch.list.count, .began = job_clock()};
     batch.progress.is_shown =
         isatty(STDERR_FILENO) && !options->own[OPTION_PLAIN] && !options->own[OPTION_QUIET] && !getenv("NO_COLOR");
+    if (options->own[OPTION_RESUME]) tables_open(); /* before threads share them */
     run(&batch, count < batch.list.count ? count : batch.list.count);
     status = summarize(&batch);
     for (size_t i = 0; i < batch.list.count; i++)

@@ -80,32 +80,38 @@ static int add_folder(struct file_list *list, const char *folder, const char *be
 
 /* ---- lines of standard input ---- */
 
+static int refuse_key(const char *key, size_t line)
+{
+    struct near_word near = {.word = key};
+    for (size_t i = 0; i < PARAMETER_COUNT; i++)
+        near_offer(&near, parameter_rows[i].name);
+    near_offer(&near, "output");
+    if (near.best) return options_wrong("line %zu: unknown key \"%s\"; did you mean %s?", line, key, near.best);
+    return options_wrong("line %zu: unknown key \"%s\"; \"file\", \"output\" and parameters are known", line, key);
+}
+
 /* Sets options of a job by the members of an object. */
 static int set_members(struct job *job, struct options *options, const cJSON *object, size_t line)
 {
     const cJSON *member;
     cJSON_ArrayForEach(member, object)
     {
-        char text[40];
+        char number[40];
         const char *value = cJSON_GetStringValue(member);
         if (cJSON_IsBool(member)) value = cJSON_IsTrue(member) ? "true" : "false";
         if (cJSON_IsNumber(member)) {
-            snprintf(text, sizeof text, "%.15g", member->valuedouble);
-            value = text;
+            snprintf(number, sizeof number, "%.15g", member->valuedouble);
+            value = number;
         }
+        if (strcmp(member->string, "file") == 0) continue;
         if (!value) return options_wrong("line %zu: \"%s\" takes a text, number or boolean", line, member->string);
-        value = strdup(value);
-        if (!value) return no_memory();
+        char *kept = strdup(value);
+        if (!kept) return no_memory();
         if (strcmp(member->string, "output") == 0)
-            job->target.out = value;
-        else if (strcmp(member->string, "file") != 0 && !options_set(options, member->string, value)) {
-            struct near_word near = {.word = member->string};
-            for (size_t i = 0; i < PARAMETER_COUNT; i++)
-                near_offer(&near, parameter_rows[i].name);
-            near_offer(&near, "output");
-            return options_wrong("line %zu: unknown key \"%s\"%s%s%s", line, member->string,
-                                 near.best ? "; did you mean " : "; \"file\", \"output\" and parameters are known",
-                                 near.best ? near.best : "", near.best ? "?" : "");
+            job->target.out = kept;
+        else if (!options_set(options, member->string, kept)) {
+            free(kept);
+            return refuse_key(member->string, line);
         }
     }
     return 0;
