@@ -8,7 +8,8 @@
     ROW(render, 'r', "FILE... [-o OUTPUT] [OPTION]...", "draws models and scenes (default)")                           \
     ROW(info, 'i', "FILE [OPTION]...", "prints the facts of a model or scene: camera, bounds, counts, warnings")       \
     ROW(batch, 'b', "FILE|FOLDER|GLOB|-... [-o FOLDER] [OPTION]...",                                                   \
-        "draws many files on all cores; -: names or JSON Lines from standard input")                                   \
+        "draws many files on all cores; -: names, or lines such as {\"file\": \"a.stl\", \"look\": \"clay\"}, from "   \
+        "standard input")                                                                                              \
     ROW(compare, 'c', "A.png B.png [-o DIFF.png]", "counts the pixels that differ; exit status 4 if any do")           \
     ROW(watch, 'w', "FILE [-o OUTPUT] [OPTION]...", "draws the file again whenever it changes")                        \
     ROW(looks, 'l', "", "lists the looks")                                                                             \
@@ -17,7 +18,7 @@
 /* ROW(ID, name, short letter or 0, placeholder or NULL for a switch, letters of its commands, help) */
 #define OUTPUT_OPTION_ROWS(ROW)                                                                                        \
     ROW(OUTPUT, "output", 'o', "FILE|DIR|-", "rbcw",                                                                   \
-        "file, folder or standard output (default: FILE with another ending, in this folder)")                         \
+        "file, folder or standard output (default: FILE with another ending, in this folder; compare: none)")          \
     ROW(SIZE, "size", 's', "WxH|N", "ribw", "window in pixels; N means NxN; -W or -H alone keeps 4:3")                 \
     ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcw", "existing files stay as they are")                                \
     ROW(SHOW, "show", 0, NULL, "rw", "picture in the terminal (kitty, iTerm2, sixel)")                                 \

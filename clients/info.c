@@ -18,7 +18,7 @@ static void print_value(const cJSON *value)
     if (cJSON_IsString(value))
         fputs(value->valuestring, stdout);
     else if (cJSON_IsNumber(value))
-        printf("%.9g", value->valuedouble);
+        printf(value->valuedouble == (double)(long)value->valuedouble ? "%.0f" : "%.6g", value->valuedouble);
     else
         fputs(cJSON_IsTrue(value) ? "true" : cJSON_IsFalse(value) ? "false" : "null", stdout);
 }
@@ -37,11 +37,11 @@ static bool print_list(const cJSON *list)
     return true;
 }
 
-/* Counts of nothing, and names that are not given. */
+/* Counts of nothing, names that are not given, and the many faces, which --json lists. */
 static bool is_nothing(const char *path, const cJSON *value)
 {
     const bool is_count = strncmp(path, "counts.", strlen("counts.")) == 0;
-    return (is_count && cJSON_IsNumber(value) && value->valuedouble == 0) ||
+    return strcmp(path, "faces") == 0 || (is_count && cJSON_IsNumber(value) && value->valuedouble == 0) ||
            (cJSON_IsString(value) && !*value->valuestring) || (!is_plain(value) && cJSON_GetArraySize(value) == 0);
 }
 
