@@ -1,5 +1,5 @@
-"""wheel.py BUILD VERSION: makes BUILD/wheel/zraster-VERSION-py3-none-manylinux_2_NN_ARCH.whl of the package, libzraster.so.0 and the
-libraries that it needs beyond the C library. NN is that of the highest GLIBC symbol in all of them. Wants patchelf and
+"""wheel.py BUILD VERSION: makes BUILD/wheel/zraster-VERSION-py3-none-manylinux_2_NN_ARCH.whl of the package,
+libzraster.so.0 and the libraries that it needs beyond the C library. NN is that of the highest GLIBC symbol in all of them. Needs patchelf and
 strip. The libraries get names of their own, so that the loader never takes one that another wheel brought."""
 import base64
 import hashlib
@@ -66,7 +66,9 @@ def licences(originals):
     found = {}
     for path in originals if shutil.which("dpkg") else ():
         for name in (path, os.path.realpath(path), re.sub("^/lib/", "/usr/lib/", os.path.realpath(path))):
-            owner = subprocess.run(["dpkg", "-S", name], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+            owner = subprocess.run(
+                ["dpkg", "-S", name], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+            ).stdout
             file = f"/usr/share/doc/{owner.split(':')[0]}/copyright"
             if owner and os.path.exists(file):
                 found[owner.split(":")[0]] = file

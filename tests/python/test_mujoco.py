@@ -97,7 +97,11 @@ class Mujoco(unittest.TestCase):
 
     def test_segmentation(self):
         """segmentation gives objid and objtype, and -1 where nothing is"""
-        left, right, mark = geom(2, [1] * 3, (-1, 0, 0), 11), geom(2, [1] * 3, (1, 0, 0), 12), geom(2, [1] * 3, (0, 0, 3), 13, segid=-1)
+        left, right, mark = (
+            geom(2, [1] * 3, (-1, 0, 0), 11),
+            geom(2, [1] * 3, (1, 0, 0), 12),
+            geom(2, [1] * 3, (0, 0, 3), 13, segid=-1),
+        )
         self.data.geoms = [left, right, mark, geom(100, [1] * 3)]
         self.renderer.update_scene(self.data)
         self.renderer.enable_segmentation_rendering()

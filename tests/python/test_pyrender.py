@@ -174,7 +174,9 @@ class Pyrender(unittest.TestCase):
 
     def test_colors(self):
         """a lit face has the colour of pyrender's formula; the background stays"""
-        material = self.p.MetallicRoughnessMaterial(baseColorFactor=[0.2, 0.4, 0.8, 1.0], metallicFactor=0, roughnessFactor=1)
+        material = self.p.MetallicRoughnessMaterial(
+            baseColorFactor=[0.2, 0.4, 0.8, 1.0], metallicFactor=0, roughnessFactor=1
+        )
         scene, node = self.scene(bg_color=[10, 20, 30])
         node.mesh = self.p.Mesh.from_trimesh(Box(), smooth=False, material=material)
         color, _ = self.renderer.render(scene)
@@ -269,7 +271,9 @@ class Pyrender(unittest.TestCase):
         texture = p.Texture(source=numpy.uint8([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [255, 255, 255]]]),
                             sampler=p.Sampler(magFilter=p.GLTF.NEAREST, minFilter=p.GLTF.NEAREST))  # fmt: skip
         material = p.MetallicRoughnessMaterial(baseColorTexture=texture)
-        textured = p.Primitive(square, texcoord_0=[[0, 0], [1, 0], [0, 1], [1, 1]], indices=[0, 1, 3, 0, 3, 2], material=material)
+        textured = p.Primitive(
+            square, texcoord_0=[[0, 0], [1, 0], [0, 1], [1, 1]], indices=[0, 1, 3, 0, 3, 2], material=material
+        )
         color = draw(p.Mesh([textured]))[0]
         self.assertEqual(color[20, 30].tolist(), [255, 0, 0])  # the top left texel
         self.assertEqual(color[40, 30].tolist(), [0, 0, 255])

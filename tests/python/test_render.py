@@ -84,7 +84,12 @@ class SameBytes(unittest.TestCase):
 
     def test_server_errors(self):
         """a server's errors are those of render"""
-        for source, options in (({"polygons": [{"vertices": [1]}]}, {}), (OBJ, {"look": "tecnical"}), (b"{", {}), (OBJ, {"line_width": 99})):
+        for source, options in (
+            ({"polygons": [{"vertices": [1]}]}, {}),
+            (OBJ, {"look": "tecnical"}),
+            (b"{", {}),
+            (OBJ, {"line_width": 99}),
+        ):
             with self.subTest(str(options)):
                 errors = []
                 for server in (None, self.daemon.address):
@@ -285,7 +290,14 @@ class Options(unittest.TestCase):
         cases = [
             {},
             {"look": "metal", "samples": 4, "size": (70, 50)},
-            {"azimuth": 30, "elevation": 10, "padding": 0.1, "projection": "orthographic", "edges": True, "background": "navy"},
+            {
+                "azimuth": 30,
+                "elevation": 10,
+                "padding": 0.1,
+                "projection": "orthographic",
+                "edges": True,
+                "background": "navy",
+            },
             {"light": "point", "light_position": (1, 2, 3), "light_intensity": 5.5},
             {"light_direction": [0, 0, -1], "shadows": True},
             {"preset": "top", "padding": 0.2, "projection": "orthographic", "outline": "#ff0000", "line_width": 2},

@@ -117,7 +117,15 @@ class Arrays(unittest.TestCase):
 
     def test_types(self):
         """arrays of every type give the picture of their lists"""
-        for types in (("f4", "u4"), ("f4", "i4"), ("f8", "i8"), ("f8", "u8"), (">f4", ">i4"), ("f2", "u2"), ("i4", "i2")):
+        for types in (
+            ("f4", "u4"),
+            ("f4", "i4"),
+            ("f8", "i8"),
+            ("f8", "u8"),
+            (">f4", ">i4"),
+            ("f2", "u2"),
+            ("i4", "i2"),
+        ):
             mesh = self.sheet(*types)
             lists = {name: array.tolist() for name, array in mesh.items()}
             with self.subTest(str(types)):
@@ -247,7 +255,9 @@ class Arrays(unittest.TestCase):
         self.assertEqual(zraster.render(SCENE, view=pose).png, wanted)
         self.assertEqual(zraster.render(SCENE, view={"cameraToWorld": numpy.float32(pose)}).png, wanted)
         given = zraster.render(SCENE, view={"cameraToWorld": pose.tolist(), "perspective": {"yfov": 0.5}}).png
-        self.assertEqual(zraster.render(SCENE, view={"cameraToWorld": pose, "perspective": {"yfov": numpy.float64(0.5)}}).png, given)
+        self.assertEqual(
+            zraster.render(SCENE, view={"cameraToWorld": pose, "perspective": {"yfov": numpy.float64(0.5)}}).png, given
+        )
 
 
 def draw(scene, number):

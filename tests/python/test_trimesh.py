@@ -100,7 +100,10 @@ class Trimesh(unittest.TestCase):
         box.visual.face_colors = [255, 0, 0, 255]
         cloud = trimesh.PointCloud([[2, 0, 0], [2, 1, 0]], colors=[[0, 0, 255, 255]] * 2)
         made = zraster.trimesh.scene_of(trimesh.Scene([box, cloud]))
-        found = {tuple(color) for color in zraster.render({**made, "look": "textbook"}, shading="unlit").array.reshape(-1, 3).tolist()}
+        found = {
+            tuple(color)
+            for color in zraster.render({**made, "look": "textbook"}, shading="unlit").array.reshape(-1, 3).tolist()
+        }
         self.assertEqual(found, {(255, 255, 255), (255, 0, 0), (0, 0, 255)})
 
     def test_pyrender(self):

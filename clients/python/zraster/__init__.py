@@ -1,4 +1,4 @@
-"""zraster renders 3D scenes and meshes to pictures, depth, normals and ids, within this process, without a GPU or a display.
+"""Renders 3D scenes and meshes to pictures, depth, normals and ids, within this process, without a GPU or a display.
 
 >>> import zraster
 >>> zraster.render("part.stl", look="technical", size=(800, 600)).save("part.png")

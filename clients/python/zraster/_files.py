@@ -1,4 +1,4 @@
-"""Answers as files: read from a ZIP, and decoded to arrays without the renderer. Pictures of servers and pickled ones are files."""
+"""Answers as files: read from a ZIP, and decoded to arrays without the renderer, for pictures of servers and pickled ones."""
 from __future__ import annotations
 
 import io

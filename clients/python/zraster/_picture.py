@@ -124,7 +124,7 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
 
     def __init__(self, made: Any) -> None:
         self._made = made
-        self._told = 0  # warnings issued so far
+        self._issued = 0  # warnings issued so far
 
     # ---- files ----
 
@@ -233,9 +233,9 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
     def _warn(self, level: int) -> None:
         """Issues warnings that are new. level: 2 is the function that calls this one, 3 its caller."""
         texts = self._made.warnings
-        for text in texts[self._told :]:
+        for text in texts[self._issued :]:
             warnings.warn(text, Warning, stacklevel=level)
-        self._told = len(texts)
+        self._issued = len(texts)
 
     def __repr__(self) -> str:
         return f"<zraster.Picture {', '.join(self)} in {self.look}>"

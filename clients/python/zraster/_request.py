@@ -28,7 +28,9 @@ def view_of(view: Any) -> Any:
 class Call:
     """A struct zraster_request, with what it borrows."""
 
-    def __init__(self, body: bytes, type_: Optional[str], query: Dict[str, str], parts: Parts, cancel: Optional[Cancel]):
+    def __init__(
+        self, body: bytes, type_: Optional[str], query: Dict[str, str], parts: Parts, cancel: Optional[Cancel]
+    ):
         self.struct = c.Request(struct_size=sizeof(c.Request), body=body, body_size=len(body))
         if type_:
             self.struct.type = type_.encode()

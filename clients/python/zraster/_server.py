@@ -60,8 +60,8 @@ def _post(server: str, body: bytes, type_: str, query: Dict[str, str]) -> Tuple[
         headers["Authorization"] = "Bearer " + os.environ["ZRASTER_TOKEN"]
     try:
         with urlopen(HttpRequest(url, body, headers)) as answer:
-            told = answer.headers.get("Zraster-Warnings", "")
-            warnings = told.split("; ") if told else []
+            listed = answer.headers.get("Zraster-Warnings", "")
+            warnings = listed.split("; ") if listed else []
             return answer.read(), answer.headers.get_content_type(), answer.headers.get("Zraster-Look", ""), warnings
     except HTTPError as error:
         raise _error_of(error.code, error.read()) from None

@@ -160,7 +160,11 @@ class Renderer:
             matrix[0, 0], matrix[1, 1], matrix[2, 2], matrix[3, 3] = 1 / half, 2 / (top - bottom), 2 / (near - far), 1
             matrix[:3, 3] = -centre / half, (top + bottom) / (bottom - top), (far + near) / (near - far)
         else:
-            matrix[0, 0], matrix[1, 1], matrix[2, 2] = near / half, 2 * near / (top - bottom), (far + near) / (near - far)
+            matrix[0, 0], matrix[1, 1], matrix[2, 2] = (
+                near / half,
+                2 * near / (top - bottom),
+                (far + near) / (near - far),
+            )
             matrix[:3, 2] = centre / half, (top + bottom) / (top - bottom), matrix[2, 2]
             matrix[2, 3], matrix[3, 2] = 2 * far * near / (near - far), -1
         return {"cameraToWorld": pose.tolist(), "projectionMatrix": matrix.tolist()}, far
@@ -172,14 +176,26 @@ class Renderer:
         ambient = sum((np.asarray(light.ambient, np.float64) for light in given), np.zeros(3)).clip(0, 1)
         lights = [{"type": "directional", "direction": np.asarray(light.dir, np.float64).tolist(),
                    "color": np.asarray(light.diffuse, np.float64).clip(0, 1).tolist()} for light in given]  # fmt: skip
-        return {"shading": "phong", "background": [0, 0, 0], "samples": 4, "lights": lights, "ambient": ambient.tolist()}
+        return {
+            "shading": "phong",
+            "background": [0, 0, 0],
+            "samples": 4,
+            "lights": lights,
+            "ambient": ambient.tolist(),
+        }
 
     def _geometry(self, geoms: List[Any]) -> Dict[str, Any]:
         meshes: Dict[Any, Dict[str, Any]] = {}
         materials, nodes = [], []
         for number, geom in enumerate(geoms):
             rgba = np.asarray(geom.rgba, np.float64).clip(0, 1)
-            key = (int(geom.type), int(geom.dataid), *np.asarray(geom.size).tolist(), *rgba.tolist(), float(geom.specular))
+            key = (
+                int(geom.type),
+                int(geom.dataid),
+                *np.asarray(geom.size).tolist(),
+                *rgba.tolist(),
+                float(geom.specular),
+            )
             if key not in meshes:
                 name = str(len(meshes))
                 material: Dict[str, Any] = {"name": name, "baseColorFactor": rgba.tolist()}
@@ -209,7 +225,11 @@ class Renderer:
             return _box(size)
         if kind == PLANE:
             x, y = (side if side > 0 else 20 * float(model.stat.extent) for side in size[:2])
-            return {"positions": [[-x, -y, 0], [x, -y, 0], [x, y, 0], [-x, y, 0]], "faces": [[0, 1, 2, 3]], "shading": "flat"}
+            return {
+                "positions": [[-x, -y, 0], [x, -y, 0], [x, y, 0], [-x, y, 0]],
+                "faces": [[0, 1, 2, 3]],
+                "shading": "flat",
+            }
         if kind == HFIELD:
             i = int(geom.dataid)
             rows, columns, start = int(model.hfield_nrow[i]), int(model.hfield_ncol[i]), int(model.hfield_adr[i])

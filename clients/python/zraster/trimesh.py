@@ -39,7 +39,11 @@ def _mesh_of(geometry: Any, name: str, parts: Dict[str, bytes]) -> Tuple[Dict[st
         import numpy
 
         count = len(geometry.vertices)
-        mesh: Dict[str, Any] = {"positions": geometry.vertices, "points": numpy.arange(count, dtype="u4"), "pointSize": 3}
+        mesh: Dict[str, Any] = {
+            "positions": geometry.vertices,
+            "points": numpy.arange(count, dtype="u4"),
+            "pointSize": 3,
+        }
         colors = getattr(geometry, "colors", None)
         if colors is not None and len(colors) == count:
             mesh["colors"] = colors

@@ -1,7 +1,7 @@
-"""compare.py BUILD MESH: what the Python package adds to libzraster's calls, and what a second thread of Python is worth. Python and
-a C program draw in turns; a row has the medians of the rounds. `make bench-python` runs it. With one thread, the ratio is that of
-processor times, which other programs of the machine disturb less than the clock. Two threads are measured by the clock, beside
-two processes in C, whose gain is the bound at that moment.
+"""compare.py BUILD MESH: cost of the Python package beside libzraster's calls in C, and gain by a second thread of Python.
+Both draw in turns; a row has the medians of the rounds. `make bench-python` runs it. With one thread, the ratio is that of
+processor times, which other programs of the machine disturb less than the clock. Two threads are measured by the clock,
+beside two processes in C, whose gain is the bound at that moment.
 """
 import os
 import statistics
@@ -48,7 +48,9 @@ def draw(look, renderer, count):
 
 
 def row(name, first, second, ratio, bar, is_met):
-    print(f"{name:28} {first:22} {second:26} ratio {ratio:.3f}   (bar {bar})   {'ok' if is_met else 'SHORT'}", flush=True)
+    print(
+        f"{name:28} {first:22} {second:26} ratio {ratio:.3f}   (bar {bar})   {'ok' if is_met else 'SHORT'}", flush=True
+    )
 
 
 def beside_c(look, count):

@@ -18,7 +18,9 @@ def _planes(matrix: Any, near: float, far: Optional[float]) -> None:
 class Camera:
     """Base of cameras. znear, zfar: planes in metres."""
 
-    def __init__(self, znear: float = DEFAULT_Z_NEAR, zfar: Optional[float] = DEFAULT_Z_FAR, name: Optional[str] = None):
+    def __init__(
+        self, znear: float = DEFAULT_Z_NEAR, zfar: Optional[float] = DEFAULT_Z_FAR, name: Optional[str] = None
+    ):
         self.name, self.znear, self.zfar = name, float(znear), zfar
         if self.znear < 0 or (zfar is not None and zfar <= max(self.znear, 0)):
             raise ValueError("znear must be >= 0, and zfar > znear")

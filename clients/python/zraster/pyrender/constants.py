@@ -28,7 +28,17 @@ class RenderFlags:
 class TextAlign:
     """Alignments of captions, which only a Viewer draws."""
 
-    CENTER, CENTER_LEFT, CENTER_RIGHT, BOTTOM_LEFT, BOTTOM_RIGHT, BOTTOM_CENTER, TOP_LEFT, TOP_RIGHT, TOP_CENTER = range(9)
+    (
+        CENTER,
+        CENTER_LEFT,
+        CENTER_RIGHT,
+        BOTTOM_LEFT,
+        BOTTOM_RIGHT,
+        BOTTOM_CENTER,
+        TOP_LEFT,
+        TOP_RIGHT,
+        TOP_CENTER,
+    ) = range(9)
 
 
 class GLTF:

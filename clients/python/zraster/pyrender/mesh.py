@@ -132,9 +132,7 @@ class Mesh:
 
 
 def _default(base: Any) -> MetallicRoughnessMaterial:
-    return MetallicRoughnessMaterial(
-        alphaMode="BLEND", baseColorFactor=base, metallicFactor=0.2, roughnessFactor=0.8
-    )
+    return MetallicRoughnessMaterial(alphaMode="BLEND", baseColorFactor=base, metallicFactor=0.2, roughnessFactor=0.8)
 
 
 def _material_of(visual: Any) -> Optional[Material]:

@@ -29,7 +29,9 @@ class OffscreenRenderer:
         self.viewport_width, self.viewport_height = int(viewport_width), int(viewport_height)
         self.point_size = float(point_size)
 
-    def render(self, scene: Scene, flags: int = RenderFlags.NONE, seg_node_map: Optional[Dict[Node, Any]] = None) -> Any:
+    def render(
+        self, scene: Scene, flags: int = RenderFlags.NONE, seg_node_map: Optional[Dict[Node, Any]] = None
+    ) -> Any:
         """Draws a scene.
 
         flags: of RenderFlags. seg_node_map: colours of nodes, 0..255, for SEG; other nodes are not drawn then
@@ -37,7 +39,11 @@ class OffscreenRenderer:
         """
         if scene.main_camera_node is None:
             raise ValueError("Cannot render scene without a camera")
-        if flags & RenderFlags.SHADOWS_POINT and scene.point_lights and not flags & (RenderFlags.DEPTH_ONLY | RenderFlags.SEG):
+        if (
+            flags & RenderFlags.SHADOWS_POINT
+            and scene.point_lights
+            and not flags & (RenderFlags.DEPTH_ONLY | RenderFlags.SEG)
+        ):
             raise NotImplementedError("Point light shadows not implemented")
         if flags & _NORMALS:
             warnings.warn("VERTEX_NORMALS and FACE_NORMALS draw nothing", Warning, stacklevel=2)
@@ -94,7 +100,11 @@ class _Drawing:
             if isinstance(light, (PointLight, SpotLight)):
                 made.update(type="point", position=pose[:3, 3].tolist())
             if isinstance(light, SpotLight):
-                made.update(type="spot", innerConeAngle=light.innerConeAngle, outerConeAngle=min(light.outerConeAngle, np.pi / 2))
+                made.update(
+                    type="spot",
+                    innerConeAngle=light.innerConeAngle,
+                    outerConeAngle=min(light.outerConeAngle, np.pi / 2),
+                )
                 made["shadows"] = bool(self.flags & RenderFlags.SHADOWS_SPOT)
             if isinstance(light, DirectionalLight):
                 made.update(type="directional", shadows=bool(self.flags & RenderFlags.SHADOWS_DIRECTIONAL))
