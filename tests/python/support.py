@@ -14,6 +14,7 @@ except ImportError:
 here = os.path.dirname(os.path.abspath(__file__))
 root = os.path.normpath(os.path.join(here, "../.."))
 build = os.environ["ZRASTER_BUILD"]
+models = os.path.join(os.environ.get("ZRASTER_DATA", os.path.join(root, "../shared/data")), "models")
 scenes = os.path.join(root, "tests/scenes")
 needs_numpy = unittest.skipUnless(numpy, "there is no numpy (python3-numpy)")
 

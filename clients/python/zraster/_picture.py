@@ -113,7 +113,7 @@ def _unpickle(answer: Tuple[bytes, str], files: Dict[str, bytes], look: str, war
 class Picture(AbstractMapping):  # type: ignore[type-arg]
     """A picture: a mapping of channels to arrays, and a file for each of them. Row 0 is the top.
 
-    picture["color"]: (h, w, 3) uint8; (h, w, 4) if the background is not opaque. Values are sRGB
+    picture["color"]: (h, w, 3) uint8; (h, w, 4) if the background is not opaque; as in the PNG
     picture["depth"]: (h, w) float32, distance along the view axis in scene units; inf where nothing is
     picture["distance"]: (h, w) float32, length of the ray from the eye in scene units; inf where nothing is
     picture["normals"], picture["position"]: (h, w, 3) float32; 0 where nothing is
