@@ -24,7 +24,7 @@ from ._errors import (
 from ._options import Channels as _Channels
 from ._options import options
 from ._picture import Picture
-from ._renderer import Cancel, Renderer, shared
+from ._renderer import Cancel, Renderer, given_or_shared
 from ._request import make as _make
 from ._scene import Scene
 
@@ -80,6 +80,6 @@ def render(
             raise OptionError("cancel: a server's call cannot be cancelled")
         picture = _server.render(server, request, request.query, request.keys)
     else:
-        picture = request.draw(renderer or shared(), cancel)
+        picture = request.draw(given_or_shared(renderer), cancel)
     picture._warn(3)
     return picture

@@ -7,7 +7,7 @@ from ctypes import byref, c_void_p, sizeof
 from typing import Any, Dict, Optional
 
 from . import _library as c
-from ._errors import MemoryLimitError, raise_status
+from ._errors import MemoryLimitError, OptionError, raise_status
 
 
 class Cancel:
@@ -54,6 +54,10 @@ class Renderer:
             "image_pixels_max": image_pixels_max,
             "instances_max": instances_max,
         }
+        for name, value in self._options.items():
+            bits = 8 * getattr(c.Options, name).size
+            if not isinstance(value, int) or not 0 <= value < 1 << bits:
+                raise OptionError(f"{name}: {value!r} is no whole number from 0 to 2^{bits} - 1")
         options = c.Options(struct_size=sizeof(c.Options), **self._options)
         pointer = c_void_p()
         status = c.library.open(byref(options), byref(pointer))
@@ -82,6 +86,14 @@ class Renderer:
 
 def _open(options: Dict[str, int]) -> Renderer:
     return Renderer(**options)
+
+
+def given_or_shared(renderer: Optional[Renderer]) -> Renderer:
+    if renderer is None:
+        return shared()
+    if not isinstance(renderer, Renderer):
+        raise OptionError(f"renderer: a Renderer expected, got {type(renderer).__name__}")
+    return renderer
 
 
 _shared: Dict[int, Renderer] = {}

@@ -7,7 +7,7 @@ from . import _library as c
 from . import _options, _server
 from ._errors import OptionError
 from ._picture import Picture
-from ._renderer import Cancel, Renderer, shared
+from ._renderer import Cancel, Renderer, given_or_shared
 from ._request import Request, draw_change, make, view_of
 
 
@@ -43,7 +43,7 @@ class Scene:
     def _read(self) -> None:
         request, renderer, server = self._state
         if server is None:
-            self._handle = request.read_scene(renderer or shared())
+            self._handle = request.read_scene(given_or_shared(renderer))
 
     def render(
         self,
