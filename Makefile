@@ -43,7 +43,8 @@ NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJS
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
-NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl strace=strace $(NEED_REFERENCE) \
+NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl strace=strace pkg-config=pkg-config bwrap=bubblewrap \
+	update-mime-database=shared-mime-info $(NEED_REFERENCE) \
 	$(NEED_PYTHON)
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
@@ -134,7 +135,7 @@ LINK = $(Q)$(CC) $(OURS) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.
 all: $(BUILD)/zrasterd $(BUILD)/zraster library documents ## the command, the daemon, the library and their man pages (the default)
 
 .PHONY: library
-library: $(BUILD)/libzraster.so.0 $(BUILD)/libzraster.a $(BUILD)/zraster.pc ## libzraster, shared and static (core/library/zraster.h)
+library: $(BUILD)/libzraster.so.0 $(BUILD)/libzraster.a ## libzraster, shared and static (core/library/zraster.h)
 
 manuals := $(addprefix $(BUILD)/,zraster.1 zrasterd.8 libzraster.3)
 completions := $(addprefix $(BUILD)/completion.,bash zsh fish)
@@ -339,7 +340,6 @@ $(BUILD)/libcore.a: $(core)
 library_header := core/library/zraster.h
 library_version = $(shell sed -n 's/^\#define ZRASTER_VERSION  *"\(.*\)"/\1/p' $(library_header))
 library_functions = sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)(.*/\1/p' $(library_header)
-prefix ?= /usr/local
 
 $(BUILD)/zraster.map: $(library_header)
 	@mkdir -p $(@D)
@@ -355,11 +355,33 @@ $(BUILD)/libzraster.o: $(core)
 	$(Q)$(OBJCOPY) --localize-hidden $@
 $(BUILD)/libzraster.a: $(BUILD)/libzraster.o
 
-$(BUILD)/zraster.pc: $(library_header) Makefile
-	@mkdir -p $(@D)
-	@printf '%s\n' 'prefix=$(prefix)' 'Name: zraster' 'Description: renders 3D scenes to PNG, depth, normals and ids' \
-		'Version: $(library_version)' 'Requires.private: libpng libjpeg libisal' 'Libs: -L$${prefix}/lib -lzraster' \
-		'Libs.private: -lm -pthread' 'Cflags: -I$${prefix}/include' >$@
+# ---- installed: .packages/install.sh has the files ----
+
+prefix = /usr/local
+bindir = $(prefix)/bin
+libdir = $(prefix)/lib
+includedir = $(prefix)/include
+datadir = $(prefix)/share
+mandir = $(datadir)/man
+zshdir = $(datadir)/zsh/site-functions
+unitdir = $(prefix)/lib/systemd/system
+pythondir = $(prefix)/lib/python3/dist-packages
+folders := prefix bindir libdir includedir datadir mandir zshdir unitdir pythondir
+installer = @BUILD="$(BUILD)" DESTDIR="$(DESTDIR)" version="$(library_version)" \
+	$(foreach folder,$(folders),$(folder)="$($(folder))") .packages/install.sh
+
+.PHONY: install
+install: all ## installs below prefix=/usr/local (DESTDIR=, PACKAGES=): command, daemon, library, man pages, completion, thumbnailer, unit
+	$(installer) install $(PACKAGES)
+
+.PHONY: uninstall
+uninstall: ## removes the files that `make install` puts into the same folders
+	$(installer) uninstall $(PACKAGES)
+
+# Package and path of each file.
+.PHONY: list-installed
+list-installed:
+	$(installer) list $(PACKAGES)
 
 # Archives, so that each program links only what it calls.
 $(BUILD)/libsupport.a: $(support)

@@ -108,6 +108,7 @@ for part in "$@"; do
         run contract tests/make/test_contract.sh "$build"
         run calls tests/make/test_calls.sh "$build"
         run library tests/make/test_library.sh "$build"
+        run install tests/make/test_install.sh "$build"
         ;;
     server)
         for test in "$build"/tests/server/test_*; do

@@ -21,17 +21,13 @@ verdict "and the examples in it call no others" [ -z "$(comm -13 "$work/declared
 verdict "the shared library exports them, versioned, and nothing else" cmp "$work/declared" "$work/shared"
 verdict "so does the static one" cmp "$work/declared" "$work/static"
 verdict "its name has the version of the ABI" sh -c "readelf -d '$build/libzraster.so.0' | grep -q 'SONAME.*\[libzraster.so.0\]'"
-verdict "zraster.pc has the header's version" [ "$(sed -n 's/^Version: //p' "$build/zraster.pc")" = \
-    "$(sed -n 's/^#define ZRASTER_VERSION  *"\(.*\)"/\1/p' $header)" ]
 
-needs=$(sed -n 's/^Requires.private: //p' "$build/zraster.pc")
 libraries='-lpng -ljpeg -lisal -lm -pthread'
 verdict "the header is C99" $cc -std=c99 $warnings -fsyntax-only -x c $header
 verdict "and C++" $cxx $warnings -fsyntax-only -x c++ $header
 verdict "the example is C99" $cc -std=c99 $warnings -Icore/library $example -o "$work/shared.out" -L"$build" -lzraster -Wl,-rpath,"$(realpath "$build")"
 verdict "and links with the static library" $cc -Icore/library $example -o "$work/static.out" "$build/libzraster.a" $libraries
 verdict "and is C++" $cxx $warnings -Icore/library -x c++ $example -x none -o "$work/cxx.out" -L"$build" -lzraster -Wl,-rpath,"$(realpath "$build")"
-verdict "zraster.pc names the libraries of the static one" [ "$needs" = "libpng libjpeg libisal" ]
 
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n' >"$work/part.obj"
 cp clients/examples/solids.json "$work/solids.json"
