@@ -6,13 +6,28 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+enum { HUGE_PAGE = 2 << 20 };
+
+/* Makes the room of a large file of huge pages, which the system clears faster than small ones. */
+static bool reserve_huge(struct bytes *bytes, size_t size)
+{
+    void *data;
+    const size_t room = (size + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE;
+    if (posix_memalign(&data, HUGE_PAGE, room) != 0) return false;
+    madvise(data, room, MADV_HUGEPAGE);
+    *bytes = (struct bytes){data, 0, room};
+    return true;
+}
 
 /* Makes room for `size` bytes more. */
 static bool reserve(struct bytes *bytes, size_t size)
 {
     if (size <= bytes->room - bytes->size) return true;
+    if (bytes->room == 0 && size > HUGE_PAGE) return reserve_huge(bytes, size);
     const size_t room = bytes->room * 2 > bytes->size + size ? bytes->room * 2 : bytes->size + size;
     char *grown = realloc(bytes->data, room);
     if (!grown) return false;
