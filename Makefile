@@ -57,6 +57,7 @@ NEED_WHEEL := $(PYTHON)=python3 patchelf=patchelf readelf=binutils
 # patchelf and pip for the wheel that tests install.
 NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy /usr/share/doc/python3-venv=python3-venv \
 	/usr/lib/python3/dist-packages/trimesh=python3-trimesh?
+NEED_DEB := dpkg-buildpackage=dpkg-dev dh=debhelper dh_python3=dh-python $(PYTHON)=python3
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels curl=curl
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
@@ -382,6 +383,18 @@ uninstall: ## removes the files that `make install` puts into the same folders
 .PHONY: list-installed
 list-installed:
 	$(installer) list $(PACKAGES)
+
+.PHONY: deb
+deb: ## the Debian packages: build/deb/*.deb
+	@.ci/need $(NEED_BUILD) $(NEED_DEB)
+	@.packages/deb.sh $(BUILD) $(library_version) $(foreach need,$(NEED_BUILD),$(lastword $(subst =, ,$(need))))
+
+.PHONY: test-deb
+test-deb: deb ## make deb, lintian, and an installation in a bare root of this Debian (root); SYSTEMS="12 13": of these
+	@.ci/need lintian=lintian $(NEED_SYSTEMS)
+	@tests/systems/test_deb.sh $(BUILD)
+	@SYSTEMS="$(or $(SYSTEMS),$(shell . /etc/os-release && echo $$VERSION_CODENAME))" ROOTS="$(or $(ROOTS),$(abspath $(BUILD))/roots)" \
+		MIRROR="$(MIRROR)" KEEP="$(KEEP)" DEBS=$(BUILD)/deb TARGETS=tests/systems/install_debs.sh tests/systems/run.sh
 
 # Archives, so that each program links only what it calls.
 $(BUILD)/libsupport.a: $(support)

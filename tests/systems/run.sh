@@ -8,7 +8,8 @@
 #   ROOTS    the folder of the roots and of what the makes print, some GB (/var/tmp/zraster-systems)
 #   KEEP     1: roots stay, and those that are there are used again, no longer bare
 #   MIRROR   where packages come from (http://deb.debian.org/debian)
-#   TARGETS  that are made (demo test)
+#   TARGETS  that are made, or scripts that are run (demo test)
+#   DEBS     a folder whose packages are copied to /src/debs (none)
 #   DATA     what the tests use where it is there, read-only (../shared/data)
 #
 # All mounts are made in a mount namespace of their own, and all processes run in a PID namespace: they end with it, however
@@ -19,6 +20,7 @@ roots=${ROOTS:-/var/tmp/zraster-systems}
 mirror=${MIRROR:-http://deb.debian.org/debian}
 targets=${TARGETS:-demo test}
 data=${DATA:-../shared/data}
+debs=${DEBS:-}
 keep=${KEEP:-}
 child=
 # Of the compiler and the linker; what our own programs warn of in the demo is none.
@@ -51,7 +53,7 @@ inside() { # root
         echo "== make $target"
         # shellcheck disable=SC2016
         env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 ${http_proxy:+http_proxy="$http_proxy"} \
-            chroot "$root" sh -c 'cd /src/zraster && exec make "$1"' sh "$target" 2>&1 || { echo "== make $target failed"; exit 1; }
+            chroot "$root" sh -c 'cd /src/zraster && case $1 in *.sh) exec "$1" ;; *) exec make "$1" ;; esac' sh "$target" 2>&1 || { echo "== make $target failed"; exit 1; }
     done
 }
 
@@ -94,6 +96,7 @@ check() { # system
     tell_apt "$root"
     rm -rf --one-file-system "$root/src/zraster"
     git clone -q . "$root/src/zraster" || { echo "$1: no clone of this checkout"; return 1; }
+    [ -z "$debs" ] || { mkdir -p "$root/src/debs" && cp "$debs"/*.deb "$root/src/debs"; } || return 1
     unshare --mount --pid --fork --kill-child "$0" inside "$root" >>"$log" 2>&1 &
     await $!
     made=$?
