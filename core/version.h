@@ -2,7 +2,7 @@
 #ifndef ZR_VERSION_H
 #define ZR_VERSION_H
 
-#define ZR_VERSION "0.1.0"
+#define ZR_VERSION "0.2.0"
 
 /* Version of the rules that turn a scene into pixels; `rules` of the output info. A change that moves a pixel of a
  * correct scene raises it. Version 1 drew lines as Mesa 22.3, version 2 draws them as Mesa 25.0. */

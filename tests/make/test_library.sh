@@ -21,6 +21,9 @@ verdict "and the examples in it call no others" [ -z "$(comm -13 "$work/declared
 verdict "the shared library exports them, versioned, and nothing else" cmp "$work/declared" "$work/shared"
 verdict "so does the static one" cmp "$work/declared" "$work/static"
 verdict "its name has the version of the ABI" sh -c "readelf -d '$build/libzraster.so.0' | grep -q 'SONAME.*\[libzraster.so.0\]'"
+version=$(sed -n 's/^#define ZRASTER_VERSION  *"\(.*\)"/\1/p' $header)
+verdict "the daemon and the command have its version" [ "$("$build/zrasterd" --version) $("$build/zraster" --version)" = \
+    "zrasterd $version zraster $version" ]
 
 libraries='-lpng -ljpeg -lisal -lm -pthread'
 verdict "the header is C99" $cc -std=c99 $warnings -fsyntax-only -x c $header
