@@ -109,6 +109,7 @@ for part in "$@"; do
         run calls tests/make/test_calls.sh "$build"
         run library tests/make/test_library.sh "$build"
         run install tests/make/test_install.sh "$build"
+        run service tests/make/test_service.sh "$build"
         ;;
     server)
         for test in "$build"/tests/server/test_*; do
