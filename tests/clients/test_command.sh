@@ -166,7 +166,11 @@ check "and are resumed" 0 "$zraster" batch scenes -o own --resume --json
 verdict "by the first one" [ "$(grep -c '"status":"skipped"' "$said")" = 2 ]
 "$zraster" batch many -o stopped -s 2000 -j 1 >"$said" 2>"$complained" &
 pid=$!
-sleep 0.3
+tries=0
+until [ -n "$(ls stopped 2>/dev/null)" ] || [ $tries -ge 200 ]; do
+    tries=$((tries + 1))
+    sleep 0.02
+done
 kill -INT $pid
 wait $pid
 verdict "an interrupted batch ends with 130" [ $? = 130 ]
