@@ -57,7 +57,7 @@ NEED_WHEEL := $(PYTHON)=python3 patchelf=patchelf readelf=binutils
 # patchelf and pip for the wheel that tests install.
 NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy /usr/share/doc/python3-venv=python3-venv \
 	/usr/lib/python3/dist-packages/trimesh=python3-trimesh?
-NEED_DEB := dpkg-buildpackage=dpkg-dev dh=debhelper dh_python3=dh-python $(PYTHON)=python3
+NEED_DEB := /usr/share/doc/build-essential=build-essential dh=debhelper dh_python3=dh-python $(PYTHON)=python3
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels curl=curl
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.

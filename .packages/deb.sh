@@ -8,7 +8,7 @@ source=$out/zraster-$version debian=$out/zraster-$version/debian
 unset MAKEFLAGS MAKELEVEL MFLAGS
 rm -rf "$out"
 mkdir -p "$source"
-{ git ls-files -z 2>/dev/null || find . -path ./build -prune -o -type f -print0; } | tar -c --null -T - | tar -x -C "$source"
+{ git ls-files -z 2>/dev/null || find . \( -path ./build -o -path ./.git \) -prune -o -type f -print0; } | tar -c --null -T - | tar -x -C "$source"
 cp -R .packages/debian "$debian"
 # Those that every build has are not named.
 needs=$(printf '%s\n' "$@" | grep -vxE 'gcc|libc6-dev' | sort -u | paste -sd , | sed 's/,/, /g')
