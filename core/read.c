@@ -51,6 +51,7 @@ static enum zr_status name_bytes(const struct zr_request *request, enum zr_statu
 static enum zr_status find_format(struct zr_request *request, struct zr_error *error)
 {
     if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
+    if (request->size == 0) return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "the body is empty");
     request->format = zr_format_of_bytes(request->bytes, request->size);
     if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
     const char *words = zr_bytes_in_words(request->bytes, request->size);

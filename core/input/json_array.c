@@ -30,6 +30,8 @@ static bool refuse_shape(struct zr_json *json, const struct zr_json_path *path, 
     write_shape(&array->numbers, shape);
     if (wanted->most == 1)
         snprintf(needed, sizeof needed, "(n,) is");
+    else if (wanted->rows > 0)
+        snprintf(needed, sizeof needed, "(%zu, %zu) is", wanted->rows, wanted->most);
     else if (wanted->least == wanted->most)
         snprintf(needed, sizeof needed, "(n, %zu) is", wanted->least);
     else if (wanted->most == wanted->least + 1)
@@ -50,7 +52,7 @@ static bool check_form(struct zr_json *json, const struct zr_json_path *path, st
     array->rows = numbers->shape[0];
     array->columns = numbers->ndim > 1 ? numbers->shape[1] : 1;
     if (numbers->ndim > 2 || (numbers->ndim == 1 && wanted->most > 1) || array->columns < wanted->least ||
-        array->columns > wanted->most)
+        array->columns > wanted->most || (wanted->rows > 0 && array->rows != wanted->rows))
         return refuse_shape(json, path, array);
     if (array->rows > ROWS_MAX || array->rows * array->columns > UINT32_MAX)
         return zr_json_fault(json, path, "%zu rows of %zu numbers are too many", array->rows, array->columns);
@@ -324,11 +326,10 @@ bool zr_json_array_read(struct zr_json *json, const struct zr_json_path *path, c
 
 bool zr_json_array_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out)
 {
-    const struct zr_array_wanted wanted = {.least = side, .most = side};
+    const struct zr_array_wanted wanted = {.rows = side, .least = side, .most = side};
     struct zr_json_array array;
     bool good = true;
     if (!zr_json_array_open(json, path, &wanted, &array)) return false;
-    if (array.rows != side) return zr_json_fault(json, path, "expected %zu rows, found %zu", side, array.rows);
     for (size_t i = 0; i < side * side; i++) {
         out[i] = number_at(&array, i);
         good &= zr_json_check_range(json, ZR_JSON_ITEM(ZR_JSON_ITEM(path, i / side), i % side), -limit, limit, out[i]);

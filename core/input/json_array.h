@@ -14,6 +14,7 @@
 
 /* Arrays that may stand for a list. */
 struct zr_array_wanted {
+    size_t rows;        /* 0: any number */
     size_t least, most; /* numbers per row; 1: the shape (n,), or (n, 1) */
     bool is_index;      /* integers alone */
     bool is_color;      /* u1 is 0 to 255 for 0 to 1 */

@@ -19,6 +19,7 @@
  *
  * Ownership  Results belong to the caller. The function beside each type frees it; freeing NULL does nothing. A failed
  *            call sets its result to NULL. Bodies, queries and parts are borrowed for the call alone.
+ * NULL       `error`, and what a comment allows, may be NULL. No other argument is NULL.
  * Threads    Any number of threads may call with one renderer, scene or cancel at once. They share the renderer's
  *            helper threads. A picture or an error belongs to one thread at a time.
  * fork       Renderers and scenes work in a child process, which starts helper threads of its own.
@@ -175,7 +176,7 @@ struct zraster_bytes {
     const char *type; /* "image/png" */
 };
 
-/* Encodes the answer of POST /v1/render: the file of the only output, or a ZIP. With `channel`, "depth" or a name in
+/* Encodes the answer of POST /v1/render: the file of the only output, or a ZIP. With a `channel`, "depth" or a name in
  * the ZIP such as "depth.npy", the file of that output; ZRASTER_BAD_REQUEST if there is none. Files are encoded once.
  */
 ZRASTER_API zraster_status zraster_picture_encode(zraster_picture *picture, const char *channel,

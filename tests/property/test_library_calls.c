@@ -304,6 +304,8 @@ static void errors_have_a_place_and_a_reason(void **state)
     refuse(&request, ZRASTER_BAD_SYNTAX, "", "line 1");
     request = request_of("what is it");
     refuse(&request, ZRASTER_BAD_TYPE, "", "no type is given");
+    request.body_size = 0;
+    refuse(&request, ZRASTER_BAD_SYNTAX, "", "the body is empty");
     request.type = "model/step";
     refuse(&request, ZRASTER_BAD_TYPE, "", "'model/step' is none of: application/json");
     request = request_of(triangle);
