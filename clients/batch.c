@@ -11,6 +11,7 @@
 #include "file_list.h"
 #include "progress.h"
 #include "report.h"
+#include "resume.h"
 #include "tables.h"
 
 enum { THREADS_MAX = 256 };
@@ -23,40 +24,6 @@ struct batch {
     size_t next;
     struct progress progress;
 };
-
-/* ---- resuming ---- */
-
-/* Finds the first output of a scene, in its text. False: it has none, so that it is a colour picture. */
-static bool find_first(const char *file, struct bytes *body, char channel[64], char encoding[64])
-{
-    cJSON *scene = bytes_read(body, file) ? cJSON_ParseWithLength(bytes_text(body), body->size) : NULL;
-    const cJSON *output = cJSON_GetArrayItem(cJSON_GetObjectItemCaseSensitive(scene, "outputs"), 0);
-    const char *name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(output, "channel"));
-    const char *how = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(output, "encoding"));
-    if (name) snprintf(channel, 64, "%s", name);
-    snprintf(encoding, 64, "%s", how ? how : "");
-    cJSON_Delete(scene);
-    return name != NULL;
-}
-
-/* Returns true if the output that is saved last exists. */
-static bool is_there(const struct job *job)
-{
-    const char *given = job->options->parameters[PARAMETER_channel];
-    const char *encoding = job->options->parameters[PARAMETER_encoding];
-    char channel[64] = "color", how[64] = "";
-    struct bytes body = {NULL, 0, 0};
-    if (job->target.out) return access(job->target.out, F_OK) == 0;
-    if (given)
-        snprintf(channel, sizeof channel, "%.*s", (int)strcspn(given, ","), given);
-    else if (input_is_scene(job->target.file))
-        find_first(job->target.file, &body, channel, how);
-    bytes_free(&body);
-    char *name = output_name(&job->target, channel, tables_extension(channel, encoding ? encoding : how));
-    const bool there = name && access(name, F_OK) == 0;
-    free(name);
-    return there;
-}
 
 /* ---- reports ---- */
 
@@ -156,7 +123,7 @@ static void *work(void *context)
             batch->next < batch->list.count && !engine_interrupted() ? &batch->list.jobs[batch->next++] : NULL;
         pthread_mutex_unlock(&batch->lock);
         if (!job) return NULL;
-        job->is_skipped = batch->options->own[OPTION_RESUME] && is_there(job);
+        job->is_skipped = batch->options->own[OPTION_RESUME] && resume_has_all(job);
         if (!job->is_skipped) {
             if (!job->target.out) make_folders(&job->target);
             job_run(&batch->engine, job);

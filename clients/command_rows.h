@@ -22,7 +22,7 @@
     ROW(SIZE, "size", 's', "WxH|N", "ribw", "window in pixels; N means NxN; -W or -H alone keeps 4:3")                 \
     ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcw", "existing files stay as they are")                                \
     ROW(SHOW, "show", 0, NULL, "rw", "picture in the terminal (kitty, iTerm2, sixel)")                                 \
-    ROW(RESUME, "resume", 0, NULL, "b", "files whose output exists are skipped")                                       \
+    ROW(RESUME, "resume", 0, NULL, "b", "files whose outputs all exist are skipped")                                   \
     ROW(JSON, "json", 0, NULL, "ib", "JSON on standard output: the facts, or one line per file")
 #define GENERAL_OPTION_ROWS(ROW)                                                                                       \
     ROW(TYPE, "type", 0, "TYPE", "ribw", "format of FILE (default: by its ending, else by its bytes), one of")         \

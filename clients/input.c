@@ -46,10 +46,11 @@ bool input_has_ending(const char *path)
     return format_of(ending_of(path)) < FORMATS;
 }
 
-bool input_is_scene(const char *path)
+enum input_kind input_kind_of(const char *path, const struct options *options)
 {
-    const size_t i = format_of(ending_of(path));
-    return i < FORMATS && formats[i].has_view;
+    const char *type = options->own[OPTION_TYPE];
+    const size_t i = format_of(type ? type : ending_of(path));
+    return i == FORMATS ? INPUT_UNKNOWN : formats[i].has_view ? INPUT_SCENE : INPUT_MESH;
 }
 
 int input_check_type(const struct options *options)

@@ -29,8 +29,9 @@ size_t input_parts(const struct input *input, struct zraster_part parts[PARTS_MA
 /* Returns true if the ending of a name is that of a format that is read. */
 bool input_has_ending(const char *path);
 
-/* Returns true if it is that of a scene. */
-bool input_is_scene(const char *path);
+/* Returns what a file holds, by --type or its ending. */
+enum input_kind { INPUT_UNKNOWN, INPUT_MESH, INPUT_SCENE };
+enum input_kind input_kind_of(const char *path, const struct options *options);
 
 /* Checks --type. Returns 0 or an exit status, reported on stderr. */
 int input_check_type(const struct options *options);

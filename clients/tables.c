@@ -51,11 +51,17 @@ void tables_channels(struct words *words)
 
 const char *tables_extension(const char *name, const char *encoding)
 {
-    const cJSON *channel;
-    if (!*encoding)
-        cJSON_ArrayForEach(channel, list_of("channels")) if (strcmp(text_of(channel, "name"), name) == 0) encoding =
-            text_of(cJSON_GetArrayItem(cJSON_GetObjectItemCaseSensitive(channel, "encodings"), 0), NULL);
-    return strcmp(encoding, "png16") == 0 ? "png" : encoding;
+    const cJSON *channel, *known;
+    cJSON_ArrayForEach(channel, list_of("channels"))
+    {
+        if (strcmp(text_of(channel, "name"), name) != 0) continue;
+        cJSON_ArrayForEach(known, cJSON_GetObjectItemCaseSensitive(channel, "encodings"))
+        {
+            const char *word = text_of(known, NULL);
+            if (!*encoding || strcmp(word, encoding) == 0) return strcmp(word, "png16") == 0 ? "png" : word;
+        }
+    }
+    return NULL;
 }
 
 void tables_values(struct words *words, enum parameter parameter)

@@ -9,7 +9,8 @@
 void tables_looks(struct words *words);
 void tables_channels(struct words *words);
 
-/* Returns the ending of a channel's file; `encoding` may be "": the channel's first one. */
+/* Returns the ending of a channel's file; `encoding` may be "": the channel's first one. NULL: there is no such
+ * channel, or it has not this encoding. */
 const char *tables_extension(const char *channel, const char *encoding);
 
 /* Adds the values that a parameter takes, as far as they are words. */

@@ -163,7 +163,22 @@ printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0]
 check "scenes with outputs of their own" 0 "$zraster" batch scenes -o own
 verdict "get them" [ "$(ls own | tr '\n' ' ')" = "plain.png two.depth.npy two.png " ]
 check "and are resumed" 0 "$zraster" batch scenes -o own --resume --json
-verdict "by the first one" [ "$(grep -c '"status":"skipped"' "$said")" = 2 ]
+verdict "if all of them exist" [ "$(grep -c '"status":"skipped"' "$said")" = 2 ]
+rm own/two.png
+check "or else drawn again" 0 "$zraster" batch scenes -o own --resume --json
+verdict "whole" eval '[ -s own/two.png ] && [ "$(grep -c "\"status\":\"skipped\"" "$said")" = 1 ]'
+mkdir more && cp part.stl more/ && cp part.stl more/nameless
+check "a batch of one channel" 0 "$zraster" batch more/part.stl more/nameless -o grown -s 8
+check "that is resumed with another one" 0 "$zraster" batch more/part.stl more/nameless -o grown -s 8 -c color,depth --resume
+verdict "draws it, too" [ -s grown/part.depth.npy -a -s grown/nameless.depth.npy ]
+check "with all of them" 0 "$zraster" batch more/part.stl more/nameless -o grown -s 8 -c depth,color --encoding png --resume --json
+verdict "it skips the files" [ "$(grep -c '"status":"skipped"' "$said")" = 2 ]
+check "with another encoding" 0 "$zraster" batch more/part.stl more/nameless -o grown -s 8 -c depth,color --encoding png16 --resume --json
+verdict "it draws them" [ "$(grep -c '"status":"done"' "$said")" = 2 -a -s grown/part.depth.png ]
+check "an encoding of no channel" 1 "$zraster" batch more/part.stl -o grown -c color --encoding npy --resume
+check "a channel alone" 0 "$zraster" batch more/part.stl -o alone -s 8 -c depth
+check "has the plain name" 0 "$zraster" batch more/part.stl -o alone -s 8 -c depth --resume --json
+verdict "and is skipped" [ "$(grep -c '"status":"skipped"' "$said")" = 1 -a -s alone/part.npy ]
 "$zraster" batch many -o stopped -s 2000 -j 1 >"$said" 2>"$complained" &
 pid=$!
 tries=0
