@@ -38,7 +38,7 @@ static int take_output(struct options *options)
                          options->files[1], options->files[1], options->files[0], options->files[1]);
 }
 
-void render_report(const struct job *job)
+static void report(const struct job *job)
 {
     const struct options *options = job->options;
     if (job->status != STATUS_DONE && job->status != STATUS_INTERRUPTED)
@@ -47,6 +47,18 @@ void render_report(const struct job *job)
     const bool is_pipe = job->target.out && strcmp(job->target.out, "-") == 0;
     const bool is_person = isatty(STDERR_FILENO) && !is_pipe && !options->own[OPTION_QUIET];
     if (job->status == STATUS_DONE && (is_person || options->own[OPTION_VERBOSE])) job_print(stderr, job);
+}
+
+int render_draw(const struct engine *engine, const struct options *options)
+{
+    struct job job = {.target = output_target(options->files[0], options->own[OPTION_OUTPUT]), .options = options};
+    if (options->own[OPTION_SHOW])
+        show_run(engine, &job);
+    else
+        job_run(engine, &job);
+    report(&job);
+    job_free(&job);
+    return job.status;
 }
 
 int command_render(struct options *options)
@@ -59,14 +71,7 @@ int command_render(struct options *options)
     if (status == 0 && options->file_count > 1) return command_batch(options);
     if (status == 0) status = engine_open(&engine, options, options_threads(options));
     if (status != 0) return status;
-    struct job job = {.target = output_target(options->files[0], options->own[OPTION_OUTPUT]), .options = options};
-    if (options->own[OPTION_SHOW])
-        show_run(&engine, &job);
-    else
-        job_run(&engine, &job);
-    render_report(&job);
-    status = job.status;
-    job_free(&job);
+    status = render_draw(&engine, options);
     engine_close(&engine);
     return status;
 }

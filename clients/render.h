@@ -1,10 +1,11 @@
-/* render.h - client: the report of one job. */
+/* render.h - client: one file, from the options to the report. */
 #ifndef RENDER_H
 #define RENDER_H
 
 #include "job.h"
 
-/* Prints faults, or warnings and the line of the job, on stderr. */
-void render_report(const struct job *job);
+/* Draws the first file of the options, saves or shows the picture, and reports to people on stderr. Returns the exit
+ * status. */
+int render_draw(const struct engine *engine, const struct options *options);
 
 #endif

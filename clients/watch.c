@@ -1,4 +1,5 @@
 /* watch.c - client: `zraster watch`: draws a file again whenever it changes. */
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -6,9 +7,8 @@
 #include <unistd.h>
 
 #include "render.h"
-#include "show.h"
 
-enum { PERIOD_MS = 100 };
+enum { PERIOD_MS = 100, PATIENCE = 5 /* periods */ };
 
 /* A file at one time; all 0: it is not there. */
 struct version {
@@ -35,15 +35,44 @@ static void pause_ms(long ms)
     nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000}, NULL);
 }
 
-static void draw(const struct engine *engine, const struct options *options)
+/* Checks the files of parts: no change of the watched file mends them. */
+static int check_parts(const struct options *options)
 {
-    struct job job = {.target = output_target(options->files[0], options->own[OPTION_OUTPUT]), .options = options};
-    if (options->own[OPTION_SHOW])
-        show_run(engine, &job);
-    else
-        job_run(engine, &job);
-    render_report(&job);
-    job_free(&job);
+    for (size_t i = 0; i < options->part_count; i++)
+        if (access(strchr(options->parts[i], '=') + 1, R_OK) != 0) {
+            fprintf(stderr, "zraster: --part %s: %s\n", options->parts[i], strerror(errno));
+            return STATUS_FAILED;
+        }
+    return 0;
+}
+
+/* Reports once that the file cannot be read. Editors remove it for a moment while they save it. */
+static void report_absence(const char *path, int *absent)
+{
+    const int why = access(path, R_OK) == 0 ? 0 : errno;
+    *absent = why ? *absent + 1 : 0;
+    if (*absent == PATIENCE) fprintf(stderr, "zraster: %s: %s; watch waits for it\n", path, strerror(why));
+}
+
+/* Returns an exit status. Until the file is drawn once, a wrong command line ends it. */
+static int watch(const struct engine *engine, const struct options *options)
+{
+    const char *path = options->files[0];
+    struct version drawn = {.size = -1};
+    bool is_right = false;
+    int absent = 0;
+    while (!engine_interrupted()) {
+        const struct version now = version_of(path);
+        report_absence(path, &absent);
+        if (!is_same(&now, &drawn) && now.size > 0 && !absent) { /* a file of 0 bytes is about to be written */
+            drawn = now;
+            const int status = render_draw(engine, options);
+            if (status == STATUS_USAGE && !is_right) return status;
+            is_right = is_right || status == STATUS_DONE;
+        }
+        pause_ms(PERIOD_MS);
+    }
+    return STATUS_INTERRUPTED;
 }
 
 int command_watch(struct options *options)
@@ -56,17 +85,10 @@ int command_watch(struct options *options)
     const char *path = options->files[0];
     int status = input_check_type(options);
     if (status == 0 && access(path, R_OK) != 0) status = options_wrong("%s: there is no such file to watch", path);
+    if (status == 0) status = check_parts(options);
     if (status == 0) status = engine_open(&engine, options, options_threads(options));
     if (status != 0) return status;
-    struct version drawn = {.size = -1};
-    while (!engine_interrupted()) {
-        const struct version now = version_of(path);
-        if (!is_same(&now, &drawn) && now.size > 0) { /* a file of 0 bytes is about to be written */
-            drawn = now;
-            draw(&engine, options);
-        }
-        pause_ms(PERIOD_MS);
-    }
+    status = watch(&engine, options);
     engine_close(&engine);
-    return STATUS_INTERRUPTED;
+    return status;
 }

@@ -200,6 +200,16 @@ verdict "watch draws at once" appears
 rm -f live.png
 touch live.stl
 verdict "and again when the file changes" appears
+says() { tries=0; until grep -q "$1" "$complained"; do tries=$((tries + 1)); [ $tries -lt 100 ] || return 1; sleep 0.05; done; }
+rm -f live.png
+echo solid >live.stl
+verdict "a broken file is reported" says 'zraster: live.stl: '
+mv live.stl away.stl
+verdict "so is one that is removed" says 'zraster: live.stl: No such file or directory; watch waits for it'
+sleep 0.7
+verdict "once" [ "$(grep -c 'watch waits' "$complained")" = 1 ]
+cp part.stl live.stl
+verdict "and drawn when it is back" appears
 kill -INT $watcher
 wait $watcher
 verdict "and ends with 130" [ $? = 130 ]

@@ -27,7 +27,7 @@ verdict "there are thirty wrong command lines at least" [ "$(count_lines)" -ge 3
 while IFS='|' read -r status arguments message; do
     case $status in '#'*) continue ;; esac
     message=${message# }
-    eval "\"\$zraster\" $arguments" >"$said" 2>"$complained" </dev/null
+    eval "timeout 20 \"\$zraster\" $arguments" >"$said" 2>"$complained" </dev/null
     ended=$?
     cat "$said" >>"$complained"
     verdict "zraster$arguments" eval '[ $ended = $status ] && grep -qF -e "$message" "$complained"'
