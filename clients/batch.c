@@ -44,7 +44,9 @@ static void print_json(const struct job *job)
     cJSON *object = cJSON_CreateObject();
     cJSON_AddStringToObject(object, "file", job->target.file);
     cJSON_AddStringToObject(object, "status", job->is_skipped ? "skipped" : job->status ? "failed" : "done");
-    add_lines(object, "outputs", &job->names);
+    cJSON *outputs = cJSON_AddArrayToObject(object, "outputs");
+    for (size_t at = 0; at < job->names.size; at += strlen(job->names.data + at) + 1)
+        cJSON_AddItemToArray(outputs, cJSON_CreateString(job->names.data + at));
     if (job->status == STATUS_DONE && !job->is_skipped) {
         cJSON_AddNumberToObject(object, "ms", (double)(long)((job->read_ms + job->draw_ms + job->save_ms) * 10) / 10);
         cJSON_AddStringToObject(object, "look", job->look);

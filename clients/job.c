@@ -1,5 +1,6 @@
 #include "job.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -67,13 +68,20 @@ void job_run(const struct engine *engine, struct job *job)
     answer_free(&answer);
 }
 
+/* Prints a name on one line: control characters become "?", as in ls. */
+static void print_name(FILE *out, const char *name)
+{
+    for (; *name; name++)
+        fputc(iscntrl((unsigned char)*name) ? '?' : *name, out);
+}
+
 void job_print(FILE *out, const struct job *job)
 {
-    const char *name = bytes_text(&job->names);
-    if (!*name) fputs(job->target.file, out); /* shown, not saved */
-    for (size_t length; *name; name += length + 1) {
-        length = strcspn(name, "\n");
-        fprintf(out, "%s%.*s", name == bytes_text(&job->names) ? "" : ", ", (int)length, name);
+    const char *name = bytes_text(&job->names), *end = name + job->names.size;
+    if (name == end) print_name(out, job->target.file); /* shown, not saved */
+    for (; name < end; name += strlen(name) + 1) {
+        if (name != bytes_text(&job->names)) fputs(", ", out);
+        print_name(out, name);
     }
     if (job->width)
         fprintf(out, "  %ux%u", job->width, job->height);

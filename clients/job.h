@@ -11,9 +11,10 @@ struct job {
     struct target target;
     const struct options *options;
     /* results */
-    int status;                           /* exit status of this file */
-    bool is_skipped;                      /* --resume */
-    struct bytes faults, warnings, names; /* lines */
+    int status;                    /* exit status of this file */
+    bool is_skipped;               /* --resume */
+    struct bytes faults, warnings; /* lines */
+    struct bytes names;            /* of outputs, each with a final zero */
     char look[64];
     unsigned width, height; /* of a PNG; else 0 */
     size_t bytes;           /* of the answer */

@@ -164,7 +164,7 @@ static int save(const struct target *target, const char *out, const void *data, 
         bytes_print(faults, "cannot write %s: %s", strcmp(out, "-") == 0 ? "standard output" : out, strerror(errno));
         return STATUS_FAILED;
     }
-    bytes_print(names, "%s\n", out);
+    bytes_add(names, out, strlen(out) + 1);
     return STATUS_DONE;
 }
 

@@ -26,7 +26,7 @@ bool output_is_name(const char *name);
  * the ending is one of an output. Returns 0, or an exit status with lines in *faults. */
 int output_check(const struct target *target, struct bytes *faults);
 
-/* Saves the files of an answer and adds their names to *names, each with a final line break. Returns 0 or an exit
+/* Saves the files of an answer and adds their names to *names, each with a final zero. Returns 0 or an exit
  * status with lines in *faults. */
 int output_save(const struct target *target, const struct answer *answer, bool no_clobber, struct bytes *names,
                 struct bytes *faults);

@@ -131,6 +131,13 @@ verdict "with the nearest one" grep -q 'line 1: unknown key "colour"; did you me
 script -qec "'$zraster' batch many -o bar -s 16" typescript </dev/null >"$said" 2>"$complained"
 verdict "a terminal gets a bar" grep -qE '\[#{20}\] 13/13  [0-9.]+/s' "$said"
 
+broken_name=$(printf 'new\nline')
+mkdir odd && cp part.stl "odd/$broken_name.stl"
+check "a name with a line break" 0 "$zraster" batch odd -o odd/out -s 8 -c color,depth --json
+verdict "is one name in JSON" grep -qF '"outputs":["odd/out/new\nline.depth.npy","odd/out/new\nline.png"]' "$said"
+check "and a line" 0 "$zraster" batch odd -o odd/out -s 8
+verdict "has it on one line" grep -q '^odd/out/new?line.png  8x8' "$complained"
+
 mkdir inner && cp scene.json inner/
 check "outputs within the folder" 0 "$zraster" batch inner -o inner/out -c info,color --json
 check "are no inputs" 0 "$zraster" batch inner -o inner/out -c info,color --json
