@@ -163,6 +163,9 @@ int command_batch(struct options *options)
     if (options->file_count == 0)
         return options_wrong(
             "batch needs files: \"zraster batch FOLDER\", or names or JSON Lines by \"zraster batch -\"");
+    const char *folder = options->own[OPTION_OUTPUT];
+    if (folder && !output_may_be_folder(folder))
+        return options_wrong("several files go to a folder: -o FOLDER/, not -o %s", folder);
     int status = input_check_type(options);
     if (status == 0) status = file_list_make(&batch.list, options);
     const size_t count = count_threads(options);

@@ -77,6 +77,12 @@ bool output_is_name(const char *name)
     return strcmp(name, "-") == 0 || is_foreign(ending) || output_is_folder(name);
 }
 
+bool output_may_be_folder(const char *path)
+{
+    if (output_is_folder(path)) return true;
+    return access(path, F_OK) != 0 && !output_is_name(path) && !input_has_ending(path);
+}
+
 /* Returns true if an ending names a known format other than this one. */
 static bool says_another_format(const char *out, const struct format *format)
 {

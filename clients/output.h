@@ -39,4 +39,7 @@ const char *output_base(const char *path);
 
 bool output_is_folder(const char *path);
 
+/* Returns true if a name is that of a folder, or may become one: nothing has it, and its ending names no file. */
+bool output_may_be_folder(const char *path);
+
 #endif

@@ -138,6 +138,10 @@ verdict "is one name in JSON" grep -qF '"outputs":["odd/out/new\nline.depth.npy"
 check "and a line" 0 "$zraster" batch odd -o odd/out -s 8
 verdict "has it on one line" grep -q '^odd/out/new?line.png  8x8' "$complained"
 
+check "a folder may be named like a version" 0 "$zraster" batch odd -o v1.2 -s 8
+check "or, with a slash, like a file" 0 "$zraster" batch odd -o one.png/ -s 8
+verdict "and is made" eval 'is_png "v1.2/$broken_name.png" && is_png "one.png/$broken_name.png"'
+
 mkdir inner && cp scene.json inner/
 check "outputs within the folder" 0 "$zraster" batch inner -o inner/out -c info,color --json
 check "are no inputs" 0 "$zraster" batch inner -o inner/out -c info,color --json
