@@ -80,7 +80,7 @@ bool bytes_read(struct bytes *bytes, const char *path)
     for (ssize_t some = 1; ok && some != 0;) {
         if (bytes->size == bytes->room) ok = reserve(bytes, 65536);
         some = ok ? read(descriptor, bytes->data + bytes->size, bytes->room - bytes->size) : 0;
-        ok = ok && (some >= 0 || errno == EINTR);
+        ok = ok && some >= 0;
         if (some > 0) bytes->size += (size_t)some;
     }
     ok = ok && reserve(bytes, 1);

@@ -18,7 +18,8 @@ const char *bytes_text(const struct bytes *bytes);
 
 void bytes_free(struct bytes *bytes);
 
-/* Reads a file; "-": standard input. A zero follows the bytes. False with errno on failure. */
+/* Reads a file; "-": standard input. A zero follows the bytes. False with errno on failure: EINTR if a signal
+ * was caught while it waited for a pipe. */
 bool bytes_read(struct bytes *bytes, const char *path);
 
 /* Returns true if both paths are one regular file. For `a`, "-" is standard input. */

@@ -80,15 +80,14 @@ int command_info(struct options *options)
     if (status != 0) return status;
     struct job job = {.target = output_target(options->files[0], "-"), .options = options};
     job_draw(&engine, &job, &answer);
-    if (job.status != STATUS_DONE)
-        report_faults(stderr, job.target.file, &job.faults);
-    else if (options->own[OPTION_JSON])
+    if (job.status == STATUS_DONE && options->own[OPTION_JSON])
         fwrite(answer.file.data, 1, answer.file.size, stdout);
-    else {
+    else if (job.status == STATUS_DONE) {
         cJSON *facts = cJSON_ParseWithLength(answer.file.data, answer.file.size);
         print_facts("", facts);
         cJSON_Delete(facts);
-    }
+    } else if (job.status != STATUS_INTERRUPTED)
+        report_faults(stderr, job.target.file, &job.faults);
     status = job.status;
     answer_free(&answer);
     job_free(&job);

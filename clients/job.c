@@ -48,7 +48,9 @@ void job_draw(const struct engine *engine, struct job *job, struct answer *answe
         take(&job->faults, &answer->faults);
         job->status = answer->status;
     } else
-        job->status = answer->status = input.is_usage ? STATUS_USAGE : STATUS_FAILED;
+        job->status = answer->status = engine_interrupted() ? STATUS_INTERRUPTED
+                                       : input.is_usage     ? STATUS_USAGE
+                                                            : STATUS_FAILED;
     job->draw_ms = job_clock() - middle;
     input_free(&input);
     if (answer->status == STATUS_DONE) take_facts(job, answer);

@@ -202,6 +202,30 @@ wait $pid
 verdict "an interrupted batch ends with 130" [ $? = 130 ]
 verdict "and names the way to go on" grep -q 'interrupted: --resume draws the rest' "$complained"
 
+# Ctrl-C
+interrupt() { # TEXT COMMAND...
+    text=$1
+    shift
+    "$@" >"$said" 2>"$complained" &
+    pid=$!
+    tries=0
+    until grep -q '^SigCgt:.*4..2$' "/proc/$pid/status" || [ $tries -ge 200 ]; do tries=$((tries + 1)) && sleep 0.02; done
+    sleep 0.1
+    kill -INT $pid
+    wait $pid
+    verdict "$text ends with 130" [ $? = 130 ]
+    verdict "and reports no fault" eval '! grep "zraster:" "$complained"'
+}
+mkfifo pipe.stl
+interrupt "an interrupted wait for a writer" "$zraster" pipe.stl
+sleep 20 >pipe.stl &
+writer=$!
+interrupt "an interrupted wait for bytes" "$zraster" pipe.stl
+interrupt "of the facts, too," "$zraster" info pipe.stl
+interrupt "of a batch, too," "$zraster" batch pipe.stl
+kill $writer
+rm pipe.stl
+
 # watch
 cp part.stl live.stl
 "$zraster" watch live.stl -o live.png -s 16 2>"$complained" &
