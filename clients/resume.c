@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "tables.h"
@@ -58,7 +59,8 @@ static bool has_file(const struct target *target, bool is_scene)
 {
     static const char space[] = " \t\r\n";
     struct bytes body = {NULL, 0, 0};
-    bool has_all = bytes_read(&body, target->file);
+    struct stat about; /* a pipe can be read once */
+    bool has_all = stat(target->file, &about) == 0 && S_ISREG(about.st_mode) && bytes_read(&body, target->file);
     const char *text = bytes_text(&body);
     if (has_all && !is_scene && text[strspn(text, space)] != '{')
         has_all = exists(target, "color", "", true);
@@ -78,7 +80,6 @@ bool resume_has_all(const struct job *job)
     const char *encoding = job->options->parameters[PARAMETER_encoding];
     const enum input_kind kind = input_kind_of(target->file, job->options);
     if (target->out) return access(target->out, F_OK) == 0;
-    if (strcmp(target->file, "-") == 0) return false; /* it can be read once */
     if (channels || encoding) return has_channels(target, channels ? channels : "color", encoding ? encoding : "");
     return kind == INPUT_MESH ? exists(target, "color", "", true) : has_file(target, kind == INPUT_SCENE);
 }

@@ -225,6 +225,12 @@ interrupt "of the facts, too," "$zraster" info pipe.stl
 interrupt "of a batch, too," "$zraster" batch pipe.stl
 kill $writer
 rm pipe.stl
+check "a batch before its input is a pipe" 0 "$zraster" batch scenes/plain.json -o piped
+mkfifo plain.json
+cat scenes/plain.json >plain.json &
+check "reads the pipe once" 0 timeout 20 "$zraster" batch plain.json -o piped --resume --json
+verdict "to draw it" grep -q '"status":"done"' "$said"
+rm plain.json
 
 # watch
 cp part.stl live.stl
