@@ -119,7 +119,12 @@ static int set_members(struct job *job, struct options *options, const cJSON *ob
 
 static int add_line(struct file_list *list, const char *text, size_t line)
 {
-    if (*text != '{') return *text && !add(list, text, output_base(text)) ? no_memory() : 0;
+    if (!*text) return 0;
+    if (*text != '{') {
+        struct job *job = add(list, text, output_base(text));
+        if (job) job->line = line;
+        return job ? 0 : no_memory();
+    }
     cJSON *object = cJSON_Parse(text);
     const char *file = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(object, "file"));
     struct options *options = malloc(sizeof *options);
@@ -132,6 +137,7 @@ static int add_line(struct file_list *list, const char *text, size_t line)
     else {
         *options = *list->options;
         job->options = options;
+        job->line = line;
         status = set_members(job, options, object, line);
     }
     if (!job) free(options);
@@ -182,19 +188,37 @@ static int add_argument(struct file_list *list, const char *argument)
 
 /* ---- names ---- */
 
+/* The name of the outputs of a job, as far as it is known before drawing. */
 static char *main_name(const struct job *job)
 {
-    return job->target.out ? strdup(job->target.out) : output_name(&job->target, "color", "");
+    char *name = job->target.out ? strdup(job->target.out) : output_name(&job->target, "color", "");
+    const size_t length = name ? strlen(name) : 0;
+    if (length && !job->target.out) name[length - 1] = '\0'; /* the dot before the ending */
+    return name;
 }
 
 struct named {
     char *name;
-    const char *file;
+    const struct job *job;
 };
 
 static int compare_names(const void *a, const void *b)
 {
-    return strcmp(((const struct named *)a)->name, ((const struct named *)b)->name);
+    const struct named *s = a, *t = b;
+    const int order = strcmp(s->name, t->name);
+    return order ? order : (s->job > t->job) - (s->job < t->job);
+}
+
+static int refuse_names(const struct job *a, const struct job *b, const char *name)
+{
+    if (a->line && b->line)
+        return options_wrong("lines %zu and %zu, %s and %s, would get one output, %s; {\"file\": \"%s\", \"output\": "
+                             "\"NAME.png\"} names another one",
+                             a->line, b->line, a->target.file, b->target.file, name, b->target.file);
+    if (strcmp(a->target.file, b->target.file) == 0 || bytes_same_file(a->target.file, b->target.file))
+        return options_wrong("%s is given twice; leave one out", b->target.file);
+    return options_wrong("%s and %s would get one output, %s; draw them in two calls with -o FOLDER", a->target.file,
+                         b->target.file, name);
 }
 
 /* Refuses two files whose outputs would have one name. */
@@ -204,14 +228,13 @@ static int check_names(const struct file_list *list)
     int status = named ? 0 : no_memory();
     size_t count = 0;
     for (; status == 0 && count < list->count; count++) {
-        named[count] = (struct named){main_name(&list->jobs[count]), list->jobs[count].target.file};
+        named[count] = (struct named){main_name(&list->jobs[count]), &list->jobs[count]};
         if (!named[count].name) status = no_memory();
     }
     if (status == 0) qsort(named, count, sizeof *named, compare_names);
     for (size_t i = 1; status == 0 && i < count; i++)
         if (strcmp(named[i].name, named[i - 1].name) == 0)
-            status = options_wrong("%s and %s would get one output, %s; draw them in two calls with -o FOLDER",
-                                   named[i - 1].file, named[i].file, named[i].name);
+            status = refuse_names(named[i - 1].job, named[i].job, named[i].name);
     for (size_t i = 0; named && i < count; i++)
         free(named[i].name);
     free(named);

@@ -10,6 +10,7 @@
 struct job {
     struct target target;
     const struct options *options;
+    size_t line; /* of the list of a batch; 0: an argument */
     /* results */
     int status;                    /* exit status of this file */
     bool is_skipped;               /* --resume */

@@ -19,6 +19,7 @@ printf '<!DOCTYPE html><title>403</title>' >page.stl
 printf 'ISO-10303-21;\n' >part.step && printf 'ply\nformat ascii 1.0\n' >part.ply
 printf '{"polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >scene.json
 printf '{"polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
+printf '{"file": "part.stl"}\n{"file": "part.stl", "look": "clay"}\n' >twice.jsonl
 "$zraster" part.stl a.png -s 8 && "$zraster" part.stl small.png -s 4 || exit 1
 ls >"$work/files" && cksum * >"$work/sums" 2>/dev/null
 
