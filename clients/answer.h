@@ -11,7 +11,7 @@ struct answer {
     struct zraster_bytes file; /* valid until answer_free */
     char look[64];             /* "studio@1"; "": unknown */
     struct bytes warnings;     /* lines */
-    struct bytes faults;       /* lines: "/view/eye: ...", "parameter look: ..." */
+    struct bytes faults;       /* lines: "/view/eye: ...", "--look: ..." */
     zraster_picture *picture;  /* owner of the file, or NULL */
     struct bytes received;     /* owner of the file of a server */
     char type[64];

@@ -80,6 +80,16 @@ static void report(struct batch *batch, const struct job *job)
     progress_show(progress, false);
 }
 
+/* A line of the list that has options of its own is named, too. */
+static void report_job(const struct batch *batch, const struct job *job)
+{
+    struct bytes name = {NULL, 0, 0};
+    bytes_print(&name, "%s", job->target.file);
+    if (job->options != batch->options) bytes_print(&name, " (line %zu)", job->line);
+    report_faults(stderr, bytes_text(&name), &job->faults);
+    bytes_free(&name);
+}
+
 static int summarize(struct batch *batch)
 {
     const struct progress *progress = &batch->progress;
@@ -94,7 +104,7 @@ static int summarize(struct batch *batch)
             continue;
         }
         if (status != STATUS_FAILED) status = job->status == STATUS_WARNED ? STATUS_WARNED : STATUS_FAILED;
-        report_faults(stderr, job->target.file, &job->faults);
+        report_job(batch, job);
     }
     if (engine_interrupted()) status = STATUS_INTERRUPTED;
     if (status == STATUS_DONE && (batch->options->own[OPTION_QUIET] || progress->is_shown)) return status;

@@ -87,7 +87,7 @@ int command_info(struct options *options)
         print_facts("", facts);
         cJSON_Delete(facts);
     } else if (job.status != STATUS_INTERRUPTED)
-        report_faults(stderr, job.target.file, &job.faults);
+        report_of_file(stderr, job.target.file, &job.faults);
     status = job.status;
     answer_free(&answer);
     job_free(&job);

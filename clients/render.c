@@ -42,7 +42,7 @@ static void report(const struct job *job)
 {
     const struct options *options = job->options;
     if (job->status != STATUS_DONE && job->status != STATUS_INTERRUPTED)
-        report_faults(stderr, job->target.file, &job->faults);
+        report_of_file(stderr, job->target.file, &job->faults);
     if (job->status == STATUS_DONE && !options->own[OPTION_QUIET]) report_warnings(stderr, NULL, &job->warnings);
     const bool is_pipe = job->target.out && strcmp(job->target.out, "-") == 0;
     const bool is_person = isatty(STDERR_FILENO) && !is_pipe && !options->own[OPTION_QUIET];

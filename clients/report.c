@@ -3,7 +3,7 @@
 #include <cjson/cJSON.h>
 #include <string.h>
 
-#include "options.h"
+#include "wording.h"
 
 static const char *text_of(const cJSON *object, const char *key)
 {
@@ -33,52 +33,35 @@ void report_problem(struct bytes *faults, long status, const struct bytes *answe
     cJSON_Delete(problem);
 }
 
-static const char parameter_word[] = "parameter ";
-
-static bool is_of_parameter(const char *line)
+static bool is_single(const char *lines)
 {
-    return strncmp(line, parameter_word, sizeof parameter_word - 1) == 0;
+    const size_t first = strcspn(lines, "\n");
+    return !lines[first] || !lines[first + 1];
 }
 
-static bool is_parameter(const char *word, size_t length)
+static void print_faults(FILE *out, const char *head, const char *lines)
 {
-    for (size_t i = 0; i < PARAMETER_COUNT; i++)
-        if (strlen(parameter_rows[i].name) == length && memcmp(parameter_rows[i].name, word, length) == 0) return true;
-    return false;
-}
-
-/* Prints "parameter light: lightPosition is missing" as "--light: --light-position is missing": names in two cases are
- * no words of the language, so that they are parameters wherever they stand. */
-static void print_line(FILE *out, const char *line, size_t length)
-{
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-    const bool is_option = is_of_parameter(line);
-    const char *at = is_option ? line + sizeof parameter_word - 1 : line, *end = line + length, *first = at;
-    while (at < end) {
-        const size_t word = strspn(at, letters), some = word ? word : strcspn(at, letters);
-        char flag[FLAG_SIZE];
-        options_flag_of(at, word, flag);
-        const bool is_name = is_option && word && is_parameter(at, word) && (at == first || strlen(flag) > word + 2);
-        fprintf(out, "%.*s", is_name ? FLAG_SIZE : (int)(some < (size_t)(end - at) ? some : (size_t)(end - at)),
-                is_name ? flag : at);
-        at += some;
+    const bool is_list = !is_single(lines);
+    fprintf(out, "zraster: %s%s", head, is_list ? ":\n" : *head ? ": " : "");
+    for (size_t length; *lines; lines += length + (lines[length] == '\n')) {
+        length = strcspn(lines, "\n");
+        fprintf(out, "%s%.*s\n", is_list ? "  " : "", (int)length, lines);
     }
-    fputc('\n', out);
 }
 
 void report_faults(FILE *out, const char *file, const struct bytes *faults)
 {
-    const char *line = faults->size ? bytes_text(faults) : "out of memory";
-    const char *name = strcmp(file, "-") == 0 ? "standard input" : file;
-    const size_t first = strcspn(line, "\n");
-    const bool is_single = !line[first] || !line[first + 1];
-    if (!is_single || !is_of_parameter(line)) fprintf(out, "zraster: %s:%s", name, is_single ? " " : "\n");
-    if (is_single && is_of_parameter(line)) fputs("zraster: ", out);
-    for (size_t length; *line; line += length + (line[length] == '\n')) {
-        length = strcspn(line, "\n");
-        if (!is_single) fputs("  ", out);
-        print_line(out, line, length);
-    }
+    print_faults(out, strcmp(file, "-") == 0 ? "standard input" : file,
+                 faults->size ? bytes_text(faults) : "out of memory");
+}
+
+void report_of_file(FILE *out, const char *file, const struct bytes *faults)
+{
+    const char *lines = bytes_text(faults);
+    if (is_single(lines) && wording_is_option(lines))
+        print_faults(out, "", lines);
+    else
+        report_faults(out, file, faults);
 }
 
 void report_warnings(FILE *out, const char *file, const struct bytes *warnings)

@@ -12,7 +12,7 @@ unset ZRASTER_SERVER ZRASTER_TOKEN
 mkdir "$work/in"
 cd "$work/in" || exit 1
 
-mkdir parts none
+mkdir parts none bo
 printf 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n' >part.stl
 cp part.stl other.stl && cp part.stl parts && : >empty.stl
 printf '<!DOCTYPE html><title>403</title>' >page.stl
@@ -20,6 +20,7 @@ printf 'ISO-10303-21;\n' >part.step && printf 'ply\nformat ascii 1.0\n' >part.pl
 printf '{"polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >scene.json
 printf '{"polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
 printf '{"file": "part.stl"}\n{"file": "part.stl", "look": "clay"}\n' >twice.jsonl
+printf '\n{"file": "part.stl", "look": "nosuch"}\n' >look.jsonl
 "$zraster" part.stl a.png -s 8 && "$zraster" part.stl small.png -s 4 || exit 1
 ls >"$work/files" && cksum * >"$work/sums" 2>/dev/null
 

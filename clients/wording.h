@@ -1,0 +1,15 @@
+/* wording.h - client: faults of the library and the server in the words of the command. */
+#ifndef WORDING_H
+#define WORDING_H
+
+#include "bytes.h"
+#include "options.h"
+
+/* Rewrites lines of faults: "parameter light: lightPosition is missing" becomes "--light: --light-position is missing".
+ * Nothing changes without memory. */
+void wording_translate(struct bytes *faults);
+
+/* Returns true if a line is the fault of an option: "--light: ...". */
+bool wording_is_option(const char *line);
+
+#endif
