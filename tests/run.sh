@@ -84,7 +84,7 @@ for part in "$@"; do
     part_begin
     case $part in
     unit)
-        for test in "$build"/tests/unit/test_* "$build"/tests/property/test_*; do
+        for test in "$build"/tests/property/test_* "$build"/tests/unit/test_*; do # the longest first
             case $test in *.o | *.d) continue ;; esac
             run "$(basename "$test")" "ZRASTER_DATA=$data" "$test"
         done
