@@ -95,7 +95,8 @@ enum zr_status zr_request_take(struct zr_arena *arena, const struct zraster_requ
     *out = (struct zr_taken_request){.cancel = NULL};
     struct zr_request *request = &out->request;
     enum zr_status status = zr_request_struct_read(given, &all, error);
-    if (status == ZR_OK && ((all.body_size > 0 && !all.body) || (all.part_count > 0 && !all.parts)))
+    if (status != ZR_OK) return status;
+    if ((all.body_size > 0 && !all.body) || (all.part_count > 0 && !all.parts))
         status = zr_error_add(error, ZR_BAD_REQUEST, NULL, "the body or the parts are NULL");
     if (status == ZR_OK) status = find_format(all.type, &request->format, error);
     if (status == ZR_OK) status = read_query(arena, all.query, request, error);
