@@ -47,6 +47,14 @@ def stl(side=8):
     return bytes(80) + struct.pack("<I", len(corners)) + body
 
 
+def slow():
+    """Returns a scene whose drawing takes some 10 s: 60 bumpy sheets above each other."""
+    heights = [[((x * 7 + y * 3) % 5) * 0.2 for x in range(20)] for y in range(20)]
+    nodes = [{"mesh": "sheet", "translation": [0, 0, i * 0.01]} for i in range(60)]
+    scene = {"samples": 16, "window": {"width": 2000, "height": 2000}}
+    return {**scene, "view": {"preset": "top"}, "meshes": [{"name": "sheet", "heights": heights}], "nodes": nodes}
+
+
 class Daemon:
     """A daemon on a free port, while a `with` runs."""
 

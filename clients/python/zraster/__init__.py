@@ -63,7 +63,8 @@ def render(
     view: a dict as in the scene format, a preset such as "front", or a 4x4 matrix from camera to world
     parts: bytes or arrays by name, to which a scene refers by {"asset": name}
     renderer: threads and limits of its own; default: one renderer that the process shares
-    cancel: a flag that ends the call
+    cancel: a flag that ends the call. Ctrl-C, and other signals whose handlers raise, end a call of the main thread,
+        and raise this flag
     server: "http://host:port" of a daemon that draws instead, with the same bytes. ZRASTER_TOKEN is its token
     options: parameters and keys of scenes in snake_case, such as look="technical", samples=16; options() lists all.
         They replace keys of a scene. Those of the camera (preset, azimuth, padding, ...) make a view, which for scenes

@@ -6,7 +6,7 @@ from typing import Any, Callable, Dict, Optional
 from urllib.parse import urlencode
 
 from . import _library as c
-from . import _options
+from . import _interrupt, _options
 from ._arrays import Parts, dump
 from ._errors import OptionError, raise_status
 from ._picture import Drawn, Picture
@@ -37,11 +37,14 @@ class Call:
         if query:
             self.struct.query = urlencode(query).encode()
         self.kept = parts.fill(self.struct) if parts else None
-        if cancel:
-            self.kept = (self.kept, cancel)
-            self.struct.cancel = cancel._handle.pointer
+        self.cancel = cancel or Cancel()  # Ctrl-C needs one
+        self.struct.cancel = self.cancel._handle.pointer
 
     def run(self, function: Callable[..., int], target: c.Handle, free: Any) -> c.Handle:
+        made: c.Handle = _interrupt.run(lambda: self._run(function, target, free), self.cancel)
+        return made
+
+    def _run(self, function: Callable[..., int], target: c.Handle, free: Any) -> c.Handle:
         made, error = c_void_p(), c_void_p()
         status = function(target.pointer, byref(self.struct), byref(made), byref(error))
         if status != c.OK or not made.value:
