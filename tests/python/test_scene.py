@@ -214,6 +214,45 @@ class Arrays(unittest.TestCase):
         wanted = zraster.render({"meshes": [{"heights": heights.tolist()}]}).png
         self.assertEqual(zraster.render({"meshes": [{"heights": heights}]}).png, wanted)
 
+    def test_scalars(self):
+        """scalars of numpy are numbers and truth values, in scenes, keywords, tuples, and for a server"""
+        n = numpy
+        light = {"type": "directional", "direction": (0, 0, -1), "intensity": 0.5}
+        with_scalars = {**light, "direction": (n.int8(0), n.float16(0), n.array(-1)), "intensity": n.float32(0.5)}
+        corners = [[n.float32(0), n.int64(0), 0], [n.longdouble(1), 0, n.uint8(0)], (0, n.float64(1), n.array(0.0))]
+        polygon = {"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}
+        sizes = {"window": {"width": 60, "height": 40}}
+        same = [
+            (SCENE, {"exposure": 2.0, "samples": 4}, SCENE, {"exposure": n.float32(2), "samples": n.int64(4)}),
+            (SCENE, {"lights": [light]}, SCENE, {"lights": (with_scalars,)}),
+            (SCENE, {"background": [1, 0.5, 0]}, SCENE, {"background": (n.float32(1), n.float16(0.5), n.int32(0))}),
+            (SCENE, {"edges": True}, SCENE, {"edges": n.bool_(True)}),
+            ({**sizes, "polygons": [polygon]}, {}, {**sizes, "polygons": [{"vertices": corners}]}, {}),
+            (OBJ, {"edges": True, "samples": 4}, OBJ, {"edges": n.bool_(True), "samples": n.uint8(4)}),
+            (OBJ, {"edges": False}, OBJ, {"edges": n.array(False)}),
+            (OBJ, {"line_width": 2.5}, OBJ, {"line_width": n.float32(2.5)}),
+            (OBJ, {"light_direction": [0, 0, -1]}, OBJ, {"light_direction": (n.int64(0), n.float32(0), n.array(-1))}),
+        ]
+        with support.Daemon() as daemon:
+            for source, options, given, scalars in same:
+                with self.subTest(str(scalars)):
+                    wanted = zraster.render(source, **options).content
+                    self.assertEqual(zraster.render(given, **scalars).content, wanted)
+                    self.assertEqual(zraster.render(given, server=daemon.address, **scalars).content, wanted)
+        moved = [[n.float32(x) for x in row] for row in MOVED]
+        kept = zraster.Scene(SCENE)
+        self.assertEqual(kept.render(poses={"b": moved}).content, kept.render(poses={"b": MOVED}).content)
+        self.assertEqual(zraster.render(SCENE, view=moved).content, zraster.render(SCENE, view=MOVED).content)
+        self.assertEqual(zraster.Renderer(threads=n.int64(1))._options["threads"], 1)
+        for wrong in (True, n.bool_(True), n.float32(1), "1"):
+            with self.assertRaisesRegex(zraster.OptionError, "threads: .* is no whole number"):
+                zraster.Renderer(threads=wrong)
+        with self.assertRaisesRegex(zraster.SceneError, "/exposure: a finite number expected, got nan"):
+            zraster.render(SCENE, exposure=n.float32("nan"))
+        for wrong, name in ((n.complex64(1), "complex"), (n.datetime64("2020"), "date")):
+            with self.assertRaisesRegex(zraster.SceneError, name + " is no value of a scene"):
+                zraster.render(SCENE, exposure=wrong)
+
     def test_faults(self):
         """faults in arrays have pointers"""
         mesh = self.sheet()

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import numbers
 from collections.abc import Mapping as AbstractMapping
 from ctypes import c_char_p, c_void_p, cast
 from typing import Any, Dict, Mapping, Optional, Tuple
@@ -15,6 +16,26 @@ _CONVERTED = {"f2": "f4", "f16": "f8", "i1": "i4", "i2": "i4", "u2": "u4", "b1":
 
 def is_array(value: Any) -> bool:
     return hasattr(value, "__array_interface__") or hasattr(value, "__array__")
+
+
+def plain(value: Any) -> Any:
+    """Returns a number, or a truth value of numpy, as one of Python; other values as they are."""
+    if isinstance(value, (int, float, str)):
+        return value
+    if isinstance(value, numbers.Integral):
+        return int(value)
+    if isinstance(value, numbers.Real):
+        return float(value)
+    if getattr(value, "ndim", None) == 0 and hasattr(value, "item"):
+        item = value.item()
+        return item if item is value else plain(item)
+    return value
+
+
+def whole(value: Any) -> Optional[int]:
+    """Returns a whole number, of numpy too, as one of Python; None for others, such as True, 1.0 and "1"."""
+    value = plain(value)
+    return int(value) if isinstance(value, int) and not isinstance(value, bool) else None
 
 
 def as_numbers(value: Any) -> Any:
@@ -42,7 +63,7 @@ class Parts:
     def put(self, value: Any) -> Any:
         """Returns the JSON value that stands for an array: a short list, or the name of a new part."""
         array = as_numbers(value)
-        if array.ndim == 0 or (array.size <= INLINE_MAX and array.dtype.name != "uint8"):
+        if array.size <= INLINE_MAX and array.dtype.name != "uint8":
             return array.tolist()
         name = f"array{len(self.named)}"
         self.named[name] = array
@@ -96,6 +117,9 @@ def dump(scene: Any, parts: Parts) -> bytes:
     """Returns a scene as JSON. Its arrays become parts."""
 
     def convert(value: Any) -> Any:
+        value = plain(value)
+        if isinstance(value, (int, float, str)):
+            return value
         if is_array(value):
             return parts.put(value)
         if isinstance(value, AbstractMapping):
@@ -119,13 +143,14 @@ def dump(scene: Any, parts: Parts) -> bytes:
 
 def _find_nan(value: Any, pointer: str) -> Optional[Tuple[str, float]]:
     """Returns the JSON Pointer and value of the first number that JSON cannot hold."""
+    value = plain(value)
     if isinstance(value, float):
         return None if value - value == 0 else (pointer, value)
     items: Any = ()
     if isinstance(value, AbstractMapping):
         items = ((str(key).replace("~", "~0").replace("/", "~1"), item) for key, item in value.items())
     elif is_array(value):
-        items = enumerate(as_numbers(value).tolist() if getattr(value, "ndim", 1) else ())
+        items = enumerate(as_numbers(value).tolist())
     elif isinstance(value, (list, tuple)):
         items = enumerate(value)
     for key, item in items:

@@ -7,6 +7,7 @@ from ctypes import byref, c_void_p, sizeof
 from typing import Any, Dict, Optional
 
 from . import _library as c
+from ._arrays import whole
 from ._errors import MemoryLimitError, OptionError, raise_status
 
 
@@ -56,8 +57,10 @@ class Renderer:
         }
         for name, value in self._options.items():
             bits = 8 * getattr(c.Options, name).size
-            if not isinstance(value, int) or not 0 <= value < 1 << bits:
+            number = whole(value)
+            if number is None or not 0 <= number < 1 << bits:
                 raise OptionError(f"{name}: {value!r} is no whole number from 0 to 2^{bits} - 1")
+            self._options[name] = number
         options = c.Options(struct_size=sizeof(c.Options), **self._options)
         pointer = c_void_p()
         status = c.library.open(byref(options), byref(pointer))
