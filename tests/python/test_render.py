@@ -135,7 +135,14 @@ class Errors(unittest.TestCase):
         self.refused(zraster.OptionError, r"did you mean technical\?", OBJ, look="tecnical")
         self.refused(zraster.OptionError, "^samples: .* 64", OBJ, samples=5)
         self.refused(zraster.OptionError, "^line_width: ", OBJ, line_width=100)
-        self.refused(zraster.OptionError, "size: 'big' is not", OBJ, size="big")
+        for size in ("big", "64", b"@0", True, 64.5, (64.5, 64), (64, "48"), (64, False), [1, 2, 3], {64, 48}, (), {}):
+            for source in (OBJ, SCENE):
+                error = self.refused(zraster.OptionError, r"size: .* is neither \(width, height\) nor", source, size=size)
+                self.assertIsInstance(error, TypeError)
+        for size in (0, -1, (-1, 5), (5, 0)):
+            for source in (OBJ, SCENE):
+                self.refused(zraster.OptionError, "size: .*: 1 to 8192 pixels a side", source, size=size)
+        self.refused(zraster.SceneError, "1 to 8192", SCENE, size=9000)
         self.refused(zraster.OptionError, "size: width and height", OBJ, size=3, width=3)
         self.refused(zraster.OptionError, r"give size=\(width, height\)", SCENE, width=3)
         self.refused(zraster.OptionError, "color: for meshes without a scene", SCENE, color="red")
@@ -329,6 +336,20 @@ class Options(unittest.TestCase):
                 self.assertEqual(zraster.render(Mesh(), **options).png, wanted)
         tomato = {"color": "tomato", "metallic": 0.5, "roughness": 0.2}
         self.assertEqual(zraster.render(Mesh(), **tomato).png, zraster.render(OBJ, **tomato).png)
+
+    @needs_numpy
+    def test_size(self):
+        """a size is a whole number, or two, of numpy too"""
+        n = numpy
+        for size, wanted in (
+            (64, (64, 64)), ([64, 48], (64, 48)), (n.int64(64), (64, 64)), (n.array(64), (64, 64)),
+            (n.array([64, 48]), (64, 48)), ((n.uint8(64), 48), (64, 48)),
+        ):  # fmt: skip
+            for source in (OBJ, SCENE):
+                self.assertEqual(zraster.render(source, "depth", size=size)["depth"].shape[::-1], wanted)
+        for wrong in (n.array([64.0, 48.0]), n.array([[64, 48]]), n.float32(64), n.bool_(True), n.array([True, True])):
+            with self.assertRaisesRegex(zraster.OptionError, "size: .* is neither"):
+                zraster.render(OBJ, size=wrong)
 
     def test_parts(self):
         """parts are named by a scene"""

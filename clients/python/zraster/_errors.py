@@ -41,6 +41,10 @@ class OptionError(Error, ValueError):
     """An option is unknown or has a wrong value."""
 
 
+class OptionTypeError(OptionError, TypeError):
+    """The value of an option has a wrong type."""
+
+
 class MemoryLimitError(Error, MemoryError):
     """The call needs more memory than `memory_max`, or than the system has."""
 

@@ -5,8 +5,8 @@ import difflib
 from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
-from ._arrays import plain
-from ._errors import OptionError, snake
+from ._arrays import plain, whole
+from ._errors import OptionError, OptionTypeError, snake
 from ._renderer import shared
 from ._source import Source
 
@@ -103,11 +103,14 @@ def _is_key(row: _Row, value: Any, is_mesh: bool) -> bool:
 
 
 def _size(size: Any) -> Tuple[int, int]:
-    try:
-        width, height = (size, size) if isinstance(size, int) else size
-        return int(width), int(height)
-    except (TypeError, ValueError):
-        raise OptionError(f"size: {size!r} is not (width, height) in pixels") from None
+    is_pair = isinstance(size, (list, tuple)) or getattr(size, "ndim", 0) == 1
+    sides = [whole(side) for side in (size if is_pair else (size, size))]
+    if len(sides) != 2 or None in sides:
+        raise OptionTypeError(f"size: {size!r} is neither (width, height) nor one number of whole pixels")
+    if min(sides) < 1:  # type: ignore[type-var]
+        limit = shared().tables["limits"]["windowSideMax"]
+        raise OptionError(f"size: {size!r}: 1 to {limit} pixels a side are allowed")
+    return sides[0], sides[1]  # type: ignore[return-value]
 
 
 def outputs_of(channels: Channels) -> List[Dict[str, Any]]:
