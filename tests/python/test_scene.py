@@ -214,6 +214,23 @@ class Arrays(unittest.TestCase):
         wanted = zraster.render({"meshes": [{"heights": heights.tolist()}]}).png
         self.assertEqual(zraster.render({"meshes": [{"heights": heights}]}).png, wanted)
 
+    def test_columns(self):
+        """scalars and points may be arrays (n, 1), small and large ones, as in an NPY file"""
+        for side in (3, 30):
+            mesh = self.sheet(side=side)
+            values = numpy.arange(side * side)
+            for key, more in (("scalars", mesh), ("points", {"positions": mesh["positions"]})):
+                with self.subTest(key, side=side):
+                    wanted = zraster.render({"meshes": [{**more, key: values.tolist()}]}).png
+                    column = {"meshes": [{**more, key: values.reshape(-1, 1)}]}
+                    self.assertEqual(zraster.render(column).png, wanted)
+                    named = {"meshes": [{**more, key: {"asset": "column"}}]}
+                    self.assertEqual(zraster.render(named, parts={"column": values.reshape(-1, 1)}).png, wanted)
+                    with support.Daemon() as daemon:
+                        self.assertEqual(zraster.render(column, server=daemon.address).png, wanted)
+            with self.assertRaisesRegex(zraster.SceneError, r"/meshes/0/positions: the array's shape is \(\d+, 1\)"):
+                zraster.render({"meshes": [{**mesh, "positions": values.reshape(-1, 1)}]})
+
     def test_scalars(self):
         """scalars of numpy are numbers and truth values, in scenes, keywords, tuples, and for a server"""
         n = numpy

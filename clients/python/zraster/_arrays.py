@@ -63,7 +63,8 @@ class Parts:
     def put(self, value: Any) -> Any:
         """Returns the JSON value that stands for an array: a short list, or the name of a new part."""
         array = as_numbers(value)
-        if array.size <= INLINE_MAX and array.dtype.name != "uint8":
+        is_column = array.ndim == 2 and array.shape[1] == 1  # the array of scalars may be one, their list may not
+        if array.size <= INLINE_MAX and array.dtype.name != "uint8" and not is_column:
             return array.tolist()
         name = f"array{len(self.named)}"
         self.named[name] = array
