@@ -280,8 +280,35 @@ class Arrays(unittest.TestCase):
         mesh["positions"][17, 2] = numpy.nan
         with self.assertRaisesRegex(zraster.SceneError, "/meshes/0/positions/17/2"):
             zraster.render({"meshes": [mesh]})
-        with self.assertRaisesRegex(zraster.SceneError, "complex64"):
-            zraster.render({"meshes": [{**mesh, "positions": numpy.zeros((90, 3), "complex64")}]})
+        mesh = self.sheet()
+        hidden = numpy.zeros((900, 3), bool)
+        hidden[5] = True
+        masked = numpy.ma.array(mesh["positions"], mask=hidden)
+        kept = zraster.Scene({"meshes": [mesh]})
+        for key, array, words in (
+            ("positions", numpy.zeros((900, 3), "complex64"), "arrays of the type complex64 are no numbers"),
+            ("positions", masked, "a masked array has no numbers where it is masked: give .filled"),
+            ("positions", masked[:9], "a masked array"),
+            ("positions", [*masked[:5].tolist(), masked[5]], "a masked array"),
+            ("positions", [*mesh["positions"].tolist()[:-1], [0, 0, numpy.ma.masked]], "a masked"),
+            ("faces", mesh["faces"].astype(bool), "arrays of the type bool are no numbers"),
+            ("faces", numpy.array([[False, True, True]]), "arrays of the type bool"),
+            ("colors", hidden, "arrays of the type bool"),
+        ):
+            with self.subTest(key, words=words):
+                with self.assertRaisesRegex(zraster.SceneError, f"^/meshes/0/{key}(/[0-9/]+)?: {words}"):
+                    zraster.render({"meshes": [{**mesh, key: array}]})
+                if isinstance(array, numpy.ndarray):
+                    with self.assertRaisesRegex(zraster.SceneError, words):
+                        zraster.render({"meshes": [{**mesh, key: {"asset": "part"}}]}, parts={"part": array})
+        with self.assertRaisesRegex(zraster.OptionError, "poses: b: a masked"):
+            zraster.Scene(SCENE).render(poses={"b": numpy.ma.array(numpy.eye(4), mask=numpy.eye(4))})
+        with self.assertRaisesRegex(zraster.SceneError, "masked"):
+            zraster.render(SCENE, background=numpy.ma.array([0, 1, 1], mask=[1, 0, 0]))
+        with self.assertRaisesRegex(zraster.OptionError, "light_direction: a masked"):
+            zraster.render(OBJ, light_direction=numpy.ma.array([0, 1, 1], mask=[1, 0, 0]))
+        unmasked = numpy.ma.array(mesh["positions"])
+        self.assertEqual(zraster.render({"meshes": [{**mesh, "positions": unmasked}]}).png, kept.render().png)
 
     def test_objects(self):
         """objects with vertices and faces, or triangles, are meshes; their colours are used"""

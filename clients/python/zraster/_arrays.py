@@ -11,7 +11,7 @@ from . import _library as c
 from ._errors import OptionError, SceneError
 
 INLINE_MAX = 64  # numbers of an array that is written as a list: matrices, vectors, colours
-_CONVERTED = {"f2": "f4", "f16": "f8", "i1": "i4", "i2": "i4", "u2": "u4", "b1": "u1"}
+_CONVERTED = {"f2": "f4", "f16": "f8", "i1": "i4", "i2": "i4", "u2": "u4"}
 
 
 def is_array(value: Any) -> bool:
@@ -26,7 +26,7 @@ def plain(value: Any) -> Any:
         return int(value)
     if isinstance(value, numbers.Real):
         return float(value)
-    if getattr(value, "ndim", None) == 0 and hasattr(value, "item"):
+    if getattr(value, "ndim", None) == 0 and hasattr(value, "item") and not getattr(value, "mask", False):
         item = value.item()
         return item if item is value else plain(item)
     return value
@@ -42,12 +42,22 @@ def as_numbers(value: Any) -> Any:
     """Returns an array in C order and native byte order, of one of the library's types, without a copy if it has them."""
     import numpy
 
+    if numpy.ma.is_masked(value):
+        raise SceneError("a masked array has no numbers where it is masked: give .filled(number), or leave these rows out")
     array = numpy.asarray(value)
     name = f"{array.dtype.kind}{array.dtype.itemsize}"
     name = _CONVERTED.get(name, name)
     if name not in c.NUMBERS:
         raise SceneError(f"arrays of the type {array.dtype} are no numbers")
     return numpy.ascontiguousarray(array, dtype="=" + name)
+
+
+def as_list(name: str, value: Any) -> Any:
+    """Returns an array as a list; other values as they are. name: of the option, for errors."""
+    try:
+        return as_numbers(value).tolist() if is_array(value) else value
+    except SceneError as error:
+        raise OptionError(f"{name}: {error}") from None
 
 
 class Parts:
@@ -132,30 +142,29 @@ def dump(scene: Any, parts: Parts) -> bytes:
     try:
         return json.dumps(scene, default=convert, allow_nan=False, separators=(",", ":")).encode()
     except ValueError as error:
-        if isinstance(error, SceneError):
-            raise
-        found = _find_nan(scene, "")
+        found = _find_fault(scene, "")
         if not found:
             raise SceneError(str(error)) from None
-        pointer, value = found
-        detail = f"a finite number expected, got {value}"
-        raise SceneError(f"{pointer}: {detail}", [(pointer, detail)]) from None
+        raise SceneError(": ".join(found), [found]) from None
 
 
-def _find_nan(value: Any, pointer: str) -> Optional[Tuple[str, float]]:
-    """Returns the JSON Pointer and value of the first number that JSON cannot hold."""
+def _find_fault(value: Any, pointer: str) -> Optional[Tuple[str, str]]:
+    """Returns the JSON Pointer and the detail of the first array or number that JSON cannot hold."""
     value = plain(value)
     if isinstance(value, float):
-        return None if value - value == 0 else (pointer, value)
+        return None if value - value == 0 else (pointer, f"a finite number expected, got {value}")
     items: Any = ()
     if isinstance(value, AbstractMapping):
         items = ((str(key).replace("~", "~0").replace("/", "~1"), item) for key, item in value.items())
     elif is_array(value):
-        items = enumerate(as_numbers(value).tolist())
+        try:
+            items = enumerate(as_numbers(value).tolist())
+        except SceneError as error:
+            return pointer, str(error)
     elif isinstance(value, (list, tuple)):
         items = enumerate(value)
     for key, item in items:
-        found = _find_nan(item, f"{pointer}/{key}")
+        found = _find_fault(item, f"{pointer}/{key}")
         if found:
             return found
     return None

@@ -5,7 +5,7 @@ import difflib
 from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
-from ._arrays import plain, whole
+from ._arrays import as_list, plain, whole
 from ._errors import OptionError, OptionTypeError, snake
 from ._renderer import shared
 from ._source import Source
@@ -53,11 +53,11 @@ def _find(keyword: str) -> _Row:
 
 def _text(keyword: str, value: Any) -> str:
     """Converts a value to the text of a parameter."""
-    value = plain(value)
+    value = as_list(keyword, plain(value))
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, (list, tuple)) or hasattr(value, "tolist"):
-        return ",".join(_text(keyword, item) for item in (value.tolist() if hasattr(value, "tolist") else value))
+    if isinstance(value, (list, tuple)):
+        return ",".join(_text(keyword, item) for item in value)
     if isinstance(value, (int, float)):
         return repr(value)
     if isinstance(value, str):

@@ -5,6 +5,7 @@ from typing import Any, Dict, Mapping, Optional, Tuple
 
 from . import _library as c
 from . import _options, _server
+from ._arrays import as_list
 from ._errors import OptionError
 from ._picture import Picture
 from ._renderer import Cancel, Renderer, given_or_shared
@@ -104,8 +105,8 @@ class Scene:
 
 
 def _matrix(name: str, matrix: Any) -> Any:
-    rows = matrix.tolist() if hasattr(matrix, "tolist") else matrix
-    if len(rows) not in (4, 16):
+    rows = as_list(f"poses: {name}", matrix)
+    if not isinstance(rows, (list, tuple)) or len(rows) not in (4, 16):
         raise OptionError(f"poses: {name}: a 4x4 matrix expected")
     return rows
 
