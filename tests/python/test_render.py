@@ -146,6 +146,9 @@ class Errors(unittest.TestCase):
         self.refused(zraster.OptionError, "size: width and height", OBJ, size=3, width=3)
         self.refused(zraster.OptionError, r"give size=\(width, height\)", SCENE, width=3)
         self.refused(zraster.OptionError, "color: for meshes without a scene", SCENE, color="red")
+        for source in (OBJ, SCENE, json.dumps(SCENE).encode()):
+            for view in ("front", "top", {"eye": [1, 2, 3]}, [[1, 0, 0, 0]] * 4):
+                self.refused(zraster.OptionError, "preset: view is given, too", source, view=view, preset="top")
         self.refused(zraster.OptionError, "channels: the list is empty", OBJ, [])
         self.refused(zraster.OptionError, "give one of them", OBJ, ["depth"], channel="depth")
         self.refused(zraster.SceneError, "colour", SCENE, ["colour"])

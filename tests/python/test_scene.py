@@ -87,6 +87,10 @@ class Changes(unittest.TestCase):
             zraster.Scene(SCENE).render(veiw="top")
         with self.assertRaisesRegex(zraster.SceneError, "meshes"):
             zraster.Scene(SCENE).render(meshes=[])
+        with self.assertRaisesRegex(zraster.OptionError, "preset: view is given, too"):
+            zraster.Scene(SCENE).render(view="front", preset="top")
+        picture = zraster.Scene(SCENE, view="front").render(preset="isometric")
+        self.assertEqual(picture.content, zraster.render(SCENE, view="isometric").content)
 
     def test_warnings(self):
         """warnings are issued at the line of render"""

@@ -127,6 +127,8 @@ def split(
     """Splits keywords into parameters of a query and keys of a scene."""
     given = {keyword: value for keyword, value in given.items() if value is not None}
     found = [(keyword, value, _find(keyword)) for keyword, value in given.items()]
+    if "view" in given and "preset" in given:
+        raise OptionError("preset: view is given, too; give one of them")
     if size is not None:
         if "width" in given or "height" in given:
             raise OptionError("size: width and height are given, too; give one of them")
