@@ -1,5 +1,6 @@
 """render, Picture, errors and warnings."""
 import glob
+import io
 import json
 import os
 import pickle
@@ -212,6 +213,14 @@ class Pictures(unittest.TestCase):
             with self.assertRaisesRegex(zraster.OptionError, r"a.jpg: .* \.json, \.npy, \.png, \.zip"):
                 picture.save(os.path.join(folder, "a.jpg"))
             self.assertFalse(os.path.exists(os.path.join(folder, "a.jpg")))
+            with open(os.path.join(folder, "b"), "wb") as file:
+                picture.save(file)
+            self.assertEqual(support.read(os.path.join(folder, "b")), picture.content)
+        file = io.BytesIO()
+        zraster.render(SCENE).save(file)
+        self.assertEqual(file.getvalue(), zraster.render(SCENE).png)
+        with self.assertRaisesRegex(TypeError, r"save: a path such as 'part.png', or a file with write\(\)"):
+            picture.save(3)
 
     def test_facts(self):
         """a picture has its look, channels, info and PNG"""

@@ -49,6 +49,11 @@ class Changes(unittest.TestCase):
             scene.render(poses={"c": MOVED})
         with self.assertRaisesRegex(zraster.OptionError, "b: a 4x4 matrix"):
             scene.render(poses={"b": [1, 2]})
+        with self.assertRaisesRegex(zraster.OptionError, "b: a 4x4 matrix"):
+            scene.render(poses={"b": 3})
+        for wrong in ([MOVED], MOVED, 3, "b"):
+            with self.assertRaisesRegex(TypeError, "poses: a dict of 4x4 matrices by the names of nodes expected, got "):
+                scene.render(poses=wrong)
 
     def test_meshes(self):
         """a kept mesh takes the same keywords; those of the scene stay unless they are replaced"""

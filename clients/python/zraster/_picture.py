@@ -10,7 +10,7 @@ from ctypes import byref, c_void_p, string_at
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 from . import _library as c
-from ._errors import OptionError, Warning, raise_status
+from ._errors import OptionError, OptionTypeError, Warning, raise_status
 from ._files import SUFFIXES, decode, unzip, zip_files
 from ._renderer import shared
 
@@ -157,7 +157,13 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
 
     def save(self, path: Any) -> None:
         """Writes a file. The ending selects it: .png, .npy or .json, or .zip for several channels; without an ending,
-        that of `content`."""
+        that of `content`, as for an object with write(), such as io.BytesIO()."""
+        if not isinstance(path, (str, os.PathLike)):
+            if hasattr(path, "write"):
+                path.write(self.content)
+                return
+            kind = type(path).__name__
+            raise OptionTypeError(f"save: a path such as 'part.png', or a file with write() expected, got {kind}")
         suffix = os.path.splitext(os.fspath(path))[1].lower()
         choices = [self._encode(None)] + [self._encode(channel) for channel in self._made.channels()]
         fitting = [data for data, type_ in choices if suffix in ("", SUFFIXES.get(type_))]

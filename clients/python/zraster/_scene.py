@@ -1,12 +1,13 @@
 """Scenes that are read once and drawn many times."""
 from __future__ import annotations
 
+from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, Mapping, Optional, Tuple
 
 from . import _library as c
 from . import _options, _server
 from ._arrays import as_list
-from ._errors import OptionError
+from ._errors import OptionError, OptionTypeError
 from ._picture import Picture
 from ._renderer import Cancel, Renderer, given_or_shared
 from ._request import Request, draw_change, make, view_of
@@ -80,6 +81,9 @@ class Scene:
             raise OptionError("the scene is closed")
         query, keys = _options.split(options, channels, size, request.source)
         keys = {**request.keys, **keys}
+        if poses is not None and not isinstance(poses, AbstractMapping):
+            kind = type(poses).__name__
+            raise OptionTypeError(f"poses: a dict of 4x4 matrices by the names of nodes expected, got {kind}")
         if poses:
             keys["poses"] = {name: _matrix(name, matrix) for name, matrix in poses.items()}
         if server is not None:
