@@ -281,6 +281,32 @@ class Pyrender(unittest.TestCase):
         self.assertEqual(draw(p.Mesh.from_trimesh(Box(), material=glass))[0][30, 40].tolist(), [128, 128, 128])
         self.assertEqual(count, 36)
 
+    def test_textures(self):
+        """textures that are not drawn are named by a warning at the caller's line; depth and flat colours need none"""
+        p = self.p
+        image = numpy.full((2, 2, 3), 200, "u1")
+        names = ["normalTexture", "occlusionTexture", "emissiveTexture", "metallicRoughnessTexture"]
+
+        def warned(flags, **textures):
+            scene = p.Scene()
+            scene.add(p.Mesh.from_trimesh(Box(), material=p.MetallicRoughnessMaterial(**textures)))
+            scene.add(p.PerspectiveCamera(yfov=1.0), pose=pose(z=3))
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                self.renderer.render(scene, flags)
+            self.assertTrue(all(one.filename == __file__ and one.category is zraster.Warning for one in caught))
+            return [str(one.message) for one in caught]
+
+        for name in names:
+            wanted = [f"{name}: of textures, only baseColorTexture is drawn"]
+            self.assertEqual(warned(p.RenderFlags.NONE, **{name: image}), wanted)
+        every = dict.fromkeys(names, image)
+        self.assertEqual(len(warned(p.RenderFlags.NONE, **every)), 1)
+        self.assertTrue(warned(p.RenderFlags.NONE, **every)[0].startswith("emissiveTexture, metallicRoughnessTexture, "))
+        for flags in (p.RenderFlags.DEPTH_ONLY, p.RenderFlags.FLAT, p.RenderFlags.SEG):
+            self.assertEqual(warned(flags, **every), [])
+        self.assertEqual(warned(p.RenderFlags.NONE), [])
+
     def test_scene(self):
         """nodes have parents, poses, names and bounds"""
         p = self.p

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import struct
 import zlib
-from typing import Any, Dict, Optional
+from typing import Any, Dict, List, Optional
 
 import numpy as np
 
@@ -96,6 +96,14 @@ class MetallicRoughnessMaterial(Material):
     @baseColorFactor.setter
     def baseColorFactor(self, value: Any) -> None:
         self._base_color = format_color_vector(value, 4)
+
+
+_UNDRAWN = ("normalTexture", "occlusionTexture", "emissiveTexture", "metallicRoughnessTexture")
+
+
+def undrawn(material: Any) -> List[str]:
+    """Returns the names of a material's textures that are not drawn."""
+    return [name for name in _UNDRAWN if getattr(material, name, None) is not None]
 
 
 def srgb(linear: Any) -> Any:

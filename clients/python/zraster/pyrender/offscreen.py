@@ -6,7 +6,7 @@ formulas, encoded as sRGB instead of by a power of 1 / 2.2: they differ by a few
 from __future__ import annotations
 
 import warnings
-from typing import Any, Dict, Iterator, List, Optional, Tuple
+from typing import Any, Dict, Iterator, List, Optional, Set, Tuple
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from .._renderer import shared
 from .._request import make
 from .constants import RenderFlags
 from .light import DirectionalLight, PointLight, SpotLight
-from .material import scene_material, srgb
+from .material import scene_material, srgb, undrawn
 from .mesh import Primitive
 from .scene import Node, Scene
 
@@ -48,6 +48,9 @@ class OffscreenRenderer:
         if flags & _NORMALS:
             warnings.warn("VERTEX_NORMALS and FACE_NORMALS draw nothing", Warning, stacklevel=2)
         drawing = _Drawing(scene, flags, seg_node_map or {}, self)
+        if drawing.undrawn:
+            text = f"{', '.join(sorted(drawing.undrawn))}: of textures, only baseColorTexture is drawn"
+            warnings.warn(text, Warning, stacklevel=2)
         return drawing.depth() if flags & RenderFlags.DEPTH_ONLY else (drawing.color(), drawing.depth())
 
     def delete(self) -> None:
@@ -61,6 +64,7 @@ class _Drawing:
         self.size = (renderer.viewport_width, renderer.viewport_height)
         self.parts: Dict[str, bytes] = {}
         self.owners: List[Node] = []  # of the instances
+        self.undrawn: Set[str] = set()  # names of textures
         made = self.geometry()
         self.picture = None
         if made["nodes"]:
@@ -133,6 +137,8 @@ class _Drawing:
                 alpha = 1.0 if color is None else float(color[:, 3].min())
                 if not self.flags & RenderFlags.DEPTH_ONLY and not self.is_seg:
                     materials.append(scene_material(name, primitive.material, alpha, self.is_flat, self.parts))
+                    if not self.is_flat:
+                        self.undrawn.update(undrawn(primitive.material))
                 meshes[id(primitive)] = self.mesh(name, primitive)
             pose = self.scene.get_pose(node)
             instances: Any = (None,) if primitive.poses is None else primitive.poses
