@@ -302,7 +302,9 @@ class Pyrender(unittest.TestCase):
             self.assertEqual(warned(p.RenderFlags.NONE, **{name: image}), wanted)
         every = dict.fromkeys(names, image)
         self.assertEqual(len(warned(p.RenderFlags.NONE, **every)), 1)
-        self.assertTrue(warned(p.RenderFlags.NONE, **every)[0].startswith("emissiveTexture, metallicRoughnessTexture, "))
+        self.assertTrue(
+            warned(p.RenderFlags.NONE, **every)[0].startswith("emissiveTexture, metallicRoughnessTexture, ")
+        )
         for flags in (p.RenderFlags.DEPTH_ONLY, p.RenderFlags.FLAT, p.RenderFlags.SEG):
             self.assertEqual(warned(flags, **every), [])
         self.assertEqual(warned(p.RenderFlags.NONE), [])

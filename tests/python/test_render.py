@@ -138,7 +138,9 @@ class Errors(unittest.TestCase):
         self.refused(zraster.OptionError, "^line_width: ", OBJ, line_width=100)
         for size in ("big", "64", b"@0", True, 64.5, (64.5, 64), (64, "48"), (64, False), [1, 2, 3], {64, 48}, (), {}):
             for source in (OBJ, SCENE):
-                error = self.refused(zraster.OptionError, r"size: .* is neither \(width, height\) nor", source, size=size)
+                error = self.refused(
+                    zraster.OptionError, r"size: .* is neither \(width, height\) nor", source, size=size
+                )
                 self.assertIsInstance(error, TypeError)
         for size in (0, -1, (-1, 5), (5, 0)):
             for source in (OBJ, SCENE):

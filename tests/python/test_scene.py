@@ -52,7 +52,9 @@ class Changes(unittest.TestCase):
         with self.assertRaisesRegex(zraster.OptionError, "b: a 4x4 matrix"):
             scene.render(poses={"b": 3})
         for wrong in ([MOVED], MOVED, 3, "b"):
-            with self.assertRaisesRegex(TypeError, "poses: a dict of 4x4 matrices by the names of nodes expected, got "):
+            with self.assertRaisesRegex(
+                TypeError, "poses: a dict of 4x4 matrices by the names of nodes expected, got "
+            ):
                 scene.render(poses=wrong)
 
     def test_meshes(self):

@@ -43,7 +43,9 @@ def as_numbers(value: Any) -> Any:
     import numpy
 
     if numpy.ma.is_masked(value):
-        raise SceneError("a masked array has no numbers where it is masked: give .filled(number), or leave these rows out")
+        raise SceneError(
+            "a masked array has no numbers where it is masked: give .filled(number), or leave these rows out"
+        )
     array = numpy.asarray(value)
     name = f"{array.dtype.kind}{array.dtype.itemsize}"
     name = _CONVERTED.get(name, name)
