@@ -107,7 +107,7 @@ void engine_draw(const struct engine *engine, const struct input *input, const s
     else
         draw_here(engine, input, query, answer);
     free(query);
-    wording_translate(&answer->faults);
+    wording_translate(&answer->faults, options);
     if (answer->status != STATUS_DONE || !options_strict(options) || answer->warnings.size == 0) return;
     bytes_add(&answer->faults, bytes_text(&answer->warnings), answer->warnings.size + 1);
     answer->faults.size--;

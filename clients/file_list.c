@@ -104,6 +104,8 @@ static int set_members(struct job *job, struct options *options, const cJSON *ob
             value = number;
         }
         if (strcmp(member->string, "file") == 0) continue;
+        if (strcmp(member->string, "width") == 0 || strcmp(member->string, "height") == 0)
+            options->own[OPTION_SIZE] = NULL; /* faults are those of the key */
         if (!value) return options_wrong("line %zu: \"%s\" takes a text, number or boolean", line, member->string);
         char *kept = strdup(value);
         if (!kept) return no_memory();

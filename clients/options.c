@@ -225,6 +225,18 @@ static void complete_size(struct options *options)
     options->parameters[width ? PARAMETER_height : PARAMETER_width] = options->width;
 }
 
+static int check_channels(const struct options *options)
+{
+    const char *list = options->parameters[PARAMETER_channel];
+    for (const char *at = list; at && *at; at += strcspn(at, ","), at += *at == ',') {
+        const size_t length = strcspn(at, ",");
+        for (const char *other = list; length && other < at; other += strcspn(other, ",") + 1)
+            if (strcspn(other, ",") == length && strncmp(other, at, length) == 0)
+                return options_wrong("--channel: %.*s is given twice", (int)length, at);
+    }
+    return 0;
+}
+
 static int check_values(struct options *options)
 {
     const char *strict = options->parameters[PARAMETER_strict], *threads = options->own[OPTION_THREADS];
@@ -234,7 +246,8 @@ static int check_values(struct options *options)
         return options_wrong("--threads takes a number from 1 to %d, not %s", THREADS_MAX, threads);
     if (!server && getenv("ZRASTER_SERVER") && *getenv("ZRASTER_SERVER"))
         options->own[OPTION_SERVER] = getenv("ZRASTER_SERVER");
-    const int wrong = read_size(options);
+    int wrong = check_channels(options);
+    if (!wrong) wrong = read_size(options);
     if (!wrong) complete_size(options);
     return wrong;
 }
@@ -295,8 +308,10 @@ int options_read(int count, const char **arguments, struct options *options)
             only_files = true;
         else if (!only_files && argument[0] == '-' && argument[1] != '\0')
             wrong = read_option(count, arguments, &i, options);
-        else
+        else if (*argument)
             options->files[options->file_count++] = argument;
+        else
+            wrong = options_wrong("an argument is empty; a file is expected there, such as \"zraster part.stl\"");
     }
     if (wrong || options->own[OPTION_HELP] || options->own[OPTION_VERSION]) return wrong;
     wrong = check_commands(options);

@@ -6,8 +6,8 @@
 #include "options.h"
 
 /* Rewrites lines of faults: "parameter light: lightPosition is missing" becomes "--light: --light-position is missing".
- * Nothing changes without memory. */
-void wording_translate(struct bytes *faults);
+ * A size by --size has one fault instead of those of width and height. Nothing changes without memory. */
+void wording_translate(struct bytes *faults, const struct options *options);
 
 /* Returns true if a line is the fault of an option: "--light: ...". */
 bool wording_is_option(const char *line);

@@ -183,7 +183,7 @@ done
 check "a server's word on a parameter" 2 "$client" render "part one.stl" --preset iso
 verdict "is about the option" grep -q "^zraster: --preset: 'iso' is unknown; allowed: front," complained
 check "its word on a width" 2 "$client" render "part one.stl" --size 99999x5
-verdict "is about that option" grep -q "^zraster: --width: '99999'" complained
+verdict "is about that option" grep -q "^zraster: --size: '99999'" complained
 cp "$work/mesh.obj" mesh.wavefront
 check "an unknown ending is no fault" 0 "$client" render mesh.wavefront
 printf '%%PDF-1.4 and so on' >document
