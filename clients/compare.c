@@ -76,7 +76,7 @@ static int save(const struct options *options, const struct pixels *size, const 
     int status = output_check(&target, &faults);
     if (status == 0 && !target.out) target.stem = "difference";
     if (status == 0 && bytes_same_file(options->files[1], out)) {
-        bytes_print(&faults, "%s would overwrite its own input; -o names another file", out);
+        bytes_print(&faults, "the output would overwrite its own input; -o names another file");
         status = STATUS_USAGE;
     }
     if (status == 0 && !pixels_write(&png, size->width, size->height, rgb)) status = STATUS_FAILED;
@@ -93,8 +93,9 @@ static int compare_pictures(const struct options *options, struct pixels *a, str
 {
     const char *const *names = options->files;
     if (a->width != b->width || a->height != b->height) {
-        printf("%s is %ux%u, %s is %ux%u: compare pictures of one size\n", names[0], a->width, a->height, names[1],
-               b->width, b->height);
+        const char *out = options->own[OPTION_OUTPUT];
+        printf("%s is %ux%u, %s is %ux%u: compare pictures of one size%s%s%s\n", names[0], a->width, a->height,
+               names[1], b->width, b->height, out ? "; -o " : "", out ? out : "", out ? " is not written" : "");
         return STATUS_DIFFERENT;
     }
     if (a->is_16_bit != b->is_16_bit) widen(a), widen(b);

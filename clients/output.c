@@ -125,7 +125,7 @@ char *output_name(const struct target *target, const char *channel, const char *
 static bool is_input(const struct target *target, const char *out, struct bytes *faults)
 {
     if (strcmp(out, "-") == 0 || !bytes_same_file(target->file, out)) return false;
-    bytes_print(faults, "%s would overwrite its own input; -o names another file", out);
+    bytes_print(faults, "the output would overwrite its own input; -o names another file");
     return true;
 }
 

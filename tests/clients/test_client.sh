@@ -150,7 +150,7 @@ verdict "and what comes there need not be said" [ "$(size_of_png said)" = 20x10 
 cp scene.json kept.json
 "$client" render - --type json --channel info -o kept.json <kept.json >said 2>complained
 verdict "standard input is not overwritten" cmp -s scene.json kept.json
-verdict "and that is told" grep -q 'kept.json would overwrite its own input' complained
+verdict "and that is told" grep -q 'standard input: the output would overwrite its own input' complained
 ln -s kept.json by-link.json && ln kept.json by-name.json
 for name in by-link.json by-name.json; do
     check "an input is not overwritten through $name" 2 "$client" render kept.json --channel info -o "$name"
