@@ -132,7 +132,10 @@ static int add_line(struct file_list *list, const char *text, size_t line)
     struct options *options = malloc(sizeof *options);
     struct job *job = file && options ? add(list, file, output_base(file)) : NULL;
     int status = 0;
-    if (!file)
+    if (cJSON_IsObject(object) && !file)
+        status =
+            options_wrong("line %zu: file is missing, or no text; a line is such as {\"file\": \"part.stl\"}", line);
+    else if (!file)
         status = options_wrong("line %zu is no JSON object such as {\"file\": \"part.stl\", \"look\": \"clay\"}", line);
     else if (!job)
         status = no_memory();
