@@ -12,6 +12,8 @@ bool wording_is_option(const char *line)
     return strncmp(line, "--", 2) == 0 && line[length] == ':' && strcspn(line, " ") > length;
 }
 
+/* ---- names of parameters ---- */
+
 static bool is_parameter(const char *word, size_t length)
 {
     for (size_t i = 0; i < PARAMETER_COUNT; i++)
@@ -30,19 +32,58 @@ static bool find_flag(const char *word, size_t length, bool is_first, bool has_s
     return is_first || strlen(flag) > length + 2;
 }
 
+/* ---- phrases about requests ---- */
+
+#define FORMAT_PHRASE(ID, suffix, media_types, ...) {media_types, suffix},
+static const struct phrase {
+    const char *from, *to;
+} PHRASES[] = {{"no type is given; the body looks like", "it looks like"},
+               {"hand the bytes over as a part of the request",
+                "{\"asset\": \"NAME\"} in the scene and --part NAME=FILE hand the bytes over"}},
+  TYPES[] = {ZR_FORMAT_ROWS(FORMAT_PHRASE)}; /* the first media type of each */
+#undef FORMAT_PHRASE
+
+/* Returns the phrase of the command for the one that begins `text`, whose length it sets; NULL: there is none. In a
+ * list of formats, media types are replaced, too. */
+static const char *find_phrase(const char *text, bool is_list, size_t *length)
+{
+    for (size_t i = 0; i < sizeof PHRASES / sizeof *PHRASES; i++)
+        if (strncmp(text, PHRASES[i].from, *length = strlen(PHRASES[i].from)) == 0) return PHRASES[i].to;
+    for (size_t i = 0; is_list && i < sizeof TYPES / sizeof *TYPES; i++)
+        if (strncmp(text, TYPES[i].from, *length = strcspn(TYPES[i].from, " ")) == 0) return TYPES[i].to;
+    return NULL;
+}
+
+/* Adds the option that gives a missing part, if the line is about one. */
+static bool add_part(struct bytes *out, const char *line, size_t length)
+{
+    static const char phrase[] = "no part of the request has the name '";
+    const char *at = memmem(line, length, phrase, sizeof phrase - 1);
+    const char *name = at ? at + sizeof phrase - 1 : "";
+    return !at || bytes_print(out, "; --part %.*s=FILE gives it", (int)strcspn(name, "'\n"), name);
+}
+
+/* ---- lines ---- */
+
 static bool add_line(struct bytes *out, const char *line, size_t length, bool has_size)
 {
     const bool is_option = strncmp(line, parameter_word, sizeof parameter_word - 1) == 0;
     const char *at = is_option ? line + sizeof parameter_word - 1 : line, *end = line + length, *first = at;
-    while (at < end) {
-        const size_t word = strspn(at, letters), some = word ? word : strcspn(at, letters);
-        const size_t left = (size_t)(end - at);
+    const char *list = memmem(line, length, "none of: ", strlen("none of: "));
+    bool ok = true;
+    while (ok && at < end) {
         char flag[FLAG_SIZE];
-        const bool is_flag = is_option && find_flag(at, word, at == first, has_size, flag);
-        if (!(is_flag ? bytes_print(out, "%s", flag) : bytes_add(out, at, some < left ? some : left))) return false;
+        const size_t word = strspn(at, letters), left = (size_t)(end - at);
+        size_t some = word ? word : strcspn(at, letters), replaced;
+        const char *phrase = find_phrase(at, list && at > list, &replaced);
+        if (phrase)
+            some = replaced;
+        else if (is_option && find_flag(at, word, at == first, has_size, flag))
+            phrase = flag;
+        ok = phrase ? bytes_print(out, "%s", phrase) : bytes_add(out, at, some < left ? some : left);
         at += some;
     }
-    return bytes_print(out, "\n");
+    return ok && add_part(out, line, length) && bytes_print(out, "\n");
 }
 
 /* Removes the last line, which begins at `last`, if the one before it, which begins at `before`, equals it. */

@@ -6,7 +6,8 @@
 #include "options.h"
 
 /* Rewrites lines of faults: "parameter light: lightPosition is missing" becomes "--light: --light-position is missing".
- * A size by --size has one fault instead of those of width and height. Nothing changes without memory. */
+ * A size by --size has one fault instead of those of width and height. Phrases about requests, parts and media types
+ * become those about files, --part and endings. Nothing changes without memory. */
 void wording_translate(struct bytes *faults, const struct options *options);
 
 /* Returns true if a line is the fault of an option: "--light: ...". */

@@ -188,7 +188,7 @@ cp "$work/mesh.obj" mesh.wavefront
 check "an unknown ending is no fault" 0 "$client" render mesh.wavefront
 printf '%%PDF-1.4 and so on' >document
 check "unknown bytes are" 1 "$client" render document
-verdict "and are told what they look like" grep -q 'looks like a PDF document, which is none of: application/json, model/obj' complained
+verdict "and are told what they look like" grep -q 'looks like a PDF document, which is none of: json, obj' complained
 check "an unknown type ends with 2" 2 "$client" render said --type gltf
 verdict "and is told which there are" grep -q -e '--type takes one of json obj stl, not gltf' complained
 check "no file ends with 2" 2 "$client" render

@@ -22,6 +22,7 @@ printf '{"polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
 printf '{"file": "part.stl"}\n{"file": "part.stl", "look": "clay"}\n' >twice.jsonl
 printf '\n{"file": "part.stl", "look": "nosuch"}\n' >look.jsonl
 echo '{"file": 5}' >number.jsonl && echo '{"look": "clay"}' >fileless.jsonl && echo '{"file": ' >broken.jsonl
+printf '{"base": {"color": {"asset": "p"}, "windowDepth": {"asset": "sha256:%064d"}}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' 0 >assets.json
 "$zraster" part.stl a.png -s 8 && "$zraster" part.stl small.png -s 4 && cp a.png a2.png || exit 1
 ls >"$work/files" && cksum * >"$work/sums" 2>/dev/null
 
