@@ -125,6 +125,7 @@ class Interrupts(unittest.TestCase):
         """Ctrl-C ends a drawing at once, and the next call, one of a child too, draws"""
         code = (
             "import os, signal, support, time, zraster\n"
+            "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # background jobs of a shell ignore it
             "wanted = zraster.render(support.OBJ).content\n"
             "def end():\n"
             "    print('drawing', flush=True)\n"

