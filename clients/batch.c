@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "file_list.h"
+#include "interruption.h"
 #include "progress.h"
 #include "report.h"
 #include "resume.h"
@@ -106,10 +107,10 @@ static int summarize(struct batch *batch)
         if (status != STATUS_FAILED) status = job->status == STATUS_WARNED ? STATUS_WARNED : STATUS_FAILED;
         report_job(batch, job);
     }
-    if (engine_interrupted()) status = STATUS_INTERRUPTED;
+    if (interrupted()) status = STATUS_INTERRUPTED;
     if (status == STATUS_DONE && (batch->options->own[OPTION_QUIET] || progress->is_shown)) return status;
     fprintf(stderr, "%zu drawn, %zu skipped, %zu failed%s\n", done, progress->skipped, progress->failed,
-            engine_interrupted() ? "; interrupted: --resume draws the rest" : "");
+            interrupted() ? "; interrupted: --resume draws the rest" : "");
     return status;
 }
 
@@ -132,7 +133,7 @@ static void *work(void *context)
     for (;;) {
         pthread_mutex_lock(&batch->lock);
         struct job *job =
-            batch->next < batch->list.count && !engine_interrupted() ? &batch->list.jobs[batch->next++] : NULL;
+            batch->next < batch->list.count && !interrupted() ? &batch->list.jobs[batch->next++] : NULL;
         pthread_mutex_unlock(&batch->lock);
         if (!job) return NULL;
         job->is_skipped = batch->options->own[OPTION_RESUME] && resume_has_all(job);

@@ -1,38 +1,13 @@
 #include "engine.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "interruption.h"
 #include "post.h"
 #include "query.h"
 #include "wording.h"
-
-/* ---- interruption ---- */
-
-static zraster_cancel *running;
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int signal)
-{
-    (void)signal;
-    interrupted = 1;
-    zraster_cancel_raise(running);
-}
-
-bool engine_interrupted(void)
-{
-    return interrupted;
-}
-
-/* The second signal ends the process at once. */
-static void catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = interrupt, .sa_flags = (int)SA_RESETHAND};
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-}
 
 /* ---- opening ---- */
 
@@ -40,10 +15,11 @@ int engine_open(struct engine *engine, const struct options *options, unsigned t
 {
     struct zraster_options wanted = {.struct_size = sizeof wanted, .threads = threads};
     *engine = (struct engine){.server = options->own[OPTION_SERVER]};
-    catch_signals();
+    interruption_catch();
     if (engine->server)
         return token_read(&engine->token, options->own[OPTION_TOKEN_FILE]) ? post_open() : STATUS_FAILED;
-    running = engine->cancel = zraster_cancel_new();
+    engine->cancel = zraster_cancel_new();
+    interruption_raises(engine->cancel);
     if (!engine->cancel || zraster_open(&wanted, &engine->renderer) != ZRASTER_OK) {
         fputs("zraster: out of memory\n", stderr);
         return STATUS_FAILED;
@@ -55,16 +31,15 @@ void engine_close(struct engine *engine)
 {
     if (engine->server) post_close();
     zraster_close(engine->renderer);
-    running = NULL;
+    interruption_raises(NULL);
     zraster_cancel_free(engine->cancel);
 }
 
 /* ---- drawing ---- */
 
-static void take_picture(struct answer *answer, const struct input *input)
+static void take_picture(struct answer *answer)
 {
     const char *warning;
-    (void)input;
     for (size_t i = 0; (warning = zraster_picture_warning(answer->picture, i)) != NULL; i++)
         bytes_print(&answer->warnings, "%s\n", warning);
     snprintf(answer->look, sizeof answer->look, "%s", zraster_picture_look(answer->picture));
@@ -85,12 +60,12 @@ static void draw_here(const struct engine *engine, const struct input *input, co
     zraster_status status = zraster_draw(engine->renderer, &request, &answer->picture, &error);
     if (status == ZRASTER_OK) status = zraster_picture_encode(answer->picture, NULL, &answer->file, &error);
     if (status == ZRASTER_OK)
-        take_picture(answer, input);
+        take_picture(answer);
     else {
         bytes_print(&answer->faults, "%s", zraster_error_text(error));
         answer_refuse(answer);
     }
-    if (engine_interrupted()) answer->status = STATUS_INTERRUPTED;
+    if (interrupted()) answer->status = STATUS_INTERRUPTED;
     zraster_error_free(error);
 }
 

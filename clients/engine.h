@@ -16,10 +16,9 @@ struct engine {
 };
 
 /* Opens an engine for the options; `threads` share one picture (0: all processors). Returns 0, or the exit status of a
- * fault reported on stderr. SIGINT and SIGTERM then cancel what is under way; engine_interrupted tells it. */
+ * fault reported on stderr. From then on, SIGINT and SIGTERM cancel drawing (interruption.h). */
 int engine_open(struct engine *engine, const struct options *options, unsigned threads);
 void engine_close(struct engine *engine);
-bool engine_interrupted(void);
 
 /* Draws. Any number of threads may call at once. The answer is to be freed in every case. */
 void engine_draw(const struct engine *engine, const struct input *input, const struct options *options,

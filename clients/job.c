@@ -5,6 +5,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "interruption.h"
+
 double job_clock(void)
 {
     struct timespec now;
@@ -48,7 +50,7 @@ void job_draw(const struct engine *engine, struct job *job, struct answer *answe
         take(&job->faults, &answer->faults);
         job->status = answer->status;
     } else
-        job->status = answer->status = engine_interrupted() ? STATUS_INTERRUPTED
+        job->status = answer->status = interrupted() ? STATUS_INTERRUPTED
                                        : input.is_usage     ? STATUS_USAGE
                                                             : STATUS_FAILED;
     job->draw_ms = job_clock() - middle;

@@ -7,7 +7,7 @@
 #include <strings.h>
 
 #include "curl_rows.h"
-#include "engine.h"
+#include "interruption.h"
 #include "report.h"
 
 enum { CONNECT_SECONDS = 10, TOTAL_SECONDS = 300, HEADER_SIZE = TOKEN_SIZE + 64 };
@@ -95,7 +95,7 @@ static size_t receive_header(char *line, size_t size, size_t count, void *contex
 static int go_on(void *context, curl_off_t a, curl_off_t b, curl_off_t c, curl_off_t d)
 {
     (void)context, (void)a, (void)b, (void)c, (void)d;
-    return engine_interrupted();
+    return interrupted();
 }
 
 static void take_reply(CURL *handle, const struct token *token, struct answer *answer)
@@ -211,7 +211,7 @@ void post(const char *server, const struct token *token, const struct input *inp
     else if (url && handle)
         code = send_to(url, handle, token, input, why, answer);
     if (code != CURLE_OK) {
-        answer->status = engine_interrupted() ? STATUS_INTERRUPTED : STATUS_FAILED;
+        answer->status = interrupted() ? STATUS_INTERRUPTED : STATUS_FAILED;
         explain(server, code, why, &answer->faults);
     }
     curl.easy_cleanup(handle);

@@ -6,6 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "interruption.h"
 #include "render.h"
 
 enum { PERIOD_MS = 100, PATIENCE = 5 /* periods */ };
@@ -61,7 +62,7 @@ static int watch(const struct engine *engine, const struct options *options)
     struct version drawn = {.size = -1};
     bool is_right = false;
     int absent = 0;
-    while (!engine_interrupted()) {
+    while (!interrupted()) {
         const struct version now = version_of(path);
         report_absence(path, &absent);
         if (!is_same(&now, &drawn) && now.size > 0 && !absent) { /* a file of 0 bytes is about to be written */
