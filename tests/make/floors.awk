@@ -1,8 +1,8 @@
-# floors.awk - which #include lines of core/ and server/ lead to a higher floor, or close a circle.
+# floors.awk - finds #include lines of core/, server/ and clients/ that lead to a higher floor or close a circle.
 #
 #   awk -v known=FILE -f floors.awk core/vec.c server/main.c ...     in the folder above, with all of their *.c and *.h
 #
-# A line for each fault, and status 1 where there is one. FILE has the faults that are known, "INCLUDER INCLUDED why",
+# Prints a line per fault, and ends with 1 if there is one. FILE has the faults that are known, "INCLUDER INCLUDED why",
 # named as below core/, or as server/main.c. They are passed over, and one that is no fault any more is a fault of the list.
 #
 # Circles are those of modules: a header and the .c of its name are one. Where a.c includes b.h and b.c includes a.h,
@@ -31,7 +31,7 @@ BEGIN {
     sub(/[^\/]*$/, "", sibling)
     if (quoted && (sibling to) in exists) to = sibling to
     if (to in exists) add(from, to)
-    else if (quoted) fault(from " includes " to ", which is in neither core/ nor server/")
+    else if (quoted) fault(from " includes " to ", which is in none of these folders")
 }
 
 END {
@@ -39,7 +39,7 @@ END {
     for (i = 1; i <= count; i++) judge(from_of[i], to_of[i])
     for (line in reason) {
         split(line, ends, " ")
-        if (reason[line] == "") fault(line " is known, and nobody says why")
+        if (reason[line] == "") fault(line " is known, without a reason")
         if (!(line in seen)) fault(line " is known, and is not there")
         else if (!is_higher(ends[1], ends[2]) && !is_on_circle("all", ends[1], ends[2]))
             fault(line " is known, and is no fault")
@@ -66,7 +66,8 @@ function learn(line,    words)
     reason[words[1] " " words[2]] = line
 }
 
-# What lies in core/ itself is above all of its folders but library/, which is above it, as server/ is. 0: a folder that has no floor yet.
+# Returns the floor of a file. From the top: clients/, server/, core/library/, the files of core/ itself, its other folders.
+# 0: a folder that has no floor yet.
 function floor(file,    name)
 {
     name = file
@@ -74,6 +75,7 @@ function floor(file,    name)
     if (name in floor_of) return floor_of[name]
     if (name == "library") return floors + 2
     if (name == "server") return floors + 3
+    if (name == "clients") return floors + 4
     return name == file ? floors + 1 : 0
 }
 

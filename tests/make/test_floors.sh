@@ -1,6 +1,7 @@
 #!/bin/sh
-# The floors of core/, and server/ above them: a file includes its own floor and lower ones only, and no includes go in a
-# circle. So the pipeline can be read from top to bottom, and a step be tested without what comes after it. Prints TAP.
+# The floors of core/, with server/ and clients/ above them: a file includes only its own floor and lower ones, and no
+# includes go in a circle. So the pipeline can be read from top to bottom, and a step can be tested without later ones.
+# Prints TAP.
 set -u
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -12,8 +13,8 @@ cat >"$work/known" <<'END'
 END
 : >"$work/none"
 
-floors() { # FOLDER KNOWN: of core/ and server/ in this folder
-    (cd "$1" && find core server -name '*.[ch]' | sort | xargs awk -v known="$2" -f "$script") >"$said" 2>"$complained"
+floors() { # FOLDER KNOWN: of core/, server/ and clients/ in this folder
+    (cd "$1" && find core server clients -name '*.[ch]' ! -path 'clients/*/*' | sort | xargs awk -v known="$2" -f "$script") >"$said" 2>"$complained"
     status=$?
 }
 script=$PWD/tests/make/floors.awk
@@ -31,7 +32,7 @@ verdict "and nothing else is wrong" [ "$status" = 0 ]
 
 # Made-up trees, each with one fault: proof that it is found.
 file() { # NAME INCLUDED...
-    case $1 in server/*) path=$work/tree/$1 ;; *) path=$work/tree/core/$1 ;; esac
+    case $1 in server/* | clients/*) path=$work/tree/$1 ;; *) path=$work/tree/core/$1 ;; esac
     shift
     mkdir -p "${path%/*}"
     for included in "$@"; do echo "#include \"$included\""; done >"$path"
@@ -51,6 +52,8 @@ tree() { # one without a fault
     file server/answer.h
     file server/problem.h answer.h base/vec.h
     file server/problem.c problem.h core.h
+    file clients/post.h core.h
+    file clients/post.c post.h
 }
 made_up() { floors "$work/tree" "${1:-$work/none}"; }
 tree
@@ -67,7 +70,7 @@ made_up "$work/one"
 verdict "and passed over where it is known" [ "$status" = 0 ]
 echo "raster/bins.c shade/paint.h" >"$work/one"
 made_up "$work/one"
-verdict "but not without a reason" finds "raster/bins.c shade/paint.h is known, and nobody says why"
+verdict "but not without a reason" finds "raster/bins.c shade/paint.h is known, without a reason"
 
 tree
 file base/vec.h core.h
@@ -111,20 +114,28 @@ verdict "a circle in server/ is found" finds "server/answer.c includes server/pr
     "server/problem.h includes server/answer.h in a circle"
 
 tree
+file clients/engine.c engine.h post.h
+file clients/engine.h
+file clients/post.c post.h engine.h
+made_up
+verdict "a circle in clients/ is found" finds "clients/engine.c includes clients/post.h in a circle" \
+    "clients/post.c includes clients/engine.h in a circle"
+
+tree
 file scene/nodes.c server/problem.h
 made_up
 verdict "server/ is above core/" finds "scene/nodes.c includes server/problem.h of a higher floor"
 
 tree
-file scene/nodes.c ../clients/cli.h
+file scene/nodes.c ../tools/cli.h
 file sound/horn.h base/vec.h
 made_up
-verdict "what is in neither, and a folder without a floor, are found" \
-    finds "scene/nodes.c includes ../clients/cli.h, which is in neither core/ nor server/" "sound/horn.h is in a folder that has no floor"
+verdict "files of no floor, and folders without one, are found" \
+    finds "scene/nodes.c includes ../tools/cli.h, which is in none of these folders" "sound/horn.h is in a folder that has no floor"
 
 rm -rf "$work/tree"
 file base/vec.h
-mkdir -p "$work/tree/server"
+mkdir -p "$work/tree/server" "$work/tree/clients"
 made_up
 verdict "files without an #include are no proof" finds "no #include was read"
 verdicts
