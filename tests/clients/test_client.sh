@@ -6,6 +6,7 @@ daemon=${ZRASTERD:-build/zrasterd}
 client=$(realpath "${ZRASTER:-build/zraster}")
 work=$(mktemp -d)
 . tests/support/verdict.sh
+. tests/support/files.sh
 . tests/support/address.sh
 said=said complained=complained
 
@@ -22,20 +23,9 @@ case $server$guarded in *Bail*) echo "$server $guarded"; exit 1 ;; esac
 unset ZRASTER_TOKEN
 export ZRASTER_SERVER=$server
 
-printf 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n' >"$work/part one.stl"
+triangle >"$work/part one.stl"
 printf '{"polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >"$work/scene.json"
 cd "$work" || exit 1
-
-# check TEXT WANTED-STATUS COMMAND...: runs it; its output is in "said" and "complained".
-check() {
-    text=$1 wanted=$2
-    shift 2
-    "$@" >said 2>complained
-    status=$?
-    verdict "$text" [ "$status" = "$wanted" ]
-}
-is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]; }
-size_of_png() { od -An -j16 -N8 -tu1 "$1" | awk '{print $3 * 256 + $4 "x" $7 * 256 + $8}'; }
 
 check "a mesh is saved under its own name with the picture's ending" 0 "$client" render "part one.stl"
 verdict "and nothing is said" [ ! -s said ]

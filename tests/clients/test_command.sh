@@ -7,6 +7,7 @@ zraster=$build/zraster
 models=$(realpath clients/gallery/models.awk)
 work=$(mktemp -d)
 . tests/support/verdict.sh
+. tests/support/files.sh
 said=$work/said complained=$work/complained
 watcher=
 trap '[ -z "$watcher" ] || kill -9 "$watcher" 2>/dev/null; rm -rf "$work"' EXIT
@@ -15,22 +16,7 @@ export TERM=xterm
 mkdir "$work/in"
 cd "$work/in" || exit 1
 
-check() { # TEXT WANTED-STATUS COMMAND...
-    text=$1 wanted=$2
-    shift 2
-    "$@" >"$said" 2>"$complained" </dev/null
-    status=$?
-    verdict "$text" [ "$status" = "$wanted" ]
-}
-skip() { # TEXT WHY
-    count=$((count + 1))
-    echo "ok $count - $1 # skip $2"
-    echo "LEFT OUT: $1: $2" >&2
-}
-is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]; }
-size_of_png() { od -An -j16 -N8 -tu1 "$1" | awk '{print $3 * 256 + $4 "x" $7 * 256 + $8}'; }
-
-printf 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n' >part.stl
+triangle >part.stl
 printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >scene.json
 
 # outputs

@@ -8,11 +8,6 @@ said=$work/said complained=$work/complained
 trap 'rm -rf "$work"' EXIT
 : >"$said"
 : >"$complained"
-skip() { # TEXT WHY
-    count=$((count + 1))
-    echo "ok $count - $1 # skip $2"
-    echo "LEFT OUT: $1: $2" >&2
-}
 options=$({ "$build/zraster" help; "$build/zraster" help batch; } | grep -oE '^ +(-[a-zA-Z], |    )--[a-z-]+' | grep -oE -- '--[a-z-]+' | sort -u)
 flags=$("$build/zrasterd" --help | grep -oE '^  --[a-z-]+' | tr -d ' ')
 has_all() { # FILE WORD...: with roff's dashes as plain ones

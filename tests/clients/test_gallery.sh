@@ -6,6 +6,7 @@ build=$1
 out=$build/gallery
 work=$(mktemp -d)
 . tests/support/verdict.sh
+. tests/support/files.sh
 said=$work/said complained=$work/complained
 unset ZRASTER_SERVER
 trap 'rm -rf "$work"' EXIT
@@ -19,7 +20,6 @@ names=$(sed -n 's/^<figure[^>]*><img src="\([^"]*\)\.png".*/\1/p' "$out/index.ht
 shown=$(echo "$names" | wc -l)
 verdict "the page shows $scenes scenes, 2 grids of balls, lamps, and a colour bar" [ "$shown" = $((scenes + 4)) ]
 verdict "each under a name of its own" [ "$(echo "$names" | sort -u | wc -l)" = "$shown" ]
-is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]; }
 all_there() {
     for name in $names; do
         is_png "$out/$name.png" && [ -s "$out/$name.json" ] || { echo "$name" >>"$said"; return 1; }

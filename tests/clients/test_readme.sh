@@ -5,6 +5,7 @@ set -u
 build=$(realpath "$1")
 work=$(mktemp -d)
 . tests/support/verdict.sh
+. tests/support/files.sh
 . tests/support/address.sh
 said=$work/said complained=$work/complained
 readme=$(realpath README.md)
@@ -18,11 +19,10 @@ server=$(address_in "$work/out") || { echo "$server"; exit 1; }
 mkdir "$work/in"
 cd "$work/in" || exit 1
 ln -s "$build" build
-printf 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n' >part.stl
+triangle >part.stl
 
 # A block ends where a line is not indented.
 awk '/^    (curl|build\/zraster) / && !inside { ++n; inside = 1 } !/^    / { inside = 0 } inside { print >("block" n) }' "$readme"
-is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]; }
 blocks=0
 for block in block*; do
     blocks=$((blocks + 1))

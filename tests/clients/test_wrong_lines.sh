@@ -6,6 +6,7 @@ zraster=$(realpath "$1")/zraster
 lines=$(realpath tests/clients/wrong-lines.txt)
 work=$(mktemp -d)
 . tests/support/verdict.sh
+. tests/support/files.sh
 said=$work/said complained=$work/complained
 trap 'rm -rf "$work"' EXIT
 unset ZRASTER_SERVER ZRASTER_TOKEN
@@ -13,7 +14,7 @@ mkdir "$work/in"
 cd "$work/in" || exit 1
 
 mkdir parts none bo
-printf 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n' >part.stl
+triangle >part.stl
 cp part.stl other.stl && cp part.stl parts && : >empty.stl
 printf '<!DOCTYPE html><title>403</title>' >page.stl
 printf 'ISO-10303-21;\n' >part.step && printf 'ply\nformat ascii 1.0\n' >part.ply

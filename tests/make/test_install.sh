@@ -5,16 +5,12 @@ set -u
 build=$1
 work=$(realpath "$(mktemp -d)")
 . tests/support/verdict.sh
+. tests/support/files.sh
 said=$work/said complained=$work/complained; : >"$said"; : >"$complained"
 trap 'rm -rf "$work"' EXIT
 unset MAKEFLAGS MAKELEVEL MFLAGS ZRASTER_SERVER
 root=$work/root prefix=/usr/local
 placed() { make -s --no-print-directory "$@" BUILD="$build" DESTDIR="$root" >"$said" 2>"$complained"; }
-skip() { # TEXT WHY
-    count=$((count + 1))
-    echo "ok $count - $1 # skip $2"
-    echo "LEFT OUT: $1: $2" >&2
-}
 files() { find "$root" ! -type d | sed "s|^$root||" | sort; }
 
 verdict "make install" placed install
@@ -26,7 +22,7 @@ verdict "no folder's name is left open" sh -c "! grep -rn '@[a-z]*@' '$root$pref
 
 export PKG_CONFIG_SYSROOT_DIR="$root" PKG_CONFIG_PATH="$root$prefix/lib/pkgconfig"
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n' >"$work/part.obj"
-printf 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n' >"$work/part.stl"
+triangle >"$work/part.stl"
 cp clients/examples/solids.json "$work/solids.zraster.json"
 verdict "pkg-config knows the header's version" [ "$(pkg-config --modversion zraster)" = \
     "$(sed -n 's/^#define ZRASTER_VERSION  *"\(.*\)"/\1/p' core/library/zraster.h)" ]

@@ -13,9 +13,8 @@ trap '[ -z "$daemon" ] || kill "$daemon" 2>/dev/null; rm -rf "$work"' EXIT
 
 for program in systemd-analyze strace; do
     command -v $program >/dev/null && continue
-    echo "ok 1 - the daemon's system calls are those of its unit # skip $program is not here"
-    echo "1..1"
-    echo "LEFT OUT: the daemon's system calls beside its unit: $program is not here" >&2
+    skip "the daemon's system calls are those of its unit" "$program is not here"
+    verdicts
     exit 0
 done
 # Lists name other lists.

@@ -1,4 +1,4 @@
-# verdict.sh - support, for tests that are shell scripts: counts and prints them as TAP. A test writes its output to the
+# verdict.sh - support for tests that are shell scripts: counts tests and prints them as TAP. A test writes its output to the
 # files $said and $complained, which a failure prints. Ends with `verdicts`.
 count=0
 failed=0
@@ -14,6 +14,20 @@ verdict() { # TEXT COMMAND...
         echo "not ok $count - $text"
         tail -n 20 "$said" "$complained" >&2
     fi
+}
+
+check() { # TEXT STATUS COMMAND...: the command ends with this status; its output is in $said and $complained
+    text=$1 wanted=$2
+    shift 2
+    "$@" >"$said" 2>"$complained" </dev/null
+    status=$?
+    verdict "$text" [ "$status" = "$wanted" ]
+}
+
+skip() { # TEXT WHY: counts a test that cannot run here, and reports it on standard error
+    count=$((count + 1))
+    echo "ok $count - $1 # skip $2"
+    echo "LEFT OUT: $1: $2" >&2
 }
 
 verdicts() {
