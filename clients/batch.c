@@ -15,8 +15,6 @@
 #include "resume.h"
 #include "tables.h"
 
-enum { THREADS_MAX = 256 };
-
 struct batch {
     const struct options *options;
     struct engine engine;
@@ -132,8 +130,7 @@ static void *work(void *context)
     struct batch *batch = context;
     for (;;) {
         pthread_mutex_lock(&batch->lock);
-        struct job *job =
-            batch->next < batch->list.count && !interrupted() ? &batch->list.jobs[batch->next++] : NULL;
+        struct job *job = batch->next < batch->list.count && !interrupted() ? &batch->list.jobs[batch->next++] : NULL;
         pthread_mutex_unlock(&batch->lock);
         if (!job) return NULL;
         job->is_skipped = batch->options->own[OPTION_RESUME] && resume_has_all(job);
@@ -152,7 +149,8 @@ static size_t count_threads(const struct options *options)
     cpu_set_t set;
     const size_t wanted = options_threads(options);
     if (wanted) return wanted;
-    return sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) < THREADS_MAX ? (size_t)CPU_COUNT(&set) : 1;
+    const int count = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+    return count < THREADS_MAX ? (size_t)count : THREADS_MAX;
 }
 
 /* Each thread draws files of its own. */

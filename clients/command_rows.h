@@ -15,24 +15,29 @@
     ROW(looks, 'l', "", "lists the looks")                                                                             \
     ROW(help, 'h', "[COMMAND]", "explains a command")
 
+/* Letters of the commands that draw. They accept parameters of pictures. */
+#define DRAWING_COMMANDS "ribw"
+
 /* ROW(ID, name, short letter or 0, placeholder or NULL for a switch, letters of its commands, help) */
 #define OUTPUT_OPTION_ROWS(ROW)                                                                                        \
     ROW(OUTPUT, "output", 'o', "FILE|DIR|-", "rbcw",                                                                   \
         "file, folder or standard output (default: FILE with another ending, in this folder; compare: none)")          \
-    ROW(SIZE, "size", 's', "WxH|N", "ribw", "window in pixels; N means NxN; -W or -H alone keeps 4:3")                 \
+    ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS, "window in pixels; N means NxN; -W or -H alone keeps 4:3")       \
     ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcw", "existing files stay as they are")                                \
     ROW(SHOW, "show", 0, NULL, "rw", "picture in the terminal (kitty, iTerm2, sixel)")                                 \
     ROW(RESUME, "resume", 0, NULL, "b", "files whose outputs all exist are skipped")                                   \
     ROW(JSON, "json", 0, NULL, "ib", "JSON on standard output: the facts, or one line per file")
 #define GENERAL_OPTION_ROWS(ROW)                                                                                       \
-    ROW(TYPE, "type", 0, "TYPE", "ribw", "format of FILE (default: by its ending, else by its bytes), one of")         \
-    ROW(PART, "part", 0, "NAME=FILE", "ribw", "file for {\"asset\": \"NAME\"} of a scene; may be repeated")            \
-    ROW(SERVER, "server", 0, "URL", "ribw", "daemon that draws instead (default: $ZRASTER_SERVER, else none)")         \
-    ROW(TOKEN_FILE, "token-file", 0, "FILE", "ribw",                                                                   \
+    ROW(TYPE, "type", 0, "TYPE", DRAWING_COMMANDS,                                                                     \
+        "format of FILE (default: by its ending, else by its bytes), one of")                                          \
+    ROW(PART, "part", 0, "NAME=FILE", DRAWING_COMMANDS, "file for {\"asset\": \"NAME\"} of a scene; may be repeated")  \
+    ROW(SERVER, "server", 0, "URL", DRAWING_COMMANDS,                                                                  \
+        "daemon that draws instead (default: $ZRASTER_SERVER, else none)")                                             \
+    ROW(TOKEN_FILE, "token-file", 0, "FILE", DRAWING_COMMANDS,                                                         \
         "file whose first line is the server's token (default: $ZRASTER_TOKEN)")                                       \
-    ROW(THREADS, "threads", 'j', "N", "ribw", "number of threads (default: all processors)")                           \
-    ROW(QUIET, "quiet", 'q', NULL, "ribw", "no warnings")                                                              \
-    ROW(VERBOSE, "verbose", 'v', NULL, "ribw", "times and facts")                                                      \
+    ROW(THREADS, "threads", 'j', "N", DRAWING_COMMANDS, "number of threads (default: all processors)")                 \
+    ROW(QUIET, "quiet", 'q', NULL, DRAWING_COMMANDS, "no warnings")                                                    \
+    ROW(VERBOSE, "verbose", 'v', NULL, DRAWING_COMMANDS, "times and facts")                                            \
     ROW(PLAIN, "plain", 0, NULL, "rbw", "no progress bar (also by the variable NO_COLOR)")                             \
     ROW(HELP, "help", 'h', NULL, "ribcwlh", "this text")                                                               \
     ROW(VERSION, "version", 'V', NULL, "ribcwlh", "version of zraster")

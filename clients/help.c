@@ -87,7 +87,7 @@ static void print_end(void)
 void help_print(const struct command *command)
 {
     const size_t general = 0 OUTPUT_OPTION_ROWS(COUNTED);
-    const bool is_drawing = strchr("ribw", command->letter) != NULL;
+    const bool is_drawing = strchr(DRAWING_COMMANDS, command->letter) != NULL;
     if (command == &commands[0]) {
         fputs(head, stdout);
         puts("\nCommands:");

@@ -10,7 +10,7 @@
 #include "scene/shadings.h"
 #include "words.h"
 
-enum { SIZE_DIGITS = 7, THREADS_MAX = 256 };
+enum { SIZE_DIGITS = 7 };
 
 int options_wrong(const char *format, ...)
 {
@@ -117,9 +117,8 @@ static int unknown(const char *flag, size_t length)
             snprintf(known, sizeof known, "--%s", option_rows[i].name);
         else
             flag_of(i - OPTION_COUNT, known);
-        const size_t before = near.best ? near.distance : SIZE_DIGITS * FLAG_SIZE;
         near_offer(&near, known);
-        if (near.best && near.distance < before) near.best = strcpy(best, known);
+        if (near.best == known) near.best = strcpy(best, known);
     }
     if (near.best) return options_wrong("unknown option %s; did you mean %s?", name, near.best);
     return options_wrong("unknown option %s; \"zraster help\" lists all options", name);
@@ -267,7 +266,7 @@ static int check_commands(const struct options *options)
     }
     char flag[FLAG_SIZE];
     for (size_t i = 0; i < PARAMETER_COUNT; i++)
-        if (options->parameters[i] && !strchr("ribw", command->letter)) {
+        if (options->parameters[i] && !strchr(DRAWING_COMMANDS, command->letter)) {
             flag_of(i, flag);
             return options_wrong("%s is no option of \"zraster %s\"; \"zraster render\" has it", flag, command->name);
         }
