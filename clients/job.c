@@ -50,12 +50,20 @@ void job_draw(const struct engine *engine, struct job *job, struct answer *answe
         take(&job->faults, &answer->faults);
         job->status = answer->status;
     } else
-        job->status = answer->status = interrupted() ? STATUS_INTERRUPTED
-                                       : input.is_usage     ? STATUS_USAGE
-                                                            : STATUS_FAILED;
+        job->status = answer->status = interrupted()    ? STATUS_INTERRUPTED
+                                       : input.is_usage ? STATUS_USAGE
+                                                        : STATUS_FAILED;
     job->draw_ms = job_clock() - middle;
     input_free(&input);
     if (answer->status == STATUS_DONE) take_facts(job, answer);
+}
+
+void job_save(struct job *job, const struct answer *answer)
+{
+    const double begin = job_clock();
+    const bool no_clobber = job->options->own[OPTION_NO_CLOBBER] != NULL;
+    job->status = output_save(&job->target, answer, no_clobber, &job->names, &job->faults);
+    job->save_ms = job_clock() - begin;
 }
 
 void job_run(const struct engine *engine, struct job *job)
@@ -64,11 +72,7 @@ void job_run(const struct engine *engine, struct job *job)
     job->status = output_check(&job->target, &job->faults);
     if (job->status != STATUS_DONE) return;
     job_draw(engine, job, &answer);
-    const double begin = job_clock();
-    if (job->status == STATUS_DONE)
-        job->status =
-            output_save(&job->target, &answer, job->options->own[OPTION_NO_CLOBBER] != NULL, &job->names, &job->faults);
-    job->save_ms = job_clock() - begin;
+    if (job->status == STATUS_DONE) job_save(job, &answer);
     answer_free(&answer);
 }
 

@@ -28,6 +28,9 @@ void job_run(const struct engine *engine, struct job *job);
 /* Reads and draws; the answer is to be freed in every case. */
 void job_draw(const struct engine *engine, struct job *job, struct answer *answer);
 
+/* Saves the answer of a job that was drawn. */
+void job_save(struct job *job, const struct answer *answer);
+
 /* Prints the line of a job that is done: "part.png  640x480  studio  41 ms". */
 void job_print(FILE *out, const struct job *job);
 

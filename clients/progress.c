@@ -6,7 +6,8 @@
 
 enum { BAR = 20, PERIOD_MS = 100 };
 
-void progress_format(const struct progress *progress, double now, char *line, size_t size)
+/* Writes "[#####.....] 512/1000  86/s  6 s left  2 failed" into `line`. */
+static void format(const struct progress *progress, double now, char *line, size_t size)
 {
     char bar[BAR + 1];
     const size_t drawn = progress->done - progress->skipped, left = progress->total - progress->done;
@@ -29,7 +30,7 @@ void progress_show(struct progress *progress, bool is_last)
     char line[160];
     if (!progress->is_shown || (!is_last && now - progress->printed < PERIOD_MS)) return;
     progress->printed = now;
-    progress_format(progress, now, line, sizeof line);
+    format(progress, now, line, sizeof line);
     fprintf(stderr, "\r%s\033[K%s", line, is_last ? "\n" : "");
     fflush(stderr);
 }

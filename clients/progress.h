@@ -11,9 +11,6 @@ struct progress {
     double began, printed; /* ms */
 };
 
-/* Writes "[#####.....] 512/1000  86/s  6 s left  2 failed" into `line`. */
-void progress_format(const struct progress *progress, double now, char *line, size_t size);
-
 void progress_show(struct progress *progress, bool is_last);
 
 /* Clears the line of the bar. */

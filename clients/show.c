@@ -52,7 +52,8 @@ static enum protocol find_protocol(void)
     return found = answers_sixel() ? SIXEL : NONE;
 }
 
-int show_check(struct bytes *faults)
+/* Finds the terminal's protocol. Returns 0, or an exit status with lines in *faults. */
+static int check_terminal(struct bytes *faults)
 {
     if (!isatty(STDOUT_FILENO))
         bytes_print(faults, "--show needs a terminal, and standard output is none; -o FILE saves the picture");
@@ -122,13 +123,11 @@ void show_run(const struct engine *engine, struct job *job)
 {
     struct answer answer;
     const bool is_saved = job->options->own[OPTION_OUTPUT] != NULL;
-    job->status = show_check(&job->faults);
+    job->status = check_terminal(&job->faults);
     if (job->status == STATUS_DONE && is_saved) job->status = output_check(&job->target, &job->faults);
     if (job->status != STATUS_DONE) return;
     job_draw(engine, job, &answer);
     if (job->status == STATUS_DONE && !show(&answer.file, &job->faults)) job->status = STATUS_USAGE;
-    if (job->status == STATUS_DONE && is_saved)
-        job->status =
-            output_save(&job->target, &answer, job->options->own[OPTION_NO_CLOBBER] != NULL, &job->names, &job->faults);
+    if (job->status == STATUS_DONE && is_saved) job_save(job, &answer);
     answer_free(&answer);
 }

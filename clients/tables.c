@@ -39,7 +39,7 @@ void tables_looks(struct words *words)
     cJSON_ArrayForEach(look, list_of("looks")) words_add(words, text_of(look, NULL), strcspn(text_of(look, NULL), "@"));
 }
 
-void tables_channels(struct words *words)
+static void add_channels(struct words *words)
 {
     const cJSON *channel;
     cJSON_ArrayForEach(channel, list_of("channels"))
@@ -68,7 +68,7 @@ void tables_values(struct words *words, enum parameter parameter)
 {
     const char *value = parameter_rows[parameter].value;
     if (parameter == PARAMETER_channel)
-        tables_channels(words);
+        add_channels(words);
     else if (parameter == PARAMETER_look)
         tables_looks(words);
     else if (value[0] == '[') {

@@ -5,9 +5,8 @@
 #include "options.h"
 #include "words.h"
 
-/* Adds the names of looks ("studio") or channels ("color"). */
+/* Adds the names of looks, such as "studio". */
 void tables_looks(struct words *words);
-void tables_channels(struct words *words);
 
 /* Returns the ending of a channel's file; `encoding` may be "": the channel's first one. NULL: there is no such
  * channel, or it has not this encoding. */
