@@ -19,7 +19,7 @@ struct batch {
     const struct options *options;
     struct engine engine;
     struct file_list list;
-    pthread_mutex_t lock; /* of what follows */
+    pthread_mutex_t lock; /* guards the members below */
     size_t next;
     struct progress progress;
 };
@@ -79,7 +79,7 @@ static void report(struct batch *batch, const struct job *job)
     progress_show(progress, false);
 }
 
-/* A line of the list that has options of its own is named, too. */
+/* Reports the faults of a job. A job with options of its own is named with its line. */
 static void report_job(const struct batch *batch, const struct job *job)
 {
     struct bytes name = {NULL, 0, 0};
@@ -153,7 +153,7 @@ static size_t count_threads(const struct options *options)
     return count < THREADS_MAX ? (size_t)count : THREADS_MAX;
 }
 
-/* Each thread draws files of its own. */
+/* Runs `count` threads, each of which draws files of its own. */
 static void run(struct batch *batch, size_t count)
 {
     pthread_t threads[THREADS_MAX];
@@ -170,8 +170,8 @@ int command_batch(struct options *options)
     static struct batch batch = {.lock = PTHREAD_MUTEX_INITIALIZER};
     batch.options = options;
     if (options->file_count == 0)
-        return options_wrong(
-            "batch needs files: \"zraster batch FOLDER\", or names or JSON Lines by \"zraster batch -\"");
+        return options_wrong("batch needs files: \"zraster batch FOLDER\", or \"zraster batch -\" with names or JSON "
+                             "Lines on standard input");
     const char *folder = options->own[OPTION_OUTPUT];
     if (folder && !output_may_be_folder(folder))
         return options_wrong("several files go to a folder: -o FOLDER/, not -o %s", folder);

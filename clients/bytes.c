@@ -12,7 +12,7 @@
 
 enum { HUGE_PAGE = 2 << 20 };
 
-/* Makes the room of a large file of huge pages, which the system clears faster than small ones. */
+/* Reserves huge pages for a large file: the system clears them faster than small ones. */
 static bool reserve_huge(struct bytes *bytes, size_t size)
 {
     void *data;
@@ -52,8 +52,8 @@ bool bytes_print(struct bytes *bytes, const char *format, ...)
     const int length = vasprintf(&text, format, arguments);
     va_end(arguments);
     if (length < 0) return false;
-    const bool ok = bytes_add(bytes, text, (size_t)length + 1); /* with a final zero, */
-    if (ok) bytes->size--;                                      /* that does not count */
+    const bool ok = bytes_add(bytes, text, (size_t)length + 1);
+    if (ok) bytes->size--; /* the final zero is not counted */
     free(text);
     return ok;
 }
@@ -84,7 +84,7 @@ bool bytes_read(struct bytes *bytes, const char *path)
         if (some > 0) bytes->size += (size_t)some;
     }
     ok = ok && reserve(bytes, 1);
-    if (ok) bytes->data[bytes->size] = '\0'; /* behind the bytes, for readers of texts */
+    if (ok) bytes->data[bytes->size] = '\0'; /* ends the text */
     const int why = errno;
     if (!is_pipe) close(descriptor);
     errno = why;
@@ -98,7 +98,7 @@ bool bytes_same_file(const char *a, const char *b)
     return there && stat(b, &t) == 0 && S_ISREG(s.st_mode) && s.st_dev == t.st_dev && s.st_ino == t.st_ino;
 }
 
-/* Devices, pipes and dangling links are written in place; a rename would replace them by a file. */
+/* Returns true for devices, pipes and dangling links. A rename would replace them by a file. */
 static bool is_special(const char *path)
 {
     struct stat status;
@@ -112,7 +112,7 @@ static bool write_whole(const struct bytes *bytes, FILE *file)
     return fflush(file) == 0 && ok;
 }
 
-/* Returns the rights of an existing file, else those that fopen gives a new one. */
+/* Returns the permissions of an existing file, else those that fopen gives a new one. */
 static mode_t mode_for(const char *path)
 {
     struct stat status;
@@ -124,8 +124,8 @@ static mode_t mode_for(const char *path)
 
 /* ---- files that are complete or absent ---- */
 
-/* Opens a file without a name in the folder of `path`, so that a process that is killed leaves nothing. -1: the file
- * system or the sandbox has no such files. */
+/* Opens a file without a name in the folder of `path`: a killed process leaves no file. -1: the file system or the
+ * sandbox does not support it. */
 static int open_nameless(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -136,7 +136,7 @@ static int open_nameless(const char *path)
     return descriptor;
 }
 
-/* Gives a nameless file its name, by way of `beside` if the name is taken. */
+/* Gives a nameless file the name `path`, by way of `beside` if `path` exists. */
 static bool give_name(int descriptor, const char *beside, const char *path)
 {
     char nameless[40];

@@ -12,14 +12,14 @@ struct bytes {
 
 bool bytes_add(struct bytes *bytes, const void *data, size_t size);
 
-/* Adds a text. bytes_text returns all of them as one, which ends at the next change. */
+/* Adds a text. bytes_text returns all texts as one, valid until the next change. */
 __attribute__((format(printf, 2, 3))) bool bytes_print(struct bytes *bytes, const char *format, ...);
 const char *bytes_text(const struct bytes *bytes);
 
 void bytes_free(struct bytes *bytes);
 
-/* Reads a file; "-": standard input. A zero follows the bytes. False with errno on failure: EINTR if a signal
- * was caught while it waited for a pipe. */
+/* Reads a file; "-": standard input. A zero follows the bytes. Returns false with errno on failure, which is
+ * EINTR if a signal was caught during a wait for a pipe. */
 bool bytes_read(struct bytes *bytes, const char *path);
 
 /* Returns true if both paths are one regular file. For `a`, "-" is standard input. */

@@ -23,23 +23,23 @@
     ROW(OUTPUT, "output", 'o', "FILE|DIR|-", "rbcw",                                                                   \
         "file, folder or standard output (default: FILE with another ending, in this folder; compare: none)")          \
     ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS, "window in pixels; N means NxN; -W or -H alone keeps 4:3")       \
-    ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcw", "existing files stay as they are")                                \
+    ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcw", "no overwriting of existing files")                               \
     ROW(SHOW, "show", 0, NULL, "rw", "picture in the terminal (kitty, iTerm2, sixel)")                                 \
-    ROW(RESUME, "resume", 0, NULL, "b", "files whose outputs all exist are skipped")                                   \
+    ROW(RESUME, "resume", 0, NULL, "b", "only files with missing outputs")                                             \
     ROW(JSON, "json", 0, NULL, "ib", "JSON on standard output: the facts, or one line per file")
 #define GENERAL_OPTION_ROWS(ROW)                                                                                       \
     ROW(TYPE, "type", 0, "TYPE", DRAWING_COMMANDS,                                                                     \
-        "format of FILE (default: by its ending, else by its bytes), one of")                                          \
-    ROW(PART, "part", 0, "NAME=FILE", DRAWING_COMMANDS, "file for {\"asset\": \"NAME\"} of a scene; may be repeated")  \
+        "format of FILE:" OPTIONS_TYPES " (default: by its ending, else by its bytes)")                                \
+    ROW(PART, "part", 0, "NAME=FILE", DRAWING_COMMANDS, "file for {\"asset\": \"NAME\"} in a scene; repeatable")       \
     ROW(SERVER, "server", 0, "URL", DRAWING_COMMANDS,                                                                  \
-        "daemon that draws instead (default: $ZRASTER_SERVER, else none)")                                             \
+        "daemon that draws instead of this process (default: $ZRASTER_SERVER, else none)")                             \
     ROW(TOKEN_FILE, "token-file", 0, "FILE", DRAWING_COMMANDS,                                                         \
         "file whose first line is the server's token (default: $ZRASTER_TOKEN)")                                       \
     ROW(THREADS, "threads", 'j', "N", DRAWING_COMMANDS, "number of threads (default: all processors)")                 \
     ROW(QUIET, "quiet", 'q', NULL, DRAWING_COMMANDS, "no warnings")                                                    \
-    ROW(VERBOSE, "verbose", 'v', NULL, DRAWING_COMMANDS, "times and facts")                                            \
-    ROW(PLAIN, "plain", 0, NULL, "rbw", "no progress bar (also by the variable NO_COLOR)")                             \
-    ROW(HELP, "help", 'h', NULL, "ribcwlh", "this text")                                                               \
+    ROW(VERBOSE, "verbose", 'v', NULL, DRAWING_COMMANDS, "line per output: name, size, look and times")                \
+    ROW(PLAIN, "plain", 0, NULL, "rbw", "no progress bar (also with the variable NO_COLOR)")                           \
+    ROW(HELP, "help", 'h', NULL, "ribcwlh", "help of the command")                                                     \
     ROW(VERSION, "version", 'V', NULL, "ribcwlh", "version of zraster")
 #define OPTION_ROWS(ROW) OUTPUT_OPTION_ROWS(ROW) GENERAL_OPTION_ROWS(ROW)
 

@@ -27,7 +27,7 @@ static bool read_picture(const char *path, struct pixels *pixels)
     return ok;
 }
 
-/* Writes a pixel of the picture of differences: pale where the pictures are equal, red where they differ, darker for
+/* Writes a pixel of the picture of differences: pale if the pictures are equal, red if they differ, darker for
  * larger differences. */
 static void show(uint8_t rgb[3], const uint16_t *a, unsigned difference, unsigned white)
 {
@@ -59,7 +59,7 @@ static struct difference compare(const struct pixels *a, const struct pixels *b,
     return found;
 }
 
-/* Makes 8 bits comparable with 16: 255 becomes 65535. */
+/* Converts 8 bits to 16: 255 becomes 65535. */
 static void widen(struct pixels *pixels)
 {
     if (pixels->is_16_bit) return;
@@ -118,9 +118,9 @@ int command_compare(struct options *options)
 {
     struct pixels a = {.width = 0}, b = {.width = 0};
     if (options->file_count == 3 && !options->own[OPTION_OUTPUT])
-        return options_wrong("compare takes two pictures; -o %s names that of the differences", options->files[2]);
+        return options_wrong("compare needs two pictures; -o %s saves the differences", options->files[2]);
     if (options->file_count != 2)
-        return options_wrong("compare takes two pictures: \"zraster compare a.png b.png -o diff.png\"");
+        return options_wrong("compare needs two pictures: \"zraster compare a.png b.png -o diff.png\"");
     const bool ok = read_picture(options->files[0], &a) && read_picture(options->files[1], &b);
     const int status = ok ? compare_pictures(options, &a, &b) : STATUS_FAILED;
     pixels_free(&a);

@@ -10,7 +10,7 @@ struct completed {
     char letter;
     char name[FLAG_SIZE]; /* without dashes */
     const char *value, *help;
-    struct words words; /* that it takes; none: a number or a file */
+    struct words words; /* its values; none: a number or a file */
     bool takes_file;
 };
 

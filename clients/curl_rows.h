@@ -1,5 +1,5 @@
-/* curl_rows.h - client: functions of libcurl, which is loaded once a server is named: it starts slowly, and drawing in
- * this process needs no network. */
+/* curl_rows.h - client: functions of libcurl. Only --server loads it: loading takes time, and drawing in this process
+ * needs no network. */
 #ifndef CURL_ROWS_H
 #define CURL_ROWS_H
 

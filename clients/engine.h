@@ -10,7 +10,7 @@
 
 struct engine {
     zraster *renderer;      /* NULL: the server draws */
-    zraster_cancel *cancel; /* raised by SIGINT */
+    zraster_cancel *cancel; /* raised by SIGINT and SIGTERM */
     const char *server;
     struct token token;
 };
@@ -20,7 +20,7 @@ struct engine {
 int engine_open(struct engine *engine, const struct options *options, unsigned threads);
 void engine_close(struct engine *engine);
 
-/* Draws. Any number of threads may call at once. The answer is to be freed in every case. */
+/* Draws. Thread-safe. The caller frees the answer in every case. */
 void engine_draw(const struct engine *engine, const struct input *input, const struct options *options,
                  struct answer *answer);
 

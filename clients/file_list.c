@@ -16,7 +16,7 @@ static int no_memory(void)
     return STATUS_FAILED;
 }
 
-/* Adds a job, or returns NULL without memory. Takes copies of the texts. */
+/* Adds a job with copies of the texts. Returns NULL without memory. */
 static struct job *add(struct file_list *list, const char *file, const char *stem)
 {
     if (list->count == list->room) {
@@ -41,7 +41,7 @@ static int is_visible(const struct dirent *entry)
     return entry->d_name[0] != '.';
 }
 
-/* The outputs of an earlier call are no inputs of this one. */
+/* Returns true for the folder of the outputs, whose files are no inputs. */
 static bool is_output_folder(const struct file_list *list, const struct stat *folder)
 {
     struct stat output;
@@ -87,7 +87,7 @@ static int refuse_key(const char *key, size_t line)
         near_offer(&near, parameter_rows[i].name);
     near_offer(&near, "output");
     if (near.best) return options_wrong("line %zu: unknown key \"%s\"; did you mean %s?", line, key, near.best);
-    return options_wrong("line %zu: unknown key \"%s\"; \"file\", \"output\" and parameters are known", line, key);
+    return options_wrong("line %zu: unknown key \"%s\"; allowed: \"file\", \"output\" and parameters", line, key);
 }
 
 /* Sets options of a job by the members of an object. */
@@ -105,8 +105,8 @@ static int set_members(struct job *job, struct options *options, const cJSON *ob
         }
         if (strcmp(member->string, "file") == 0) continue;
         if (strcmp(member->string, "width") == 0 || strcmp(member->string, "height") == 0)
-            options->own[OPTION_SIZE] = NULL; /* faults are those of the key */
-        if (!value) return options_wrong("line %zu: \"%s\" takes a text, number or boolean", line, member->string);
+            options->own[OPTION_SIZE] = NULL; /* faults name the key, not --size */
+        if (!value) return options_wrong("line %zu: \"%s\" must be a text, number or boolean", line, member->string);
         char *kept = strdup(value);
         if (!kept) return no_memory();
         if (strcmp(member->string, "output") == 0)
@@ -133,10 +133,11 @@ static int add_line(struct file_list *list, const char *text, size_t line)
     struct job *job = file && options ? add(list, file, output_base(file)) : NULL;
     int status = 0;
     if (cJSON_IsObject(object) && !file)
-        status =
-            options_wrong("line %zu: file is missing, or no text; a line is such as {\"file\": \"part.stl\"}", line);
+        status = options_wrong(
+            "line %zu: \"file\" is missing or not a text; a line looks like {\"file\": \"part.stl\"}", line);
     else if (!file)
-        status = options_wrong("line %zu is no JSON object such as {\"file\": \"part.stl\", \"look\": \"clay\"}", line);
+        status =
+            options_wrong("line %zu is not a JSON object such as {\"file\": \"part.stl\", \"look\": \"clay\"}", line);
     else if (!job)
         status = no_memory();
     else {
@@ -193,7 +194,7 @@ static int add_argument(struct file_list *list, const char *argument)
 
 /* ---- names ---- */
 
-/* The name of the outputs of a job, as far as it is known before drawing. */
+/* Returns the name of the outputs of a job, as far as it is known before drawing. */
 static char *main_name(const struct job *job)
 {
     char *name = job->target.out ? strdup(job->target.out) : output_name(&job->target, "color", "");
@@ -217,16 +218,17 @@ static int compare_names(const void *a, const void *b)
 static int refuse_names(const struct job *a, const struct job *b, const char *name)
 {
     if (a->line && b->line)
-        return options_wrong("lines %zu and %zu, %s and %s, would get one output, %s; {\"file\": \"%s\", \"output\": "
-                             "\"NAME.png\"} names another one",
-                             a->line, b->line, a->target.file, b->target.file, name, b->target.file);
+        return options_wrong(
+            "lines %zu and %zu, %s and %s, would have the same output, %s; {\"file\": \"%s\", \"output\": "
+            "\"NAME.png\"} names another one",
+            a->line, b->line, a->target.file, b->target.file, name, b->target.file);
     if (strcmp(a->target.file, b->target.file) == 0 || bytes_same_file(a->target.file, b->target.file))
         return options_wrong("%s is given twice; leave one out", b->target.file);
-    return options_wrong("%s and %s would get one output, %s; draw them in two calls with -o FOLDER", a->target.file,
-                         b->target.file, name);
+    return options_wrong("%s and %s would have the same output, %s; draw them in two calls with -o FOLDER",
+                         a->target.file, b->target.file, name);
 }
 
-/* Refuses two files whose outputs would have one name. */
+/* Refuses files whose outputs would have the same name. */
 static int check_names(const struct file_list *list)
 {
     struct named *named = calloc(list->count + 1, sizeof *named);

@@ -7,14 +7,14 @@
 struct file_list {
     struct job *jobs;
     size_t count, room;
-    const char *folder; /* of the outputs; "": this one */
+    const char *folder; /* of the outputs; "": the current one */
     const struct options *options;
 };
 
-/* Adds the jobs of all arguments. A folder stands for all files below it whose ending is that of a format; their
+/* Adds the jobs of all arguments. A folder stands for the files below it that have the ending of a format; their
  * outputs keep the folders below it. "-" stands for lines of standard input: names, or objects {"file": ..., "output":
  * ..., "look": ...} with any parameters. Returns 0, or an exit status reported on stderr: a file is missing, a line is
- * no such object, or two outputs have one name. The texts live until the process ends. */
+ * wrong, or two outputs have the same name. The texts live until the process ends. */
 int file_list_make(struct file_list *list, const struct options *options);
 
 #endif

@@ -8,7 +8,7 @@
 
 #define COUNTED(...) +1
 
-enum { COLUMN = 32 }; /* behind the longest option with its placeholder */
+enum { COLUMN = 32 }; /* after the longest option with its placeholder */
 
 static const char head[] = "Usage: zraster [render] FILE... [-o OUTPUT] [OPTION]...\n"
                            "Renders 3D scenes and models to pictures, depth maps and ids. No GPU, display or server is "
@@ -51,12 +51,11 @@ static void print_options(const struct command *command, size_t first, size_t en
         const struct option_row *row = &option_rows[i];
         char flag[FLAG_SIZE];
         snprintf(flag, sizeof flag, "--%s", row->name);
-        if (strchr(row->commands, command->letter))
-            print_row(row->letter, flag, row->value, row->help, i == OPTION_TYPE ? OPTIONS_TYPES : "");
+        if (strchr(row->commands, command->letter)) print_row(row->letter, flag, row->value, row->help, "");
     }
 }
 
-/* Prints parameters; the names of the looks stand before the help of `look`. */
+/* Prints parameters; the names of the looks come before the help of `look`. */
 static void print_parameters(void)
 {
     for (size_t i = 0; i < PARAMETER_COUNT; i++) {
@@ -77,11 +76,11 @@ static void print_parameters(void)
 
 static void print_end(void)
 {
-    puts("\n--name=value is the same as --name value. [BOOL] may be omitted and is true then. Arguments behind -- are "
-         "files.\n"
-         "Pictures, arrays and JSON go to files or standard output, all else to standard error.\n"
-         "\nExit status: 0 done; 1 some file failed; 2 wrong command line; 3 warnings with --strict; 4 compare: "
-         "pictures differ; 130 interrupted.");
+    puts(
+        "\n--name=value is the same as --name value. Without its value, [BOOL] is true. Arguments after -- are files.\n"
+        "Pictures, arrays and JSON go to files or standard output, all else goes to standard error.\n"
+        "\nExit status: 0 done; 1 some file failed; 2 wrong command line; 3 warnings with --strict; 4 compare: "
+        "pictures differ; 130 interrupted.");
 }
 
 void help_print(const struct command *command)
@@ -118,13 +117,13 @@ int command_help(struct options *options)
         return 0;
     }
     if (near.best) return options_wrong("there is no command %s; did you mean %s?", name, near.best);
-    return options_wrong("there is no command %s; \"zraster help\" lists all", name);
+    return options_wrong("there is no command %s; \"zraster help\" lists all commands", name);
 }
 
 int command_looks(struct options *options)
 {
     struct words words = {.count = 0};
-    if (options->file_count) return options_wrong("looks takes no file; --look NAME chooses one");
+    if (options->file_count) return options_wrong("looks accepts no file; --look NAME chooses a look");
     tables_looks(&words);
     for (size_t i = 0; i < words.count; i++)
         puts(words.list[i]);

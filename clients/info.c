@@ -23,7 +23,7 @@ static void print_value(const cJSON *value)
         fputs(cJSON_IsTrue(value) ? "true" : cJSON_IsFalse(value) ? "false" : "null", stdout);
 }
 
-/* Prints a list of plain values on one line. */
+/* Prints a list of plain values on one line. Returns false for another value. */
 static bool print_list(const cJSON *list)
 {
     const cJSON *item;
@@ -37,7 +37,7 @@ static bool print_list(const cJSON *list)
     return true;
 }
 
-/* Counts of nothing, names that are not given, and the many faces, which --json lists. */
+/* Returns true for values that only --json lists: counts of 0, empty texts and lists, and the faces. */
 static bool is_nothing(const char *path, const cJSON *value)
 {
     const bool is_count = strncmp(path, "counts.", strlen("counts.")) == 0;
@@ -45,7 +45,7 @@ static bool is_nothing(const char *path, const cJSON *value)
            (cJSON_IsString(value) && !*value->valuestring) || (!is_plain(value) && cJSON_GetArraySize(value) == 0);
 }
 
-/* Prints a line for each value: its path, "bounds.min", and the value. */
+/* Prints a line per value: its path, such as bounds.min, and the value. */
 static void print_facts(const char *path, const cJSON *value)
 {
     const cJSON *member;
@@ -72,7 +72,7 @@ int command_info(struct options *options)
 {
     struct engine engine;
     struct answer answer;
-    if (options->file_count != 1) return options_wrong("info takes one file: \"zraster info part.stl\"");
+    if (options->file_count != 1) return options_wrong("info needs one file: \"zraster info part.stl\"");
     if (options->parameters[PARAMETER_channel]) return options_wrong("info has no --channel; leave it out");
     options->parameters[PARAMETER_channel] = "info";
     int status = input_check_type(options);

@@ -57,10 +57,10 @@ int input_check_type(const struct options *options)
 {
     const char *type = options->own[OPTION_TYPE];
     if (!type || format_of(type) < FORMATS) return 0;
-    return options_wrong("--type takes one of" OPTIONS_TYPES ", not %s", type);
+    return options_wrong("--type accepts one of" OPTIONS_TYPES ", not %s", type);
 }
 
-/* ---- refusals that say what to do instead ---- */
+/* ---- refusals with advice ---- */
 
 static bool refuse_foreign(const char *path, struct bytes *faults)
 {

@@ -19,7 +19,7 @@ static unsigned number_at(const unsigned char *at)
     return (unsigned)at[0] << 24 | (unsigned)at[1] << 16 | (unsigned)at[2] << 8 | at[3];
 }
 
-/* Takes the facts of an answer for the line of the job. */
+/* Copies the facts of an answer that the line of the job shows. */
 static void take_facts(struct job *job, const struct answer *answer)
 {
     memcpy(job->look, answer->look, sizeof job->look);

@@ -22,10 +22,10 @@ struct job {
     double read_ms, draw_ms, save_ms;
 };
 
-/* Reads, draws and saves. Any number of threads may run jobs at once. */
+/* Reads, draws and saves. Thread-safe. */
 void job_run(const struct engine *engine, struct job *job);
 
-/* Reads and draws; the answer is to be freed in every case. */
+/* Reads and draws. The caller frees the answer in every case. */
 void job_draw(const struct engine *engine, struct job *job, struct answer *answer);
 
 /* Saves the answer of a job that was drawn. */

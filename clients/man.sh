@@ -1,5 +1,5 @@
 #!/bin/sh
-# man.sh BUILD: the man pages zraster.1, zrasterd.8 and libzraster.3 in BUILD, from the texts of --help and the public header.
+# man.sh BUILD: writes the man pages zraster.1, zrasterd.8 and libzraster.3 to BUILD, from the texts of --help and the public header.
 set -eu
 build=$1
 header=core/library/zraster.h
@@ -8,7 +8,7 @@ version=$(sed -n 's/^#define ZRASTER_VERSION  *"\(.*\)"/\1/p' $header)
 page() { # NAME SECTION SUMMARY
     printf '.TH %s %s "" "zraster %s"\n.SH NAME\n%s \\- %s\n' "$(echo "$1" | tr a-z A-Z)" "$2" "$version" "$1" "$3"
 }
-# Text of --help as roff: headings end with a colon, options begin with a dash, other indented lines stay as they are.
+# Converts a text of --help to roff. Headings end with a colon, options begin with a dash, other indented lines are literal.
 to_roff() {
     awk '
         function escaped(text) { gsub(/\\/, "\\e", text); gsub(/-/, "\\-", text); sub(/^[.\047]/, "\\\\\\&&", text); return text }
@@ -40,7 +40,7 @@ to_roff() {
         printf '.SH ZRASTER %s\n' "$(echo $command | tr a-z A-Z)"
         "$build/zraster" help $command | sed -e '/^Picture:/,$d' -e '/^General:/,$d' -e '/^Output:/d' | to_roff | sed '/^\.SH SYNOPSIS/d'
     done
-    printf '.SH ENVIRONMENT\n.TP\n.B ZRASTER_SERVER\nas \\-\\-server\n.TP\n.B ZRASTER_TOKEN\ntoken of the server\n.TP\n.B NO_COLOR\nas \\-\\-plain\n'
+    printf '.SH ENVIRONMENT\n.TP\n.B ZRASTER_SERVER\ndefault of \\-\\-server\n.TP\n.B ZRASTER_TOKEN\ntoken of the server, without \\-\\-token\\-file\n.TP\n.B NO_COLOR\nno progress bar, as with \\-\\-plain\n'
     printf '.SH SEE ALSO\n.BR zrasterd (8),\n.BR libzraster (3)\n'
 } >"$build/zraster.1"
 {

@@ -80,7 +80,7 @@ struct found {
     const struct parameter_row *parameter;
 };
 
-/* Finds "--name", or by letter if `letter` is not 0. */
+/* Finds an option by "--name", or by its letter if that is not 0. */
 static struct found find(struct options *o, const char *flag, size_t length, char letter)
 {
     for (size_t i = 0; i < OPTION_COUNT; i++) {
@@ -105,7 +105,7 @@ static int unknown(const char *flag, size_t length)
     static char best[FLAG_SIZE]; /* near.best points here */
     char name[FLAG_SIZE + 1], known[FLAG_SIZE];
     if (strncmp(flag, "--token", strlen("--token")) == 0)
-        return options_wrong("a token on the command line is visible to all users of this machine; give it by "
+        return options_wrong("a token on the command line is visible to all users of this machine; give it with "
                              "--token-file FILE or the variable ZRASTER_TOKEN");
     snprintf(name, sizeof name, "%.*s", (int)length, flag);
     if (strcasecmp(name, "-w") == 0) return options_wrong("unknown option -w; did you mean -W (width)?");
@@ -142,8 +142,8 @@ static int missing(const struct found *found, const char *flag, size_t length)
 {
     const char *value = found->row ? found->row->value : found->parameter->value;
     const bool is_color = strcmp(value, "COLOR") == 0;
-    return options_wrong("a value is missing behind %.*s: %.*s %s%s", (int)length, flag, (int)length, flag, value,
-                         is_color ? "; the shell takes # for a comment: quote '#ff6347'" : "");
+    return options_wrong("a value is missing after %.*s: %.*s %s%s", (int)length, flag, (int)length, flag, value,
+                         is_color ? "; the shell reads # as a comment: quote '#ff6347'" : "");
 }
 
 static int store(struct options *options, const struct found *found, const char *value)
@@ -151,8 +151,8 @@ static int store(struct options *options, const struct found *found, const char 
     if (found->row == &option_rows[OPTION_PART]) {
         const char *equals = strchr(value, '=');
         if (!equals || equals == value || !equals[1])
-            return options_wrong("--part takes NAME=FILE, such as --part wood=wood.png, not %s", value);
-        if (options->part_count == PARTS_MAX) return options_wrong("--part: at most %d parts", PARTS_MAX);
+            return options_wrong("--part accepts NAME=FILE, such as --part wood=wood.png, not %s", value);
+        if (options->part_count == PARTS_MAX) return options_wrong("--part: at most %d parts are allowed", PARTS_MAX);
         options->parts[options->part_count++] = value;
     }
     *found->slot = value;
@@ -160,7 +160,7 @@ static int store(struct options *options, const struct found *found, const char 
 }
 
 /* Reads --name VALUE, --name=VALUE, -x VALUE or -xVALUE at arguments[*at] and moves *at to its last argument. A
- * parameter that is true or false takes the next argument only if that is one: it may be the file. */
+ * boolean parameter uses the next argument only if that is true or false: it may be the file. */
 static int read_option(int count, const char **arguments, int *at, struct options *options)
 {
     const char *flag = arguments[*at];
@@ -178,7 +178,7 @@ static int read_option(int count, const char **arguments, int *at, struct option
     }
     if (!found.slot) return unknown(flag, length);
     if (found.row && !found.row->value) {
-        if (inside) return options_wrong("%.*s takes no value: leave out %s", (int)length, flag, inside);
+        if (inside) return options_wrong("%.*s has no value; leave out %s", (int)length, flag, inside);
         return store(options, &found, "true");
     }
     const bool is_boolean = found.parameter && found.parameter->value[0] == '[';
@@ -205,7 +205,7 @@ static int read_size(struct options *options)
     const char *second = size[width] ? size + width + 1 : size;
     if (width < 1 || width > SIZE_DIGITS || height < 1 || height > SIZE_DIGITS || second[height] ||
         (size[width] && size[width] != 'x'))
-        return options_wrong("--size takes WIDTHxHEIGHT, such as 800x600, or one number for a square, not %s", size);
+        return options_wrong("--size accepts WIDTHxHEIGHT, such as 800x600, or one number for a square, not %s", size);
     snprintf(options->width, sizeof options->width, "%.*s", (int)width, size);
     snprintf(options->height, sizeof options->height, "%s", second);
     options->parameters[PARAMETER_width] = options->width;
@@ -240,9 +240,9 @@ static int check_values(struct options *options)
 {
     const char *strict = options->parameters[PARAMETER_strict], *threads = options->own[OPTION_THREADS];
     const char *server = options->own[OPTION_SERVER];
-    if (strict && !is_truth(strict)) return options_wrong("--strict takes true, false or nothing, not %s", strict);
+    if (strict && !is_truth(strict)) return options_wrong("--strict accepts true, false or nothing, not %s", strict);
     if (threads && (threads[count_digits(threads)] || atoi(threads) < 1 || atoi(threads) > THREADS_MAX))
-        return options_wrong("--threads takes a number from 1 to %d, not %s", THREADS_MAX, threads);
+        return options_wrong("--threads accepts a number from 1 to %d, not %s", THREADS_MAX, threads);
     if (!server && getenv("ZRASTER_SERVER") && *getenv("ZRASTER_SERVER"))
         options->own[OPTION_SERVER] = getenv("ZRASTER_SERVER");
     int wrong = check_channels(options);
@@ -284,7 +284,7 @@ unsigned options_threads(const struct options *options)
     return options->own[OPTION_THREADS] ? (unsigned)atoi(options->own[OPTION_THREADS]) : 0;
 }
 
-/* Takes the first argument if it is a command. */
+/* Sets the command. Returns the number of arguments that name it: 1, or 0 for the default. */
 static int take_command(int count, const char **arguments, struct options *options)
 {
     options->command = &commands[0];

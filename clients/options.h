@@ -66,7 +66,7 @@ enum parameter {
 struct parameter_row {
     const char *name;
     bool of_mesh;      /* for meshes only */
-    const char *value; /* placeholder; in brackets: may be omitted, and is true then */
+    const char *value; /* placeholder; in brackets: may be omitted, which means true */
     const char *help;
 };
 extern const struct parameter_row parameter_rows[PARAMETER_COUNT];
@@ -88,7 +88,7 @@ struct options {
     char width[12], height[12]; /* texts of these parameters */
 };
 
-/* Reads the arguments of the program, without its name; sorts the files among them to their front. Returns 0, or the
+/* Reads the arguments of the program, without its name; moves the files among them to the front. Returns 0, or the
  * exit status of a wrong command line, reported on stderr. */
 int options_read(int count, const char **arguments, struct options *options);
 
@@ -100,7 +100,7 @@ __attribute__((format(printf, 1, 2))) int options_wrong(const char *format, ...)
 
 bool options_strict(const struct options *options);
 
-/* Returns the number of threads that were asked for; 0: all. */
+/* Returns the number of --threads; 0: all processors. */
 unsigned options_threads(const struct options *options);
 
 /* Endings of file names, for messages: of meshes " .obj .stl", of all formats " json obj stl". */

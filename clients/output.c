@@ -129,7 +129,7 @@ static bool is_input(const struct target *target, const char *out, struct bytes 
     return true;
 }
 
-/* Checks, or with a slash at its end makes, the folder `path`, of `length` characters. */
+/* Checks the folder that the first `length` characters of `path` name. Makes it if `path` ends with a slash. */
 static bool check_folder(const char *path, size_t length, struct bytes *faults)
 {
     char *folder = strndup(path, length);
@@ -146,7 +146,7 @@ int output_check(const struct target *target, struct bytes *faults)
     const char *out = target->out ? target->out : target->folder;
     const char *slash = strrchr(out, '/');
     if (target->out && is_foreign(ending_of(out)))
-        bytes_print(faults, "-o %s: zraster writes no .%s; -o %.*s.png takes a picture", out, ending_of(out),
+        bytes_print(faults, "-o %s: zraster writes no .%s; -o %.*s.png saves a picture", out, ending_of(out),
                     (int)(dot_of(out) - out), out);
     else if (slash && slash > out && !check_folder(out, (size_t)(slash - out), faults))
         return STATUS_USAGE;
@@ -163,7 +163,7 @@ static int save(const struct target *target, const char *out, const void *data, 
     const struct bytes bytes = {.data = (char *)data, .size = size};
     if (is_input(target, out, faults)) return STATUS_USAGE;
     if (no_clobber && strcmp(out, "-") != 0 && access(out, F_OK) == 0) {
-        bytes_print(faults, "%s exists; leave out -n to overwrite it, or choose another name by -o", out);
+        bytes_print(faults, "%s exists; leave out -n to overwrite it, or choose another name with -o", out);
         return STATUS_FAILED;
     }
     if (!bytes_write(&bytes, out)) {
@@ -199,12 +199,13 @@ static int save_as(const struct target *target, const struct answer *answer, con
 {
     const char *out = target->out;
     if (strcmp(out, "-") == 0 && strcmp(format->ending, "json") != 0 && isatty(STDOUT_FILENO)) {
-        bytes_print(faults, "%s is nothing for a terminal; -o FILE saves it, --show draws it", format->name);
+        bytes_print(faults, "standard output is a terminal, and the output is %s; -o FILE saves it, --show draws it",
+                    format->name);
         return STATUS_USAGE;
     }
     if (!says_another_format(out, format))
         return save(target, out, answer->file.data, answer->file.size, no_clobber, names, faults);
-    bytes_print(faults, "nothing is saved: the output is %s; -o %.*s.%s takes it%s", format->name,
+    bytes_print(faults, "nothing is saved: the output is %s; -o %.*s.%s saves it%s", format->name,
                 (int)(dot_of(out) - out), out, format->ending,
                 strcasecmp(ending_of(out), "png") == 0 ? format->instead : "");
     return STATUS_USAGE;

@@ -20,7 +20,7 @@ static void read_bytes(png_structp png, png_bytep out, size_t size)
 static void fail(png_structp png, png_const_charp text)
 {
     struct reading *reading = png_get_error_ptr(png);
-    bytes_print(reading->faults, "it is no PNG that can be read: %s", text);
+    bytes_print(reading->faults, "it is not a readable PNG: %s", text);
     png_longjmp(png, 1);
 }
 

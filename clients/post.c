@@ -41,7 +41,7 @@ void post_close(void)
 
 /* ---- address ---- */
 
-/* Sets the server's address; HOST:PORT means http. Appends to its own path, such as https://example.org/zraster. */
+/* Sets the address of the request. HOST:PORT means http. PATH is appended to the server's own path, if any. */
 static bool set_address(CURLU *url, const char *server, const char *query)
 {
     char *whole = NULL, *path = NULL, *longer = NULL;
@@ -91,8 +91,8 @@ static size_t receive_header(char *line, size_t size, size_t count, void *contex
     return size * count;
 }
 
-/* Stops a transfer after SIGINT. */
-static int go_on(void *context, curl_off_t a, curl_off_t b, curl_off_t c, curl_off_t d)
+/* Returns true to stop a transfer. */
+static int stops(void *context, curl_off_t a, curl_off_t b, curl_off_t c, curl_off_t d)
 {
     (void)context, (void)a, (void)b, (void)c, (void)d;
     return interrupted();
@@ -162,7 +162,7 @@ static void set_options(CURL *handle, CURLU *url, char *why, struct answer *answ
     curl.easy_setopt(handle, CURLOPT_TIMEOUT, (long)TOTAL_SECONDS);
     curl.easy_setopt(handle, CURLOPT_NOSIGNAL, 1L);
     curl.easy_setopt(handle, CURLOPT_NOPROGRESS, 0L);
-    curl.easy_setopt(handle, CURLOPT_XFERINFOFUNCTION, go_on);
+    curl.easy_setopt(handle, CURLOPT_XFERINFOFUNCTION, stops);
     curl.easy_setopt(handle, CURLOPT_PROTOCOLS_STR, "http,https");
     curl.easy_setopt(handle, CURLOPT_USERAGENT, "zraster");
     curl.easy_setopt(handle, CURLOPT_ERRORBUFFER, why);

@@ -10,8 +10,8 @@
 int post_open(void);
 void post_close(void);
 
-/* Sends the file and its parts. Fills the answer, also with the reason if the server refuses or cannot be reached. Any
- * number of threads may call at once. */
+/* Sends the file and its parts. Fills the answer, also with the reason if the server refuses or cannot be reached.
+ * Thread-safe. */
 void post(const char *server, const struct token *token, const struct input *input, const char *query,
           struct answer *answer);
 

@@ -1,4 +1,4 @@
-/* progress.h - client: a bar on stderr, at most ten times a second. */
+/* progress.h - client: a bar on stderr, printed at most 10 times per second. */
 #ifndef PROGRESS_H
 #define PROGRESS_H
 

@@ -4,8 +4,8 @@
 
 #include "options.h"
 
-/* Returns "look=technical&width=800", percent-encoded, to be freed; NULL without memory. --strict stays here: the
- * client tells warnings from errors by its exit status. */
+/* Returns "look=technical&width=800", percent-encoded, to be freed; NULL without memory. Leaves out --strict: the
+ * client itself turns warnings into an exit status. */
 char *query_make(const struct options *options);
 
 #endif

@@ -10,7 +10,7 @@
 #include "show.h"
 #include "words.h"
 
-/* Refuses a first word that looks like a command, and is no file either. */
+/* Refuses a first word that is neither a file nor a command, but looks like a command. */
 static int check_command(const struct options *options)
 {
     const char *word = options->files[0];
@@ -22,7 +22,7 @@ static int check_command(const struct options *options)
     return options_wrong("there is no command or file %s; \"zraster help\" lists the commands", word);
 }
 
-/* Takes a second file as the output: zraster part.stl out.png. */
+/* Makes a second file the output: zraster part.stl out.png. */
 static int take_output(struct options *options)
 {
     const char **out = &options->own[OPTION_OUTPUT];

@@ -20,7 +20,7 @@ void report_problem(struct bytes *faults, long status, const struct bytes *answe
     const bool has_errors = cJSON_GetArraySize(errors) > 0;
     if (!has_errors) {
         bytes_print(faults, "the server refused it: %ld%s%s", status, *title ? " " : "", title);
-        if (!problem) bytes_print(faults, ", without a word of zrasterd; something between may have answered");
+        if (!problem) bytes_print(faults, "; the answer is not from zrasterd, but perhaps from a proxy");
         if (*detail) bytes_print(faults, ": %s", detail);
     }
     cJSON_ArrayForEach(error, errors)
@@ -29,7 +29,8 @@ void report_problem(struct bytes *faults, long status, const struct bytes *answe
         bytes_print(faults, "%s%s%s%s", error == errors->child ? "" : "\n", pointer, *pointer ? ": " : "",
                     text_of(error, "detail"));
     }
-    if (cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(problem, "truncated"))) bytes_print(faults, "\nand perhaps more");
+    if (cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(problem, "truncated")))
+        bytes_print(faults, "\nand possibly more");
     cJSON_Delete(problem);
 }
 

@@ -21,20 +21,20 @@ static bool exists(const struct target *target, const char *channel, const char 
     return is_there;
 }
 
-/* Returns true if all outputs of a list "color,depth" exist. Channels without the encoding have their own one. */
+/* Returns true if all outputs of a list "color,depth" exist. Channels without the encoding have their default one. */
 static bool has_channels(const struct target *target, const char *list, const char *encoding)
 {
     const bool is_only = strchr(list, ',') == NULL;
-    bool is_taken = !*encoding;
+    bool is_used = !*encoding;
     for (const char *at = list;; at++) {
         char channel[CHANNEL_SIZE];
         const size_t length = strcspn(at, ",");
         snprintf(channel, sizeof channel, "%.*s", (int)length, at);
-        const bool takes = tables_extension(channel, encoding) != NULL;
-        if (!exists(target, channel, takes ? encoding : "", is_only)) return false;
-        is_taken = is_taken || takes;
+        const bool has_it = tables_extension(channel, encoding) != NULL;
+        if (!exists(target, channel, has_it ? encoding : "", is_only)) return false;
+        is_used = is_used || has_it;
         at += length;
-        if (!*at) return is_taken;
+        if (!*at) return is_used;
     }
 }
 
@@ -54,12 +54,12 @@ static bool has_outputs(const struct target *target, const cJSON *scene)
     return outputs->child != NULL;
 }
 
-/* Reads a file that is a scene, or perhaps one. */
+/* Checks the outputs of a file that is a scene or may be one. */
 static bool has_file(const struct target *target, bool is_scene)
 {
     static const char space[] = " \t\r\n";
     struct bytes body = {NULL, 0, 0};
-    struct stat about; /* a pipe can be read once */
+    struct stat about; /* a pipe can be read only once */
     bool has_all = stat(target->file, &about) == 0 && S_ISREG(about.st_mode) && bytes_read(&body, target->file);
     const char *text = bytes_text(&body);
     if (has_all && !is_scene && text[strspn(text, space)] != '{')

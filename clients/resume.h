@@ -4,8 +4,8 @@
 
 #include "job.h"
 
-/* Returns true if every output of a job exists. False also if their names are not known before drawing. Any number of
- * threads may call once tables_open has returned. */
+/* Returns true if every output of a job exists. False also if their names are not known before drawing. Thread-safe
+ * after tables_open. */
 bool resume_has_all(const struct job *job);
 
 #endif

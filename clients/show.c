@@ -21,7 +21,7 @@ static bool is_set(const char *variable, const char *word)
     return value && (!word || strstr(value, word));
 }
 
-/* Asks for the device attributes; the number 4 among them means sixels. */
+/* Asks the terminal for its device attributes, of which 4 means sixels. */
 static bool answers_sixel(void)
 {
     struct termios before, raw;
@@ -58,8 +58,9 @@ static int check_terminal(struct bytes *faults)
     if (!isatty(STDOUT_FILENO))
         bytes_print(faults, "--show needs a terminal, and standard output is none; -o FILE saves the picture");
     else if (find_protocol() == NONE)
-        bytes_print(faults, "--show needs a terminal that shows pictures by kitty's, iTerm2's or sixel's protocol, and "
-                            "this one does not; -o FILE saves the picture");
+        bytes_print(faults,
+                    "--show needs a terminal with the protocol of kitty, iTerm2 or sixels, and this one has none "
+                    "of them; -o FILE saves the picture");
     else
         return STATUS_DONE;
     return STATUS_USAGE;

@@ -4,7 +4,7 @@
 
 #include "job.h"
 
-/* Draws and shows a job; saves it, too, if it has a name by -o. */
+/* Draws and shows a job. With -o, also saves it. */
 void show_run(const struct engine *engine, struct job *job);
 
 #endif

@@ -3,14 +3,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Levels of red, green and blue: the eye tells greens best. */
+/* Levels of red, green and blue: the eye distinguishes greens best. */
 enum { REDS = 6, GREENS = 8, BLUES = 5, COLORS = REDS * GREENS * BLUES, BAND = 6 };
 
-/* Rounds up where the remainder exceeds the threshold of the pixel, in 32nds, so that areas have the right mean. */
+/* Quantizes a channel over black. Rounds up if the remainder exceeds the threshold of the pixel, in 32nds: areas keep
+ * their mean. */
 static int level(const struct pixels *pixels, const uint16_t *at, int k, int levels, int threshold)
 {
     const long white = pixels->is_16_bit ? 65535 : 255;
-    const long value = (long)at[k] * at[3] / white; /* over black */
+    const long value = (long)at[k] * at[3] / white;
     return (int)((value * (levels - 1) * 32 + threshold * white) / (32 * white));
 }
 
@@ -30,7 +31,7 @@ static void write_palette(struct bytes *out)
                     i / BLUES % GREENS * 100 / (GREENS - 1), i % BLUES * 100 / (BLUES - 1));
 }
 
-/* Writes the columns of one colour in a band of six rows, with counts of equal ones. */
+/* Writes the columns of one colour in a band of six rows, run-length encoded. */
 static void write_color(struct bytes *out, const unsigned char *colors, uint32_t width, uint32_t rows, int color)
 {
     bytes_print(out, "#%d", color);

@@ -4,8 +4,8 @@
 
 #include "pixels.h"
 
-/* Writes the picture in 240 colours, 6 reds, 8 greens and 5 blues at even distances, dithered; transparent pixels over
- * black. */
+/* Writes the picture, dithered to 240 colours: 6 reds, 8 greens and 5 blues, evenly spaced. Transparent pixels are
+ * blended with black. */
 void sixel_write(struct bytes *out, const struct pixels *pixels);
 
 #endif

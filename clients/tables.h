@@ -9,13 +9,13 @@
 void tables_looks(struct words *words);
 
 /* Returns the ending of a channel's file; `encoding` may be "": the channel's first one. NULL: there is no such
- * channel, or it has not this encoding. */
+ * channel, or it lacks this encoding. */
 const char *tables_extension(const char *channel, const char *encoding);
 
-/* Adds the values that a parameter takes, as far as they are words. */
+/* Adds the values that a parameter accepts, as far as they are words. */
 void tables_values(struct words *words, enum parameter parameter);
 
-/* Opens and closes the tables. Opened once, any number of threads may call the functions above. */
+/* Opens and closes the tables. The functions above open them if needed, and are thread-safe once they are open. */
 void tables_open(void);
 void tables_close(void);
 

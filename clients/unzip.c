@@ -14,7 +14,7 @@ static size_t number_at(const unsigned char *at, int bytes)
     return value;
 }
 
-/* Names are channel.extension; another one could lead out of the folder. */
+/* Returns true for channel.extension. Another name could lead out of the folder. */
 static bool is_plain(const char *name, size_t length)
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";

@@ -14,8 +14,8 @@ struct unzip_file {
     size_t size;
 };
 
-/* Moves to the next stored file of an archive, which begins at unzip->at. False behind the last one, and if the archive
- * is broken: unzip->at is then NULL. */
+/* Moves to the next stored file of an archive, which begins at unzip->at. Returns false after the last one, and if the
+ * archive is broken, with NULL in unzip->at. */
 bool unzip_next(struct unzip *unzip, struct unzip_file *file);
 
 #endif

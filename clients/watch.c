@@ -11,7 +11,7 @@
 
 enum { PERIOD_MS = 100, PATIENCE = 5 /* periods */ };
 
-/* A file at one time; all 0: it is not there. */
+/* The version of a file; all 0: it does not exist. */
 struct version {
     struct timespec time;
     ino_t node;
@@ -55,7 +55,7 @@ static void report_absence(const char *path, int *absent)
     if (*absent == PATIENCE) fprintf(stderr, "zraster: %s: %s; watch waits for it\n", path, strerror(why));
 }
 
-/* Returns an exit status. Until the file is drawn once, a wrong command line ends it. */
+/* Draws the file whenever it changes, until a signal. A wrong command line ends it, unless the file was drawn. */
 static int watch(const struct engine *engine, const struct options *options)
 {
     const char *path = options->files[0];
@@ -82,7 +82,7 @@ int command_watch(struct options *options)
     if (options->file_count == 2 && !options->own[OPTION_OUTPUT] && output_is_name(options->files[1]))
         options->own[OPTION_OUTPUT] = options->files[--options->file_count];
     if (options->file_count != 1 || strcmp(options->files[0], "-") == 0)
-        return options_wrong("watch takes one file: \"zraster watch part.stl -o part.png\"");
+        return options_wrong("watch needs one file: \"zraster watch part.stl -o part.png\"");
     const char *path = options->files[0];
     int status = input_check_type(options);
     if (status == 0 && access(path, R_OK) != 0) status = options_wrong("%s: there is no such file to watch", path);

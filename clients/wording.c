@@ -21,8 +21,8 @@ static bool is_parameter(const char *word, size_t length)
     return false;
 }
 
-/* Writes a word as an option if it is the name of a parameter. Behind the first one, which `is_first`, only names in
- * two cases are: they are no words of the language. */
+/* Writes a word as an option if it is the name of a parameter. After the first word, which `is_first`, only names of
+ * several words, such as lightPosition, are written so: others may be plain words. */
 static bool find_flag(const char *word, size_t length, bool is_first, bool has_size, char flag[FLAG_SIZE])
 {
     options_flag_of(word, length, flag);
@@ -43,8 +43,8 @@ static const struct phrase {
   TYPES[] = {ZR_FORMAT_ROWS(FORMAT_PHRASE)}; /* the first media type of each */
 #undef FORMAT_PHRASE
 
-/* Returns the phrase of the command for the one that begins `text`, whose length it sets; NULL: there is none. In a
- * list of formats, media types are replaced, too. */
+/* Returns the replacement of the phrase at the beginning of `text`, and sets the length of that phrase; NULL: there is
+ * none. In a list of formats, media types are replaced, too. */
 static const char *find_phrase(const char *text, bool is_list, size_t *length)
 {
     for (size_t i = 0; i < sizeof PHRASES / sizeof *PHRASES; i++)

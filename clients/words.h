@@ -1,4 +1,4 @@
-/* words.h - client: near misses, and the values that options take. */
+/* words.h - client: near misses, and the values that options accept. */
 #ifndef WORDS_H
 #define WORDS_H
 

@@ -122,13 +122,13 @@ verdict "no log has a token" eval '! grep -q -e "$secret" -e wrong-one log guard
 printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}],
  "outputs": [{"channel": "color"}, {"channel": "depth"}]}' >two.json
 check "a ZIP is not saved as a picture" 2 "$client" render two.json -o two.png
-verdict "and it is told what came, and what takes it" grep -q 'a ZIP archive of several outputs; -o two.zip takes it; or get one of them: --channel color' complained
+verdict "and it is told what came, and what takes it" grep -q 'a ZIP archive of several outputs; -o two.zip saves it; or get one of them: --channel color' complained
 verdict "and nothing is saved" [ ! -e two.png ]
 check "but as a ZIP" 0 "$client" render two.json -o two.ZIP
 check "an array is not saved as a picture" 2 "$client" render scene.json --channel depth -o depth.png
-verdict "and it is told what would be one" grep -q -e '-o depth.npy takes it; depth has a PNG, too: --encoding png16' complained
+verdict "and it is told what would be one" grep -q -e '-o depth.npy saves it; depth has a PNG, too: --encoding png16' complained
 check "a PNG is not saved as a JPEG" 2 "$client" render scene.json -o v1.2/a.jpeg
-verdict "and a folder's dot is no ending" grep -q -e '-o v1.2/a.png takes a picture' complained
+verdict "and a folder's dot is no ending" grep -q -e '-o v1.2/a.png saves a picture' complained
 check "an ending that says nothing takes anything" 0 "$client" render two.json -o two.part
 check "and so does none" 0 "$client" render scene.json -o ./none
 
@@ -150,7 +150,7 @@ ln -s kept.json kept.out.json
 check "nor where a link has the name that it would get" 2 "$client" render kept.json --channel info
 verdict "and it is as it was" cmp -s scene.json kept.json
 script -qec "'$client' render scene.json -o -" typescript </dev/null >said 2>complained
-verdict "a terminal gets no picture" grep -q 'a PNG is nothing for a terminal; -o FILE saves it' said
+verdict "a terminal gets no picture" grep -q 'standard output is a terminal, and the output is a PNG; -o FILE saves it' said
 
 # the command line
 check "an unknown option ends with 2" 2 "$client" render scene.json --colour
@@ -160,7 +160,7 @@ check "--name=value is --name value" 0 "$client" render "part one.stl" --size=32
 check "a value that is missing ends with 2" 2 "$client" render scene.json --channel
 check "so does an empty one" 2 "$client" render scene.json --channel=
 check "and another option in its place" 2 "$client" render scene.json --channel --encoding png
-verdict "and the option is named" grep -q 'a value is missing behind --channel: --channel NAME' complained
+verdict "and the option is named" grep -q 'a value is missing after --channel: --channel NAME' complained
 cp scene.json ./--scene.json
 check "behind -- there are files" 0 "$client" render -o dashes.png -- --scene.json
 for size in 640x 640x480x1 -1x5 +5x5 ' 5x5' 5x99999999; do
@@ -180,7 +180,7 @@ printf '%%PDF-1.4 and so on' >document
 check "unknown bytes are" 1 "$client" render document
 verdict "and are told what they look like" grep -q 'looks like a PDF document, which is none of: json, obj' complained
 check "an unknown type ends with 2" 2 "$client" render said --type gltf
-verdict "and is told which there are" grep -q -e '--type takes one of json obj stl, not gltf' complained
+verdict "and is told which there are" grep -q -e '--type accepts one of json obj stl, not gltf' complained
 check "no file ends with 2" 2 "$client" render
 check "two files end with 2" 2 "$client" render scene.json two.json
 check "another command ends with 2" 2 "$client" draw scene.json
