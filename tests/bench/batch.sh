@@ -1,6 +1,6 @@
 #!/bin/sh
-# batch.sh BUILD [FILES]: draws many small files by `zraster batch`. Prints files per second, and the share of the time in which
-# its threads, one per processor, run or wait for a processor, which other programs do not change. Ends with 1 below 90 %.
+# batch.sh BUILD [FILES]: draws many small files with `zraster batch`. Prints files per second, and the share of time in which
+# its threads, one per processor, run or wait for a processor. Other programs do not change that share. Ends with 1 below 90 %.
 set -eu
 build=$1 files=${2:-1000}
 work=$(mktemp -d)

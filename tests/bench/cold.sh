@@ -1,5 +1,5 @@
 #!/bin/bash
-# cold.sh BUILD MODEL [ROUNDS]: the time of the command, which starts anew, beside that of a warm request over HTTP, in turns.
+# cold.sh BUILD MODEL [ROUNDS]: prints the time of the command, started anew, beside that of a warm HTTP request, in turns.
 # Ends with 1 if the command's median is more than 10 ms longer, or if the bytes differ. Needs a machine without other work.
 set -eu
 build=$1 model=$2 rounds=${3:-31}

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The command line with ZRASTER_SERVER, against a real daemon: what it saves, what it says, and how it ends. Prints TAP.
+# The command with ZRASTER_SERVER and a real daemon: its outputs, messages and exit statuses. Prints TAP.
 # ZRASTERD and ZRASTER name the two programs.
 set -u
 daemon=${ZRASTERD:-build/zrasterd}
@@ -28,12 +28,12 @@ printf '{"polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >"$work/scene.j
 cd "$work" || exit 1
 
 check "a mesh is saved under its own name with the picture's ending" 0 "$client" render "part one.stl"
-verdict "and nothing is said" [ ! -s said ]
+verdict "and nothing is printed" [ ! -s said ]
 verdict "and it is a PNG" is_png "part one.png"
 verdict "of the usual size" [ "$(size_of_png 'part one.png')" = 640x480 ]
 check "size, preset and shading are passed on" 0 "$client" render "part one.stl" --size 320x200 --preset top --shading gouraud -o small.png
 verdict "and the picture has that size" [ "$(size_of_png small.png)" = 320x200 ]
-check "how to compress is passed on" 0 "$client" render "part one.stl" --size 320x200 --preset top --shading gouraud --compress small -o smaller.png
+check "--compress is passed on" 0 "$client" render "part one.stl" --size 320x200 --preset top --shading gouraud --compress small -o smaller.png
 verdict "and gives fewer bytes" [ "$(wc -c <smaller.png)" -lt "$(wc -c <small.png)" ]
 check "depth comes as an array" 0 "$client" render scene.json --channel depth
 verdict "and is saved as one" [ "$(head -c 6 scene.npy | tail -c 5)" = NUMPY ]
@@ -58,53 +58,53 @@ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >mesh.obj
 verdict "- is standard input" is_png piped.png
 printf '{"polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,"x"]], "colour": 1}]}' >bad.json
 check "a scene that is refused ends with 1" 1 "$client" render bad.json
-verdict "and each fault is told with its place" grep -q '^  /polygons/0/vertices/2/2: expected a number' complained
+verdict "and each fault has its place" grep -q '^  /polygons/0/vertices/2/2: expected a number' complained
 verdict "and nothing is saved" [ ! -e bad.png ]
 printf '{"polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
 check "a scene that shows nothing is saved" 0 "$client" render away.json
 verdict "with a warning" grep -q '^warning: nothing is seen' complained
-check "who is strict is refused instead" 3 "$client" render away.json --strict true -o strict.png
+check "with --strict, it fails instead" 3 "$client" render away.json --strict true -o strict.png
 verdict "for the same reason" grep -q 'nothing is seen' complained
 verdict "and nothing is saved" [ ! -e strict.png ]
 check "strict alone means true" 3 "$client" render --strict -o strict.png away.json
 verdict "and takes no option for its value" grep -q 'nothing is seen' complained
 check "nor the file" 3 "$client" render --strict away.json -o strict.png
 check "and is the last, too" 3 "$client" render away.json -o strict.png --strict
-check "with an equals sign it is refused what is no truth" 2 "$client" render away.json --strict=yes -o strict.png
+check "--strict=yes is refused" 2 "$client" render away.json --strict=yes -o strict.png
 check "and false is not strict" 0 "$client" render --strict false -o lax.png away.json
 check "the same of other truths" 0 "$client" render "part one.stl" --double-sided --fill -o both.png
 check "-o is no value of an option" 2 "$client" render away.json --channel -o strict.png
 check "a server that is not there ends with 1" 1 "$client" render scene.json --server http://127.0.0.1:1
 verdict "and is named" grep -q 127.0.0.1:1 complained
-verdict "and what to do is said" grep -q 'start zrasterd there, or leave out --server to render here' complained
+verdict "and the message has advice" grep -q 'start zrasterd there, or leave out --server to render here' complained
 check "a file that is not there ends with 1" 1 "$client" render nothing.obj
 verdict "and is named" grep -q 'nothing.obj: No such file' complained
 check "a folder that is not there ends with 2" 2 "$client" render scene.json -o no/such/folder/x.png
 
-# where to
+# addresses
 check "HOST:PORT is http" 0 "$client" render scene.json --server "${server#http://}" -o plain.png
 verdict "and gives the picture" is_png plain.png
 check "localhost:PORT, too" 0 "$client" render scene.json --server "localhost:${server##*:}" -o local.png
 check "a URL may have a path, behind which /v1/render is" 1 "$client" render scene.json --server "$server/zraster/"
 verdict "and not in its place" grep -q '404' complained
-check "what is no address ends with 1" 1 "$client" render scene.json --server 'http://:::'
-verdict "and is told what is one" grep -q 'not an address; HOST:PORT' complained
+check "a wrong address ends with 1" 1 "$client" render scene.json --server 'http://:::'
+verdict "and the message has a right one" grep -q 'not an address; HOST:PORT' complained
 check "a password in an address" 1 "$client" render scene.json --server 'http://me:hunter2@127.0.0.1:1'
 verdict "is not shown" eval '! grep -q hunter2 complained said'
 
 # the token
 printf '%s\r\nanother line\n' "$secret" >token
 check "without its token a server refuses" 1 "$client" render scene.json --server "$guarded" -o token.png
-verdict "and it is told how to give it" grep -q -e '--token-file FILE, or the variable ZRASTER_TOKEN' complained
+verdict "and the message names the options" grep -q -e '--token-file FILE, or the variable ZRASTER_TOKEN' complained
 check "the token is a file's first line" 0 "$client" render scene.json --server "$guarded" --token-file token -o token.png
 verdict "and gives the picture" is_png token.png
 check "the token may be in ZRASTER_TOKEN" 0 env ZRASTER_TOKEN="$secret" "$client" render scene.json --server "$guarded" -o token.png
 check "the file is preferred" 0 env ZRASTER_TOKEN=wrong "$client" render scene.json --server "$guarded" --token-file=token -o token.png
 check "a wrong token is refused" 1 env ZRASTER_TOKEN=wrong-one "$client" render scene.json --server "$guarded" -o token.png
-verdict "and where it came from is told" grep -q 'The token of ZRASTER_TOKEN is not' complained
-verdict "but it is not" eval '! grep -q wrong-one complained said'
+verdict "and the message names its origin" grep -q 'The token of ZRASTER_TOKEN is not' complained
+verdict "but not the token" eval '! grep -q wrong-one complained said'
 check "a token on the command line ends with 2" 2 "$client" render scene.json --server "$guarded" --token=another-one
-verdict "and is told what to do" grep -q -e '--token-file FILE' complained
+verdict "and the message has advice" grep -q -e '--token-file FILE' complained
 verdict "without being shown" eval '! grep -q another-one complained said'
 check "nor behind a blank" 2 "$client" render scene.json --token another-one
 verdict "is it shown" eval '! grep -q another-one complained said'
@@ -122,40 +122,40 @@ verdict "no log has a token" eval '! grep -q -e "$secret" -e wrong-one log guard
 printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}],
  "outputs": [{"channel": "color"}, {"channel": "depth"}]}' >two.json
 check "a ZIP is not saved as a picture" 2 "$client" render two.json -o two.png
-verdict "and it is told what came, and what takes it" grep -q 'a ZIP archive of several outputs; -o two.zip saves it; or get one of them: --channel color' complained
+verdict "and the message names the format and its ending" grep -q 'a ZIP archive of several outputs; -o two.zip saves it; or get one of them: --channel color' complained
 verdict "and nothing is saved" [ ! -e two.png ]
 check "but as a ZIP" 0 "$client" render two.json -o two.ZIP
 check "an array is not saved as a picture" 2 "$client" render scene.json --channel depth -o depth.png
-verdict "and it is told what would be one" grep -q -e '-o depth.npy saves it; depth has a PNG, too: --encoding png16' complained
+verdict "and the message names the ending and the encoding of a picture" grep -q -e '-o depth.npy saves it; depth has a PNG, too: --encoding png16' complained
 check "a PNG is not saved as a JPEG" 2 "$client" render scene.json -o v1.2/a.jpeg
 verdict "and a folder's dot is no ending" grep -q -e '-o v1.2/a.png saves a picture' complained
-check "an ending that says nothing takes anything" 0 "$client" render two.json -o two.part
-check "and so does none" 0 "$client" render scene.json -o ./none
+check "an unknown ending accepts any format" 0 "$client" render two.json -o two.part
+check "so does a name without an ending" 0 "$client" render scene.json -o ./none
 
 # standard input and output
 "$client" render - --type=obj --size=20x10 <"$work/mesh.obj" >said 2>complained
 verdict "a picture of standard input goes to standard output" [ "$(size_of_png said)" = 20x10 ]
 "$client" render - --size=20x10 <"$work/mesh.obj" >said 2>complained
-verdict "and what comes there need not be said" [ "$(size_of_png said)" = 20x10 ]
+verdict "and its format is detected" [ "$(size_of_png said)" = 20x10 ]
 cp scene.json kept.json
 "$client" render - --type json --channel info -o kept.json <kept.json >said 2>complained
 verdict "standard input is not overwritten" cmp -s scene.json kept.json
-verdict "and that is told" grep -q 'standard input: the output would overwrite its own input' complained
+verdict "and the message says so" grep -q 'standard input: the output would overwrite its own input' complained
 ln -s kept.json by-link.json && ln kept.json by-name.json
 for name in by-link.json by-name.json; do
     check "an input is not overwritten through $name" 2 "$client" render kept.json --channel info -o "$name"
     verdict "and it is as it was" cmp -s scene.json kept.json
 done
 ln -s kept.json kept.out.json
-check "nor where a link has the name that it would get" 2 "$client" render kept.json --channel info
+check "nor if a link has the default name of the output" 2 "$client" render kept.json --channel info
 verdict "and it is as it was" cmp -s scene.json kept.json
 script -qec "'$client' render scene.json -o -" typescript </dev/null >said 2>complained
 verdict "a terminal gets no picture" grep -q 'standard output is a terminal, and the output is a PNG; -o FILE saves it' said
 
 # the command line
 check "an unknown option ends with 2" 2 "$client" render scene.json --colour
-check "and what stands behind = is not repeated" 2 "$client" render scene.json --passwort=geheim
-verdict "but its name is" eval 'grep -q "unknown option --passwort;" complained && ! grep -q geheim complained'
+check "and its value is not repeated" 2 "$client" render scene.json --passwort=geheim
+verdict "but the name is" eval 'grep -q "unknown option --passwort;" complained && ! grep -q geheim complained'
 check "--name=value is --name value" 0 "$client" render "part one.stl" --size=32x20 --preset=top -o=equals.png
 check "a value that is missing ends with 2" 2 "$client" render scene.json --channel
 check "so does an empty one" 2 "$client" render scene.json --channel=
@@ -168,7 +168,7 @@ for size in 640x 640x480x1 -1x5 +5x5 ' 5x5' 5x99999999; do
 done
 for option in --preset=top --shading=flat --size=8x8; do
     check "a scene with ${option%=*} ends with 2" 2 "$client" render scene.json "$option"
-    verdict "and is told where the scene has it" grep -q -e "${option%=*} is for meshes, ending with .obj .stl; a JSON scene has the key" complained
+    verdict "and the message names the key" grep -q -e "${option%=*} is for meshes, ending with .obj .stl; a JSON scene has the key" complained
 done
 check "a server's word on a parameter" 2 "$client" render "part one.stl" --preset iso
 verdict "is about the option" grep -q "^zraster: --preset: 'iso' is unknown; allowed: front," complained
@@ -178,9 +178,9 @@ cp "$work/mesh.obj" mesh.wavefront
 check "an unknown ending is no fault" 0 "$client" render mesh.wavefront
 printf '%%PDF-1.4 and so on' >document
 check "unknown bytes are" 1 "$client" render document
-verdict "and are told what they look like" grep -q 'looks like a PDF document, which is none of: json, obj' complained
+verdict "and the message names their format" grep -q 'looks like a PDF document, which is none of: json, obj' complained
 check "an unknown type ends with 2" 2 "$client" render said --type gltf
-verdict "and is told which there are" grep -q -e '--type accepts one of json obj stl, not gltf' complained
+verdict "and the message lists the types" grep -q -e '--type accepts one of json obj stl, not gltf' complained
 check "no file ends with 2" 2 "$client" render
 check "two files end with 2" 2 "$client" render scene.json two.json
 check "another command ends with 2" 2 "$client" draw scene.json

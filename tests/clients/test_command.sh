@@ -1,6 +1,6 @@
 #!/bin/sh
 # test_command.sh BUILD: the command without a daemon: outputs and their names, channels, info, looks, compare, batch, watch,
-# pictures in the terminal, and that no socket is opened. Prints TAP.
+# pictures in the terminal, no socket. Prints TAP.
 set -u
 build=$(realpath "$1")
 zraster=$build/zraster
@@ -20,56 +20,56 @@ printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0]
 
 # outputs
 check "a model becomes a picture" 0 "$zraster" part.stl
-verdict "under its name, in the usual size" [ "$(size_of_png part.png)" = 640x480 ]
-verdict "and nothing is said" [ ! -s "$said" -a ! -s "$complained" ]
+verdict "with the name of the model and the default size" [ "$(size_of_png part.png)" = 640x480 ]
+verdict "and nothing is printed" [ ! -s "$said" -a ! -s "$complained" ]
 check "the second argument is the output" 0 "$zraster" part.stl second.png --size=40
-verdict "and one number is a square" [ "$(size_of_png second.png)" = 40x40 ]
+verdict "a size of one number is a square" [ "$(size_of_png second.png)" = 40x40 ]
 check "--output is -o" 0 "$zraster" part.stl --output third.png -W 80
-verdict "and a width alone keeps 4:3" [ "$(size_of_png third.png)" = 80x60 ]
+verdict "a width alone keeps 4:3" [ "$(size_of_png third.png)" = 80x60 ]
 "$zraster" - -s64x48 <part.stl >piped.png 2>"$complained"
 verdict "a pipe gets the picture" [ "$(size_of_png piped.png)" = 64x48 ]
-check "verbose says what was done" 0 "$zraster" part.stl -s 64x48 -v
-verdict "on one line" grep -qE '^part.png  64x48  studio  [0-9]+ ms' "$complained"
+check "-v reports the output" 0 "$zraster" part.stl -s 64x48 -v
+verdict "in one line" grep -qE '^part.png  64x48  studio  [0-9]+ ms' "$complained"
 cmp -s part.png piped.png
-verdict "and the bytes are those of the pipe" [ $? = 0 ]
+verdict "with the bytes of the pipe" [ $? = 0 ]
 ls >"$work/before"
-check "a folder takes the output" 0 "$zraster" part.stl -o new/ -s 8
-verdict "and is made" is_png new/part.png
+check "an output goes to a folder" 0 "$zraster" part.stl -o new/ -s 8
+verdict "which is made" is_png new/part.png
 check "several channels become several files" 0 "$zraster" part.stl -c color,depth,instanceId,info -o new -s 8
 verdict "named by their channels" [ "$(ls new | tr '\n' ' ')" = "part.depth.npy part.info.json part.instanceId.npy part.png " ]
-check "in this folder, too" 0 "$zraster" scene.json --channel depth,normals
-verdict "named likewise" [ -s scene.depth.npy -a -s scene.normals.npy ]
-check "or one archive" 0 "$zraster" part.stl -c color,depth -o both.zip -s 8
-verdict "which is one" [ "$(head -c 2 both.zip)" = PK ]
+check "also in the current folder" 0 "$zraster" scene.json --channel depth,normals
+verdict "with the same names" [ -s scene.depth.npy -a -s scene.normals.npy ]
+check "or become one archive" 0 "$zraster" part.stl -c color,depth -o both.zip -s 8
+verdict "which is a ZIP" [ "$(head -c 2 both.zip)" = PK ]
 check "existing files are overwritten" 0 "$zraster" part.stl -o new -s 9
-verdict "as is usual" [ "$(size_of_png new/part.png)" = 9x9 ]
-check "but not with -n" 1 "$zraster" part.stl -o new -s 10 -n
-verdict "as was asked" [ "$(size_of_png new/part.png)" = 9x9 ]
+verdict "with the new picture" [ "$(size_of_png new/part.png)" = 9x9 ]
+check "-n refuses to overwrite" 1 "$zraster" part.stl -o new -s 10 -n
+verdict "and leaves the picture" [ "$(size_of_png new/part.png)" = 9x9 ]
 printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
-check "warnings are told" 0 "$zraster" away.json
-verdict "on standard error" grep -q '^warning: nothing is seen' "$complained"
-check "unless they are not wanted" 0 "$zraster" away.json -q
-verdict "by -q" [ ! -s "$complained" ]
+check "a scene with a warning is drawn" 0 "$zraster" away.json
+verdict "and the warning is on standard error" grep -q '^warning: nothing is seen' "$complained"
+check "the same with -q" 0 "$zraster" away.json -q
+verdict "prints no warning" [ ! -s "$complained" ]
 rm -f away.png
-check "strict, they end with 3" 3 "$zraster" away.json --strict
+check "with --strict, a warning ends with 3" 3 "$zraster" away.json --strict
 verdict "and nothing is saved" [ ! -e away.png ]
 
 # parts
 printf '{"window": {"width": 8, "height": 8}, "view": {"preset": "front", "znear": 1, "zfar": 9}, "base": {"color": {"asset": "color"}, "windowDepth": {"asset": "z"}}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >over.json
 "$zraster" scene.json -c color,windowDepth -o base/
 check "files are parts of a scene" 0 "$zraster" over.json --part color=base/scene.png --part z=base/scene.windowDepth.npy
-verdict "by their names" is_png over.png
-check "a part that is missing" 1 "$zraster" over.json --part color=base/scene.png
+verdict "with the names of --part" is_png over.png
+check "a part is missing" 1 "$zraster" over.json --part color=base/scene.png
 grep -q "'z'" "$complained"
-verdict "is named" [ $? = 0 ]
-check "and one that is no file" 1 "$zraster" over.json --part color=nothing.png
-verdict "likewise" grep -q -e '--part color=nothing.png: No such file' "$complained"
+verdict "and the message names it" [ $? = 0 ]
+check "a file of a part is missing" 1 "$zraster" over.json --part color=nothing.png
+verdict "and the message names the option" grep -q -e '--part color=nothing.png: No such file' "$complained"
 
 # info, looks, help
 check "info" 0 "$zraster" info part.stl
 verdict "is a table" grep -qE '^counts.triangles +1$' "$said"
 check "info as JSON" 0 "$zraster" info part.stl --json
-verdict "is that of the channel info" grep -q '"triangles": *1' "$said"
+verdict "is the output of the channel info" grep -q '"triangles": *1' "$said"
 check "looks" 0 "$zraster" looks
 verdict "are listed" grep -qx technical "$said"
 for command in render info batch compare watch looks help; do
@@ -90,21 +90,21 @@ verdict "and a picture" [ "$(size_of_png diff.png)" = 32x32 ]
 "$zraster" part.stl d.png -s 32 --channel depth --encoding png16
 check "16 bits are compared as they are" 0 "$zraster" compare d.png d.png
 check "and with 8 bits" 4 "$zraster" compare d.png a.png
-verdict "in 16" grep -q 'of 65535' "$said"
+verdict "and scales to 16" grep -q 'of 65535' "$said"
 
 # batch
 mkdir -p many/deep
 for i in 01 02 03 04 05 06 07 08 09 10 11 12; do awk -v seed=$i 'BEGIN { for (k = 0; k < 40; k++) { a = k * 2.4 + seed; print "v", cos(a) * k, sin(a) * k, (k * seed) % 7 } for (k = 1; k < 39; k++) print "f", k, k + 1, k + 2 }' >many/m$i.obj; done
 cp many/m01.obj many/deep/m01.obj
-check "a folder is drawn" 0 "$zraster" batch many -o drawn -s 64
-verdict "with the folders in it" [ "$(find drawn -name '*.png' | wc -l)" = 13 -a -s drawn/deep/m01.png ]
-verdict "a line for each file" [ "$(grep -c 'png  64x64  studio' "$complained")" = 13 ]
-check "so is a pattern, and a failure ends with 1" 1 "$zraster" batch 'many/*.obj' nothing.stl -o drawn2 -s 64 --json
-verdict "after all others" [ "$(ls drawn2 | wc -l)" = 12 ]
-verdict "listed last" eval 'tail -n 2 "$complained" | grep -q "nothing.stl: No such file"'
-verdict "a JSON object for each" [ "$(grep -c '^{"file":"many/m.*"status":"done"' "$said")" = 12 ]
-verdict "and the failure" grep -q '^{"file":"nothing.stl","status":"failed".*"errors":\["No such file' "$said"
-verdict "the same bytes as alone" eval '"$zraster" many/m07.obj -o m07.png -s 64 && cmp m07.png drawn/m07.png && cmp m07.png drawn2/m07.png'
+check "a batch draws a folder" 0 "$zraster" batch many -o drawn -s 64
+verdict "and the folders in it" [ "$(find drawn -name '*.png' | wc -l)" = 13 -a -s drawn/deep/m01.png ]
+verdict "a line per file is printed" [ "$(grep -c 'png  64x64  studio' "$complained")" = 13 ]
+check "a batch draws a pattern; one failure ends with 1" 1 "$zraster" batch 'many/*.obj' nothing.stl -o drawn2 -s 64 --json
+verdict "after all other files" [ "$(ls drawn2 | wc -l)" = 12 ]
+verdict "and is listed last" eval 'tail -n 2 "$complained" | grep -q "nothing.stl: No such file"'
+verdict "--json prints an object per file" [ "$(grep -c '^{"file":"many/m.*"status":"done"' "$said")" = 12 ]
+verdict "also for the failure" grep -q '^{"file":"nothing.stl","status":"failed".*"errors":\["No such file' "$said"
+verdict "the bytes are those of a single file" eval '"$zraster" many/m07.obj -o m07.png -s 64 && cmp m07.png drawn/m07.png && cmp m07.png drawn2/m07.png'
 printf '{"file": "part.stl", "output": "lines/red.png", "color": "red", "width": 20, "height": 10, "edges": true}\npart.stl\n' >lines.txt
 mkdir lines
 "$zraster" batch - -o lines <lines.txt >"$said" 2>"$complained"
@@ -112,27 +112,27 @@ verdict "lines of standard input are names or objects" [ $? = 0 -a "$(size_of_pn
 printf '{"file": "part.stl", "colour": "red"}\n' >lines.txt
 "$zraster" batch - <lines.txt >"$said" 2>"$complained"
 verdict "an unknown key is refused" [ $? = 2 ]
-verdict "with the nearest one" grep -q 'line 1: unknown key "colour"; did you mean color?' "$complained"
+verdict "and the nearest key is suggested" grep -q 'line 1: unknown key "colour"; did you mean color?' "$complained"
 script -qec "'$zraster' batch many -o bar -s 16" typescript </dev/null >"$said" 2>"$complained"
 verdict "a terminal gets a bar" grep -qE '\[#{20}\] 13/13  [0-9.]+/s' "$said"
 
 broken_name=$(printf 'new\nline')
 mkdir odd && cp part.stl "odd/$broken_name.stl"
 check "a name with a line break" 0 "$zraster" batch odd -o odd/out -s 8 -c color,depth --json
-verdict "is one name in JSON" grep -qF '"outputs":["odd/out/new\nline.depth.npy","odd/out/new\nline.png"]' "$said"
-check "and a line" 0 "$zraster" batch odd -o odd/out -s 8
-verdict "has it on one line" grep -q '^odd/out/new?line.png  8x8' "$complained"
+verdict "is one text in JSON" grep -qF '"outputs":["odd/out/new\nline.depth.npy","odd/out/new\nline.png"]' "$said"
+check "the same name in a report" 0 "$zraster" batch odd -o odd/out -s 8
+verdict "is on one line" grep -q '^odd/out/new?line.png  8x8' "$complained"
 
 check "a folder may be named like a version" 0 "$zraster" batch odd -o v1.2 -s 8
-check "or, with a slash, like a file" 0 "$zraster" batch odd -o one.png/ -s 8
-verdict "and is made" eval 'is_png "v1.2/$broken_name.png" && is_png "one.png/$broken_name.png"'
+check "or, with a slash at its end, like a file" 0 "$zraster" batch odd -o one.png/ -s 8
+verdict "which is made" eval 'is_png "v1.2/$broken_name.png" && is_png "one.png/$broken_name.png"'
 
 mkdir inner && cp scene.json inner/
 check "outputs within the folder" 0 "$zraster" batch inner -o inner/out -c info,color --json
-check "are no inputs" 0 "$zraster" batch inner -o inner/out -c info,color --json
-verdict "of the next call" [ "$(wc -l <"$said")" = 1 ]
+check "are not drawn" 0 "$zraster" batch inner -o inner/out -c info,color --json
+verdict "by the next batch" [ "$(wc -l <"$said")" = 1 ]
 
-# Killed at some time, and resumed: each file is drawn once, and nothing else is there.
+# A killed and resumed batch draws each file once, and leaves no other file.
 check "all files, for comparison" 0 "$zraster" batch many -o whole -c color,depth -s 400 -j 1
 killed=0 try=1
 while [ $try -le 20 ] && [ $killed = 0 ]; do
@@ -148,29 +148,29 @@ while [ $try -le 20 ] && [ $killed = 0 ]; do
 done
 verdict "a batch was killed in the middle" [ $killed = 1 ]
 there=$(find part -name '*.png' | wc -l)
-check "it is resumed" 0 "$zraster" batch many -o part -c color,depth -s 400 -j 1 --resume --json
-verdict "what was done is skipped" [ "$(grep -c '"status":"skipped"' "$said")" = "$there" ]
-verdict "the rest is drawn" [ "$(grep -c '"status":"done"' "$said")" = $((13 - there)) ]
+check "--resume goes on" 0 "$zraster" batch many -o part -c color,depth -s 400 -j 1 --resume --json
+verdict "finished files are skipped" [ "$(grep -c '"status":"skipped"' "$said")" = "$there" ]
+verdict "the others are drawn" [ "$(grep -c '"status":"done"' "$said")" = $((13 - there)) ]
 verdict "and nothing is lost, broken or left over" diff -r whole part
-check "once more" 0 "$zraster" batch many -o part -c color,depth -s 400 --resume --json
-verdict "there is nothing to do" [ "$(grep -c '"status":"skipped"' "$said")" = 13 ]
+check "with --resume once more" 0 "$zraster" batch many -o part -c color,depth -s 400 --resume --json
+verdict "all files are skipped" [ "$(grep -c '"status":"skipped"' "$said")" = 13 ]
 mkdir scenes && cp scene.json scenes/plain.json
 printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}], "outputs": [{"channel": "depth"}, {"channel": "color"}]}' >scenes/two.json
 check "scenes with outputs of their own" 0 "$zraster" batch scenes -o own
-verdict "get them" [ "$(ls own | tr '\n' ' ')" = "plain.png two.depth.npy two.png " ]
-check "and are resumed" 0 "$zraster" batch scenes -o own --resume --json
-verdict "if all of them exist" [ "$(grep -c '"status":"skipped"' "$said")" = 2 ]
+verdict "have all of them" [ "$(ls own | tr '\n' ' ')" = "plain.png two.depth.npy two.png " ]
+check "--resume of these scenes" 0 "$zraster" batch scenes -o own --resume --json
+verdict "skips them if all outputs exist" [ "$(grep -c '"status":"skipped"' "$said")" = 2 ]
 rm own/two.png
-check "or else drawn again" 0 "$zraster" batch scenes -o own --resume --json
-verdict "whole" eval '[ -s own/two.png ] && [ "$(grep -c "\"status\":\"skipped\"" "$said")" = 1 ]'
+check "with a missing output" 0 "$zraster" batch scenes -o own --resume --json
+verdict "draws all outputs of that scene again" eval '[ -s own/two.png ] && [ "$(grep -c "\"status\":\"skipped\"" "$said")" = 1 ]'
 mkdir more && cp part.stl more/ && cp part.stl more/nameless
 check "a batch of one channel" 0 "$zraster" batch more/part.stl more/nameless -o grown -s 8
-check "that is resumed with another one" 0 "$zraster" batch more/part.stl more/nameless -o grown -s 8 -c color,depth --resume
-verdict "draws it, too" [ -s grown/part.depth.npy -a -s grown/nameless.depth.npy ]
-check "with all of them" 0 "$zraster" batch more/part.stl more/nameless -o grown -s 8 -c depth,color --encoding png --resume --json
-verdict "it skips the files" [ "$(grep -c '"status":"skipped"' "$said")" = 2 ]
+check "resumed with another channel" 0 "$zraster" batch more/part.stl more/nameless -o grown -s 8 -c color,depth --resume
+verdict "draws that, too" [ -s grown/part.depth.npy -a -s grown/nameless.depth.npy ]
+check "with all outputs present" 0 "$zraster" batch more/part.stl more/nameless -o grown -s 8 -c depth,color --encoding png --resume --json
+verdict "skips the files" [ "$(grep -c '"status":"skipped"' "$said")" = 2 ]
 check "with another encoding" 0 "$zraster" batch more/part.stl more/nameless -o grown -s 8 -c depth,color --encoding png16 --resume --json
-verdict "it draws them" [ "$(grep -c '"status":"done"' "$said")" = 2 -a -s grown/part.depth.png ]
+verdict "draws them" [ "$(grep -c '"status":"done"' "$said")" = 2 -a -s grown/part.depth.png ]
 check "an encoding of no channel" 1 "$zraster" batch more/part.stl -o grown -c color --encoding npy --resume
 check "a channel alone" 0 "$zraster" batch more/part.stl -o alone -s 8 -c depth
 check "has the plain name" 0 "$zraster" batch more/part.stl -o alone -s 8 -c depth --resume --json
@@ -185,7 +185,7 @@ done
 kill -INT $pid
 wait $pid
 verdict "an interrupted batch ends with 130" [ $? = 130 ]
-verdict "and names the way to go on" grep -q 'interrupted: --resume draws the rest' "$complained"
+verdict "and the message names --resume" grep -q 'interrupted: --resume draws the rest' "$complained"
 
 # Ctrl-C
 interrupt() { # TEXT COMMAND...
@@ -206,8 +206,8 @@ interrupt "an interrupted wait for a writer" "$zraster" pipe.stl
 sleep 20 >pipe.stl &
 writer=$!
 interrupt "an interrupted wait for bytes" "$zraster" pipe.stl
-interrupt "of the facts, too," "$zraster" info pipe.stl
-interrupt "of a batch, too," "$zraster" batch pipe.stl
+interrupt "an interrupted info" "$zraster" info pipe.stl
+interrupt "an interrupted batch of a pipe" "$zraster" batch pipe.stl
 kill $writer
 rm pipe.stl
 check "a batch before its input is a pipe" 0 "$zraster" batch scenes/plain.json -o piped
@@ -231,11 +231,11 @@ rm -f live.png
 echo solid >live.stl
 verdict "a broken file is reported" says 'zraster: live.stl: '
 mv live.stl away.stl
-verdict "so is one that is removed" says 'zraster: live.stl: No such file or directory; watch waits for it'
+verdict "a removed file is reported" says 'zraster: live.stl: No such file or directory; watch waits for it'
 sleep 0.7
-verdict "once" [ "$(grep -c 'watch waits' "$complained")" = 1 ]
+verdict "only once" [ "$(grep -c 'watch waits' "$complained")" = 1 ]
 cp part.stl live.stl
-verdict "and drawn when it is back" appears
+verdict "and drawn once it is back" appears
 kill -INT $watcher
 wait $watcher
 verdict "and ends with 130" [ $? = 130 ]
@@ -245,18 +245,18 @@ watcher=
 TERM=xterm-kitty script -qec "'$zraster' part.stl -s 16 --show" typescript </dev/null >"$said" 2>"$complained"
 verdict "kitty gets its protocol" grep -q '_Gf=100,a=T,m=0;iVBORw0KGgo' "$said"
 TERM_PROGRAM=iTerm.app script -qec "'$zraster' part.stl -s 16 --show" typescript </dev/null >"$said" 2>"$complained"
-verdict "iTerm2 gets its own" grep -q ']1337;File=inline=1;size=[0-9]*:iVBORw0KGgo' "$said"
+verdict "iTerm2 gets its protocol" grep -q ']1337;File=inline=1;size=[0-9]*:iVBORw0KGgo' "$said"
 (sleep 0.15; printf '\033[?62;4;22c') | script -qec "'$zraster' part.stl -s 16 --show" typescript >"$said" 2>"$complained"
-verdict "a terminal that answers so gets sixels" grep -q 'Pq"1;1;16;16#0;2;0;0;0' "$said"
+verdict "a terminal that answers 4 gets sixels" grep -q 'Pq"1;1;16;16#0;2;0;0;0' "$said"
 script -qec "'$zraster' part.stl -s 16 --show" typescript </dev/null >"$said" 2>"$complained"
-verdict "another one is told that it shows none" grep -q 'and this one has none of them; -o FILE saves the picture' "$said"
+verdict "another terminal ends with a message" grep -q 'and this one has none of them; -o FILE saves the picture' "$said"
 
 # sandboxes
 if command -v strace >/dev/null; then
     ASAN_OPTIONS=detect_leaks=0 strace -f -e trace=network -o trace "$zraster" part.stl -s 64 2>"$complained"
     verdict "no socket is opened" eval '[ -s trace ] && ! grep -qE "^[0-9]+ +[a-z]+\(" trace'
 else
-    skip "no socket is opened" "strace is not here"
+    skip "no socket is opened" "strace is missing"
 fi
 inside() {
     bwrap --unshare-all --proc /proc --ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 --ro-bind "$zraster" /zraster \
@@ -264,9 +264,9 @@ inside() {
 }
 if bwrap --unshare-all --proc /proc --ro-bind / / true 2>/dev/null; then
     "$zraster" part.stl -s 64
-    verdict "in a sandbox of /usr and the file" inside
-    verdict "the bytes are the same" cmp inside.png part.png
+    verdict "the command runs in a sandbox of /usr and the file" inside
+    verdict "with the same bytes" cmp inside.png part.png
 else
-    skip "in a sandbox of /usr and the file the bytes are the same" "bwrap is not here, or may not make a sandbox"
+    skip "the command in a sandbox" "bwrap is missing or cannot make a sandbox"
 fi
 verdicts

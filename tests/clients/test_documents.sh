@@ -17,11 +17,11 @@ has_all() { # FILE WORD...: with roff's dashes as plain ones
         grep -qe "$word" "$work/plain" || { echo "# no $word" >>"$complained"; return 1; }
     done
 }
-verdict "there are fifty options at least" [ "$(echo "$options" | wc -l)" -ge 50 ]
+verdict "there are at least 50 options" [ "$(echo "$options" | wc -l)" -ge 50 ]
 verdict "zraster.1 has all" has_all "$build/zraster.1" $options
 verdict "zrasterd.8 has all flags of the daemon" has_all "$build/zrasterd.8" $flags
 verdict "libzraster.3 has all functions" has_all "$build/libzraster.3" $(sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)(.*/\1/p' core/library/zraster.h)
-verdict "and one that is not there would be found" eval '! has_all "$build/zraster.1" --not-an-option'
+verdict "and a missing one is found" eval '! has_all "$build/zraster.1" --not-an-option'
 for shell in bash zsh fish; do
     dashes=--
     [ $shell = fish ] && dashes='-l '
@@ -30,7 +30,7 @@ for shell in bash zsh fish; do
     if command -v $shell >/dev/null; then
         verdict "$shell reads it" $shell -n "$build/completion.$shell"
     else
-        skip "$shell reads its completion" "$shell is not here"
+        skip "$shell reads its completion" "$shell is missing"
     fi
 done
 complete() { # WORD...: the answers of bash's completion
@@ -44,6 +44,6 @@ if command -v groff >/dev/null; then
         verdict "groff reads $page without a warning" eval "groff -man -Tutf8 -ww '$build/$page' >'$said' 2>'$complained' && [ ! -s '$complained' ]"
     done
 else
-    skip "groff reads the pages" "groff is not here"
+    skip "groff reads the pages" "groff is missing"
 fi
 verdicts

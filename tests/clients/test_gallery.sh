@@ -27,7 +27,7 @@ all_there() {
 }
 verdict "with its picture and its scene beside it" all_there
 
-# What is shown twice is what a look has anyway.
+# A feature that a look has by default shows the same picture twice.
 twins() {
     for name in $names; do
         echo "$(cksum <"$out/$name.png") $name"
@@ -38,7 +38,7 @@ verdict "no two pictures are the same, but those of a default" [ "$(cat "$said")
 gear-studio occlusion" ]
 
 # Libraries that pack PNGs differ in bytes: pixels are compared once each picture has been packed here, as a base that
-# nothing is drawn into.
+# shows through unchanged.
 side() { od -An -j"$2" -N4 -tu1 "$1" | awk '{ print $3 * 256 + $4 }'; }
 depths() { # WIDTH HEIGHT: an array of zeros, the depth of what is nearest
     printf '\223NUMPY\001\000\166\000%-117s\n' "{'descr': '<f4', 'fortran_order': False, 'shape': ($2, $1)}"

@@ -34,5 +34,5 @@ done
 for picture in part iso pipe out/part pictures/part triangle; do
     verdict "$picture.png is there" is_png "$picture.png"
 done
-verdict "the examples are four at least" [ "$blocks" -ge 4 ]
+verdict "there are at least 4 examples" [ "$blocks" -ge 4 ]
 verdicts

@@ -1,6 +1,6 @@
 #!/bin/sh
-# test_wrong_lines.sh BUILD: each wrong command line of wrong-lines.txt ends with its status and says what to type instead,
-# in one sentence with one prefix. Prints TAP.
+# test_wrong_lines.sh BUILD: each wrong command line of wrong-lines.txt ends with its status and a message with advice, which
+# has one prefix. Prints TAP.
 set -u
 zraster=$(realpath "$1")/zraster
 lines=$(realpath tests/clients/wrong-lines.txt)
@@ -36,8 +36,8 @@ while IFS='|' read -r status arguments message; do
     ended=$?
     cat "$said" >>"$complained"
     verdict "zraster$arguments" eval '[ $ended = $status ] && grep -qF -e "$message" "$complained"'
-    # One prefix, and of a fault one line.
-    verdict "  says so once" eval '[ "$(grep -c "zraster: " "$complained")" -le 1 ] && ! grep -q "zraster:.*zraster: " "$complained"'
+    # The prefix is printed once.
+    verdict "  has one prefix" eval '[ "$(grep -c "zraster: " "$complained")" -le 1 ] && ! grep -q "zraster:.*zraster: " "$complained"'
 done <"$lines"
 verdict "a value behind an unknown option is not repeated" eval '! "$zraster" part.stl --passwort=geheim >"$complained" 2>&1 && ! grep -q geheim "$complained"'
 ls >"$work/files-after" && cksum * >"$work/sums-after" 2>/dev/null

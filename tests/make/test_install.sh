@@ -17,7 +17,7 @@ verdict "make install" placed install
 files >"$work/installed"
 make -s --no-print-directory list-installed | cut -d ' ' -f 2 | sort >"$work/listed"
 verdict "installs the files of the list" cmp "$work/listed" "$work/installed"
-verdict "which are seventeen" [ "$(wc -l <"$work/listed")" = 17 ]
+verdict "which has 17 files" [ "$(wc -l <"$work/listed")" = 17 ]
 verdict "no folder's name is left open" sh -c "! grep -rn '@[a-z]*@' '$root$prefix/share/thumbnailers' '$root$prefix/lib/pkgconfig' '$root$prefix/lib/systemd'"
 
 export PKG_CONFIG_SYSROOT_DIR="$root" PKG_CONFIG_PATH="$root$prefix/lib/pkgconfig"
@@ -32,7 +32,7 @@ verdict "and draws" env LD_LIBRARY_PATH="$root$prefix/lib" "$work/draw" "$work/p
 # The libraries below it are the system's.
 requires=$(sed -n 's/^Requires.private: //p' "$root$prefix/lib/pkgconfig/zraster.pc")
 # shellcheck disable=SC2046,SC2086
-verdict "so it is with the static library" ${CC:-cc} -I"$root$prefix/include" clients/examples/draw.c -o "$work/static" \
+verdict "and with the static library" ${CC:-cc} -I"$root$prefix/include" clients/examples/draw.c -o "$work/static" \
     "$root$prefix/lib/libzraster.a" $(env -u PKG_CONFIG_SYSROOT_DIR pkg-config --libs $requires) -lm -pthread
 verdict "with the same bytes" sh -c "'$work/static' '$work/part.obj' '$work/static.png' 'look=studio&width=64&height=64' && cmp '$work/drawn.png' '$work/static.png'"
 
@@ -58,7 +58,7 @@ if mkdir "$work/try" && sandbox "$work/try" "$work/part.stl" true; then
     verdict "of a scene" thumbnail zraster-scene.thumbnailer "$work/solids.zraster.json" -c color
     verdict "and a file that is no STL fails" eval '! thumbnail zraster.thumbnailer Makefile'
 else
-    skip "thumbnails in a sandbox" "bwrap makes none here"
+    skip "thumbnails in a sandbox" "bwrap cannot make one"
 fi
 if command -v update-mime-database >/dev/null; then
     verdict "the MIME types are read" update-mime-database "$root$prefix/share/mime"
@@ -66,16 +66,16 @@ if command -v update-mime-database >/dev/null; then
     verdict "an OBJ is no drawing of TGIF" grep -q '^60:model/obj:\*.obj$' "$root$prefix/share/mime/globs2"
     find "$root$prefix/share/mime" ! -type d ! -path '*/packages/*' -delete
 else
-    skip "MIME types" "update-mime-database is not here"
+    skip "MIME types" "update-mime-database is missing"
 fi
 unit=$root$prefix/lib/systemd/system/zrasterd.service
 verdict "the unit starts the daemon that is installed" [ "$(sed -n 's/^ExecStart=//p' "$unit")" = $prefix/bin/zrasterd ]
 if command -v systemd-analyze >/dev/null; then
     sed "s|=$prefix/bin|=$root$prefix/bin|" "$unit" >"$work/zrasterd.service"
-    verdict "systemd has nothing against it" sh -c "systemd-analyze verify --man=no '$work/zrasterd.service' >'$said' 2>&1 && [ ! -s '$said' ]"
-    verdict "and counts an exposure below 1.5" sh -c "systemd-analyze security --offline=true --threshold=15 '$work/zrasterd.service' >'$said'"
+    verdict "systemd accepts it" sh -c "systemd-analyze verify --man=no '$work/zrasterd.service' >'$said' 2>&1 && [ ! -s '$said' ]"
+    verdict "and rates its exposure below 1.5" sh -c "systemd-analyze security --offline=true --threshold=15 '$work/zrasterd.service' >'$said'"
 else
-    skip "the unit, judged by systemd" "systemd-analyze is not here"
+    skip "the unit, judged by systemd" "systemd-analyze is missing"
 fi
 
 verdict "make uninstall" placed uninstall

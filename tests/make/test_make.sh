@@ -1,5 +1,5 @@
 #!/bin/sh
-# What `make` and `make test` say: to one who has no compiler, and about parts of the tests. Prints TAP.
+# Messages of `make` without a compiler, and of `make test` about its parts. Prints TAP.
 set -u
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -7,7 +7,7 @@ unset MAKEFLAGS MAKELEVEL MFLAGS CC
 . tests/support/verdict.sh
 said=$work/said complained=$work/complained
 
-# A machine without a compiler: what the Makefile calls before it compiles, and nothing else.
+# A machine without a compiler: only the programs that the Makefile calls before it compiles.
 mkdir "$work/bin"
 for program in make sh echo getconf grep mkdir tr uname; do
     ln -s "$(command -v "$program")" "$work/bin/$program"
@@ -34,8 +34,8 @@ parts() { DATA=$work tests/run.sh "$work/fake" unit >"$work/said" 2>"$work/compl
 parts
 status=$?
 verdict "tests that pass end with 0" [ "$status" = 0 ]
-verdict "a part is told with its time" grep -Eq '^unit: 3 passed, 1 skipped in [0-9]+ s$' "$work/said"
-verdict "and last what all came to" [ "$(tail -n 1 "$work/said")" = "3 passed, 0 failed, 1 skipped" ]
+verdict "a part is reported with its time" grep -Eq '^unit: 3 passed, 1 skipped in [0-9]+ s$' "$work/said"
+verdict "and the last line has the sums" [ "$(tail -n 1 "$work/said")" = "3 passed, 0 failed, 1 skipped" ]
 program unit/test_b "ok 1 - three"
 parts
 verdict "a part that just passes is one line" [ "$(sed 's/ in .*//' "$work/said")" = "unit: 3 passed
@@ -44,7 +44,7 @@ program unit/test_b "ok 1 - three" "not ok 2 - four"
 parts
 status=$?
 verdict "a test that fails ends with 1" [ "$status" = 1 ]
-verdict "is told" grep -q '^FAILED in test_b' "$work/said"
+verdict "is reported" grep -q '^FAILED in test_b' "$work/said"
 verdict "and counted in its part" grep -Eq '^unit: 3 passed, 1 failed in [0-9]+ s$' "$work/said"
 verdict "and in the last line" [ "$(tail -n 1 "$work/said")" = "3 passed, 1 failed, 0 skipped" ]
 verdicts

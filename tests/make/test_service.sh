@@ -13,7 +13,7 @@ trap '[ -z "$daemon" ] || kill "$daemon" 2>/dev/null; rm -rf "$work"' EXIT
 
 for program in systemd-analyze strace; do
     command -v $program >/dev/null && continue
-    skip "the daemon's system calls are those of its unit" "$program is not here"
+    skip "the daemon's system calls are those of its unit" "$program is missing"
     verdicts
     exit 0
 done
@@ -30,7 +30,7 @@ calls $(sed -n 's/^SystemCallFilter=\([^~]\)/\1/p' $unit) | sort -u >"$work/list
 calls $(sed -n 's/^SystemCallFilter=~//p' $unit) | sort -u >"$work/denied"
 comm -23 "$work/listed" "$work/denied" >"$work/allowed"
 verdict "the unit allows more than 200 system calls" [ "$(wc -l <"$work/allowed")" -gt 200 ]
-verdict "mount is none of them" eval '! grep -qx mount "$work/allowed"'
+verdict "but not mount" eval '! grep -qx mount "$work/allowed"'
 
 mkdir "$work/assets"
 : >"$work/out"
@@ -57,5 +57,5 @@ comm -23 "$work/used" "$work/allowed" >"$said"
 verdict "all of them are allowed" [ ! -s "$said" ]
 families=$(sed -n 's/.* socket(\(AF_[A-Z0-9]*\),.*/\1/p' "$work/trace" | sort -u)
 verdict "its sockets are of the families of the unit" [ -z "$(for family in $families; do grep '^RestrictAddressFamilies=' $unit | grep -qw "$family" || echo "$family"; done)" ]
-verdict "and no memory is to be written and executed" eval '! grep -q "PROT_WRITE|PROT_EXEC" "$work/trace"'
+verdict "and no memory is writable and executable" eval '! grep -q "PROT_WRITE|PROT_EXEC" "$work/trace"'
 verdicts

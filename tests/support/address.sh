@@ -1,4 +1,4 @@
-# address.sh - support, for tests that are shell scripts: where a daemon listens that was just started, from what it prints.
+# address.sh - support for tests that are shell scripts: the address of a daemon that was just started, from its output.
 
 address_in() { # FILE
     tries=0
