@@ -55,12 +55,13 @@ static void print_options(const struct command *command, size_t first, size_t en
     }
 }
 
-/* Prints parameters; the names of the looks come before the help of `look`. */
-static void print_parameters(void)
+/* Prints the parameters that a command has; the names of the looks come before the help of `look`. */
+static void print_parameters(const struct command *command)
 {
     for (size_t i = 0; i < PARAMETER_COUNT; i++) {
         const struct parameter_row *p = &parameter_rows[i];
         char flag[FLAG_SIZE], names[WORDS_SIZE] = "";
+        if (i == PARAMETER_channel && command->run == command_info) continue;
         options_flag_of(p->name, strlen(p->name), flag);
         if (p->of_mesh && !parameter_rows[i - 1].of_mesh) puts("\nModels (a scene has keys for these):");
         if (i == PARAMETER_look) {
@@ -93,12 +94,13 @@ void help_print(const struct command *command)
         for (size_t i = 0; i < COMMAND_COUNT; i++)
             printf("  %-9s %s\n", commands[i].name, commands[i].summary);
     } else
-        printf("Usage: zraster %s %s\n%s\n", command->name, command->arguments, command->summary);
+        printf("Usage: zraster %s%s%s\n%s\n", command->name, *command->arguments ? " " : "", command->arguments,
+               command->summary);
     if (strchr("ribcw", command->letter)) puts("\nOutput:");
     print_options(command, 0, general);
     if (is_drawing) {
         puts("\nPicture:");
-        print_parameters();
+        print_parameters(command);
     }
     puts("\nGeneral:");
     print_options(command, general, OPTION_COUNT);

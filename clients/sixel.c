@@ -31,20 +31,23 @@ static void write_palette(struct bytes *out)
                     i / BLUES % GREENS * 100 / (GREENS - 1), i % BLUES * 100 / (BLUES - 1));
 }
 
+/* Returns the rows of a column that have the colour, as bits. */
+static int rows_of(const unsigned char *column, uint32_t width, uint32_t rows, int color)
+{
+    int bits = 0;
+    for (uint32_t y = 0; y < rows; y++)
+        bits |= (column[y * width] == color) << y;
+    return bits;
+}
+
 /* Writes the columns of one colour in a band of six rows, run-length encoded. */
 static void write_color(struct bytes *out, const unsigned char *colors, uint32_t width, uint32_t rows, int color)
 {
     bytes_print(out, "#%d", color);
     for (uint32_t x = 0, run = 0; x < width; x += run) {
-        int bits = 0;
-        for (uint32_t y = 0; y < rows; y++)
-            bits |= (colors[y * width + x] == color) << y;
-        for (run = 1; x + run < width; run++) {
-            int next = 0;
-            for (uint32_t y = 0; y < rows; y++)
-                next |= (colors[y * width + x + run] == color) << y;
-            if (next != bits) break;
-        }
+        const int bits = rows_of(colors + x, width, rows, color);
+        for (run = 1; x + run < width && rows_of(colors + x + run, width, rows, color) == bits;)
+            run++;
         if (run > 3)
             bytes_print(out, "!%u%c", run, 63 + bits);
         else
