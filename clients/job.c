@@ -20,7 +20,7 @@ static unsigned number_at(const unsigned char *at)
 }
 
 /* Copies the facts of an answer that the line of the job shows. */
-static void take_facts(struct job *job, const struct answer *answer)
+static void copy_facts(struct job *job, const struct answer *answer)
 {
     memcpy(job->look, answer->look, sizeof job->look);
     job->bytes = answer->file.size;
@@ -29,7 +29,7 @@ static void take_facts(struct job *job, const struct answer *answer)
     job->height = number_at((const unsigned char *)answer->file.data + 20);
 }
 
-static void take(struct bytes *out, struct bytes *from)
+static void move(struct bytes *out, struct bytes *from)
 {
     bytes_free(out);
     *out = *from;
@@ -46,8 +46,8 @@ void job_draw(const struct engine *engine, struct job *job, struct answer *answe
     job->read_ms = middle - begin;
     if (is_read) {
         engine_draw(engine, &input, job->options, answer);
-        take(&job->warnings, &answer->warnings);
-        take(&job->faults, &answer->faults);
+        move(&job->warnings, &answer->warnings);
+        move(&job->faults, &answer->faults);
         job->status = answer->status;
     } else
         job->status = answer->status = interrupted()    ? STATUS_INTERRUPTED
@@ -55,7 +55,7 @@ void job_draw(const struct engine *engine, struct job *job, struct answer *answe
                                                         : STATUS_FAILED;
     job->draw_ms = job_clock() - middle;
     input_free(&input);
-    if (answer->status == STATUS_DONE) take_facts(job, answer);
+    if (answer->status == STATUS_DONE) copy_facts(job, answer);
 }
 
 void job_save(struct job *job, const struct answer *answer)

@@ -11,14 +11,13 @@ static const char *text_of(const cJSON *object, const char *key)
     return text ? text : "";
 }
 
-/* The detail of a problem repeats its first error, so it is used only without errors. */
 void report_problem(struct bytes *faults, long status, const struct bytes *answer)
 {
     cJSON *problem = cJSON_ParseWithLength(bytes_text(answer), answer->size);
     const char *title = text_of(problem, "title"), *detail = text_of(problem, "detail");
     const cJSON *errors = cJSON_GetObjectItemCaseSensitive(problem, "errors"), *error;
     const bool has_errors = cJSON_GetArraySize(errors) > 0;
-    if (!has_errors) {
+    if (!has_errors) { /* else the detail repeats the first one */
         bytes_print(faults, "the server refused it: %ld%s%s", status, *title ? " " : "", title);
         if (!problem) bytes_print(faults, "; the answer is not from zrasterd, but perhaps from a proxy");
         if (*detail) bytes_print(faults, ": %s", detail);
