@@ -177,11 +177,7 @@ check "has the plain name" 0 "$zraster" batch more/part.stl -o alone -s 8 -c dep
 verdict "and is skipped" [ "$(grep -c '"status":"skipped"' "$said")" = 1 -a -s alone/part.npy ]
 "$zraster" batch many -o stopped -s 2000 -j 1 >"$said" 2>"$complained" &
 pid=$!
-tries=0
-until [ -n "$(ls stopped 2>/dev/null)" ] || [ $tries -ge 200 ]; do
-    tries=$((tries + 1))
-    sleep 0.02
-done
+within 4 eval '[ -n "$(ls stopped 2>/dev/null)" ]'
 kill -INT $pid
 wait $pid
 verdict "an interrupted batch ends with 130" [ $? = 130 ]
@@ -193,8 +189,7 @@ interrupt() { # TEXT COMMAND...
     shift
     "$@" >"$said" 2>"$complained" &
     pid=$!
-    tries=0
-    until grep -q '^SigCgt:.*4..2$' "/proc/$pid/status" || [ $tries -ge 200 ]; do tries=$((tries + 1)) && sleep 0.02; done
+    within 4 grep -q '^SigCgt:.*4..2$' "/proc/$pid/status"
     sleep 0.1
     kill -INT $pid
     wait $pid
@@ -221,21 +216,19 @@ rm plain.json
 cp part.stl live.stl
 "$zraster" watch live.stl -o live.png -s 16 2>"$complained" &
 watcher=$!
-appears() { tries=0; until [ -s live.png ]; do tries=$((tries + 1)); [ $tries -lt 100 ] || return 1; sleep 0.05; done; }
-verdict "watch draws at once" appears
+verdict "watch draws at once" within 5 [ -s live.png ]
 rm -f live.png
 touch live.stl
-verdict "and again when the file changes" appears
-says() { tries=0; until grep -q "$1" "$complained"; do tries=$((tries + 1)); [ $tries -lt 100 ] || return 1; sleep 0.05; done; }
+verdict "and again when the file changes" within 5 [ -s live.png ]
 rm -f live.png
 echo solid >live.stl
-verdict "a broken file is reported" says 'zraster: live.stl: '
+verdict "a broken file is reported" within 5 grep -q 'zraster: live.stl: ' "$complained"
 mv live.stl away.stl
-verdict "a removed file is reported" says 'zraster: live.stl: No such file or directory; watch waits for it'
+verdict "a removed file is reported" within 5 grep -q 'zraster: live.stl: No such file or directory; watch waits for it' "$complained"
 sleep 0.7
 verdict "only once" [ "$(grep -c 'watch waits' "$complained")" = 1 ]
 cp part.stl live.stl
-verdict "and drawn once it is back" appears
+verdict "and drawn once it is back" within 5 [ -s live.png ]
 kill -INT $watcher
 wait $watcher
 verdict "and ends with 130" [ $? = 130 ]

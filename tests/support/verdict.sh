@@ -30,6 +30,15 @@ skip() { # TEXT WHY: counts a test that cannot run here, and reports it on stand
     echo "LEFT OUT: $1: $2" >&2
 }
 
+within() { # SECONDS COMMAND...: repeats the command until it succeeds; fails if it does not within this time
+    tries=$(($1 * 50))
+    shift
+    until "$@"; do
+        [ $((tries -= 1)) -gt 0 ] || return 1
+        sleep 0.02
+    done
+}
+
 verdicts() {
     echo "1..$count"
     [ "$failed" = 0 ]
