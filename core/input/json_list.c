@@ -36,6 +36,15 @@ bool zr_growing_reserve(struct zr_growing *array, struct zr_json *json, size_t m
     return true;
 }
 
+bool zr_growing_fill(struct zr_growing *array, struct zr_json *json, size_t count, const void *item)
+{
+    if (array->count >= count) return true;
+    if (!zr_growing_reserve(array, json, count - array->count)) return false;
+    for (; array->count < count; array->count++)
+        memcpy((char *)array->items + array->count * array->size, item, array->size);
+    return true;
+}
+
 void zr_growing_trim(struct zr_growing *array, struct zr_arena *arena)
 {
     if (array->items) zr_arena_trim(arena, array->items, array->room, array->count, array->size);

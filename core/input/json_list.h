@@ -38,6 +38,19 @@ static inline void *zr_growing_next(struct zr_growing *array, struct zr_json *js
     return (char *)array->items + array->count * array->size;
 }
 
+/* Appends a number to an array of uint32_t. False if memory runs out. */
+static inline bool zr_growing_add(struct zr_growing *array, struct zr_json *json, size_t number)
+{
+    uint32_t *place = zr_growing_next(array, json);
+    if (!place) return false;
+    *place = (uint32_t)number;
+    array->count++;
+    return true;
+}
+
+/* Extends the array to `count` items by copies of `item`. False if memory runs out. */
+bool zr_growing_fill(struct zr_growing *array, struct zr_json *json, size_t count, const void *item);
+
 /* Returns unused room to the arena if the array is its newest allocation. */
 void zr_growing_trim(struct zr_growing *array, struct zr_arena *arena);
 

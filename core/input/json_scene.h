@@ -246,8 +246,8 @@ void zr_parsed_warn_of_oddities(struct zr_parsed_scene *root);
 /* json_material.c: warns of unused materials, and of keys without effect in the shadings of their meshes. */
 void zr_parsed_warn_of_materials(struct zr_parsed_scene *root);
 
-/* json_mesh.c and json_polygons.c: read a list; make its meshes once the root is read. Meshes: root->meshes.count of
- * them. Polygons: one mesh, or false if there is none. */
+/* json_mesh.c, json_polygons.c and json_soup.c: read a list; make its meshes once the root is read. Meshes:
+ * root->meshes.count of them. Polygons: one mesh, or false if there is none. */
 zr_json_read_fn zr_read_meshes, zr_read_polygons;
 void zr_parsed_make_meshes(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes);
 bool zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh);

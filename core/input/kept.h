@@ -57,7 +57,7 @@ struct zr_keeping {
 void zr_kept_save_bare(struct zr_kept *kept, const struct zr_scene_builder *builder);
 bool zr_kept_load_bare(const struct zr_kept *kept, struct zr_scene_builder *builder);
 
-/* json_polygons.c: a copy in the arena that making a mesh may change. `texts`: copies the names of materials, too. NULL
+/* json_soup.c: a copy in the arena that making a mesh may change. `texts`: copies the names of materials, too. NULL
  * without memory. */
 struct zr_soup *zr_soup_copy(struct zr_arena *arena, const struct zr_soup *soup, bool texts);
 
