@@ -1,17 +1,15 @@
 /* core/library: the same bytes as the core gives, for every scene of tests/scenes and clients/examples, drawn at once,
  * from a kept scene, and from a kept scene with changes. */
 #include <cjson/cJSON.h>
-#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core.h"
-#include "library/zraster.h"
-#include "support/cmocka_all.h"
 #include "support/files.h"
+#include "support/renderer.h"
+#include "support/tests.h"
 
-static zraster *renderer;
 static struct zr_arena arena;
 
 struct answer {
@@ -58,16 +56,11 @@ static struct answer take(zraster_status status, zraster_picture *picture, zrast
     return answer;
 }
 
-static struct zraster_request request_of(const char *text, size_t size)
-{
-    return (struct zraster_request){.struct_size = sizeof(struct zraster_request), .body = text, .body_size = size};
-}
-
 /* The body is overwritten as soon as the library has returned. */
 static struct answer library_answer(const char *text, size_t size)
 {
     struct answer body = answer_of(ZRASTER_OK, text, size);
-    const struct zraster_request request = request_of(body.bytes, size);
+    const struct zraster_request request = request_of_bytes(body.bytes, size);
     zraster_picture *picture;
     zraster_error *error;
     const zraster_status status = zraster_draw(renderer, &request, &picture, &error);
@@ -79,7 +72,7 @@ static struct answer library_answer(const char *text, size_t size)
 static zraster_scene *keep(const char *text, size_t size)
 {
     struct answer body = answer_of(ZRASTER_OK, text, size);
-    const struct zraster_request request = request_of(body.bytes, size);
+    const struct zraster_request request = request_of_bytes(body.bytes, size);
     zraster_scene *scene;
     zraster_error *error;
     if (zraster_scene_read(renderer, &request, &scene, &error) != ZRASTER_OK) fail_msg("%s", zraster_error_text(error));
@@ -90,7 +83,7 @@ static zraster_scene *keep(const char *text, size_t size)
 
 static struct answer changed_answer(const zraster_scene *scene, const char *change)
 {
-    const struct zraster_request request = request_of(change, change ? strlen(change) : 0);
+    const struct zraster_request request = request_of_bytes(change, change ? strlen(change) : 0);
     zraster_picture *picture;
     zraster_error *error;
     const zraster_status status = zraster_scene_draw(scene, change ? &request : NULL, &picture, &error);
@@ -159,8 +152,9 @@ static char *merge_pose(const char *scene, const char *node, const char *matrix)
 
 /* ---- all scenes ---- */
 
-static void check_file(const char *path)
+static void check_file(const char *path, void *context)
 {
+    (void)context;
     size_t size;
     char *text = file_read(path, &size);
     assert_non_null(text);
@@ -176,31 +170,10 @@ static void check_file(const char *path)
     free(text);
 }
 
-static int is_scene(const struct dirent *entry)
+TEST(all_scenes_are_drawn_as_by_the_core)
 {
-    const char *dot = strrchr(entry->d_name, '.');
-    return dot && strcmp(dot, ".json") == 0;
-}
-
-static int check_folder(const char *folder)
-{
-    struct dirent **entries;
-    const int count = scandir(folder, &entries, is_scene, alphasort);
-    for (int i = 0; i < count; i++) {
-        char path[600];
-        snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
-        check_file(path);
-        free(entries[i]);
-    }
-    if (count >= 0) free(entries);
-    return count;
-}
-
-static void all_scenes_are_drawn_as_by_the_core(void **state)
-{
-    (void)state;
-    assert_true(check_folder("tests/scenes") > 30);
-    assert_true(check_folder("clients/examples") > 0);
+    assert_true(files_each("tests/scenes", ".json", check_file, NULL) > 30);
+    assert_true(files_each("clients/examples", ".json", check_file, NULL) > 0);
 }
 
 /* ---- poses ---- */
@@ -212,9 +185,8 @@ static const char hinge[] =
     "\"meshes\": [{\"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0],[7,7,7]], \"faces\": [[0,1,2,3]]}, "
     "{\"name\": \"k\", \"positions\": [[0,0,1],[1,0,1],[0,1,1]], \"faces\": [[0,1,2]]}]}";
 
-static void poses_replace_the_matrices_of_nodes(void **state)
+TEST(poses_replace_the_matrices_of_nodes)
 {
-    (void)state;
     static const char matrix[] = "[[0,-1,0,3],[1,0,0,0],[0,0,1,0.5],[0,0,0,1]]";
     static const char *const nodes[] = {"door", "knob"};
     zraster_scene *scene = keep(hinge, strlen(hinge));
@@ -231,9 +203,8 @@ static void poses_replace_the_matrices_of_nodes(void **state)
     zraster_scene_free(scene);
 }
 
-static void faults_of_a_change_have_their_place(void **state)
+TEST(faults_of_a_change_have_their_place)
 {
-    (void)state;
     static const struct {
         const char *change, *pointer, *detail;
         zraster_status status;
@@ -253,7 +224,7 @@ static void faults_of_a_change_have_their_place(void **state)
     };
     zraster_scene *scene = keep(hinge, strlen(hinge));
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const struct zraster_request request = request_of(cases[i].change, strlen(cases[i].change));
+        const struct zraster_request request = request_of(cases[i].change);
         zraster_picture *picture;
         zraster_error *error;
         if (zraster_scene_draw(scene, &request, &picture, &error) != cases[i].status)
@@ -271,7 +242,7 @@ static void faults_of_a_change_have_their_place(void **state)
 
 static struct answer draw_with(const char *body, const char *query)
 {
-    struct zraster_request request = request_of(body, strlen(body));
+    struct zraster_request request = request_of(body);
     zraster_picture *picture;
     zraster_error *error;
     request.query = query;
@@ -279,11 +250,10 @@ static struct answer draw_with(const char *body, const char *query)
     return take(status, picture, error);
 }
 
-static void parameters_of_a_change_replace_those_of_a_bare_mesh(void **state)
+TEST(parameters_of_a_change_replace_those_of_a_bare_mesh)
 {
-    (void)state;
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n";
-    struct zraster_request request = request_of(obj, strlen(obj)), change = request_of(NULL, 0);
+    struct zraster_request request = request_of(obj), change = request_of_bytes(NULL, 0);
     zraster_scene *scene;
     zraster_picture *picture;
     zraster_error *error;
@@ -308,29 +278,16 @@ static void parameters_of_a_change_replace_those_of_a_bare_mesh(void **state)
     zraster_scene_free(scene);
 }
 
-static int open_renderer(void **state)
+static int open_all(void **state)
 {
-    const struct zraster_options options = {.struct_size = sizeof options, .threads = 3};
-    (void)state;
     zr_arena_init(&arena, (size_t)1 << 30);
-    return zraster_open(&options, &renderer) == ZRASTER_OK ? 0 : -1;
+    return open_renderer(state);
 }
 
-static int close_renderer(void **state)
+static int close_all(void **state)
 {
-    (void)state;
-    zraster_close(renderer);
     zr_arena_free(&arena);
-    return 0;
+    return close_renderer(state);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_scenes_are_drawn_as_by_the_core),
-        cmocka_unit_test(poses_replace_the_matrices_of_nodes),
-        cmocka_unit_test(faults_of_a_change_have_their_place),
-        cmocka_unit_test(parameters_of_a_change_replace_those_of_a_bare_mesh),
-    };
-    return cmocka_run_group_tests_name("library", tests, open_renderer, close_renderer);
-}
+RUN_TESTS(open_all, close_all)

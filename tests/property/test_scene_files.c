@@ -1,6 +1,5 @@
 /* Every scene of tests/scenes and clients/examples, by every algorithm, by several threads, and by every instruction
  * set that the machine has: the same bytes, and those of tests/scenes/digests.txt. */
-#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,8 +9,6 @@
 #include "support/geometries.h"
 #include "support/scenes.h"
 #include "support/tests.h"
-
-enum { PATH_SIZE = 600 };
 
 static const size_t ceiling = (size_t)1 << 31;
 static struct zr_arena arena;
@@ -92,8 +89,9 @@ struct teams {
     struct zr_team *of[ZR_ISA_COUNT];
 };
 
-static void check_file(const char *path, const struct teams *teams)
+static void check_file(const char *path, void *context)
 {
+    const struct teams *teams = context;
     zr_arena_init(&arena, ceiling);
     struct zr_scene scene = read_file(path);
     scene.algorithm = ZR_ALGORITHM_HALFSPACE;
@@ -124,29 +122,15 @@ static void check_file(const char *path, const struct teams *teams)
     free(bytes);
 }
 
-static int is_scene(const struct dirent *entry)
-{
-    const char *dot = strrchr(entry->d_name, '.');
-    return dot && strcmp(dot, ".json") == 0;
-}
-
 static int check_folder(const char *folder)
 {
-    struct dirent **entries;
     struct teams teams = {{NULL}};
     for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
         if (zr_isa_is_available((enum zr_isa)isa)) {
             teams.of[isa] = zr_team_create_for(3, (enum zr_isa)isa);
             assert_non_null(teams.of[isa]);
         }
-    int count = scandir(folder, &entries, is_scene, alphasort);
-    for (int i = 0; i < count; i++) {
-        char path[PATH_SIZE];
-        snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
-        check_file(path, &teams);
-        free(entries[i]);
-    }
-    if (count >= 0) free(entries);
+    const int count = files_each(folder, ".json", check_file, &teams);
     for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
         zr_team_destroy(teams.of[isa]);
     return count;

@@ -1,7 +1,9 @@
 #include "support/files.h"
 
+#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 char *file_read(const char *path, size_t *size)
 {
@@ -17,4 +19,23 @@ char *file_read(const char *path, size_t *size)
     }
     if (file) fclose(file);
     return bytes;
+}
+
+int files_each(const char *folder, const char *ending, void (*use)(const char *path, void *context), void *context)
+{
+    struct dirent **entries;
+    const int count = scandir(folder, &entries, NULL, alphasort);
+    int used = count < 0 ? -1 : 0;
+    for (int i = 0; i < count; i++) {
+        char path[600];
+        const char *dot = strrchr(entries[i]->d_name, '.');
+        snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
+        if (dot && strcmp(dot, ending) == 0) {
+            use(path, context);
+            used++;
+        }
+        free(entries[i]);
+    }
+    if (count >= 0) free(entries);
+    return used;
 }

@@ -9,7 +9,6 @@
  *     and at /view/up: three numbers                lines for the next faults, if they are tested, too
  *     {"polygons": [], "view": {"eye": 1}}          the body, up to an empty line; ${0a} is the byte 0x0a
  */
-#include <dirent.h>
 #include <stdio.h>
 
 #include "input/formats.h"
@@ -18,7 +17,7 @@
 #include "support/npy.h"
 #include "support/tests.h"
 
-enum { LETS_MAX = 16, PARTS_MAX = 24, NUMBERS_MAX = 64, MORE_MAX = 4, BODY_MAX = 1 << 16, PATH_SIZE = 600 };
+enum { LETS_MAX = 16, PARTS_MAX = 24, NUMBERS_MAX = 64, MORE_MAX = 4, BODY_MAX = 1 << 16 };
 
 static const char *const statuses[] = {[ZR_BAD_SYNTAX] = "bad syntax",
                                        [ZR_BAD_TYPE] = "bad type",
@@ -159,8 +158,13 @@ static char *read_head(struct cases *cases, char *text)
     return rest;
 }
 
-static void check_file(const char *path, int *count, int *failures)
+struct counts {
+    int cases, failures;
+};
+
+static void check_file(const char *path, void *context)
 {
+    struct counts *counts = context;
     static struct cases cases;
     char *text = file_read(path, &(size_t){0});
     assert_non_null(text);
@@ -187,32 +191,18 @@ static void check_file(const char *path, int *count, int *failures)
     for (size_t i = 0; i < cases.part_count; i++)
         free((void *)(uintptr_t)cases.parts[i].bytes);
     free(text);
-    *count += cases.count;
-    *failures += cases.failures;
-}
-
-static int is_text(const struct dirent *entry)
-{
-    const char *dot = strrchr(entry->d_name, '.');
-    return dot && strcmp(dot, ".txt") == 0;
+    counts->cases += cases.count;
+    counts->failures += cases.failures;
 }
 
 TEST(every_case_is_refused_as_it_says)
 {
-    struct dirent **entries;
-    int cases = 0, failures = 0;
-    const int files = scandir("tests/refusals", &entries, is_text, alphasort);
+    struct counts counts = {0, 0};
+    const int files = files_each("tests/refusals", ".txt", check_file, &counts);
     if (files < 0) fail_msg("tests/refusals: not there; tests run from the project's top folder");
-    for (int i = 0; i < files; i++) {
-        char path[PATH_SIZE];
-        snprintf(path, sizeof path, "tests/refusals/%s", entries[i]->d_name);
-        check_file(path, &cases, &failures);
-        free(entries[i]);
-    }
-    free(entries);
-    print_message("%d cases of %d files\n", cases, files);
-    assert_true(cases > 300);
-    assert_int_equal(failures, 0);
+    print_message("%d cases of %d files\n", counts.cases, files);
+    assert_true(counts.cases > 300);
+    assert_int_equal(counts.failures, 0);
 }
 
 RUN_TESTS(NULL, NULL)
