@@ -1,21 +1,14 @@
 #include "input/color_text.h"
 
 #include "input/color_names.h"
-
-static int hex_digit(char c)
-{
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
+#include "input/text.h"
 
 /* Reads `count` channels of one or two hexadecimal digits; a single digit is doubled. */
 static bool read_hex(const char *text, size_t digits, size_t count, zr_vec4 *out)
 {
     float channels[4] = {0, 0, 0, 1.0f};
     for (size_t i = 0; i < count; i++, text += digits) {
-        int high = hex_digit(text[0]), low = hex_digit(text[digits - 1]);
+        int high = zr_hex_digit(text[0]), low = zr_hex_digit(text[digits - 1]);
         if (high < 0 || low < 0) return false;
         channels[i] = zr_color_channel(high * 16 + low);
     }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "input/nearest.h"
+#include "input/text.h"
 
 #define PARAMETER(name, ...) {#name, offsetof(struct zr_request, name)},
 static const struct {
@@ -17,20 +18,13 @@ static const char all_names[] =
     ZR_PARAMETER_ROWS(PARAMETER);
 #undef PARAMETER
 
-static int hex_digit(char c)
-{
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
 bool zr_percent_decode(char *out, const char *source, size_t length)
 {
     for (size_t i = 0; i < length; i++) {
         char c = source[i] == '+' ? ' ' : source[i];
         if (c == '%') {
             if (length - i < 3) return false;
-            int high = hex_digit(source[i + 1]), low = hex_digit(source[i + 2]);
+            int high = zr_hex_digit(source[i + 1]), low = zr_hex_digit(source[i + 2]);
             if (high < 0 || low < 0 || (high == 0 && low == 0)) return false;
             c = (char)(high * 16 + low);
             i += 2;

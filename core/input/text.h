@@ -8,6 +8,15 @@
  * cut short by `end`). Requires at < end. Source: RFC 3629, section 4. */
 size_t zr_utf8_length(const char *at, const char *end);
 
+/* Returns the value of a hexadecimal digit; -1 for other characters. */
+static inline int zr_hex_digit(char c)
+{
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+}
+
 /* Counts leading blanks, tabs and line ends, at most ZR_BLANKS_MAX. */
 enum { ZR_BLANKS_MAX = 64 << 10 };
 size_t zr_count_blanks(const char *bytes, size_t size);
