@@ -151,11 +151,11 @@ static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entrie
     return ZR_OK;
 }
 
-static const char *pin_look(const struct encoding *e)
+static const char *pin_look(struct zr_arena *arena, const struct zr_scene *scene)
 {
-    struct zr_look_pin *pin = zr_arena_alloc(e->arena, 1, sizeof *pin);
+    struct zr_look_pin *pin = zr_arena_alloc(arena, 1, sizeof *pin);
     if (!pin) return NULL;
-    *pin = zr_look_pin_of(e->scene->look);
+    *pin = zr_look_pin_of(scene->look);
     return pin->text;
 }
 
@@ -184,14 +184,13 @@ enum zr_status zr_files_join(struct zr_arena *arena, const struct zr_files *file
 }
 
 /* Explains a failure that has no fault yet. */
-static enum zr_status explain(const struct encoding *e, enum zr_status status)
+static enum zr_status explain(const struct zr_arena *arena, enum zr_status status, struct zr_error *error)
 {
-    if (status == ZR_OK && !zr_arena_ok(e->arena)) status = ZR_NO_MEMORY;
+    if (status == ZR_OK && !zr_arena_ok(arena)) status = ZR_NO_MEMORY;
     if (status == ZR_NO_MEMORY)
-        zr_error_add(e->error, status, NULL, "encoding needs more than the %zu bytes a request may use",
-                     e->arena->ceiling);
-    if (status == ZR_CANCELLED) zr_error_add(e->error, status, NULL, "encoding was stopped before it was done");
-    if (status == ZR_INTERNAL) zr_error_add(e->error, status, NULL, "an image could not be written");
+        zr_error_add(error, status, NULL, "encoding needs more than the %zu bytes a request may use", arena->ceiling);
+    if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "encoding was stopped before it was done");
+    if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "an image could not be written");
     return status;
 }
 
@@ -202,7 +201,6 @@ static enum zr_status make_files(struct encoding *e, struct zr_files *files)
     struct zr_zip_entry *entries = zr_arena_alloc(e->arena, count, sizeof *entries);
     if (status == ZR_OK) status = entries ? encode_all(e, entries) : ZR_NO_MEMORY;
     *files = (struct zr_files){count, entries, e->warnings};
-    if (status == ZR_OK && !zr_arena_ok(e->arena)) return ZR_NO_MEMORY; /* a name is missing */
     return status;
 }
 
@@ -217,21 +215,17 @@ enum zr_status zr_encode_files(struct zr_arena *arena, struct zr_team *team, con
                                 .cancel = cancel,
                                 .drawing = drawing,
                                 .error = error};
-    return explain(&encoding, make_files(&encoding, files));
+    return explain(arena, make_files(&encoding, files), error);
 }
 
 enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
                          struct zr_error *error)
 {
-    struct encoding encoding = {
-        .arena = arena, .team = team, .scene = scene, .frame = frame, .cancel = cancel, .error = error};
     struct zr_files files;
-    enum zr_status status = make_files(&encoding, &files);
-    if (status == ZR_OK) {
-        answer->warnings = zr_warnings_join(arena, &files.warnings);
-        answer->look = pin_look(&encoding);
-        status = zr_files_join(arena, &files, frame->view, answer, error);
-    }
-    return explain(&encoding, status);
+    const enum zr_status status = zr_encode_files(arena, team, scene, frame, NULL, cancel, &files, error);
+    if (status != ZR_OK) return status;
+    answer->warnings = zr_warnings_join(arena, &files.warnings);
+    answer->look = pin_look(arena, scene);
+    return explain(arena, zr_files_join(arena, &files, frame->view, answer, error), error);
 }

@@ -14,8 +14,8 @@ struct zr_files {
     struct zr_warning_list warnings; /* of scene, frame and encoding */
 };
 
-/* Encodes each output. With `drawing`, the scene needs no geometry (library/remains.h). Other arguments and errors are
- * those of zr_encode, which makes its answer from these files. */
+/* Encodes each output. `drawing` may be NULL; with it, the scene needs no geometry (library/remains.h). Other arguments
+ * and errors are those of zr_encode, which makes its answer from these files. */
 enum zr_status zr_encode_files(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                const struct zr_frame *frame, const struct zr_drawing_warnings *drawing,
                                const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error);
