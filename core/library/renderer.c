@@ -18,11 +18,6 @@ enum { RESULT_KEEP_MAX = 4 << 20 };
 
 /* ---- opening ---- */
 
-static uint32_t or_default(uint32_t given, uint32_t otherwise)
-{
-    return given ? given : otherwise;
-}
-
 static int count_processors(void)
 {
     cpu_set_t set;
@@ -35,13 +30,13 @@ static void use_options(zraster *renderer, const struct zraster_options *options
 {
     struct zr_limits *limits = &renderer->limits;
     *limits = zr_limits_default();
-    limits->window_side_max = or_default(options->window_side_max, limits->window_side_max);
-    limits->instances_max = or_default(options->instances_max, limits->instances_max);
+    if (options->window_side_max) limits->window_side_max = options->window_side_max;
+    if (options->instances_max) limits->instances_max = options->instances_max;
     if (options->window_pixels_max) limits->window_pixels_max = options->window_pixels_max;
     if (options->image_pixels_max) limits->image_pixels_max = options->image_pixels_max;
     renderer->memory_max = options->memory_max ? options->memory_max : (size_t)1 << 30;
     renderer->memory_keep = options->memory_keep ? options->memory_keep : (size_t)64 << 20;
-    const uint32_t threads = or_default(options->threads, (uint32_t)count_processors());
+    const uint32_t threads = options->threads ? options->threads : (uint32_t)count_processors();
     renderer->threads = threads < ZR_TEAM_MAX ? (int)threads : ZR_TEAM_MAX;
 }
 
