@@ -231,6 +231,13 @@ void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size)
     return result;
 }
 
+void *zr_arena_copy(struct zr_arena *arena, const void *bytes, size_t size)
+{
+    void *copy = zr_arena_alloc(arena, size, 1);
+    if (copy && size > 0) memcpy(copy, bytes, size);
+    return copy;
+}
+
 bool zr_arena_clear(const struct zr_arena *arena, void *bytes, size_t size)
 {
     for (size_t at = 0; at < size; at += ZR_ARENA_BLOCK) {

@@ -63,6 +63,9 @@ void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size);
 /* The same, zeroed. The first access to large memory takes long: the arena fails once its `cancel` is raised. */
 void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size);
 
+/* Returns a copy of `size` bytes; they may be NULL if there are none. NULL once the arena has failed. */
+void *zr_arena_copy(struct zr_arena *arena, const void *bytes, size_t size);
+
 /* Zeroes allocated memory. False if the arena's `cancel` is raised meanwhile. */
 bool zr_arena_clear(const struct zr_arena *arena, void *bytes, size_t size);
 

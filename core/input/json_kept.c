@@ -4,13 +4,6 @@
 #include "input/json_scene.h"
 #include "input/kept.h"
 
-static const char *copy(struct zr_arena *arena, const char *bytes, size_t size)
-{
-    char *copied = zr_arena_alloc(arena, size, 1);
-    if (copied) memcpy(copied, bytes, size);
-    return copied;
-}
-
 /* Returns the byte behind the value of a list that was read before; NULL: another key. */
 static const char *end_of_list(const struct zr_parsed_scene *root, const char *name)
 {
@@ -38,7 +31,7 @@ bool zr_kept_save(struct zr_kept *kept, struct zr_parsed_scene *root)
         else if (!key.name || !zr_json_skip(&there) || kept->key_count == ZR_SCENE_KEYS_MAX)
             return false;
         key.size = (size_t)(there.at - key.value);
-        key.value = end ? NULL : copy(json->arena, key.value, key.size);
+        key.value = end ? NULL : zr_arena_copy(json->arena, key.value, key.size);
         if (key.value) keys[kept->key_count++] = key;
     }
     uint8_t *uses = zr_arena_alloc(json->arena, root->assets.count, sizeof *uses);

@@ -133,19 +133,17 @@ static bool copy_array(struct zr_arena *arena, struct zr_growing *array)
 
 static bool copy_texts(struct zr_arena *arena, struct zr_soup *soup)
 {
-    struct zr_polygon_style *styles = soup->styles.items;
     if (!copy_array(arena, &soup->styles)) return false;
-    styles = soup->styles.items;
+    struct zr_polygon_style *styles = soup->styles.items;
     for (size_t i = 0; i < soup->styles.count; i++) {
         struct zr_json_text *name = &styles[i].material;
-        const size_t size = name->at ? (size_t)(name->end - name->at) : 0;
-        char *copied = name->at ? zr_arena_alloc(arena, size, 1) : NULL;
-        if (!copied) continue;
-        memcpy(copied, name->at, size);
-        name->at = copied;
-        name->end = copied + size;
+        if (!name->at) continue;
+        const size_t size = (size_t)(name->end - name->at);
+        name->at = zr_arena_copy(arena, name->at, size);
+        if (!name->at) return false;
+        name->end = name->at + size;
     }
-    return zr_arena_ok(arena);
+    return true;
 }
 
 struct zr_soup *zr_soup_copy(struct zr_arena *arena, const struct zr_soup *soup, bool texts)

@@ -6,9 +6,8 @@ void zr_kept_save_bare(struct zr_kept *kept, const struct zr_scene_builder *buil
 {
     kept->bare = *builder;
     kept->bare_counts = builder->scene->counts;
-    kept->bare.meshes = zr_arena_alloc(builder->arena, builder->scene->mesh_count, sizeof *builder->meshes);
     kept->mesh_count = builder->scene->mesh_count;
-    if (kept->bare.meshes) memcpy(kept->bare.meshes, builder->meshes, kept->mesh_count * sizeof *builder->meshes);
+    kept->bare.meshes = zr_arena_copy(builder->arena, builder->meshes, kept->mesh_count * sizeof *builder->meshes);
 }
 
 bool zr_kept_load_bare(const struct zr_kept *kept, struct zr_scene_builder *builder)

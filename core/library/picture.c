@@ -110,13 +110,6 @@ const char *zraster_picture_warning(const zraster_picture *picture, size_t i)
 
 /* ---- files ---- */
 
-static void *copy(struct zr_arena *arena, const void *bytes, size_t size)
-{
-    void *copied = zr_arena_alloc(arena, size, 1);
-    if (copied && size > 0) memcpy(copied, bytes, size);
-    return copied;
-}
-
 /* Copies the files out of the scratch memory of their encoding. */
 static enum zr_status keep_files(zraster_picture *picture, const struct zr_files *files)
 {
@@ -125,8 +118,8 @@ static enum zr_status keep_files(zraster_picture *picture, const struct zr_files
     struct zr_warning_list warnings = {.count = 0};
     for (uint32_t i = 0; entries && i < files->count; i++) {
         const struct zr_zip_entry *entry = &files->entries[i];
-        entries[i].name = copy(arena, entry->name, strlen(entry->name) + 1);
-        entries[i].bytes = copy(arena, entry->bytes, entry->size);
+        entries[i].name = zr_arena_copy(arena, entry->name, strlen(entry->name) + 1);
+        entries[i].bytes = zr_arena_copy(arena, entry->bytes, entry->size);
         entries[i].size = entry->size;
     }
     zr_warning_list_append(arena, &warnings, &files->warnings);

@@ -4,10 +4,7 @@
 
 static const char *copy_text(struct zr_arena *arena, const char *text)
 {
-    if (!text) return NULL;
-    const size_t size = strlen(text) + 1;
-    char *copy = zr_arena_alloc(arena, size, 1);
-    return copy ? memcpy(copy, text, size) : NULL;
+    return text ? zr_arena_copy(arena, text, strlen(text) + 1) : NULL;
 }
 
 /* Counts of geometry and names. */
@@ -34,10 +31,8 @@ static void keep_meshes(struct zr_arena *arena, const struct zr_scene *from, str
 
 static void keep_outputs(struct zr_arena *arena, const struct zr_view *from, struct zr_view *view)
 {
-    struct zr_output *outputs = zr_arena_alloc(arena, from->output_count, sizeof *outputs);
     *view = *from;
-    view->outputs = outputs;
-    if (outputs) memcpy(outputs, from->outputs, from->output_count * sizeof *outputs);
+    view->outputs = zr_arena_copy(arena, from->outputs, from->output_count * sizeof *from->outputs);
 }
 
 struct zr_remains *zr_remains_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame)

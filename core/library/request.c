@@ -57,13 +57,6 @@ static enum zr_status check_part(const struct zraster_request *given, size_t i, 
     return ZR_OK;
 }
 
-static const void *copy(struct zr_arena *arena, const void *bytes, size_t size)
-{
-    void *copied = zr_arena_alloc(arena, size, 1);
-    if (copied && size > 0) memcpy(copied, bytes, size);
-    return copied;
-}
-
 static enum zr_status take_parts(struct zr_arena *arena, const struct zraster_request *given, bool is_kept,
                                  struct zr_request *request, struct zr_error *error)
 {
@@ -78,9 +71,9 @@ static enum zr_status take_parts(struct zr_arena *arena, const struct zraster_re
         zr_array_bytes(&asset->array, &asset->size);
         asset->is_lent = part->flags & ZRASTER_LEND;
         if (!is_kept) continue;
-        asset->name = copy(arena, part->name, strlen(part->name) + 1);
+        asset->name = zr_arena_copy(arena, part->name, strlen(part->name) + 1);
         if (asset->is_lent) continue;
-        asset->bytes = asset->array.data = copy(arena, asset->bytes, asset->size);
+        asset->bytes = asset->array.data = zr_arena_copy(arena, asset->bytes, asset->size);
         asset->is_lent = true;
     }
     request->assets = assets;
