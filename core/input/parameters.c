@@ -352,8 +352,8 @@ static void read_changed_keys(const struct reading *r, const struct zr_keeping *
     given->keys |= keys;
 }
 
-/* Writes the rows of one object, or of the output `number`. A wrong value becomes null, so that the other keys are
- * still checked against it. Returns the rows whose values were wrong, one bit each. */
+/* Writes the rows of one object, or of the output `number`. A wrong value becomes null; the
+ * other keys are still checked. Returns the rows with wrong values, one bit each. */
 static uint64_t put_rows(const struct reading *r, const struct row *row, const struct row *end, size_t number,
                          struct zr_json_writer *json)
 {
@@ -365,7 +365,7 @@ static uint64_t put_rows(const struct reading *r, const struct row *row, const s
         if (!text) continue;
         if (at->whose == MESH && has_view) {
             zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
-                         "parameter %s belongs to bodies that are a bare mesh; a scene says it in its own keys",
+                         "parameter %s belongs to bodies that are a bare mesh; a scene has keys of its own for it",
                          at->name);
             continue;
         }

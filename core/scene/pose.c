@@ -168,11 +168,11 @@ void zr_view_matrices_warn(struct zr_arena *arena, const struct zr_view *view, s
     if (projection_mirrors && !pose_mirrors)
         zr_warning_list_add(arena, warnings,
                             "projectionMatrix is a reflection, as matrices made for Vulkan are: the picture is "
-                            "mirrored; to turn it round, negate the row of y, or of x");
+                            "mirrored; to undo this, negate the row of y, or of x");
     if (has_projection && zr_projection_is_reversed(projection))
         zr_warning_list_add(arena, warnings,
-                            "projectionMatrix gives farther points smaller depths (a reversed z): what is farther "
-                            "hides what is nearer");
+                            "projectionMatrix gives farther points smaller depths (a reversed z): far faces hide "
+                            "near ones");
     if (has_pose && zr_pose_matrix_scale(m) != 1.0 && measures_in_eye_space(view))
         zr_warning_list_add(
             arena, warnings,
