@@ -91,7 +91,7 @@ static void *read_numbers(struct reader *reader, int key, enum zr_npy_wanted wan
 static void read_color(struct reader *reader)
 {
     const struct zr_view *view = view_of(reader);
-    struct zr_quick *quick = reader->root->quick;
+    struct zr_quick *quick = reader->root->assets.quick;
     struct zr_reason reason;
     uint8_t *rgba = NULL;
     if (quick && count_pixels(reader) > quick->image_pixels_max) {
@@ -225,8 +225,7 @@ void zr_parsed_read_base(struct zr_parsed_scene *root, const struct zr_json_path
     check_planes(&reader);
     for (int key = COLOR; key < IMAGES; key++) {
         struct zr_json image = zr_json_at(json, reader.places[key]);
-        if (has(&reader, key))
-            zr_parsed_read_bytes(&image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
+        if (has(&reader, key)) zr_parsed_read_bytes(&image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
     }
     if (!has(&reader, WINDOW_DEPTH) && !has(&reader, DEPTH))
         zr_json_fault(json, path, "windowDepth is missing, or depth to make it from: nothing says what hides what");

@@ -40,7 +40,7 @@ static const struct named *find_bytes(const struct zr_growing *names, const stru
 static bool decode(struct zr_parsed_scene *root, const struct zr_json_path *path, struct named *named)
 {
     struct zr_json *json = &root->json;
-    struct zr_quick *quick = root->quick;
+    struct zr_quick *quick = root->assets.quick;
     const uint64_t most = json->limits->image_pixels_max - root->image_pixels;
     const uint64_t quick_most = quick ? quick->image_pixels_max - root->image_pixels : most;
     struct zr_image image;

@@ -308,7 +308,7 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
     read_poses(&reader, root->builder->keeping);
     hierarchy.children = read_children(&reader, &hierarchy.child_count);
     if (!zr_arena_ok(arena) || json->error->count > 0) return NULL;
-    struct zr_quick *quick = root->quick;
+    struct zr_quick *quick = root->assets.quick;
     const uint64_t most = visits_max(&reader);
     const uint64_t quick_most = quick && quick->node_visits_max < most ? quick->node_visits_max : most;
     struct zr_placement placement = zr_nodes_place(arena, &hierarchy, json->limits->instances_max, quick_most);

@@ -105,8 +105,7 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
                                               .items = request->assets,
                                               .use = ZR_USED,
                                               .stored = request->stored,
-                                              .quick = request->quick},
-                                   .quick = request->quick};
+                                              .quick = request->quick}};
     struct zr_json *json = &root.json;
     json->assets = &root.assets;
     zr_json_open(json, request->bytes, request->size);

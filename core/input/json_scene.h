@@ -161,7 +161,6 @@ struct zr_parsed_scene {
     const char *linear_key; /* the name of a key, anywhere in the scene, that needs linear light; or NULL */
 
     struct zr_parsed_assets assets;
-    struct zr_quick *quick;   /* the request's; may be NULL */
     struct zr_growing images; /* decoded images, private to json_image.c */
     uint64_t image_pixels;    /* decoded pixels, all images */
 
