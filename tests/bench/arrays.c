@@ -106,7 +106,7 @@ static const struct zr_scene *read_scene(struct reading *reading, int way)
     return scene;
 }
 
-/* The scene has the floats and the corners of the drawing. */
+/* True if the scene has the floats and the corners of the drawing. */
 static bool is_right(const struct zr_scene *scene, const struct drawing *drawing)
 {
     const struct zr_mesh *mesh = scene ? scene->meshes : NULL;

@@ -21,7 +21,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         MESH(POSITIONS "," FACES ",\"scalars\"" ARRAY),
         MESH("\"heights\"" ARRAY ",\"colormap\":\"turbo\""),
     };
-    /* The same bytes may be changed by nobody, so that they are used where they lie. */
+    /* Each scene twice: its bytes are copied, then lent, and used in place. */
     bool accepted = false;
     for (size_t i = 0; i < 2 * sizeof scenes / sizeof *scenes; i++) {
         const struct zr_asset asset = {.name = "a", .bytes = data, .size = size, .is_lent = i % 2};

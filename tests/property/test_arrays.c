@@ -74,7 +74,7 @@ static void assert_same(struct answer wanted, struct answer got, const char *nam
     free(got.bytes);
 }
 
-/* By way number `first`, first + step, ... Returns the number of arrays. */
+/* Draws by way number `first`, first + step, ... Returns the number of arrays. */
 static size_t check(const char *text, const char *name, size_t first, size_t step)
 {
     static struct array_parts parts;
@@ -118,16 +118,19 @@ TEST(all_scenes_are_drawn_alike)
     assert_true(counts.arrays > 500);
 }
 
+/* Writes a number of a list of rows, with its brackets and commas. */
+static void write_number(FILE *out, double number, unsigned i, unsigned rows, unsigned columns)
+{
+    const bool begins = columns > 1 && i % columns == 0, ends = columns > 1 && (i + 1) % columns == 0;
+    fprintf(out, "%s%.9g%s%s", begins ? "[" : "", number, ends ? "]" : "", i + 1 == rows * columns ? "]" : ",");
+}
+
 static void write_rows(FILE *out, struct random *random, const char *key, unsigned rows, unsigned columns, double low,
                        double high)
 {
     fprintf(out, ", \"%s\": [", key);
     for (unsigned i = 0; i < rows * columns; i++)
-        fprintf(out, "%s%.9g%s", columns > 1 && i % columns == 0 ? "[" : "",
-                low + (high - low) * random_range(random, 0, 1),
-                i + 1 == rows * columns                 ? columns > 1 ? "]]" : "]"
-                : columns > 1 && (i + 1) % columns == 0 ? "],"
-                                                        : ",");
+        write_number(out, low + (high - low) * random_range(random, 0, 1), i, rows, columns);
 }
 
 static void write_indices(FILE *out, struct random *random, const char *key, unsigned rows, unsigned columns,
@@ -135,13 +138,10 @@ static void write_indices(FILE *out, struct random *random, const char *key, uns
 {
     fprintf(out, ", \"%s\": [", key);
     for (unsigned i = 0; i < rows * columns; i++)
-        fprintf(out, "%s%u%s", columns > 1 && i % columns == 0 ? "[" : "", random_below(random, positions),
-                i + 1 == rows * columns                 ? columns > 1 ? "]]" : "]"
-                : columns > 1 && (i + 1) % columns == 0 ? "],"
-                                                        : ",");
+        write_number(out, random_below(random, positions), i, rows, columns);
 }
 
-/* Returns a scene of a random mesh, and of one that uses the same part. To be freed. */
+/* Returns a scene of a random mesh; free it. */
 static char *random_scene(struct random *random, unsigned positions)
 {
     char *text = NULL;
@@ -175,7 +175,7 @@ TEST(random_meshes_are_drawn_alike)
     }
 }
 
-/* So long a list that threads read it ahead, which arrays in between end. */
+/* The list is so long that threads read it ahead; each array ends that. */
 TEST(polygons_may_mix_lists_and_arrays)
 {
     enum { POLYGONS = 6000, EVERY = 100 };

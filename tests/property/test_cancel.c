@@ -1,4 +1,4 @@
-/* A render that is told to stop while it works does so soon, whatever it is about. */
+/* A render that is cancelled while it works ends soon, in every step. */
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -381,7 +381,7 @@ TEST(reading_of_brackets_and_of_what_is_odd_stops)
     reading_stops("{\"polygons\":[", "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"material\":{\"x\":[[]]}},");
 }
 
-/* Of ten million triangles, before and behind their positions; in one order, indices are checked at once. */
+/* Indices of ten million triangles, before and behind their positions, which decides when they are checked. */
 TEST(reading_of_large_arrays_stops)
 {
     enum { ROWS = 10000000 };

@@ -26,7 +26,7 @@ static struct answer answer_of(zraster_status status, const void *bytes, size_t 
     return answer;
 }
 
-/* By the core alone. */
+/* Draws by the core alone. */
 static struct answer core_answer(const char *text, size_t size)
 {
     const struct zr_limits limits = zr_limits_default();
@@ -56,7 +56,7 @@ static struct answer take(zraster_status status, zraster_picture *picture, zrast
     return answer;
 }
 
-/* The body is overwritten as soon as the library has returned. */
+/* Draws by the library and then overwrites the body. */
 static struct answer library_answer(const char *text, size_t size)
 {
     struct answer body = answer_of(ZRASTER_OK, text, size);
@@ -115,7 +115,7 @@ static const char *const changes[] = {
     "{\"colorBar\": true, \"lineWidth\": 3, \"algorithm\": \"scanline\"}",
 };
 
-/* The text of one scene that says all of it. */
+/* Returns the text of one scene with the keys of both. */
 static char *merge(const char *scene, const char *change)
 {
     cJSON *all = cJSON_Parse(scene), *keys = cJSON_Parse(change);
@@ -132,7 +132,7 @@ static char *merge(const char *scene, const char *change)
     return text;
 }
 
-/* Gives the node of this name a matrix in place of all that moves it. */
+/* Gives the node of this name a matrix in place of its transform. */
 static char *merge_pose(const char *scene, const char *node, const char *matrix)
 {
     cJSON *all = cJSON_Parse(scene), *item;

@@ -175,7 +175,7 @@ TEST(threads_share_a_renderer_and_a_scene)
 TEST(a_child_process_draws_with_its_own_threads)
 {
     const struct zraster_request request = request_of(triangle);
-    zraster_picture *picture = picture_of(renderer, triangle); /* its threads are there */
+    zraster_picture *picture = picture_of(renderer, triangle); /* starts its threads */
     zraster_scene *scene;
     assert_int_equal(zraster_scene_read(renderer, &request, &scene, NULL), ZRASTER_OK);
     const struct zraster_bytes wanted = bytes_of(picture, NULL);

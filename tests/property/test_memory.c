@@ -1,5 +1,4 @@
-/* Whatever memory a request may have, it is rendered, or told that this was too little: never that something is wrong
- * with its scene. */
+/* With any limit of memory, a request is rendered or fails for lack of memory, never for a fault of its scene. */
 #include <string.h>
 
 #include "core.h"

@@ -1,5 +1,5 @@
 /* Arrays in place of lists: their floats are those of the same numbers in JSON, at any alignment, within limits of
- * memory and time. tests/refusals/json-arrays.txt has what is refused. */
+ * memory and time. tests/refusals/json-arrays.txt has the refusals. */
 #include "input_check.h"
 #include "support/npy.h"
 #include "support/tests.h"
@@ -79,7 +79,7 @@ TEST(memory_is_known_before_it_is_used)
     reading_free(reading);
 }
 
-TEST(callers_with_little_time_are_told)
+TEST(quick_reading_ends_beyond_its_bytes_of_arrays)
 {
     static const float zeros[3 * 100];
     const struct zr_asset asset = {.name = "a", .array = {zeros, ZR_F4, 2, {100, 3}}};

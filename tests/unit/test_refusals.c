@@ -3,7 +3,7 @@
  *     format application/json                       the first line: a media type
  *     let NAME = text                               then names; ${NAME} stands for its text in what follows
  *     npy NAME = '<f4' (2, 3): 0 0 0 1 nan 2        a part of each request: type, shape and numbers of an NPY file;
- *                                                   '<f4' Fortran (2, 3): in another order
+ *                                                   '<f4' Fortran (2, 3): column by column
  *
  *     bad scene at /view/eye: three numbers         status, place (left out if it is empty) and a part of the message
  *     and at /view/up: three numbers                lines for the next faults, if they are tested, too

@@ -1,6 +1,6 @@
-/* library_draw FILE QUERY THREADS: libzraster's calls alone, for tests/bench/python.py. For each number N in a line of
- * standard input, draws the file N times to a PNG and prints the nanoseconds that this took, by the clock and of
- * processors. */
+/* library_draw FILE QUERY THREADS: libzraster's calls alone, for tests/bench/python/compare.py. For each number N in a
+ * line of standard input, draws the file N times to a PNG and prints the nanoseconds that this took, by the clock and
+ * of processors. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
