@@ -6,8 +6,8 @@
 
 struct zr_kept; /* input/kept.h */
 
-/* Reads a scene as zr_scene_read does, with the same errors, and keeps what changes need. The body may go after the
- * call. The texts of parameters and the assets must stay as long as the arena. */
+/* Reads a scene as zr_scene_read does, with the same errors, and keeps the parts that changes need. The body may be
+ * freed after the call. The texts of parameters and the assets must stay as long as the arena. */
 enum zr_status zr_scene_keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                              const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error);
 

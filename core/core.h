@@ -55,7 +55,7 @@ struct zr_asset {
     const char *name;
     const void *bytes; /* of a file, or of the array */
     size_t size;
-    struct zr_array array; /* type ZR_BYTES: a file, and no more of it is set */
+    struct zr_array array; /* type ZR_BYTES: a file; the rest is not set */
     bool is_lent;          /* both stay unchanged as long as the scene lives: numbers need not be copied */
 };
 
@@ -65,7 +65,7 @@ struct zr_asset {
 struct zr_stored {
     enum zr_status (*read)(void *context, const char *sha256, struct zr_arena *arena, const void **bytes, size_t *size);
     void *context;
-    const char *advice; /* ends the message about a missing asset; NULL: to hand the bytes over as a part */
+    const char *advice; /* ends the message about a missing asset; NULL: advice to send a part */
 };
 
 /* Limits for a caller that can spend only a few milliseconds on reading. Beyond one of them, reading returns
@@ -135,7 +135,7 @@ enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const str
                          const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
                          const struct zr_frame **frame, struct zr_error *error);
 
-/* The same with two arenas: the frame lives in `arena`, and `scratch` holds what only drawing needs, such as the sorted
+/* The same with two arenas: the frame lives in `arena`, and `scratch` holds data of drawing alone, such as the sorted
  * scene, shadow maps and G-buffers. The caller may reset `scratch` as soon as the function returns. */
 enum zr_status zr_render_apart(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
                                const struct zr_scene *scene, const struct zr_resolved_view *resolved,

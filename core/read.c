@@ -104,7 +104,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
 }
 
-/* zr_scene_read, also for scenes that are kept or changed. */
+/* Reads a scene; `keeping` is NULL unless it is kept or changed. */
 static enum zr_status read_request(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                                    const struct zr_limits *limits, const struct zr_keeping *keeping,
                                    const struct zr_scene **scene, struct zr_error *error)

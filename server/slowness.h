@@ -7,6 +7,8 @@
 
 #include "base/isa.h"
 
+/* Processor time of a small picture over that of the reference machine: 1 there, about 8 without vector instructions.
+ */
 struct slowness {
     enum zr_isa isa;
     pthread_t thread;
@@ -17,14 +19,14 @@ struct slowness {
     double value;
 };
 
-/* Starts a thread that draws a small picture several times, in some 20 ms. Its least processor time over that of the
- * reference machine is the slowness: 1 there, about 8 without vector instructions. It is measured once, at start, so
- * clients cannot change it; 1 if there is no memory for it. */
+/* Starts a thread that draws the picture several times, in some 20 ms, and measures the least time. Called once, at
+ * start, so clients cannot change the slowness. It is 1 if there is no memory for the picture. */
 void slowness_start(struct slowness *slowness, enum zr_isa isa);
 
-/* Returns the slowness; as long as it is not known, waits for it or returns 1. Any thread may call. */
+/* Returns the slowness. Until it is known, waits for it if `wait`, else returns 1. Any thread may call. */
 double slowness_of(struct slowness *slowness, bool wait);
 
+/* Waits for the thread and frees all. */
 void slowness_end(struct slowness *slowness);
 
 #endif

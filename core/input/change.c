@@ -81,7 +81,8 @@ static size_t room_of(const struct zr_kept_key *keys, size_t count)
     return room;
 }
 
-/* Names of the kept scene need no escapes: they are in the table. Those of a change may be anything. */
+/* Appends a key and its value. Keys of the kept scene are in the table and need no escapes; those of a change are
+ * copied as written. */
 static char *put(char *text, const struct zr_kept_key *key)
 {
     const size_t written = (size_t)(key->written.end - key->written.at);

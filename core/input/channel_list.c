@@ -37,7 +37,8 @@ static const char *channel_at(const struct zr_request *request, size_t number, s
     return at;
 }
 
-static bool takes(const struct zr_request *request, size_t number, const char *parameter)
+/* True if the parameter belongs to channel `number` of the list. */
+static bool belongs(const struct zr_request *request, size_t number, const char *parameter)
 {
     char name[32];
     size_t length;
@@ -70,8 +71,8 @@ const char *zr_channel_list_text(const struct zr_request *request, struct zr_are
         const char *at = channel_at(request, number, &length);
         return copy(arena, at, length);
     }
-    if (takes(request, number, parameter)) return text;
+    if (belongs(request, number, parameter)) return text;
     for (size_t other = 0; other < count; other++)
-        if (number > 0 || takes(request, other, parameter)) return NULL;
+        if (number > 0 || belongs(request, other, parameter)) return NULL;
     return text;
 }

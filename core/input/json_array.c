@@ -41,7 +41,7 @@ static bool refuse_shape(struct zr_json *json, const struct zr_json_path *path, 
     return zr_json_fault(json, path, "the array's shape is %s; %s needed", shape, needed);
 }
 
-/* Finds rows and columns, and checks them, and the type. */
+/* Finds rows and columns. Checks them and the type. */
 static bool check_form(struct zr_json *json, const struct zr_json_path *path, struct zr_json_array *array)
 {
     const struct zr_array_wanted *wanted = array->wanted;
@@ -59,7 +59,7 @@ static bool check_form(struct zr_json *json, const struct zr_json_path *path, st
     return true;
 }
 
-/* Counts the bytes for a caller that has little time. */
+/* Counts the bytes. False, and reported, beyond the limit of struct zr_quick. */
 static bool has_time(struct zr_json *json, size_t bytes)
 {
     struct zr_parsed_assets *assets = json->assets;
@@ -76,7 +76,7 @@ bool zr_json_array_open(struct zr_json *json, const struct zr_json_path *path, c
     struct zr_asset asset;
     struct zr_reason reason;
     size_t bytes;
-    if (json->is_ahead) zr_json_give_up(json); /* threads share no store, and no notes of use */
+    if (json->is_ahead) zr_json_give_up(json); /* only the caller's thread reads assets and notes their use */
     if (json->is_ahead) return false;
     if (!json->assets) return zr_json_expect(json, path, "a list");
     if (!zr_parsed_read_asset(json, path, &asset)) return false;
@@ -144,7 +144,7 @@ typedef bool read_indices_fn(const char *from, size_t count, uint32_t *to);
 static read_indices_fn *const index_readers[ZR_NUMBER_TYPES] = {
     NULL, NULL, NULL, indices_of_u1, indices_of_i4, indices_of_u4, indices_of_i8, indices_of_u8};
 
-/* Returns a number as JSON would give it. */
+/* Returns a number as the same list in JSON gives it. */
 static double number_at(const struct zr_json_array *array, size_t i)
 {
     const char *at = (const char *)array->numbers.data + i * zr_number_bytes(array->numbers.type);
@@ -183,7 +183,7 @@ struct reading {
     size_t count; /* numbers */
     bool is_widened;
     uint32_t limit; /* of indices */
-    void *to;       /* NULL: floats are checked alone */
+    void *to;       /* NULL: floats are only checked */
 };
 
 static const char *place_of(const struct reading *r, size_t number)
@@ -191,7 +191,7 @@ static const char *place_of(const struct reading *r, size_t number)
     return (const char *)r->array->numbers.data + number * zr_number_bytes(r->array->numbers.type);
 }
 
-/* Reads a few floats at a time, and gives rows of three a fourth, 1. */
+/* Reads a few floats at a time. Appends 1 to rows of three. */
 static bool read_in_blocks(const struct reading *r, read_floats_fn *read, size_t first, size_t end)
 {
     float block[3 * 256];
@@ -229,7 +229,7 @@ static bool are_below(const uint32_t *indices, size_t count, uint32_t limit)
     return most < limit;
 }
 
-/* Copies first, so that indices that were checked do not change. */
+/* Copies indices, then checks the copies, which no caller changes. */
 static bool read_indices(const struct reading *r, size_t first, size_t end)
 {
     uint32_t *to = (uint32_t *)r->to + first;
@@ -278,7 +278,7 @@ static bool read_parts(struct zr_json *json, const struct zr_json_path *path, st
     return false;
 }
 
-/* Makes room for `items` more, or uses the numbers where they lie. NULL without memory. */
+/* Makes room for `items` more, or uses the numbers in place. NULL without memory. */
 static void *make_room(struct zr_json *json, const struct zr_json_array *array, bool may_stay, size_t items,
                        struct zr_growing *out)
 {

@@ -1,9 +1,9 @@
 /* json_array.h - input: an array of numbers that stands for a list: {"asset": NAME} or {"uri": "data:..."}.
  *
- * Source: an NPY file (npy_read.h), or an array that the caller has handed over (struct zr_asset).
+ * Source: an NPY file (npy_read.h), or an array that the caller hands over (struct zr_asset).
  * Checks: those of lists, with the same messages and pointers, such as /meshes/0/faces/17/2.
  * Memory: numbers are converted or copied into the arena, then checked: a caller may write to them meanwhile. A lent
- *         array of the right type is used where it lies.
+ *         array of the right type is used in place.
  * Use:    zr_json_array_open once zr_json_type is ZR_JSON_OBJECT, then one of the functions that read its numbers.
  */
 #ifndef ZR_JSON_ARRAY_H
@@ -12,14 +12,14 @@
 #include "input/json_list.h"
 #include "input/json_value.h"
 
-/* Arrays that may stand for a list. */
+/* Shapes and numbers of an array that may stand for a list. */
 struct zr_array_wanted {
     size_t rows;        /* 0: any number */
     size_t least, most; /* numbers per row; 1: the shape (n,), or (n, 1) */
     bool is_index;      /* integers alone */
     bool is_color;      /* u1 is 0 to 255 for 0 to 1 */
     bool has_holes;     /* a float may be NaN */
-    bool is_changed;    /* the scene may write to it, so that it is copied even if it is lent */
+    bool is_changed;    /* the scene may write to it: it is copied even if it is lent */
     double low, high;   /* of each number, if it is no index */
 };
 
@@ -35,8 +35,8 @@ struct zr_json_array {
 bool zr_json_array_open(struct zr_json *json, const struct zr_json_path *path, const struct zr_array_wanted *wanted,
                         struct zr_json_array *array);
 
-/* Append floats to `out`, whose items have as many as a row, or one more, which becomes 1, or are single floats.
- * False, and reported, for a number out of range; the content of `out` is then undefined. */
+/* Appends floats to `out`. Its items are single floats, rows, or rows with one float more, which becomes 1. False, and
+ * reported, for a number out of range; the content of `out` is then undefined. */
 bool zr_json_array_floats(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_array *array,
                           struct zr_growing *out);
 

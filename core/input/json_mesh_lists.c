@@ -12,7 +12,7 @@ enum { ROWS_A_LOOK = 1 << 16 };
 
 /* ---- arrays ---- */
 
-/* Reads the next value, a list or what stands for it, into an array; `items` is not NULL from then on, even if the list
+/* Reads the next value, a list or an array, into an array; `items` is not NULL from then on, even if the list
  * is empty. `limit`: the largest magnitude, or 0 for coordinates. */
 static bool read_array(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_list *list,
                        struct zr_array_wanted wanted, float limit, struct zr_growing *array)
@@ -63,7 +63,7 @@ static void read_tangent_items(struct zr_json *json, const struct zr_json_path *
     zr_rows_read_tangents(json, path, state, 0, until);
 }
 
-/* The shapes of arrays follow; positions are changed by zr_unused_positions_move. */
+/* The last arguments are shapes of arrays. zr_unused_positions_move changes positions. */
 #define READER(name, read_items, limit, ...)                                                                           \
     bool name(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)     \
     {                                                                                                                  \

@@ -45,7 +45,7 @@ static struct label label_of(const struct zr_parsed_scene *root, const struct zr
     return label;
 }
 
-/* Warns of given keys of light and its tone where no face has a shading that uses them. */
+/* Warns of given keys of light and tone if no face has a shading that uses them. */
 static void warn_of_light(struct zr_parsed_scene *root)
 {
     const struct zr_picture *picture = &root->scene->picture;
@@ -55,7 +55,7 @@ static void warn_of_light(struct zr_parsed_scene *root)
         enum zr_scene_key key;
         const char *word;
         unsigned users;
-        bool has_effect; /* on these */
+        bool has_effect; /* on faces with these shadings */
     } rows[] = {
         {ZR_SCENE_AMBIENT, "ambient", lit, true},
         {ZR_SCENE_LIGHTS, "lights", lit, root->light_count > 0},

@@ -17,7 +17,7 @@ struct polygon {
 
 /* ---- lists of a polygon ---- */
 
-/* Arrays that may stand for a list. The scene's lists are shared by all polygons, and change. */
+/* Arrays that may stand for a list. All polygons append to the same lists of the scene, so arrays are copied. */
 static const struct zr_array_wanted position_array = {.least = 3, .most = 4, .is_changed = true},
                                     color_array = {.least = 3, .most = 4, .is_changed = true, .is_color = true},
                                     normal_array = {.least = 3, .most = 3, .is_changed = true};

@@ -1,8 +1,8 @@
 /* kept.h - input: the meshes of a scene that was read, for drawing it again with other keys.
  *
  * A changed scene is read from a short text: the keys of the first one without meshes and polygons, in the order of its
- * text, then the keys of the change, which replace those of the same name. The same readers read it as any scene, and
- * find the meshes here. So it equals one scene that has all of these keys.
+ * text, then the keys of the change, which replace those of the same name. The readers of other scenes read it, too,
+ * and take the meshes from here. So it equals one scene that has all of these keys.
  * Threads: nothing here changes once the first scene is read; any number of threads may read changed scenes.
  */
 #ifndef ZR_KEPT_H
@@ -41,7 +41,7 @@ struct zr_kept {
 /* The key of poses in a change. */
 #define ZR_POSES "poses"
 
-/* How a scene is read, if it is kept or changed; a builder may point to one. */
+/* The reading of a scene that is kept or changed; a builder may point to one. */
 struct zr_keeping {
     struct zr_kept *into;       /* receives the meshes; or NULL */
     const struct zr_kept *from; /* has the meshes; or NULL */

@@ -6,7 +6,7 @@
 #include "library/zraster.h"
 
 /* Copies a caller's struct; members behind its struct_size become 0. Options may be NULL: all become 0. Fails with
- * ZR_BAD_REQUEST for a struct_size of 0, and for a larger struct with other members than 0. */
+ * ZR_BAD_REQUEST for a struct_size of 0, and for a larger struct whose further members are not 0. */
 enum zr_status zr_options_read(const struct zraster_options *given, struct zraster_options *out,
                                struct zr_error *error);
 enum zr_status zr_request_struct_read(const struct zraster_request *given, struct zraster_request *out,

@@ -17,7 +17,7 @@ struct zraster_picture {
     struct zraster_bytes joined; /* data NULL: not joined yet */
 };
 
-/* Draws a scene into a picture. Its scene may go afterwards. On failure *out is NULL. */
+/* Draws a scene into a picture. The scene may be freed afterwards. On failure *out is NULL. */
 enum zr_status zr_picture_make(zraster *renderer, const struct zr_scene *scene, zraster_cancel *cancel,
                                zraster_picture **out, struct zr_error *error);
 

@@ -7,7 +7,7 @@ static const char *copy_text(struct zr_arena *arena, const char *text)
     return text ? zr_arena_copy(arena, text, strlen(text) + 1) : NULL;
 }
 
-/* Counts of geometry and names. */
+/* Copies names and counts of geometry. */
 static void keep_meshes(struct zr_arena *arena, const struct zr_scene *from, struct zr_scene *scene)
 {
     struct zr_mesh *meshes = zr_arena_zero(arena, from->mesh_count, sizeof *meshes);

@@ -12,8 +12,8 @@ struct zr_remains {
     struct zr_base base;
 };
 
-/* Copies what remains of a drawn scene; the frame's channels stay where they are, in the same arena. Nothing points to
- * the scene afterwards. NULL without memory. */
+/* Copies these parts of a drawn scene. The frame's channels stay in place, in the same arena. The copy does not point
+ * to the scene. NULL without memory. */
 struct zr_remains *zr_remains_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame);
 
 #endif

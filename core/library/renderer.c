@@ -13,7 +13,7 @@ struct zr_process_team {
     struct zr_team *team;
 };
 
-/* An idle arena of a result has at most this: the next result, perhaps small, holds all of it. */
+/* Bytes that an idle arena of a result keeps at most: the next result, even a small one, holds all of them. */
 enum { RESULT_KEEP_MAX = 4 << 20 };
 
 /* ---- opening ---- */
@@ -65,7 +65,7 @@ zraster *zr_renderer_use(zraster *renderer)
     return renderer;
 }
 
-/* A team of another process has no threads here that could be joined. */
+/* Frees a team; one of another process has no threads here to join. */
 static void free_team(struct zr_process_team *team)
 {
     if (team && team->process == getpid()) zr_team_destroy(team->team);
@@ -146,7 +146,7 @@ static void free_arena(struct zr_arena *arena)
     free(arena);
 }
 
-/* Empties the arena and keeps of it at most what the budget has left. */
+/* Empties the arena and keeps its blocks as far as the budget allows. */
 static void keep_some(zraster *renderer, struct zr_arena *arena, enum zr_arena_use use)
 {
     const size_t kept = atomic_load(&renderer->kept);

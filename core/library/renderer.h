@@ -1,6 +1,6 @@
 /* renderer.h - library: threads, limits, and memory that calls share.
  *
- * Memory:  arenas wait for the next call in atomic slots, so that a fork never copies a locked lock. An arena for
+ * Memory:  arenas wait for the next call in atomic slots, so a fork never copies a held lock. An arena for
  *          drawing (scratch) and one for a result differ: a result must not pin the scratch memory of earlier calls.
  * Threads: any number of threads may call all functions at once.
  * fork:    a child makes a team of its own at its first call; the parent's team stays in the child's memory, unused.

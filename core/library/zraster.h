@@ -19,7 +19,7 @@
  *
  * Ownership  Results belong to the caller. The function beside each type frees it; freeing NULL does nothing. A failed
  *            call sets its result to NULL. Bodies, queries and parts are borrowed for the call alone.
- * NULL       `error`, and what a comment allows, may be NULL. No other argument is NULL.
+ * NULL       `error` may be NULL, and so may arguments whose comment allows it. No other argument is NULL.
  * Threads    Any number of threads may call with one renderer, scene or cancel at once. They share the renderer's
  *            helper threads. A picture or an error belongs to one thread at a time.
  * fork       Renderers and scenes work in a child process, which starts helper threads of its own.
@@ -34,9 +34,9 @@
  * Not        Bytes of PNG and ZIP across versions; texts of messages; memory and time. New versions may add values to
  * promised   an enum: treat an unknown status as ZRASTER_INTERNAL.
  *
- * Daemon     zrasterd calls the internal header core/core.h instead, since it needs three things that no other program
- *            has asked for: assets that are read from a store while a scene is parsed, the predicted cost of a scene
- *            before it is drawn, and cancels that end with another one. They may be appended here later.
+ * Daemon     zrasterd calls the internal header core/core.h instead. It needs three things that this header lacks:
+ *            assets that are read from a store while a scene is parsed, the predicted cost of a scene before it is
+ *            drawn, and cancels that end with another one. They may be appended here later.
  */
 #ifndef ZRASTER_H
 #define ZRASTER_H
@@ -103,9 +103,8 @@ ZRASTER_API void zraster_trim(zraster *renderer);  /* returns kept memory to the
 ZRASTER_API void zraster_close(zraster *renderer); /* its scenes and pictures stay valid until they are freed */
 
 /* ---- cancel ----
- * Any thread and any signal handler may raise it. Calls under way then end with ZRASTER_CANCELLED, usually within 10
- * ms, and later calls at once. A picture keeps its request's cancel for its encoding, so that it may be freed before.
- */
+ * Any thread and any signal handler may raise it. Running calls then end with ZRASTER_CANCELLED, usually within 10 ms,
+ * and later calls at once. A picture keeps its request's cancel for its encoding; the caller may free it before. */
 
 ZRASTER_API zraster_cancel *zraster_cancel_new(void); /* NULL without memory */
 ZRASTER_API void zraster_cancel_raise(zraster_cancel *cancel);
@@ -124,12 +123,12 @@ struct zraster_array { /* numbers in C order and the machine's byte order, or by
 /* A scene refers to a part by {"asset": name}. It is a file, PNG, JPEG or NPY: type ZRASTER_BYTES, ndim 1, shape[0]
  * bytes; or an array, which stands for a list of numbers as an NPY file does, with the same checks ("Arrays" in v1.md):
  * positions (n, 3) or (n, 4), faces (m, k), normals (n, 3), colors (n, 3) or (n, 4) (u1: 0 to 255), scalars (n,), ...
- * Data need no alignment. They are converted or copied while the call reads them, so that other threads may write to
- * them at any time: such numbers have any value, but do no other harm.
+ * Data need no alignment. The call converts or copies them while it reads them. Other threads may write to them
+ * meanwhile: the numbers then have any value, and do no other harm.
  *
- * ZRASTER_LEND promises that nobody writes to the data until the scene and all its pictures are freed. Then neither
+ * ZRASTER_LEND: the caller keeps the data unchanged until the scene and all its pictures are freed. Then neither
  * zraster_scene_read nor the scene copies them if they are u4 or i4 indices, or f4 of the needed columns other than
- * positions. Indices that change meanwhile crash the process. It saves some 0.1 ms per megabyte. */
+ * positions. This saves some 0.1 ms per megabyte. Indices that change meanwhile crash the process. */
 enum { ZRASTER_LEND = 1 };
 
 struct zraster_part {
@@ -161,7 +160,7 @@ ZRASTER_API zraster_status zraster_scene_read(zraster *renderer, const struct zr
 /* Draws a scene. `change` may be NULL. Its body is a JSON object: each key, such as view, window, outputs, look,
  * lights, materials or nodes, replaces the scene's own. "poses": {"node": matrix} replaces the matrices of named nodes.
  * Meshes and polygons stay. Parameters of its query replace those of the scene's, and its parts join those of the
- * scene. The result equals that of one scene that gives all of this. A bare mesh takes parameters such as look in the
+ * scene. The result equals that of one scene that gives all of this. A bare mesh accepts parameters such as look in the
  * query; its change may have the other keys, but no materials, nodes, base or poses. */
 ZRASTER_API zraster_status zraster_scene_draw(const zraster_scene *scene, const struct zraster_request *change,
                                               zraster_picture **picture, zraster_error **error);
@@ -191,7 +190,8 @@ ZRASTER_API int zraster_picture_channel(const zraster_picture *picture, const ch
 ZRASTER_API int zraster_picture_has_alpha(const zraster_picture *picture);
 ZRASTER_API const char *zraster_picture_look(const zraster_picture *picture); /* "studio@1" */
 
-/* Returns a warning of reading and drawing, and, once the picture is encoded, of encoding; NULL behind the last. */
+/* Returns warning i: those of reading and drawing, then, once the picture is encoded, of encoding. NULL behind the
+ * last. */
 ZRASTER_API const char *zraster_picture_warning(const zraster_picture *picture, size_t i);
 ZRASTER_API size_t zraster_picture_memory(const zraster_picture *picture); /* bytes, without its scene's */
 ZRASTER_API void zraster_picture_free(zraster_picture *picture);

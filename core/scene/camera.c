@@ -15,13 +15,14 @@ static double minor_of(double (*rows)[4], int left_out)
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/* The homogeneous point whose clip-space x, y and w are 0, by Cramer's rule. */
+/* The eye of a projection: the homogeneous point whose clip-space x, y and w are 0. */
 struct eye {
     double v[4];
-    double farther; /* how z of clip space grows from it along x, y and z of v */
-    double scale;   /* v / scale is the eye, or against the direction of parallel rays; 0: there is none */
+    double farther; /* growth of clip-space z along x, y and z of v */
+    double scale;   /* v / scale is the eye, or the direction towards it for parallel rays; 0: no eye */
 };
 
+/* Applies Cramer's rule. */
 static struct eye solve_eye(const zr_mat4 *projection)
 {
     static const int of_clip[3] = {0, 1, 3};
