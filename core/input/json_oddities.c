@@ -17,15 +17,13 @@ static const struct {
     bool is_of_colors;
     const char *text;
 } ROWS[ZR_ODDITIES] = {
-    [ZR_ODD_ALPHA] = {true,
-                      "colours have an alpha below 1, which nothing is made of: drawn opaque; \"alphaMode\": \"BLEND\" "
-                      "lets what is behind show through, and \"OPAQUE\" says that this is meant"},
-    [ZR_ODD_TEXTURE_ALPHA] = {true,
-                              "its baseColorTexture has an alpha below 1, which nothing is made of: drawn opaque; "
-                              "\"alphaMode\": \"BLEND\" or \"MASK\" uses it, and \"OPAQUE\" says that this is meant"},
-    [ZR_ODD_UNSEEN] = {true, "alpha is 0 everywhere, and by \"alphaMode\": \"BLEND\" nothing of it is seen"},
-    [ZR_ODD_MASKED] = {false,
-                       "alpha is below alphaCutoff everywhere, and by \"alphaMode\": \"MASK\" nothing of it is seen"},
+    [ZR_ODD_ALPHA] =
+        {true, "colours have an alpha below 1 and no alphaMode: drawn opaque; \"alphaMode\": \"BLEND\" makes them "
+               "transparent, and \"OPAQUE\" ends this warning"},
+    [ZR_ODD_TEXTURE_ALPHA] = {true, "its baseColorTexture has an alpha below 1 and no alphaMode: drawn opaque; "
+                                    "\"alphaMode\": \"BLEND\" or \"MASK\" uses it, and \"OPAQUE\" ends this warning"},
+    [ZR_ODD_UNSEEN] = {true, "alpha is 0 everywhere, so \"alphaMode\": \"BLEND\" draws nothing"},
+    [ZR_ODD_MASKED] = {false, "alpha is below alphaCutoff everywhere, so \"alphaMode\": \"MASK\" draws nothing"},
     [ZR_ODD_CUTOFF] = {false, "alphaCutoff has no effect without \"alphaMode\": \"MASK\""},
     [ZR_ODD_POINT_SIZE] = {false, "pointSize has no effect without points"},
 };

@@ -181,8 +181,8 @@ static const char *why_uncovered(const struct zr_scene *scene, const struct zr_f
     const uint64_t outside = counts->outside + counts->outside_lines + counts->outside_points;
     if (!drawn && counts->culled + counts->culled_pieces > 0)
         return near_plane_cuts(scene, &frame->camera)
-                   ? "the near plane (znear) cuts off what faces the camera, and what is left faces away"
-                   : "what is in view faces away (doubleSided draws both sides)";
+                   ? "the near plane (znear) cuts off the faces that face the camera, and the rest faces away"
+                   : "every face in view faces away (doubleSided draws both sides)";
     if (primitives == 0 && counts->degenerate_polygons == 0)
         return "fill is false, and there is no outline, line or point";
     if (counts->masked_tiles > 0) return "alpha is below alphaCutoff wherever something is drawn";

@@ -157,8 +157,7 @@ void zr_doubled_faces_warn(struct zr_arena *arena, const struct zr_scene *scene,
     char more[32] = "";
     if (count > 1) snprintf(more, sizeof more, " and %" PRIu32 " more", count - 1);
     zr_warning_list_add(arena, warnings,
-                        "%s%s: at some vertices each face appears twice, once with each winding, so that their "
-                        "normals add up to 0; \"shading\": \"flat\" lights them, and so does each face given once with "
-                        "\"doubleSided\"",
+                        "%s%s: at some vertices each face appears twice, once with each winding, so their "
+                        "normals add up to 0; use \"shading\": \"flat\", or give each face once with \"doubleSided\"",
                         zr_mesh_label_of(first, scene->meshes[first].name).text, more);
 }

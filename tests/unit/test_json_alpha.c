@@ -1,4 +1,4 @@
-/* alphaMode and alphaCutoff in JSON, and what is said of alphas that nothing is made of. */
+/* alphaMode and alphaCutoff in JSON, and the warning of an alpha without an alphaMode. */
 #include "json_check.h"
 #include "support/tests.h"
 
@@ -24,8 +24,8 @@ TEST(alpha_gives_one_warning)
     reading_free(reading);
 }
 
-/* Said of what has an alpha below 1: by the mesh, its material or the scene. */
-TEST(explicit_opaque_is_meant)
+/* By the mesh, its material or the scene. */
+TEST(explicit_opaque_ends_the_warning)
 {
     static const char *const texts[] = {
         "{\"polygons\": [{" TRIANGLE ", \"color\": \"#ff000080\", \"alphaMode\": \"OPAQUE\"}]}",
