@@ -4,9 +4,6 @@ import json
 import multiprocessing
 import os
 import pickle
-import signal
-import subprocess
-import sys
 import threading
 import time
 import unittest
@@ -116,64 +113,6 @@ class Changes(unittest.TestCase):
             while time.monotonic() - began < 20:
                 zraster.Scene(support.stl(40)).render(samples=64, size=1000, cancel=cancel)
         timer.join()
-        with self.assertRaises(zraster.Cancelled):
-            zraster.render(OBJ, cancel=cancel)
-
-
-class Interrupts(unittest.TestCase):
-    def test_keyboard(self):
-        """Ctrl-C ends a drawing at once, and the next call, one of a child too, draws"""
-        code = (
-            "import os, signal, support, time, zraster\n"
-            "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # background jobs of a shell ignore it
-            "wanted = zraster.render(support.OBJ).content\n"
-            "def end():\n"
-            "    print('drawing', flush=True)\n"
-            "    try:\n"
-            "        zraster.Scene(support.slow()).render()\n"
-            "    except KeyboardInterrupt:\n"
-            "        print(time.monotonic(), flush=True)\n"
-            "    assert zraster.render(support.OBJ).content == wanted\n"
-            "end()\n"
-            "child = os.fork()\n"
-            "if child == 0:\n"
-            "    end()\n"
-            "    os._exit(7)\n"
-            "signal.signal(signal.SIGINT, signal.SIG_IGN)\n"
-            "assert os.waitpid(child, 0)[1] == 7 << 8\n"
-        )
-        command = [sys.executable, "-c", code]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, start_new_session=True) as process:
-            for _ in range(2):
-                self.assertEqual(process.stdout.readline(), "drawing\n")
-                time.sleep(0.3)
-                sent = time.monotonic()
-                os.killpg(process.pid, signal.SIGINT)
-                self.assertLess(float(process.stdout.readline()) - sent, 1)
-        self.assertEqual(process.returncode, 0)
-
-    def test_handlers(self):
-        """a handler that raises ends a drawing, one that draws or returns does not; a given cancel is raised"""
-        cancel = zraster.Cancel()
-        drawn = []
-
-        def handle(*_):
-            drawn.append(zraster.render(OBJ, size=16).content)
-            if len(drawn) == 2:
-                raise TimeoutError("too long")
-            signal.setitimer(signal.ITIMER_REAL, 0.1)
-
-        before = signal.signal(signal.SIGALRM, handle)
-        signal.setitimer(signal.ITIMER_REAL, 0.1)
-        began = time.monotonic()
-        try:
-            with self.assertRaisesRegex(TimeoutError, "too long"):
-                zraster.render(support.slow(), cancel=cancel)
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-            signal.signal(signal.SIGALRM, before)
-        self.assertLess(time.monotonic() - began, 2)
-        self.assertEqual(drawn, [zraster.render(OBJ, size=16).content] * 2)
         with self.assertRaises(zraster.Cancelled):
             zraster.render(OBJ, cancel=cancel)
 

@@ -125,10 +125,11 @@ class Handle:
     """An object of the library, freed with its last reference. It keeps the function that frees it, so that it can
     be freed while the interpreter ends."""
 
-    __slots__ = ("pointer", "_free", "__weakref__")
+    pointer = 0  # until __init__ has run, which an exception of a handler may prevent
 
     def __init__(self, pointer: int, free: Any) -> None:
-        self.pointer, self._free = pointer, free
+        self._free = free
+        self.pointer = pointer
 
     def __del__(self) -> None:
         if self.pointer:
