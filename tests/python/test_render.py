@@ -141,10 +141,11 @@ class Errors(unittest.TestCase):
                 error = self.refused(
                     zraster.OptionError, r"size: .* is neither \(width, height\) nor", source, size=size
                 )
+                self.assertIsInstance(error, zraster.OptionTypeError)
                 self.assertIsInstance(error, TypeError)
         for size in (0, -1, (-1, 5), (5, 0)):
             for source in (OBJ, SCENE):
-                self.refused(zraster.OptionError, "size: .*: 1 to 8192 pixels a side", source, size=size)
+                self.refused(zraster.OptionError, "size: .*: 1 to 8192 pixels per side", source, size=size)
         self.refused(zraster.SceneError, "1 to 8192", SCENE, size=9000)
         self.refused(zraster.OptionError, "size: width and height", OBJ, size=3, width=3)
         self.refused(zraster.OptionError, r"give size=\(width, height\)", SCENE, width=3)

@@ -17,6 +17,7 @@ from ._errors import (
     InternalError,
     MemoryLimitError,
     OptionError,
+    OptionTypeError,
     SceneError,
     ServerError,
     Warning,
@@ -29,8 +30,8 @@ from ._request import make as _make
 from ._scene import Scene
 
 __all__ = [
-    "Cancel", "Cancelled", "Error", "Fault", "InternalError", "MemoryLimitError", "OptionError", "Picture", "Renderer",
-    "Scene", "SceneError", "ServerError", "Warning", "options", "render", "rules",
+    "Cancel", "Cancelled", "Error", "Fault", "InternalError", "MemoryLimitError", "OptionError", "OptionTypeError",
+    "Picture", "Renderer", "Scene", "SceneError", "ServerError", "Warning", "options", "render", "rules",
 ]  # fmt: skip
 
 __version__: str = _library.library.version().decode()
@@ -55,22 +56,22 @@ def render(
 ) -> Picture:
     """Draws a file, bytes, a scene or a mesh.
 
-    source: a path (STL, OBJ, JSON); the bytes of such a file; a dict as in the scene format, where arrays may stand for
+    source: a path (STL, OBJ, JSON); the bytes of such a file; a dict as in the scene format, with arrays in place of
         lists; or an object with `vertices` (n, 3) and `faces` (m, 3), such as those of trimesh and Open3D
     channels: "depth", or a list such as ["color", "depth", {"channel": "normals", "space": "world"}]; default: color,
         or the outputs of the scene
     size: (width, height) in pixels, or one number for both; default: (640, 480), or the scene's window
     view: a dict as in the scene format, a preset such as "front", or a 4x4 matrix from camera to world
-    parts: bytes or arrays by name, to which a scene refers by {"asset": name}
+    parts: bytes or arrays by name; a scene refers to them by {"asset": name}
     renderer: threads and limits of its own; default: one renderer that the process shares
     cancel: a flag that ends the call. Ctrl-C, and other signals whose handlers raise, end a call of the main thread,
         and raise this flag
     server: "http://host:port" of a daemon that draws instead, with the same bytes. ZRASTER_TOKEN is its token
     options: parameters and keys of scenes in snake_case, such as look="technical", samples=16; options() lists all.
         They replace keys of a scene. Those of the camera (preset, azimuth, padding, ...) make a view, which for scenes
-        and objects is orthographic unless it says otherwise
+        and objects is orthographic by default
 
-    Raises SceneError (.pointer, .faults), OptionError, MemoryLimitError, Cancelled, ServerError, and OSError for files.
+    Raises SceneError (.pointer, .faults), OptionError, OptionTypeError, MemoryLimitError, Cancelled, ServerError, and OSError for files.
     Issues zraster.Warning at the caller's line for each problem that does not stop the render.
 
     >>> zraster.render("part.stl", look="clay").save("part.png")

@@ -42,7 +42,7 @@ class OptionError(Error, ValueError):
 
 
 class OptionTypeError(OptionError, TypeError):
-    """The value of an option has a wrong type."""
+    """The value of an option has a wrong type, such as a text for a size."""
 
 
 class MemoryLimitError(Error, MemoryError):
@@ -80,7 +80,7 @@ def snake(name: str) -> str:
 
 
 def words(text: str) -> str:
-    """Names keywords as they are typed: "line_width: ..." for "parameter lineWidth: ..."."""
+    """Names keywords in snake_case: "line_width: ..." for "parameter lineWidth: ..."."""
     return re.sub(r"\bparameter (\w+)", lambda match: snake(match.group(1)), text)
 
 

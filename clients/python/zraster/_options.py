@@ -66,7 +66,7 @@ def _text(keyword: str, value: Any) -> str:
 
 
 def _set(keys: Dict[str, Any], pointer: str, value: Any) -> None:
-    """Sets the key at a JSON Pointer, within copies of what is around it."""
+    """Sets the key at a JSON Pointer. Copies the objects and lists around it."""
     *path, last = pointer.strip("/").split("/")
     at: Any = keys
     for name, below in zip(path, [*path[1:], last]):
@@ -84,7 +84,7 @@ def _set(keys: Dict[str, Any], pointer: str, value: Any) -> None:
 def _set_scene_key(keys: Dict[str, Any], keyword: str, row: _Row, value: Any, source: Source) -> None:
     if row.pointer.startswith("/materials/"):
         if not source.is_object:
-            raise OptionError(f"{keyword}: for meshes without a scene; the materials of a scene have it")
+            raise OptionError(f"{keyword}: for meshes without a scene; in a scene, the materials have it")
         keys.setdefault("materials", source.scene["materials"])  # type: ignore[index]
     if row.pointer == "/query/projection":
         _set(keys, f"/view/{value}", {})
@@ -109,7 +109,7 @@ def _size(size: Any) -> Tuple[int, int]:
         raise OptionTypeError(f"size: {size!r} is neither (width, height) nor one number of whole pixels")
     if min(sides) < 1:  # type: ignore[type-var]
         limit = shared().tables["limits"]["windowSideMax"]
-        raise OptionError(f"size: {size!r}: 1 to {limit} pixels a side are allowed")
+        raise OptionError(f"size: {size!r}: 1 to {limit} pixels per side are allowed")
     return sides[0], sides[1]  # type: ignore[return-value]
 
 
