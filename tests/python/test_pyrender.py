@@ -146,7 +146,7 @@ class Pyrender(unittest.TestCase):
         self.assertTrue(20 < color[200, 200].max() < 255)
 
     def test_depth(self):
-        """depth is in metres for each camera, bit-equal to the renderer's own, and 0 where nothing is"""
+        """depth is in metres for each camera, bit-equal to the renderer's own, and 0 for background pixels"""
         p = self.p
         cameras = [
             (p.PerspectiveCamera(yfov=1.0), {"perspective": {"yfov": 1.0}, "znear": 0.05, "zfar": 100}),
@@ -218,7 +218,7 @@ class Pyrender(unittest.TestCase):
         self.assertTrue(0 < (wire[:, :, 3] > 0).sum() < (color[:, :, 3] > 0).sum())
         self.renderer.render(scene, flags.SHADOWS_DIRECTIONAL | flags.SHADOWS_SPOT)
         scene.add(self.p.PointLight(intensity=2.0))
-        with self.assertRaisesRegex(NotImplementedError, "Point light shadows"):
+        with self.assertRaisesRegex(NotImplementedError, "point lights have no shadows, here as in pyrender: leave out SHADOWS_POINT"):
             self.renderer.render(scene, flags.SHADOWS_ALL)
         with self.assertWarns(zraster.Warning):
             self.renderer.render(scene, flags.VERTEX_NORMALS)
@@ -298,7 +298,7 @@ class Pyrender(unittest.TestCase):
             return [str(one.message) for one in caught]
 
         for name in names:
-            wanted = [f"{name}: of textures, only baseColorTexture is drawn"]
+            wanted = [f"{name}: not drawn; baseColorTexture is the only texture that is"]
             self.assertEqual(warned(p.RenderFlags.NONE, **{name: image}), wanted)
         every = dict.fromkeys(names, image)
         self.assertEqual(len(warned(p.RenderFlags.NONE, **every)), 1)
@@ -336,7 +336,7 @@ class Pyrender(unittest.TestCase):
         numpy.testing.assert_allclose(copy.scale, [1, 2, 3])
 
     def test_quiet(self):
-        """what the original would not warn of is silent"""
+        """calls of which the original does not warn are silent"""
         scene = self.p.Scene()
         scene.add(self.p.Mesh.from_trimesh(Box()), pose=pose(99))
         scene.add(self.p.PerspectiveCamera(yfov=0.5), pose=pose(z=3))

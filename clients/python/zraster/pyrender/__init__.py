@@ -1,7 +1,11 @@
-"""The interface of pyrender, drawn by zraster: `import zraster.pyrender as pyrender`, and nothing else changes.
+"""The interface of pyrender, drawn by zraster: `import zraster.pyrender as pyrender`. The rest of the code stays as it is.
 
-Depth maps are exact at the centres of pixels. There is no Viewer and no text. Textures but baseColorTexture are not drawn,
-with a warning.
+Depth maps are exact at the centres of pixels. Left out:
+
+- Viewer, and the captions that it draws
+- shadows of point lights, as in pyrender. SHADOWS_POINT raises NotImplementedError if the scene has point lights
+- textures other than baseColorTexture, with a warning
+- the lines of VERTEX_NORMALS and FACE_NORMALS, with a warning
 """
 from typing import Any
 

@@ -51,7 +51,7 @@ class PerspectiveCamera(Camera):
 
 
 class OrthographicCamera(Camera):
-    """ymag: half height in metres. The half width follows from the viewport; xmag holds without one."""
+    """ymag: half height in metres. The half width follows from the viewport; without a viewport, it is xmag."""
 
     def __init__(self, xmag: float, ymag: float, znear: float = DEFAULT_Z_NEAR, zfar: float = DEFAULT_Z_FAR,
                  name: Optional[str] = None):  # fmt: skip

@@ -41,7 +41,7 @@ class DirectionalLight(Light):
 
 
 class PointLight(Light):
-    """Light of `intensity` candela in all directions. `range` has no effect, as there."""
+    """Light of `intensity` candela in all directions. `range` has no effect, as in pyrender."""
 
     def __init__(self, color: Any = None, intensity: Optional[float] = None, range: Optional[float] = None,
                  name: Optional[str] = None):  # fmt: skip

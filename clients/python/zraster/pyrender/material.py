@@ -19,7 +19,7 @@ class Sampler:
 
 
 class Texture:
-    """An image: (h, w, c) uint8 or float 0..1, or what numpy reads as such. Row 0 is the top."""
+    """An image: (h, w, c) uint8 or float 0..1, or a value that numpy converts to such an array. Row 0 is the top."""
 
     def __init__(self, name: Optional[str] = None, sampler: Optional[Sampler] = None, source: Any = None,
                  source_channels: Any = None, width: Any = None, height: Any = None, tex_type: Any = None,
@@ -55,7 +55,7 @@ def _texture(value: Any) -> Optional[Texture]:
 
 
 class Material:
-    """Base of materials. smooth has no effect, as there."""
+    """Base of materials. smooth has no effect, as in pyrender."""
 
     def __init__(self, name: Optional[str] = None, normalTexture: Any = None, occlusionTexture: Any = None,
                  emissiveTexture: Any = None, emissiveFactor: Any = None, alphaMode: Optional[str] = None,
@@ -119,7 +119,7 @@ def scene_material(name: str, material: Any, alpha: float, is_flat: bool, parts:
     """Returns a material of a scene. alpha: the smallest of the vertex colours. Puts PNGs into `parts`."""
     color = material.baseColorFactor
     metallic = min(max(material.metallicFactor, 0.0), 1.0)
-    lit = srgb(color * [*[1 - 0.04 * (1 - metallic)] * 3, 1])  # plastics reflect 4 % less diffuse light there
+    lit = srgb(color * [*[1 - 0.04 * (1 - metallic)] * 3, 1])  # in pyrender, plastics reflect 4 % less diffuse light
     made: Dict[str, Any] = {"name": name, "baseColorFactor": (color if is_flat else lit).tolist()}
     texture = material.baseColorTexture
     if texture is not None and texture.source is not None:
@@ -132,6 +132,6 @@ def scene_material(name: str, material: Any, alpha: float, is_flat: bool, parts:
     if not is_flat:
         made["metallicFactor"] = metallic
         made["roughnessFactor"] = min(max(material.roughnessFactor, 0.04), 1.0)
-        if material.emissiveFactor.any():  # squared, as there
+        if material.emissiveFactor.any():  # squared, as in pyrender
             made["emissiveFactor"] = np.square(material.emissiveFactor, dtype=np.float64).tolist()
     return made

@@ -75,7 +75,7 @@ class Primitive:
         return self.material.alphaMode == "BLEND"
 
     def items(self) -> Any:
-        """Returns the key of a mesh, faces, lines or points, and its indices."""
+        """Returns faces, lines or points, the key of a mesh, and the indices."""
         order = np.arange(len(self.positions), dtype=np.uint32) if self.indices is None else self.indices.reshape(-1)
         if self.mode == GLTF.POINTS:
             return "points", order

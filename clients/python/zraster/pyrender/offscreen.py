@@ -1,7 +1,7 @@
 """OffscreenRenderer: draws a Scene of pyrender.
 
-Depth is in metres along the axis of the camera, at the centres of pixels, and 0 where nothing is. Colours follow the same
-formulas, encoded as sRGB instead of by a power of 1 / 2.2: they differ by a few steps of 255.
+Depth is in metres along the axis of the camera, at the centres of pixels; 0 for background pixels. Colours follow the
+formulas of pyrender, but are encoded as sRGB instead of by a power of 1 / 2.2. They differ by a few steps of 255.
 """
 from __future__ import annotations
 
@@ -34,8 +34,10 @@ class OffscreenRenderer:
     ) -> Any:
         """Draws a scene.
 
-        flags: of RenderFlags. seg_node_map: colours of nodes, 0..255, for SEG; other nodes are not drawn then
-        Returns color, depth: (h, w, 3) uint8, or (h, w, 4) with RGBA, and (h, w) float32; with DEPTH_ONLY depth alone.
+        flags: RenderFlags, combined by |
+        seg_node_map: with SEG, colours of nodes, 0..255; other nodes are not drawn
+        Returns color, (h, w, 3) uint8 or, with RGBA, (h, w, 4), and depth, (h, w) float32; with DEPTH_ONLY, depth alone.
+        Raises NotImplementedError for SHADOWS_POINT if the scene has point lights.
         """
         if scene.main_camera_node is None:
             raise ValueError("Cannot render scene without a camera")
@@ -44,12 +46,12 @@ class OffscreenRenderer:
             and scene.point_lights
             and not flags & (RenderFlags.DEPTH_ONLY | RenderFlags.SEG)
         ):
-            raise NotImplementedError("Point light shadows not implemented")
+            raise NotImplementedError("point lights have no shadows, here as in pyrender: leave out SHADOWS_POINT")
         if flags & _NORMALS:
             warnings.warn("VERTEX_NORMALS and FACE_NORMALS draw nothing", Warning, stacklevel=2)
         drawing = _Drawing(scene, flags, seg_node_map or {}, self)
         if drawing.undrawn:
-            text = f"{', '.join(sorted(drawing.undrawn))}: of textures, only baseColorTexture is drawn"
+            text = f"{', '.join(sorted(drawing.undrawn))}: not drawn; baseColorTexture is the only texture that is"
             warnings.warn(text, Warning, stacklevel=2)
         return drawing.depth() if flags & RenderFlags.DEPTH_ONLY else (drawing.color(), drawing.depth())
 
@@ -119,7 +121,7 @@ class _Drawing:
     # ---- geometry ----
 
     def drawn(self) -> Iterator[Tuple[Node, Primitive]]:
-        """Yields what is visible, and with SEG has a colour, in the order of adding."""
+        """Yields nodes and primitives in the order of adding: visible ones; with SEG, those with a colour."""
         for node in self.scene._parents:
             if node.mesh is not None and node.mesh.is_visible and (not self.is_seg or node in self.colors):
                 for primitive in node.mesh.primitives:
@@ -155,7 +157,7 @@ class _Drawing:
         made: Dict[str, Any] = {"name": name, "positions": primitive.positions, kind: items}
         if kind == "points":
             made["pointSize"] = min(max(self.renderer.point_size, 1.0), 64.0)
-        if kind == "faces":  # passes for data draw front sides of filled faces only, as there
+        if kind == "faces":  # depth and ids have filled faces and front sides only, as in pyrender
             is_wire = (material.wireframe != bool(self.flags & RenderFlags.FLIP_WIREFRAME)) or bool(
                 self.flags & RenderFlags.ALL_WIREFRAME)  # fmt: skip
             if is_wire and not is_data:
