@@ -1,6 +1,7 @@
 """wheel.py BUILD VERSION: makes BUILD/wheel/zraster-VERSION-py3-none-manylinux_2_NN_ARCH.whl of the package,
-libzraster.so.0 and the libraries that it needs beyond the C library. NN is that of the highest GLIBC symbol in all of them. Needs patchelf and
-strip. The libraries get names of their own, so that the loader never takes one that another wheel brought."""
+libzraster.so.0 and the libraries that it needs beyond the C library. NN is that of the highest GLIBC symbol in all of them.
+Needs patchelf and strip. The libraries get names of their own: the loader then never confuses them with those of other
+wheels."""
 import base64
 import hashlib
 import os
@@ -48,7 +49,7 @@ def bundle(build, folder):
     for name, copy in copies.items():
         os.chmod(copy, 0o755)
         run("strip", "--strip-unneeded", copy)
-        # One change a run: with several, patchelf 0.14 drops some.
+        # One change per run: of several, patchelf 0.14 drops some.
         run("patchelf", "--set-rpath", "$ORIGIN", copy)
         run("patchelf", *[word for other in originals for word in ("--replace-needed", other, "zr-" + other)], copy)
         if name != SONAME:

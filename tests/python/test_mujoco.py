@@ -77,7 +77,7 @@ class Mujoco(unittest.TestCase):
         self.assertEqual((self.renderer.width, self.renderer.height, self.renderer.model), (80, 60, self.model))
 
     def test_depth(self):
-        """each kind of geom has its depth in metres, and the far plane is where nothing is"""
+        """each kind of geom has its depth in metres; background pixels have that of the far plane"""
         nearest = [
             (geom(0, [1, 1, 0]), 5), (geom(1, [0, 0, 0], dataid=0), 3), (geom(2, [1, 1, 1]), 4),
             (geom(3, [0.5, 0.5, 1]), 3.5), (geom(4, [1, 1, 2]), 3), (geom(5, [1, 1, 0.5]), 4.5), (geom(6, [1, 1, 0.7]), 4.3),
@@ -96,7 +96,7 @@ class Mujoco(unittest.TestCase):
             self.renderer.render(out=numpy.empty((80, 60)))
 
     def test_segmentation(self):
-        """segmentation gives objid and objtype, and -1 where nothing is"""
+        """segmentation gives objid and objtype, and -1 for background pixels"""
         left, right, mark = (
             geom(2, [1] * 3, (-1, 0, 0), 11),
             geom(2, [1] * 3, (1, 0, 0), 12),

@@ -31,7 +31,7 @@ class Notebook(unittest.TestCase):
                 shown += 1
         self.assertEqual((len(cells), shown), (8, 3))
         for wanted in ("(320, 480) float32", "(160, 960, 3)", "8 depth maps", "/meshes/0/faces/17/2 - ", "did you mean look?",
-                       "(240, 320, 3) (240, 320) 0 where nothing is: True"):  # fmt: skip
+                       "(240, 320, 3) (240, 320) 0 for background pixels: True"):  # fmt: skip
             self.assertIn(wanted, printed.getvalue())
 
     def test_readme(self):

@@ -24,7 +24,7 @@ def with_pose(matrix):
 
 class Changes(unittest.TestCase):
     def test_equal(self):
-        """a changed scene equals one that says all of it"""
+        """a changed scene equals one that has all of its keys"""
         sources = {"dict": SCENE, "json": json.dumps(SCENE).encode()}
         changes = [{}, {"view": "isometric"}, {"look": "clay", "size": (33, 22)}, {"channels": ["depth", "info"]},
                    {"lights": [{"type": "directional", "direction": [0, 0, -1]}], "background": "navy"}]  # fmt: skip
@@ -238,7 +238,7 @@ class Arrays(unittest.TestCase):
         kept = zraster.Scene({"meshes": [mesh]})
         for key, array, words in (
             ("positions", numpy.zeros((900, 3), "complex64"), "arrays of the type complex64 are no numbers"),
-            ("positions", masked, "a masked array has no numbers where it is masked: give .filled"),
+            ("positions", masked, "a masked array lacks numbers: give .filled"),
             ("positions", masked[:9], "a masked array"),
             ("positions", [*masked[:5].tolist(), masked[5]], "a masked array"),
             ("positions", [*mesh["positions"].tolist()[:-1], [0, 0, numpy.ma.masked]], "a masked"),

@@ -19,7 +19,7 @@ def is_array(value: Any) -> bool:
 
 
 def plain(value: Any) -> Any:
-    """Returns a number, or a truth value of numpy, as one of Python; other values as they are."""
+    """Converts a number or truth value of numpy to Python's. Returns other values unchanged."""
     if isinstance(value, (int, float, str)):
         return value
     if isinstance(value, numbers.Integral):
@@ -33,18 +33,18 @@ def plain(value: Any) -> Any:
 
 
 def whole(value: Any) -> Optional[int]:
-    """Returns a whole number, of numpy too, as one of Python; None for others, such as True, 1.0 and "1"."""
+    """Converts a whole number, of numpy too, to an int. Returns None for other values, such as True, 1.0 and "1"."""
     value = plain(value)
     return int(value) if isinstance(value, int) and not isinstance(value, bool) else None
 
 
 def as_numbers(value: Any) -> Any:
-    """Returns an array in C order and native byte order, of one of the library's types, without a copy if it has them."""
+    """Converts an array to a type of the library, C order and native byte order. Copies it only if it has others."""
     import numpy
 
     if numpy.ma.is_masked(value):
         raise SceneError(
-            "a masked array has no numbers where it is masked: give .filled(number), or leave these rows out"
+            "a masked array lacks numbers: give .filled(number), or leave out its masked rows"
         )
     array = numpy.asarray(value)
     name = f"{array.dtype.kind}{array.dtype.itemsize}"
@@ -55,7 +55,7 @@ def as_numbers(value: Any) -> Any:
 
 
 def as_list(name: str, value: Any) -> Any:
-    """Returns an array as a list; other values as they are. name: of the option, for errors."""
+    """Converts an array to a list. Returns other values unchanged. name: option, for errors."""
     try:
         return as_numbers(value).tolist() if is_array(value) else value
     except SceneError as error:
@@ -92,7 +92,7 @@ class Parts:
         return bool(self.named)
 
     def fill(self, request: c.Request) -> Any:
-        """Puts the parts into a request. Returns what must live as long as the call."""
+        """Puts the parts into a request. Returns the objects that it points to, which must live as long as the call."""
         parts = (c.Part * len(self.named))()
         kept = [parts]
         for part, (name, value) in zip(parts, self.named.items()):

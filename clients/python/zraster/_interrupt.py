@@ -1,8 +1,8 @@
 """Calls that Ctrl-C ends.
 
-Python runs handlers of signals in the main thread, and only between its own instructions. So another thread makes a call of
-the main thread, which waits in a lock: handlers interrupt that. If one raises, as that of Ctrl-C does, the call is cancelled,
-and the exception passes on. It costs some 20 us.
+Python runs handlers of signals in the main thread, and only between its own instructions. So another thread makes each call
+of the main thread, which waits for a lock. Handlers interrupt this wait. If a handler raises, as that of Ctrl-C does, the
+call is cancelled, and the exception passes on. This costs some 20 us per call.
 """
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ class Drawn:
         return string_at(data.data, data.size), data.type.decode()
 
     def array(self, channel: str) -> Any:
-        """Returns a read-only array where the picture lies; None without such a channel."""
+        """Returns a read-only array in the memory of the picture; None without such a channel."""
         found = c.Array()
         if not c.library.picture_channel(self.handle.pointer, channel.encode(), byref(found)):
             return None
@@ -114,11 +114,12 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
     """A picture: a mapping of channels to arrays, and a file for each of them. Row 0 is the top.
 
     picture["color"]: (h, w, 3) uint8; (h, w, 4) if the background is not opaque; as in the PNG
-    picture["depth"]: (h, w) float32, distance along the view axis in scene units; inf where nothing is
-    picture["distance"]: (h, w) float32, length of the ray from the eye in scene units; inf where nothing is
-    picture["normals"], picture["position"]: (h, w, 3) float32; 0 where nothing is
-    picture["instanceId"], picture["faceId"]: (h, w) uint32, counted from 1; 0 where nothing is
+    picture["depth"]: (h, w) float32, distance along the view axis in scene units
+    picture["distance"]: (h, w) float32, length of the ray from the eye in scene units
+    picture["normals"], picture["position"]: (h, w, 3) float32
+    picture["instanceId"], picture["faceId"]: (h, w) uint32, counted from 1
     picture["info"], picture["fragments"]: dicts
+    Background pixels are inf in depth and distance, and 0 in normals, position and ids.
     dict(picture) has all of them. Arrays are copies; view() returns one without a copy.
     """
 
@@ -156,8 +157,8 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
         return self._encode(channel)[0]
 
     def save(self, path: Any) -> None:
-        """Writes a file. The ending selects it: .png, .npy or .json, or .zip for several channels; without an ending,
-        that of `content`, as for an object with write(), such as io.BytesIO()."""
+        """Writes the file that the ending of the path selects: .png, .npy or .json, or .zip for several channels.
+        Without an ending, writes `content`. An object with write(), such as io.BytesIO(), gets `content`, too."""
         if not isinstance(path, (str, os.PathLike)):
             if hasattr(path, "write"):
                 path.write(self.content)

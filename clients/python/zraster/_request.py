@@ -26,7 +26,7 @@ def view_of(view: Any) -> Any:
 
 
 class Call:
-    """A struct zraster_request, with what it borrows."""
+    """A struct zraster_request, and the objects that it points to."""
 
     def __init__(
         self, body: bytes, type_: Optional[str], query: Dict[str, str], parts: Parts, cancel: Optional[Cancel]

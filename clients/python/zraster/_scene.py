@@ -17,8 +17,8 @@ class Scene:
     """A scene that is read once and drawn many times, with other views, poses and looks.
 
     source, size, view, parts, renderer, server, options: as for `render`; they apply to each picture that does not
-    give its own. Arrays are copied: later changes of theirs have no effect. Any number of threads may draw a scene at
-    once. It works in a child process after fork. Pickled, it is read again.
+    give its own. Arrays are copied, so later changes to them have no effect. Any number of threads may draw a scene at
+    once. It works in a child process after fork. A pickled scene is read again when it is loaded.
 
     >>> scene = zraster.Scene({"meshes": [{"name": "arm", "positions": positions, "faces": faces}], "nodes": [...]})
     >>> for matrix in matrices:

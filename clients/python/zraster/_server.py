@@ -97,7 +97,7 @@ def _render_scene(server: str, request: Request, query: Dict[str, str], keys: Di
     try:
         scene = json.loads(body)
     except ValueError:
-        scene = None  # the server says more about it
+        scene = None  # the server answers with the fault
     if keys and not isinstance(scene, dict):
         raise SceneError("the scene is no JSON object")
     if keys:
@@ -114,7 +114,7 @@ def _render_scene(server: str, request: Request, query: Dict[str, str], keys: Di
 def _render_mesh(server: str, request: Request, query: Dict[str, str], keys: Dict[str, Any]) -> Picture:
     outputs = keys.pop("outputs", None)
     if keys:
-        raise OptionError(f"{', '.join(keys)}: a server takes parameters of a mesh only; zraster.options() lists them")
+        raise OptionError(f"{', '.join(keys)}: with server=, a mesh has parameters only; zraster.options() lists them")
     pictures = []
     for output in outputs or [{}]:
         asked = {**query, **{key: str(value) for key, value in output.items()}}

@@ -26,7 +26,7 @@ class Source:
         self.is_mesh = body is not None and not _is_scene(body, type_)
 
     def without_geometry(self) -> "Source":
-        """Returns a source that takes the same keywords."""
+        """Returns a source that accepts the same keywords."""
         made = Source(None, None, self.type, self.is_object)
         made.is_mesh = self.is_mesh
         if self.is_object and self.scene:
@@ -71,7 +71,7 @@ def _colors_of(mesh: Any) -> Dict[str, Any]:
 
 
 def scene_of_mesh(mesh: Any) -> Dict[str, Any]:
-    """Returns the scene of an object with vertices and faces, as a file of it would be drawn: two-sided, in `studio`."""
+    """Returns the scene of an object with vertices and faces: two-sided, in the look studio, as meshes in files are drawn."""
     faces = mesh.faces if hasattr(mesh, "faces") else mesh.triangles
     geometry = {"positions": _list_of(mesh.vertices), "faces": _list_of(faces), **_colors_of(mesh)}
     return {

@@ -1,8 +1,8 @@
 """The interface of mujoco.Renderer, drawn by zraster: `renderer = zraster.mujoco.Renderer(model)`.
 
-Depth is exact at the centres of pixels, in metres along the axis of the camera; the far plane where nothing is. Each light
-shines along its direction from afar, with Phong's shading. Skies, textures, reflections, haze, skins and decorations such as
-arrows and labels are not drawn. Planes of size 0 reach 20 times the extent of the model.
+Depth is exact at the centres of pixels, in metres along the axis of the camera. Background pixels have the depth of the far
+plane. Each light shines along its direction from afar, with Phong's shading. Planes of size 0 reach 20 times the extent of
+the model. Left out: skies, textures, reflections, haze, skins, and decorations such as arrows and labels.
 """
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def _box(size: Any) -> Dict[str, Any]:
 
 
 class Renderer:
-    """Renders the scenes of a model: height x width pixels. max_geom: most geoms of a scene."""
+    """Renders the scenes of a model: height x width pixels. max_geom: largest number of geoms in a scene."""
 
     def __init__(self, model: Any, height: int = 240, width: int = 320, max_geom: int = 10000, **_: Any) -> None:
         self._mujoco: Any = importlib.import_module("mujoco")
@@ -88,7 +88,7 @@ class Renderer:
         self.close()
 
     def update_scene(self, data: Any, camera: Union[int, str, Any] = -1, scene_option: Any = None) -> None:
-        """Takes the state of the model. camera: a number, a name or an MjvCamera; -1: the free camera."""
+        """Sets the scene to the state in `data`. camera: a number, a name or an MjvCamera; -1: the free camera."""
         mujoco = self._mujoco
         if isinstance(camera, (int, str)):
             number = camera
@@ -109,7 +109,7 @@ class Renderer:
 
     def render(self, *, out: Any = None) -> Any:
         """Returns (h, w, 3) uint8; with depth (h, w) float32 metres; with segmentation (h, w, 2) int32, pairs of objid and
-        objtype, -1 where nothing is. `out` is filled and returned."""
+        objtype, -1 for background pixels. `out` is filled and returned."""
         geoms = self._drawn()
         made, far = self._result(geoms)
         if out is None:

@@ -64,7 +64,8 @@ def _is_drawn(geometry: Any) -> bool:
 
 def scene_of(scene: Any, parts: Optional[Dict[str, bytes]] = None) -> Dict[str, Any]:
     """Converts a trimesh.Scene, or a Trimesh, to a scene with the look studio: meshes, clouds of points, and the camera if
-    the scene has one. Paths are left out. parts: takes textures; pass it to `render`, too. None: no textures."""
+    the scene has one. Paths are left out. parts: a dict that receives the textures; pass it to `render`, too. None: no
+    textures."""
     geometries = {"mesh": scene} if hasattr(scene, "vertices") else dict(scene.geometry)
     textures: Dict[str, bytes] = {} if parts is None else parts
     made = {name: _mesh_of(one, name, textures) for name, one in geometries.items() if _is_drawn(one)}
@@ -97,7 +98,8 @@ def save_image(scene: Any, resolution: Any = None, **options: Any) -> bytes:
     """Returns a PNG of a trimesh.Scene, as its own save_image does, in the look studio.
 
     resolution: (width, height); default: that of the scene's camera, else (640, 480)
-    options: those of trimesh's window have no effect, but `background`; others are keywords of `zraster.render`
+    options: keywords of `zraster.render`; the numbers of `background` may be 0..255. Options of trimesh's window have
+        no effect
     """
     if resolution is None and getattr(scene, "has_camera", False):
         resolution = scene.camera.resolution
