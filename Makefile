@@ -33,7 +33,7 @@ reference_libs_egl := -lEGL -lOpenGL
 need_osmesa := $(if $(REFERENCE),$(if $(filter osmesa,$(REFERENCE)),GL/osmesa.h=libosmesa6-dev),GL/osmesa.h=libosmesa6-dev?)
 REFERENCE := $(or $(REFERENCE),$(shell $(CC) -E -include GL/osmesa.h -x c /dev/null >/dev/null 2>&1 && echo osmesa || echo egl))
 
-# Debian's, for which apt has numpy.
+# Debian's Python, for which apt has numpy.
 PYTHON ?= /usr/bin/python3
 
 # FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it; PACKAGE?: unless there is
@@ -145,7 +145,7 @@ completions := $(addprefix $(BUILD)/completion.,bash zsh fish)
 documents: $(manuals) $(completions) ## man pages, and completion for bash, zsh and fish, from the tables of options
 
 .PHONY: demo
-demo: ## installs what is missing, builds, renders a model and scenes into build/demo/, without and with the daemon
+demo: ## installs what is missing, builds, renders a model and a scene into build/demo/, without and with the daemon
 	@.ci/need $(NEED_BUILD) $(NEED_DEMO)
 	@$(MAKE) -s -j$(JOBS) all
 	@clients/demo.sh $(BUILD)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# deb.sh BUILD VERSION PACKAGE...: makes BUILD/deb/*.deb and the source package, from .packages/debian and the checkout. PACKAGE:
-# those that the build needs, which become Build-Depends.
+# deb.sh BUILD VERSION PACKAGE...: makes BUILD/deb/*.deb and the source package, from .packages/debian and the checkout.
+# PACKAGE: packages that the build needs; they become Build-Depends.
 set -eu
 out=$(realpath "$1")/deb version=$2
 shift 2
@@ -10,7 +10,7 @@ rm -rf "$out"
 mkdir -p "$source"
 { git ls-files -z 2>/dev/null || find . \( -path ./build -o -path ./.git \) -prune -o -type f -print0; } | tar -c --null -T - | tar -x -C "$source"
 cp -R .packages/debian "$debian"
-# Those that every build has are not named.
+# Every build has gcc and libc6-dev.
 needs=$(printf '%s\n' "$@" | grep -vxE 'gcc|libc6-dev' | sort -u | paste -sd , | sed 's/,/, /g')
 sed -i "s/@build@/$needs/" "$debian/control"
 date=$(git log -1 --format=%aD 2>/dev/null || date -R)

@@ -1,7 +1,7 @@
 #!/bin/sh
-# install.sh install|uninstall|list [PACKAGE...]: what is installed where, one row per file, for `make install`, the Debian
-# packages and the tests. Without PACKAGE: all but the Python package. The Makefile sets BUILD, DESTDIR, the folders and the
-# version, which replace @prefix@ and so on in files that end with .in. `list` prints package and path of each file.
+# install.sh install|uninstall|list [PACKAGE...]: the list of installed files, one row each, for `make install`, the Debian
+# packages and the tests. Without PACKAGE: all packages but the Python package. The Makefile sets BUILD, DESTDIR, the folders
+# and the version, which replace @prefix@ and so on in files that end with .in. `list` prints package and path of each file.
 set -eu
 
 rows() { # package, mode or `link`, file or the link's target, path
@@ -42,7 +42,7 @@ place() { # mode, file, path
     esac
 }
 
-# Caches of the system, which packages bring up to date by triggers.
+# Updates caches of the system. Debian packages do so by triggers.
 refresh() {
     [ -z "$DESTDIR" ] || return 0
     [ "$(id -u)" != 0 ] || PATH=$PATH:/sbin:/usr/sbin ldconfig || true

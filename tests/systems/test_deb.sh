@@ -1,5 +1,6 @@
 #!/bin/sh
-# test_deb.sh BUILD: the packages of `make deb`: lintian finds no error, and each has the files of the list of what is installed.
+# test_deb.sh BUILD: the packages of `make deb`: lintian finds no error, and each has the files that .packages/install.sh
+# lists.
 # Prints TAP.
 set -u
 build=$1
