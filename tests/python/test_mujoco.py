@@ -36,9 +36,9 @@ def make_mujoco():
     return module
 
 
-def geom(kind, size, pos=(0, 0, 0), objid=3, dataid=-1, rgba=(1, 0, 0, 1), segid=0):
+def geom(kind, size, pos=(0, 0, 0), objid=3, dataid=-1, rgba=(1, 0, 0, 1), segid=0, shininess=0.5):
     return types.SimpleNamespace(type=kind, size=numpy.float32(size), pos=pos, mat=numpy.eye(3), objid=objid, objtype=5, dataid=dataid,
-                                 rgba=numpy.float32(rgba), segid=segid, specular=0.5, shininess=0.5)  # fmt: skip
+                                 rgba=numpy.float32(rgba), segid=segid, specular=0.5, shininess=shininess)  # fmt: skip
 
 
 @needs_numpy
@@ -120,6 +120,20 @@ class Mujoco(unittest.TestCase):
         self.assertTrue(color[18, 28, 0] > 150 and color[18, 28, 2] < 150)
         self.assertTrue(color[30, 40, 2] > 90)
         self.assertEqual(self.data.updated, (0, 2, 7))
+
+    def test_shininess(self):
+        """geoms that differ in shininess alone have materials of their own"""
+
+        def draw(*shininesses):
+            places = zip((-1, 1), shininesses)
+            self.data.geoms = [geom(2, [0.9] * 3, (x, 0, 0), shininess=shininess) for x, shininess in places]
+            self.renderer.update_scene(self.data)
+            return self.renderer.render()
+
+        mixed = draw(0.1, 1)
+        numpy.testing.assert_array_equal(mixed[:, :40], draw(0.1, 0.1)[:, :40])
+        numpy.testing.assert_array_equal(mixed[:, 40:], draw(1, 1)[:, 40:])
+        self.assertTrue((mixed != draw(0.1, 0.1)).any())
 
     def test_cameras(self):
         """cameras that do not exist are refused"""

@@ -110,8 +110,7 @@ class Renderer:
     def render(self, *, out: Any = None) -> Any:
         """Returns (h, w, 3) uint8; with depth (h, w) float32 metres; with segmentation (h, w, 2) int32, pairs of objid and
         objtype, -1 for background pixels. `out` is filled and returned."""
-        geoms = self._drawn()
-        made, far = self._result(geoms)
+        made = self._result(self._drawn())
         if out is None:
             return made
         if out.shape != made.shape:
@@ -119,7 +118,7 @@ class Renderer:
         out[...] = made
         return out
 
-    def _result(self, geoms: List[Any]) -> Tuple[Any, float]:
+    def _result(self, geoms: List[Any]) -> Any:
         view, far = self._view()
         shape = self._size[::-1]
         picture: Any = None
@@ -129,11 +128,11 @@ class Renderer:
         if self._mode == "depth":
             depth = np.full(shape, np.inf, np.float32) if picture is None else picture["depth"]
             depth[np.isinf(depth)] = far
-            return depth, far
+            return depth
         if self._mode == "instanceId":
             pairs = np.array([[-1, -1], *([geom.objid, geom.objtype] for geom in geoms)], np.int32)
-            return pairs[np.zeros(shape, int) if picture is None else picture.view("instanceId")], far
-        return np.zeros((*shape, 3), np.uint8) if picture is None else picture["color"], far
+            return pairs[np.zeros(shape, int) if picture is None else picture.view("instanceId")]
+        return np.zeros((*shape, 3), np.uint8) if picture is None else picture["color"]
 
     # ---- the scene ----
 
@@ -187,7 +186,7 @@ class Renderer:
     def _geometry(self, geoms: List[Any]) -> Dict[str, Any]:
         meshes: Dict[Any, Dict[str, Any]] = {}
         materials, nodes = [], []
-        for number, geom in enumerate(geoms):
+        for geom in geoms:
             rgba = np.asarray(geom.rgba, np.float64).clip(0, 1)
             key = (
                 int(geom.type),
@@ -195,6 +194,7 @@ class Renderer:
                 *np.asarray(geom.size).tolist(),
                 *rgba.tolist(),
                 float(geom.specular),
+                float(geom.shininess),
             )
             if key not in meshes:
                 name = str(len(meshes))
