@@ -156,13 +156,14 @@ class Errors(unittest.TestCase):
         self.refused(zraster.OptionError, "channels: the list is empty", OBJ, [])
         self.refused(zraster.OptionError, "give one of them", OBJ, ["depth"], channel="depth")
         self.refused(zraster.SceneError, "colour", SCENE, ["colour"])
-        self.refused(zraster.OptionError, "int is no source", 3)
-        self.refused(zraster.OptionError, "renderer: a Renderer expected, got int", OBJ, renderer=1)
-        self.refused(zraster.OptionError, "parts: a: bytes or an array expected, got int", OBJ, parts={"a": 3})
+        self.refused(zraster.OptionTypeError, "int is no source", 3)
+        self.refused(zraster.OptionTypeError, "renderer: a Renderer expected, got int", OBJ, renderer=1)
+        self.refused(zraster.OptionTypeError, "parts: a: bytes or an array expected, got int", OBJ, parts={"a": 3})
         for wrong in (-1, 1 << 32, 0.5):
             with self.assertRaisesRegex(zraster.OptionError, "threads: .* is no whole number"):
                 zraster.Renderer(threads=wrong)
-        self.refused(zraster.OptionError, "view: give a dict", OBJ, view=3)
+        self.refused(zraster.OptionTypeError, "view: give a dict", OBJ, view=3)
+        self.refused(zraster.OptionTypeError, "look: object is no value of a parameter", OBJ, look=object())
         self.refused(zraster.SceneError, "/view/yfov", SCENE, view={"yfov": 1})
 
     def test_sources(self):

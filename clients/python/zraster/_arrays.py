@@ -8,7 +8,7 @@ from ctypes import c_char_p, c_void_p, cast
 from typing import Any, Dict, Mapping, Optional, Tuple
 
 from . import _library as c
-from ._errors import OptionError, SceneError
+from ._errors import OptionError, OptionTypeError, SceneError
 
 INLINE_MAX = 64  # numbers of an array that is written as a list: matrices, vectors, colours
 _CONVERTED = {"f2": "f4", "f16": "f8", "i1": "i4", "i2": "i4", "u2": "u4"}
@@ -69,7 +69,7 @@ class Parts:
         self.named: Dict[str, Any] = {}
         for name, value in (named or {}).items():
             if not is_array(value) and not isinstance(value, (bytes, bytearray, memoryview)):
-                raise OptionError(f"parts: {name}: bytes or an array expected, got {type(value).__name__}")
+                raise OptionTypeError(f"parts: {name}: bytes or an array expected, got {type(value).__name__}")
             self.named[name] = as_numbers(value) if is_array(value) else bytes(value)
 
     def put(self, value: Any) -> Any:

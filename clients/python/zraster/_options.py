@@ -62,7 +62,7 @@ def _text(keyword: str, value: Any) -> str:
         return repr(value)
     if isinstance(value, str):
         return value
-    raise OptionError(f"{keyword}: {type(value).__name__} is no value of a parameter")
+    raise OptionTypeError(f"{keyword}: {type(value).__name__} is no value of a parameter")
 
 
 def _set(keys: Dict[str, Any], pointer: str, value: Any) -> None:

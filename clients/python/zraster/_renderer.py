@@ -8,7 +8,7 @@ from typing import Any, Dict, Optional
 
 from . import _library as c
 from ._arrays import whole
-from ._errors import MemoryLimitError, OptionError, raise_status
+from ._errors import MemoryLimitError, OptionError, OptionTypeError, raise_status
 
 
 class Cancel:
@@ -95,7 +95,7 @@ def given_or_shared(renderer: Optional[Renderer]) -> Renderer:
     if renderer is None:
         return shared()
     if not isinstance(renderer, Renderer):
-        raise OptionError(f"renderer: a Renderer expected, got {type(renderer).__name__}")
+        raise OptionTypeError(f"renderer: a Renderer expected, got {type(renderer).__name__}")
     return renderer
 
 

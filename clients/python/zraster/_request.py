@@ -8,7 +8,7 @@ from urllib.parse import urlencode
 from . import _library as c
 from . import _interrupt, _options
 from ._arrays import Parts, dump
-from ._errors import OptionError, raise_status
+from ._errors import OptionTypeError, raise_status
 from ._picture import Drawn, Picture
 from ._renderer import Cancel, Renderer
 from ._source import Source, read
@@ -22,7 +22,7 @@ def view_of(view: Any) -> Any:
         return view
     if getattr(view, "ndim", 0) == 2 or isinstance(view, (list, tuple)):
         return {"cameraToWorld": view}
-    raise OptionError("view: give a dict as in the scene format, a preset such as 'front', or a 4x4 matrix")
+    raise OptionTypeError("view: give a dict as in the scene format, a preset such as 'front', or a 4x4 matrix")
 
 
 class Call:

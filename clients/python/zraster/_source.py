@@ -6,7 +6,7 @@ from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, Optional
 
 from ._arrays import is_array
-from ._errors import OptionError
+from ._errors import OptionTypeError
 from ._renderer import shared
 
 SPACE = b" \t\r\n"
@@ -91,6 +91,6 @@ def read(source: Any, type_: Optional[str] = None) -> Source:
         return Source(dict(source), None, None)
     if hasattr(source, "vertices") and (hasattr(source, "faces") or hasattr(source, "triangles")):
         return Source(scene_of_mesh(source), None, None, True)
-    raise OptionError(
+    raise OptionTypeError(
         f"{type(source).__name__} is no source: give a path, bytes, a dict, or an object with vertices and faces"
     )
