@@ -157,8 +157,17 @@ class Errors(unittest.TestCase):
         self.refused(zraster.OptionError, "give one of them", OBJ, ["depth"], channel="depth")
         self.refused(zraster.SceneError, "colour", SCENE, ["colour"])
         self.refused(zraster.OptionTypeError, "int is no source", 3)
-        self.refused(zraster.OptionTypeError, "renderer: a Renderer expected, got int", OBJ, renderer=1)
-        self.refused(zraster.OptionTypeError, "parts: a: bytes or an array expected, got int", OBJ, parts={"a": 3})
+        for wrong, words in (
+            ({"renderer": 1}, "renderer: a Renderer expected, got int"),
+            ({"cancel": 1}, "cancel: a Cancel expected, got int"),
+            ({"server": 1}, "server: an address such as .* expected, got int"),
+            ({"parts": [b""]}, "parts: a dict of bytes or arrays by name expected, got list"),
+            ({"parts": {"a": 3}}, "parts: a: bytes or an array expected, got int"),
+            ({"parts": {3: b""}}, "parts: names as str expected, got int"),
+            ({"channels": 3}, "channels: a name such as 'depth', or a list of them expected, got int"),
+            ({"channels": ["color", 3]}, "channels: names or dicts such as .* expected, got int"),
+        ):
+            self.refused(zraster.OptionTypeError, words, OBJ, **wrong)
         for wrong in (-1, 1 << 32, 0.5):
             with self.assertRaisesRegex(zraster.OptionError, "threads: .* is no whole number"):
                 zraster.Renderer(threads=wrong)

@@ -340,6 +340,9 @@ class Arrays(unittest.TestCase):
             numpy.testing.assert_array_equal(array, picture[channel])
         with self.assertRaisesRegex(zraster.OptionError, "out: depth is float32 .40, 60., not float64 .40, 60."):
             scene.render(out={"depth": numpy.empty((40, 60))})
+        for wrong, words in ((3, "out: a dict of arrays"), ({"depth": 3}, "out: depth: an array")):
+            with self.assertRaisesRegex(zraster.OptionTypeError, words + ".* expected, got int"):
+                scene.render(out=wrong)
 
     def test_view_arrays(self):
         """matrices of a view may be arrays"""

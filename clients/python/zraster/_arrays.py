@@ -8,7 +8,7 @@ from ctypes import c_char_p, c_void_p, cast
 from typing import Any, Dict, Mapping, Optional, Tuple
 
 from . import _library as c
-from ._errors import OptionError, OptionTypeError, SceneError
+from ._errors import OptionError, SceneError, expect
 
 INLINE_MAX = 64  # numbers of an array that is written as a list: matrices, vectors, colours
 _CONVERTED = {"f2": "f4", "f16": "f8", "i1": "i4", "i2": "i4", "u2": "u4"}
@@ -67,9 +67,11 @@ class Parts:
 
     def __init__(self, named: Optional[Mapping[str, Any]] = None) -> None:
         self.named: Dict[str, Any] = {}
+        expect(named is None or isinstance(named, AbstractMapping), "parts", "a dict of bytes or arrays by name", named)
         for name, value in (named or {}).items():
-            if not is_array(value) and not isinstance(value, (bytes, bytearray, memoryview)):
-                raise OptionTypeError(f"parts: {name}: bytes or an array expected, got {type(value).__name__}")
+            expect(isinstance(name, str), "parts", "names as str", name)
+            is_file = isinstance(value, (bytes, bytearray, memoryview))
+            expect(is_file or is_array(value), f"parts: {name}", "bytes or an array", value)
             self.named[name] = as_numbers(value) if is_array(value) else bytes(value)
 
     def put(self, value: Any) -> Any:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import re
 from ctypes import c_void_p
-from typing import Iterable, NamedTuple, NoReturn, Optional, Sequence, Tuple
+from typing import Any, Iterable, NamedTuple, NoReturn, Optional, Sequence, Tuple
 
 from . import _library as c
 
@@ -43,6 +43,12 @@ class OptionError(Error, ValueError):
 
 class OptionTypeError(OptionError, TypeError):
     """The value of an option has a wrong type, such as a text for a size."""
+
+
+def expect(is_right: bool, name: str, words: str, value: Any) -> None:
+    """Raises OptionTypeError unless the value of an option has the right type. words: "a Renderer"."""
+    if not is_right:
+        raise OptionTypeError(f"{name}: {words} expected, got {type(value).__name__}")
 
 
 class MemoryLimitError(Error, MemoryError):

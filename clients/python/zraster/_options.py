@@ -6,7 +6,7 @@ from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 from ._arrays import as_list, plain, whole
-from ._errors import OptionError, OptionTypeError, snake
+from ._errors import OptionError, OptionTypeError, expect, snake
 from ._renderer import shared
 from ._source import Source
 
@@ -115,7 +115,10 @@ def _size(size: Any) -> Tuple[int, int]:
 
 def outputs_of(channels: Channels) -> List[Dict[str, Any]]:
     """Converts "depth", or ["color", {"channel": "depth", "encoding": "png16"}], to the outputs of a scene."""
+    expect(hasattr(channels, "__iter__"), "channels", "a name such as 'depth', or a list of them", channels)
     names: List[Any] = [channels] if isinstance(channels, str) else list(channels)
+    for item in names:
+        expect(isinstance(item, (str, AbstractMapping)), "channels", "names or dicts such as {'channel': 'depth'}", item)
     if not names:
         raise OptionError("channels: the list is empty")
     return [{"channel": item} if isinstance(item, str) else dict(item) for item in names]

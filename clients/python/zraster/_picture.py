@@ -10,7 +10,7 @@ from ctypes import byref, c_void_p, string_at
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 from . import _library as c
-from ._errors import OptionError, OptionTypeError, Warning, raise_status
+from ._errors import OptionError, Warning, expect, raise_status
 from ._files import SUFFIXES, decode, unzip, zip_files
 from ._renderer import shared
 
@@ -160,11 +160,9 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
         """Writes the file that the ending of the path selects: .png, .npy or .json, or .zip for several channels.
         Without an ending, writes `content`. An object with write(), such as io.BytesIO(), gets `content`, too."""
         if not isinstance(path, (str, os.PathLike)):
-            if hasattr(path, "write"):
-                path.write(self.content)
-                return
-            kind = type(path).__name__
-            raise OptionTypeError(f"save: a path such as 'part.png', or a file with write() expected, got {kind}")
+            expect(hasattr(path, "write"), "save", "a path such as 'part.png', or a file with write()", path)
+            path.write(self.content)
+            return
         suffix = os.path.splitext(os.fspath(path))[1].lower()
         choices = [self._encode(None)] + [self._encode(channel) for channel in self._made.channels()]
         fitting = [data for data, type_ in choices if suffix in ("", SUFFIXES.get(type_))]

@@ -8,7 +8,7 @@ from typing import Any, Dict, Optional
 
 from . import _library as c
 from ._arrays import whole
-from ._errors import MemoryLimitError, OptionError, OptionTypeError, raise_status
+from ._errors import MemoryLimitError, OptionError, expect, raise_status
 
 
 class Cancel:
@@ -94,8 +94,7 @@ def _open(options: Dict[str, int]) -> Renderer:
 def given_or_shared(renderer: Optional[Renderer]) -> Renderer:
     if renderer is None:
         return shared()
-    if not isinstance(renderer, Renderer):
-        raise OptionTypeError(f"renderer: a Renderer expected, got {type(renderer).__name__}")
+    expect(isinstance(renderer, Renderer), "renderer", "a Renderer", renderer)
     return renderer
 
 

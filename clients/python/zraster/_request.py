@@ -8,7 +8,7 @@ from urllib.parse import urlencode
 from . import _library as c
 from . import _interrupt, _options
 from ._arrays import Parts, dump
-from ._errors import OptionTypeError, raise_status
+from ._errors import OptionTypeError, expect, raise_status
 from ._picture import Drawn, Picture
 from ._renderer import Cancel, Renderer
 from ._source import Source, read
@@ -37,6 +37,7 @@ class Call:
         if query:
             self.struct.query = urlencode(query).encode()
         self.kept = parts.fill(self.struct) if parts else None
+        expect(cancel is None or isinstance(cancel, Cancel), "cancel", "a Cancel", cancel)
         self.cancel = cancel or Cancel()  # Ctrl-C needs one
         self.struct.cancel = self.cancel._handle.pointer
 

@@ -6,8 +6,8 @@ from typing import Any, Dict, Mapping, Optional, Tuple
 
 from . import _library as c
 from . import _options, _server
-from ._arrays import as_list
-from ._errors import OptionError, OptionTypeError
+from ._arrays import as_list, is_array
+from ._errors import OptionError, expect
 from ._picture import Picture
 from ._renderer import Cancel, Renderer, given_or_shared
 from ._request import Request, draw_change, make, view_of
@@ -68,6 +68,7 @@ class Scene:
         options: each key of the scene, in snake_case, replaces the scene's own
         Returns a Picture, or `out`. Raises and warns as `render` does.
         """
+        expect(out is None or isinstance(out, AbstractMapping), "out", "a dict of arrays by channel", out)
         if out is not None and channels is None:
             channels = list(out)
         picture = self._draw(channels, size, poses, cancel, {**options, "view": view_of(view)})
@@ -81,9 +82,8 @@ class Scene:
             raise OptionError("the scene is closed")
         query, keys = _options.split(options, channels, size, request.source)
         keys = {**request.keys, **keys}
-        if poses is not None and not isinstance(poses, AbstractMapping):
-            kind = type(poses).__name__
-            raise OptionTypeError(f"poses: a dict of 4x4 matrices by the names of nodes expected, got {kind}")
+        is_dict = isinstance(poses, AbstractMapping)
+        expect(poses is None or is_dict, "poses", "a dict of 4x4 matrices by the names of nodes", poses)
         if poses:
             keys["poses"] = {name: _matrix(name, matrix) for name, matrix in poses.items()}
         if server is not None:
@@ -118,6 +118,7 @@ def _matrix(name: str, matrix: Any) -> Any:
 def _fill(out: Dict[str, Any], picture: Picture) -> Dict[str, Any]:
     for channel, array in out.items():
         drawn = picture.view(channel)
+        expect(is_array(array), f"out: {channel}", "an array", array)
         if array.shape != drawn.shape or array.dtype != drawn.dtype:
             raise OptionError(f"out: {channel} is {drawn.dtype} {drawn.shape}, not {array.dtype} {array.shape}")
         array[...] = drawn

@@ -11,7 +11,7 @@ from urllib.request import Request as HttpRequest
 from urllib.request import urlopen
 
 from ._arrays import Parts, dump
-from ._errors import Error, OptionError, SceneError, ServerError, words
+from ._errors import Error, OptionError, SceneError, ServerError, expect, words
 from ._picture import Picture, from_answer, joined
 from ._request import Request
 from ._renderer import shared
@@ -124,6 +124,7 @@ def _render_mesh(server: str, request: Request, query: Dict[str, str], keys: Dic
 
 
 def render(server: str, request: Request, query: Dict[str, str], keys: Dict[str, Any]) -> Picture:
+    expect(isinstance(server, str), "server", "an address such as 'http://127.0.0.1:8080'", server)
     if request.source.is_mesh:
         return _render_mesh(server, request, query, dict(keys))
     return _render_scene(server, request, query, keys)
