@@ -13,7 +13,9 @@ import zraster
 from support import OBJ
 from zraster import _interrupt, _library
 
-PLACES = "line" if sys.version_info[:2] == (3, 12) else "opcode"  # early versions of 3.12 have no events of instructions
+PLACES = (
+    "line" if sys.version_info[:2] == (3, 12) else "opcode"
+)  # early versions of 3.12 have no events of instructions
 
 
 class Interrupts(unittest.TestCase):

@@ -218,7 +218,9 @@ class Pyrender(unittest.TestCase):
         self.assertTrue(0 < (wire[:, :, 3] > 0).sum() < (color[:, :, 3] > 0).sum())
         self.renderer.render(scene, flags.SHADOWS_DIRECTIONAL | flags.SHADOWS_SPOT)
         scene.add(self.p.PointLight(intensity=2.0))
-        with self.assertRaisesRegex(NotImplementedError, "point lights have no shadows, here as in pyrender: leave out SHADOWS_POINT"):
+        with self.assertRaisesRegex(
+            NotImplementedError, "point lights have no shadows, here as in pyrender: leave out SHADOWS_POINT"
+        ):
             self.renderer.render(scene, flags.SHADOWS_ALL)
         with self.assertWarns(zraster.Warning):
             self.renderer.render(scene, flags.VERTEX_NORMALS)

@@ -71,7 +71,8 @@ def render(
         They replace keys of a scene. Those of the camera (preset, azimuth, padding, ...) make a view, which for scenes
         and objects is orthographic by default
 
-    Raises SceneError (.pointer, .faults), OptionError, OptionTypeError, MemoryLimitError, Cancelled, ServerError, and OSError for files.
+    Raises SceneError (.pointer, .faults), OptionError, OptionTypeError, MemoryLimitError, Cancelled, ServerError, and
+    OSError for files.
     Issues zraster.Warning at the caller's line for each problem that does not stop the render.
 
     >>> zraster.render("part.stl", look="clay").save("part.png")

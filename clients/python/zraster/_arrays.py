@@ -43,9 +43,7 @@ def as_numbers(value: Any) -> Any:
     import numpy
 
     if numpy.ma.is_masked(value):
-        raise SceneError(
-            "a masked array lacks numbers: give .filled(number), or leave out its masked rows"
-        )
+        raise SceneError("a masked array lacks numbers: give .filled(number), or leave out its masked rows")
     array = numpy.asarray(value)
     name = f"{array.dtype.kind}{array.dtype.itemsize}"
     name = _CONVERTED.get(name, name)

@@ -1,8 +1,8 @@
 """Calls that Ctrl-C ends.
 
-Python runs handlers of signals in the main thread, and only between its own instructions. So another thread makes each call
-of the main thread, which waits for a lock. Handlers interrupt this wait. If a handler raises, as that of Ctrl-C does, the
-call is cancelled, and the exception passes on. This costs some 20 us per call.
+Python runs handlers of signals in the main thread, and only between its own instructions. So another thread makes each
+call of the main thread, which waits for a lock. Handlers interrupt this wait. If a handler raises, as that of Ctrl-C
+does, the call is cancelled, and the exception passes on. This costs some 20 us per call.
 """
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ class _Call:
 
 
 class _Worker:
-    """A thread that makes calls in order, until None. It ends with the last reference to this object, which an exception
-    of a handler may drop anywhere."""
+    """A thread that makes calls in order, until None. It ends with the last reference to this object, which an
+    exception of a handler may drop anywhere."""
 
     def __init__(self) -> None:
         self.process = os.getpid()

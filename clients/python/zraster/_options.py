@@ -118,7 +118,9 @@ def outputs_of(channels: Channels) -> List[Dict[str, Any]]:
     expect(hasattr(channels, "__iter__"), "channels", "a name such as 'depth', or a list of them", channels)
     names: List[Any] = [channels] if isinstance(channels, str) else list(channels)
     for item in names:
-        expect(isinstance(item, (str, AbstractMapping)), "channels", "names or dicts such as {'channel': 'depth'}", item)
+        expect(
+            isinstance(item, (str, AbstractMapping)), "channels", "names or dicts such as {'channel': 'depth'}", item
+        )
     if not names:
         raise OptionError("channels: the list is empty")
     return [{"channel": item} if isinstance(item, str) else dict(item) for item in names]

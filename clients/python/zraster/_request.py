@@ -54,7 +54,7 @@ class Call:
 
 
 class Request:
-    """A body with parameters. keys: keys of a scene that change it after it is read; empty for a dict, which has them."""
+    """A body with parameters. keys: keys of a scene that change it after it is read; none for a dict, which has them."""
 
     def __init__(self, source: Source, parts: Parts, query: Dict[str, str], keys: Dict[str, Any]) -> None:
         self.source = source.without_geometry()

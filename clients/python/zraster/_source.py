@@ -71,7 +71,7 @@ def _colors_of(mesh: Any) -> Dict[str, Any]:
 
 
 def scene_of_mesh(mesh: Any) -> Dict[str, Any]:
-    """Returns the scene of an object with vertices and faces: two-sided, in the look studio, as meshes in files are drawn."""
+    """Returns the scene of an object with vertices and faces: two-sided and in the look studio, as for files."""
     faces = mesh.faces if hasattr(mesh, "faces") else mesh.triangles
     geometry = {"positions": _list_of(mesh.vertices), "faces": _list_of(faces), **_colors_of(mesh)}
     return {

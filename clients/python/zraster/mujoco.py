@@ -1,8 +1,8 @@
 """The interface of mujoco.Renderer, drawn by zraster: `renderer = zraster.mujoco.Renderer(model)`.
 
-Depth is exact at the centres of pixels, in metres along the axis of the camera. Background pixels have the depth of the far
-plane. Each light shines along its direction from afar, with Phong's shading. Planes of size 0 reach 20 times the extent of
-the model. Left out: skies, textures, reflections, haze, skins, and decorations such as arrows and labels.
+Depth is exact at the centres of pixels, in metres along the axis of the camera. Background pixels have the depth of the
+far plane. Each light shines along its direction from afar, with Phong's shading. Planes of size 0 reach 20 times the
+extent of the model. Left out: skies, textures, reflections, haze, skins, and decorations such as arrows and labels.
 """
 from __future__ import annotations
 
