@@ -1,6 +1,6 @@
 #!/bin/sh
-# install_debs.sh: in a bare root: `apt-get install ./*.deb` in /src/debs, then a picture by the command, Python, the daemon and
-# a C program. Prints TAP and the figures of tests/run.sh.
+# install_debs.sh: installs /src/debs/*.deb in a bare root, draws a picture by the command, Python, the daemon and a C program,
+# and removes the packages. Prints TAP and the figures of tests/run.sh.
 set -u
 work=$(mktemp -d)
 . tests/support/verdict.sh
