@@ -81,9 +81,10 @@ macros := $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null)
 target := $(firstword $(foreach name,x86_64 aarch64,$(if $(findstring __$(name)__,$(macros)),$(name))))
 isas_x86_64 := scalar sse2 avx2 avx512
 isas_aarch64 := scalar neon
-# `make isas=avx2` builds these alone, which is quicker; what was built with others is to be built anew.
+# `make isas=avx2` builds these alone, which is quicker.
 isas := $(or $(isas_$(target)),scalar)
 comma := ,
+space := $(subst ,, )
 upper = $(shell echo $(1) | tr a-z A-Z)
 OURS += '-DZR_EACH_ISA(entry,name)=$(foreach isa,$(isas),entry($(call upper,$(isa))$(comma)$(isa)$(comma)name))'
 # They come behind the user's flags: -march=native must not put what came later into sse2 and avx2. scalar and neon are
@@ -102,7 +103,9 @@ for_isas = $(foreach isa,$(isas),$(1:%=$(BUILD)/%.$(isa).o))
 kernel_objects := $(call for_isas,$(kernels))
 core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c core/*/*/*.c)) $(kernel_objects)
 # For the shared library, whose header exports the only visible symbols.
-$(core): OURS += -fPIC -fvisibility=hidden
+core_flags := -fPIC -fvisibility=hidden
+our_flags := $(subst ',,$(OURS) $(core_flags) $(foreach isa,$(isas),$(kernel_$(isa))))
+$(core): OURS += $(core_flags)
 # The part of it that needs no library.
 renderer_rooms := base scene geometry mesh raster shade effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
@@ -493,12 +496,18 @@ compiler:
 	@command -v $(firstword $(CC)) >/dev/null || { echo "error: there is no C compiler ($(CC)) here;" \
 		"'make demo' installs what is missing (Debian) and builds" >&2; exit 1; }
 
-$(BUILD)/%.o: %.c | $(missing_compiler)
+is_other = $(if $(filter $(subst $(space),^,$(strip $(1))),$(subst $(space),^,$(strip $(2)))),,other)
+# Changes when the flags of this file change; objects of a build by an older Makefile are then compiled anew.
+$(BUILD)/flags: $(if $(call is_other,$(file <$(BUILD)/flags),$(our_flags)),always)
+	@mkdir -p $(@D)
+	@echo '$(our_flags)' >$@
+
+$(BUILD)/%.o: %.c $(BUILD)/flags | $(missing_compiler)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) $(EXACT) -MMD -MP -c -o $@ $<
 
 define kernel_rule
-$(BUILD)/%_kernel.$(1).o: %_kernel.c | $(missing_compiler)
+$(BUILD)/%_kernel.$(1).o: %_kernel.c $(BUILD)/flags | $(missing_compiler)
 	@mkdir -p $$(@D)
 	$$(Q)$$(CC) $$(OURS) $$(CFLAGS) $$(CPPFLAGS) $$(EXACT) $(kernel_$(1)) -fwrapv -DZR_KERNEL_$(call upper,$(1)) -MMD -MP -c -o $$@ $$<
 endef
