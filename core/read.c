@@ -59,6 +59,15 @@ static enum zr_status find_format(struct zr_request *request, struct zr_error *e
                         words ? words : "", words ? ", which is " : "", zr_format_types_join().text);
 }
 
+/* All text is read as UTF-8. */
+static enum zr_status refuse_utf16(const struct zr_request *request, struct zr_error *error)
+{
+    const struct zr_format_row *row = &zr_format_rows[request->format];
+    if (!zr_is_utf16(request->bytes, request->size)) return ZR_OK;
+    if (row->is_binary && row->looks_so(request->bytes, request->size)) return ZR_OK;
+    return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "the body is UTF-16 text; %s is read as UTF-8", row->name);
+}
+
 /* Validates the scene; faults of keys from the query have the names of their parameters. */
 static enum zr_status validate(const struct zr_request *request, const struct zr_scene *scene,
                                const struct zr_limits *limits, struct zr_error *error)
@@ -113,6 +122,7 @@ static enum zr_status read_request(struct zr_arena *arena, struct zr_team *team,
     struct zr_request body = *request;
     if (body.size == 0) body.bytes = ""; /* no arithmetic on a null pointer */
     enum zr_status status = made ? find_format(&body, error) : ZR_NO_MEMORY;
+    if (status == ZR_OK) status = refuse_utf16(&body, error);
     if (status == ZR_OK) skip_byte_order_mark(&body);
     arena->cancel = request->cancel;
     if (status == ZR_OK) status = read_scene(arena, team, &body, limits, keeping, made, error);

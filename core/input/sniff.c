@@ -21,6 +21,8 @@ static const struct {
     {"glTF", 4, "binary glTF"},
     {"ply\n", 4, "PLY"},
     {"ply\r", 4, "PLY"},
+    {"\xFF\xFE", 2, "UTF-16 text (UTF-8 is needed)"},
+    {"\xFE\xFF", 2, "UTF-16 text (UTF-8 is needed)"},
     {"\x93NUMPY", 6, "an NPY array"},
     {"%PDF", 4, "a PDF document"},
     {"GIF8", 4, "a GIF picture"},
@@ -38,6 +40,11 @@ size_t zr_byte_order_mark(const char *bytes, size_t size)
 {
     static const char mark[] = "\xEF\xBB\xBF";
     return begins_with(bytes, size, mark, sizeof mark - 1) ? sizeof mark - 1 : 0;
+}
+
+bool zr_is_utf16(const char *bytes, size_t size)
+{
+    return begins_with(bytes, size, "\xFF\xFE", 2) || begins_with(bytes, size, "\xFE\xFF", 2);
 }
 
 #define FORMAT(ID, ...) {#ID, zr_looks_so_##ID},
