@@ -26,13 +26,13 @@ static void make_materials(struct zr_parsed_scene *root)
 {
     for (uint32_t i = 0; i < root->scene->mesh_count; i++) {
         struct zr_mesh *mesh = &root->builder->meshes[i];
-        const bool is_colored = mesh->colors != NULL;
+        const bool is_colored = mesh->colors || mesh->face_colors;
         const struct zr_style style = {.face_style = zr_face_style_unset,
                                        .is_open = true,
                                        .has_faces = mesh->face_count > 0,
                                        .number = i,
                                        .alpha = zr_alpha_range_of(mesh->colors, mesh->position_count)};
-        mesh->material = zr_parsed_make_material(root, &style, is_colored, mesh->normal_count > 0 || is_colored);
+        mesh->material = zr_parsed_make_material(root, &style, is_colored, mesh->normal_count > 0 || mesh->colors);
     }
 }
 

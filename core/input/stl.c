@@ -1,11 +1,14 @@
-/* Reads STL, binary and ASCII. Each triangle has its own three vertices. Normals are ignored, since exporters often
- * write zeros or wrong ones. Source: 3D Systems, StereoLithography Interface Specification, 1989. */
+/* Reads STL, binary and ASCII. Each facet has its own vertices. Normals are ignored, since exporters often write zeros
+ * or wrong ones. Source: 3D Systems, StereoLithography Interface Specification, 1989. */
 #include "input/input.h"
 
+#include <math.h>
+#include <stdatomic.h>
 #include <string.h>
 
 #include "base/team.h"
 #include "input/parts.h"
+#include "input/stl_color.h"
 #include "input/stl_text.h"
 
 enum {
@@ -13,6 +16,7 @@ enum {
     COUNT_END = HEADER_BYTES + 4,
     TRIANGLE_BYTES = 50,     /* normal, three vertices, two bytes of attributes */
     VERTICES_AT = 12,        /* offset in a triangle, behind its normal */
+    ATTRIBUTES_AT = 48,      /* behind its vertices */
     PART_TRIANGLES = 1 << 13 /* read in a tenth of a millisecond */
 };
 
@@ -21,6 +25,9 @@ struct binary {
     const char *triangles; /* bytes of the first triangle */
     size_t count;
     zr_vec4 *positions;
+    atomic_uint any, all, unmarked, colored; /* bits of all attributes, as zr_stl_attributes */
+    struct zr_stl_colors colors;
+    zr_vec4 *face_colors;
 };
 
 static uint32_t read_u32(const char *at)
@@ -37,14 +44,28 @@ static float read_f32(const char *at)
     return value;
 }
 
+static uint16_t read_u16(const char *at)
+{
+    const unsigned char *b = (const unsigned char *)at;
+    return (uint16_t)(b[0] | b[1] << 8);
+}
+
 /* ---- binary ---- */
 
-/* Reads triangles begin..end - 1, up to `faults` faults. */
-static void read_triangles(const struct binary *binary, size_t begin, size_t end, size_t faults, struct zr_error *error)
+static uint16_t attribute_of(const struct binary *binary, size_t triangle)
 {
+    return read_u16(binary->triangles + triangle * TRIANGLE_BYTES + ATTRIBUTES_AT);
+}
+
+/* Reads triangles begin..end - 1, up to `faults` faults. Returns the bits that any attribute has. */
+static unsigned read_triangles(const struct binary *binary, size_t begin, size_t end, size_t faults,
+                               struct zr_error *error)
+{
+    unsigned any = 0;
     const float limit = binary->limits->coordinate_max;
     const char *triangle = binary->triangles + begin * TRIANGLE_BYTES;
-    for (size_t i = begin; i < end && error->count < faults; i++, triangle += TRIANGLE_BYTES)
+    for (size_t i = begin; i < end && error->count < faults; i++, triangle += TRIANGLE_BYTES) {
+        any |= read_u16(triangle + ATTRIBUTES_AT);
         for (size_t corner = 0; corner < 3; corner++) {
             float v[3];
             bool good = true;
@@ -58,83 +79,158 @@ static void read_triangles(const struct binary *binary, size_t begin, size_t end
                              "triangle %zu of %zu, vertex %zu: (%.9g, %.9g, %.9g) is beyond the limit of %.9g", i + 1,
                              binary->count, corner + 1, (double)v[0], (double)v[1], (double)v[2], (double)limit);
         }
+    }
+    return any;
 }
 
+static size_t end_of_part(const struct binary *binary, size_t part)
+{
+    const size_t end = (part + 1) * PART_TRIANGLES;
+    return end < binary->count ? end : binary->count;
+}
+
+/* Looks at attributes one by one only if some are not zero. */
 static bool read_part(void *context, size_t part)
 {
-    const struct binary *binary = context;
-    const size_t begin = part * PART_TRIANGLES, left = binary->count - begin;
+    struct binary *binary = context;
+    const size_t begin = part * PART_TRIANGLES, end = end_of_part(binary, part);
     struct zr_error error = {.count = 0};
-    read_triangles(binary, begin, begin + (left < PART_TRIANGLES ? left : PART_TRIANGLES), 1, &error);
+    struct zr_stl_attributes bits = {.all = 0};
+    if (read_triangles(binary, begin, end, 1, &error)) {
+        bits.all = UINT16_MAX;
+        for (size_t i = begin; i < end; i++)
+            zr_stl_attributes_add(&bits, attribute_of(binary, i));
+    }
+    atomic_fetch_or_explicit(&binary->any, bits.any, memory_order_relaxed);
+    atomic_fetch_and_explicit(&binary->all, bits.all, memory_order_relaxed);
+    atomic_fetch_or_explicit(&binary->unmarked, bits.unmarked, memory_order_relaxed);
+    atomic_fetch_or_explicit(&binary->colored, bits.colored, memory_order_relaxed);
     return error.count == 0;
 }
 
-static enum zr_status read_binary(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                                  const struct zr_limits *limits, size_t count, zr_vec4 **positions,
+static bool color_part(void *context, size_t part)
+{
+    const struct binary *binary = context;
+    for (size_t i = part * PART_TRIANGLES; i < end_of_part(binary, part); i++)
+        binary->face_colors[i] = zr_stl_facet_color(&binary->colors, attribute_of(binary, i));
+    return true;
+}
+
+static enum zr_status read_colors(struct zr_scene_builder *builder, struct binary *binary, const char *header,
+                                  const struct zr_cancel *cancel, size_t parts)
+{
+    const struct zr_stl_attributes bits = {.any = (uint16_t)binary->any,
+                                           .all = (uint16_t)binary->all,
+                                           .unmarked = (uint16_t)binary->unmarked,
+                                           .colored = (uint16_t)binary->colored};
+    binary->colors = zr_stl_colors_of(header, &bits);
+    if (binary->colors.dialect == ZR_STL_PLAIN) return ZR_OK;
+    binary->face_colors = zr_arena_alloc(builder->arena, binary->count, sizeof *binary->face_colors);
+    if (!binary->face_colors) return ZR_NO_MEMORY;
+    return zr_parts_read(builder->team, cancel, 0, parts, color_part, binary) < parts ? ZR_CANCELLED : ZR_OK;
+}
+
+static enum zr_status read_binary(struct zr_scene_builder *builder, const struct zr_request *request,
+                                  const struct zr_limits *limits, size_t count, struct zr_stl *out,
                                   struct zr_error *error)
 {
-    struct binary binary = {limits, request->bytes + COUNT_END, count,
-                            zr_arena_alloc(arena, count * 3, sizeof *binary.positions)};
+    struct binary binary = {.limits = limits,
+                            .triangles = request->bytes + COUNT_END,
+                            .count = count,
+                            .positions = zr_arena_alloc(builder->arena, count * 3, sizeof *binary.positions),
+                            .all = UINT16_MAX};
     if (!binary.positions) return ZR_NO_MEMORY;
     const size_t parts = (count + PART_TRIANGLES - 1) / PART_TRIANGLES;
-    const size_t failed = zr_parts_read(team, request->cancel, 0, parts, read_part, &binary);
+    const size_t failed = zr_parts_read(builder->team, request->cancel, 0, parts, read_part, &binary);
     if (zr_is_cancelled(request->cancel)) return ZR_CANCELLED;
-    if (failed < parts) read_triangles(&binary, failed * PART_TRIANGLES, count, ZR_ERROR_ITEMS, error);
-    *positions = binary.positions;
-    return error->count > 0 ? error->status : ZR_OK;
+    if (failed < parts) {
+        read_triangles(&binary, failed * PART_TRIANGLES, count, ZR_ERROR_ITEMS, error);
+        return error->status;
+    }
+    const enum zr_status status = read_colors(builder, &binary, request->bytes, request->cancel, parts);
+    *out = (struct zr_stl){3 * count, count, binary.positions, NULL, binary.face_colors};
+    return status;
 }
 
 /* ---- both ---- */
 
-/* Decides by the size: many binary files begin with "solid" too. */
+/* The size that the header of a binary file gives. */
+static uint64_t size_wanted(const char *bytes)
+{
+    return COUNT_END + (uint64_t)read_u32(bytes + HEADER_BYTES) * TRIANGLE_BYTES;
+}
+
+/* Decides by the size and the count: many binary files begin with "solid" too. The last byte of the count is 0 in files
+ * of up to 16 million triangles, and in no text. */
 static bool is_binary(const char *bytes, size_t size)
 {
-    return size >= COUNT_END && COUNT_END + (uint64_t)read_u32(bytes + HEADER_BYTES) * TRIANGLE_BYTES == size;
+    if (size < COUNT_END) return false;
+    return size_wanted(bytes) == size || bytes[COUNT_END - 1] == 0 || !zr_stl_is_text(bytes, size);
+}
+
+/* True if the first triangles have the coordinates of a model: data of another format have not, since half of all
+ * floats are smaller or larger. */
+static bool has_model_triangles(const char *bytes)
+{
+    enum { TRIANGLES = 8 };
+    const float smallest = 1e-20f, largest = 1e12f;
+    const uint32_t count = read_u32(bytes + HEADER_BYTES);
+    bool any = false;
+    for (size_t i = 0; i < (count < TRIANGLES ? count : TRIANGLES); i++)
+        for (size_t k = 0; k < 9; k++) {
+            const float v = fabsf(read_f32(bytes + COUNT_END + i * TRIANGLE_BYTES + VERTICES_AT + 4 * k));
+            if (v != 0.0f && !(v > smallest && v < largest)) return false;
+            any |= v != 0.0f;
+        }
+    return any;
 }
 
 bool zr_looks_so_STL(const char *bytes, size_t size)
 {
-    return is_binary(bytes, size) || zr_stl_is_text(bytes, size);
+    if (!is_binary(bytes, size)) return zr_stl_is_text(bytes, size);
+    const uint64_t wanted = size_wanted(bytes);
+    return wanted == size || zr_stl_is_text(bytes, size) || (wanted < size && has_model_triangles(bytes));
 }
 
-static enum zr_status read_positions(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                                     const struct zr_limits *limits, zr_vec4 **positions, size_t *triangles,
-                                     struct zr_error *error)
+static enum zr_status read_any(struct zr_scene_builder *builder, const struct zr_request *request,
+                               const struct zr_limits *limits, struct zr_stl *out, struct zr_error *error)
 {
     const char *bytes = request->bytes;
     const size_t size = request->size;
-    uint32_t count = size >= COUNT_END ? read_u32(bytes + HEADER_BYTES) : 0;
-    uint64_t wanted = COUNT_END + (uint64_t)count * TRIANGLE_BYTES;
-    const bool binary = is_binary(bytes, size);
-    if (!binary && zr_stl_is_text(bytes, size))
-        return zr_stl_text_read(arena, team, request, limits, positions, triangles, error);
+    if (!is_binary(bytes, size) && zr_stl_is_text(bytes, size))
+        return zr_stl_text_read(builder, request, limits, out, error);
     if (size < COUNT_END)
         return zr_error_add(error, ZR_BAD_SYNTAX, NULL,
                             "neither 'solid' nor a binary header: at least %d bytes expected, got %zu", COUNT_END,
                             size);
-    if (!binary)
-        return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "%llu bytes expected for %u triangles, got %zu",
-                            (unsigned long long)wanted, count, size);
+    const uint32_t count = read_u32(bytes + HEADER_BYTES);
+    const uint64_t wanted = size_wanted(bytes);
+    if (wanted > size || (count == 0 && wanted < size))
+        return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "%llu bytes expected for %u triangles, got %zu; they hold %zu",
+                            (unsigned long long)wanted, count, size, (size - COUNT_END) / TRIANGLE_BYTES);
     if (count > ZR_STL_TRIANGLES_MAX)
         return zr_error_add(error, ZR_BAD_SCENE, NULL, "%u triangles, more than the limit of %d", count,
                             ZR_STL_TRIANGLES_MAX);
-    *triangles = count;
-    return read_binary(arena, team, request, limits, count, positions, error);
+    if (wanted < size)
+        zr_warning_list_add(builder->arena, &builder->warnings,
+                            "STL: %llu byte%s behind the last of %u triangles ignored",
+                            (unsigned long long)(size - wanted), size - wanted == 1 ? "" : "s", count);
+    return read_binary(builder, request, limits, count, out, error);
 }
 
 enum zr_status zr_read_STL(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error)
 {
-    zr_vec4 *positions = NULL;
-    size_t triangles = 0;
-    const enum zr_status status =
-        read_positions(builder->arena, builder->team, request, limits, &positions, &triangles, error);
+    struct zr_stl stl = {0};
+    const enum zr_status status = read_any(builder, request, limits, &stl, error);
     if (status != ZR_OK) return status;
-    if (triangles == 0) return zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the STL file has no triangle");
+    if (stl.facets == 0) return zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the STL file has no triangle");
     struct zr_mesh *mesh = zr_scene_builder_meshes(builder, 1);
     if (!mesh) return ZR_NO_MEMORY;
-    mesh->position_count = (uint32_t)(3 * triangles);
-    mesh->positions = positions;
-    mesh->face_count = (uint32_t)triangles;
+    mesh->position_count = (uint32_t)stl.vertices;
+    mesh->positions = stl.positions;
+    mesh->face_count = (uint32_t)stl.facets;
+    mesh->face_offsets = stl.offsets;
+    mesh->face_colors = stl.face_colors;
     return ZR_OK;
 }

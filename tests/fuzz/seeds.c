@@ -133,6 +133,12 @@ static void write_meshes(void)
                   "endfacet\nendsolid t\n"},
         {"shouted", "SOLID\tA B\r\n FACET NORMAL nan x 0\r\n  OUTER LOOP\r\n VERTEX 1e-1 -2.5E+0 3\r\n VERTEX 1 0 0\r\n"
                     " VERTEX 0 1 0\r\nENDLOOP\r\nENDFACET\r\nENDSOLID"},
+        {"odd",
+         "# a\nsolid\ncolor 1 0 0\nfacet\nouter loop x\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0 1\nvertex 0 1 0\n"
+         "end loop\nend facet\nunits mm\nend solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+         "vertex 0 1 0\nendloop\nendfacet 1\nsolid\n"},
+        {"returns", "solid t\rfacet normal 0 0 1\router loop\rvertex 0 0 0\rvertex 1 0 0\rvertex 0 1 0\rendloop\r"
+                    "endfacet\rendsolid t\r"},
     };
     WRITE_TEXTS("obj", objs);
     WRITE_TEXTS("stl", stls);
@@ -144,6 +150,10 @@ static void write_meshes(void)
     write_seed("stl", "binary", binary, sizeof binary);
     memcpy(binary, "solid", 5);
     write_seed("stl", "binary-solid", binary, sizeof binary);
+    binary[84 + 49] = 0xFC; /* red, in VisCAM */
+    write_seed("stl", "binary-viscam", binary, sizeof binary);
+    memcpy(binary, "COLOR=\xFF\xFF\0\xFF", 10);
+    write_seed("stl", "binary-magics", binary, sizeof binary);
 }
 
 /* ---- pictures ---- */

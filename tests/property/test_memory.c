@@ -54,6 +54,9 @@ static const struct sample samples[] = {
     {"STL", ZR_FORMAT_STL,
      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
      "0\nendloop\nendfacet\nendsolid\n"},
+    {"STL with quads", ZR_FORMAT_STL,
+     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 "
+     "0\nendloop\nendfacet\n"},
 };
 
 /* Allocations are rounded up to STEP, so that no ceiling between two of these is another one. Where one large

@@ -41,6 +41,8 @@ static inline void assert_same_scene(const struct zr_scene *a, const struct zr_s
     assert_int_equal(a->mesh_count, b->mesh_count);
     assert_int_equal(a->material_count, b->material_count);
     assert_int_equal(a->warning_count, b->warning_count);
+    for (uint32_t i = 0; i < a->warning_count; i++)
+        assert_string_equal(a->warnings[i], b->warnings[i]);
     for (uint32_t i = 0; i < a->material_count; i++) {
         assert_int_equal(a->materials[i].shading, b->materials[i].shading);
         assert_memory_equal(&a->materials[i].base_color, &b->materials[i].base_color, sizeof a->materials->base_color);

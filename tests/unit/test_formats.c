@@ -1,9 +1,11 @@
 /* input/formats.c: what a Content-Type says, and what bytes look like. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "input/formats.h"
 #include "input/sniff.h"
+#include "input_check.h"
 #include "support/tests.h"
 
 TEST(each_media_type_leads_to_its_format)
@@ -84,6 +86,11 @@ TEST(bytes_look_like_what_they_are)
                  {"RIFF", ZR_FORMAT_UNKNOWN, "a RIFF file, as WebP pictures are"},
                  {"#?RADIANCE\n", ZR_FORMAT_UNKNOWN, "a Radiance picture"},
                  {"BMP", ZR_FORMAT_UNKNOWN, "a BMP picture"},
+                 {"\xFF\xFE{", ZR_FORMAT_UNKNOWN, "UTF-16 text (UTF-8 is needed)"},
+                 {"\xFE\xFF", ZR_FORMAT_UNKNOWN, "UTF-16 text (UTF-8 is needed)"},
+                 {"\xFF\xFD", ZR_FORMAT_UNKNOWN, NULL},
+                 {"# a\n; b\nsolid x\n", ZR_FORMAT_STL, "STL"},
+                 {"\xEF\xBB\xBFsolid x\n", ZR_FORMAT_STL, "STL"},
                  {"<html>", ZR_FORMAT_UNKNOWN, "XML or HTML"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         expect(cases[i].text, strlen(cases[i].text), cases[i].format, cases[i].words);
@@ -95,8 +102,49 @@ TEST(binary_stl_is_known_by_its_size)
     expect(bytes, sizeof bytes, ZR_FORMAT_STL, "STL");
     expect(bytes, sizeof bytes - 1, ZR_FORMAT_UNKNOWN, NULL);
     expect(bytes, 83, ZR_FORMAT_UNKNOWN, NULL);
+    memcpy(bytes, "\xFF\xFE", 2);
+    expect(bytes, sizeof bytes, ZR_FORMAT_STL, "STL");
     memcpy(bytes, "{\"", 2); /* a header is any text; what a scene begins with is looked at first */
     expect(bytes, sizeof bytes, ZR_FORMAT_JSON, "JSON");
+}
+
+/* Its first coordinates tell it from other formats. */
+TEST(binary_stl_with_bytes_behind_it_is_known_by_its_coordinates)
+{
+    char bytes[84 + 50 + 1] = {[80] = 1};
+    const float coordinates[] = {1, -20, 1e5f, 0, INFINITY, NAN, 1e30f, 1e-30f};
+    for (size_t i = 0; i < sizeof coordinates / sizeof *coordinates; i++) {
+        memcpy(bytes + 84 + 12 + 8, &coordinates[i], sizeof *coordinates);
+        expect(bytes, sizeof bytes, i < 3 ? ZR_FORMAT_STL : ZR_FORMAT_UNKNOWN, i < 3 ? "STL" : NULL);
+    }
+    bytes[80] = 0;
+    expect(bytes, sizeof bytes, ZR_FORMAT_UNKNOWN, NULL);
+}
+
+/* A binary STL may begin with the same bytes. */
+TEST(utf16_is_named)
+{
+    static const char texts[2][8] = {"\xFF\xFEv\0 \0", "\xFE\xFF\0v\0 "};
+    for (int format = 0; format < ZR_FORMAT_COUNT; format++)
+        for (size_t i = 0; i < 2; i++) {
+            char wanted[80];
+            snprintf(wanted, sizeof wanted, "the body is UTF-16 text; %s is read as UTF-8",
+                     zr_format_rows[format].name);
+            struct reading *reading = read_bytes((enum zr_format)format, texts[i], 6);
+            assert_complaint(reading, ZR_BAD_SYNTAX, "", wanted);
+            assert_int_equal(reading->error.count, 1);
+            reading_free(reading);
+            reading = read_bytes(ZR_FORMAT_UNKNOWN, texts[i], 6);
+            assert_complaint(reading, ZR_BAD_TYPE, "", "looks like UTF-16 text (UTF-8 is needed)");
+            reading_free(reading);
+        }
+    char binary[84 + 50] = "\xFF\xFE";
+    const float one = 1;
+    binary[80] = 1;
+    memcpy(binary + 84 + 12 + 12, &one, sizeof one);
+    struct reading *reading = read_bytes(ZR_FORMAT_STL, binary, sizeof binary);
+    assert_read(reading);
+    reading_free(reading);
 }
 
 TEST(zeros_among_blanks_end_them)

@@ -10,6 +10,8 @@ enum { MAX_TRIANGLES = 4, BYTES_MAX = 84 + 50 * MAX_TRIANGLES };
 /* As few bytes as a facet can have. */
 #define SHORTEST "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 2 0 endloop endfacet "
 
+#define THREE "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1.5 0\n"
+
 static void put_u32(unsigned char *at, uint32_t value)
 {
     for (int i = 0; i < 4; i++)
@@ -60,20 +62,42 @@ TEST(binary_gives_three_vertices_a_triangle)
     }
 }
 
-TEST(binary_of_another_size_gives_bad_syntax)
+TEST(truncated_binary_is_refused_with_what_it_says_and_holds)
 {
+    static const char *const headers[] = {"x", "solid x"};
     unsigned char bytes[BYTES_MAX];
-    make_binary(bytes, "x", 2);
-    for (size_t size = 0; size < 200; size++) {
-        if (size == 184) continue;
-        struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, size);
-        char got[32];
-        snprintf(got, sizeof got, "got %zu", size);
-        assert_complaint(reading, ZR_BAD_SYNTAX, "", got);
-        assert_complaint(reading, ZR_BAD_SYNTAX, "",
-                         size < 84 ? "at least 84 bytes expected" : "184 bytes expected for 2 triangles");
-        reading_free(reading);
-    }
+    for (size_t h = 0; h < 2; h++)
+        for (size_t size = 0; size < 184; size++) {
+            if (h == 1 && size < 84) continue; /* a text */
+            make_binary(bytes, headers[h], 2);
+            struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, size);
+            char got[64];
+            snprintf(got, sizeof got, size < 84 ? "got %zu" : "got %zu; they hold %d", size, size >= 134);
+            assert_complaint(reading, ZR_BAD_SYNTAX, "", got);
+            assert_complaint(reading, ZR_BAD_SYNTAX, "",
+                             size < 84 ? "at least 84 bytes expected" : "184 bytes expected for 2 triangles");
+            reading_free(reading);
+        }
+}
+
+TEST(bytes_behind_binary_are_warned_of)
+{
+    static const char *const headers[] = {"x", "solid x"};
+    static const enum zr_format formats[] = {ZR_FORMAT_STL, ZR_FORMAT_UNKNOWN};
+    unsigned char bytes[BYTES_MAX];
+    for (size_t i = 0; i < 4; i++)
+        for (size_t size = 184; size <= 200; size++) {
+            make_binary(bytes, headers[i / 2], 2);
+            struct reading *reading = read_bytes(formats[i % 2], bytes, size);
+            char warning[80];
+            snprintf(warning, sizeof warning, "STL: %zu byte%s behind the last of 2 triangles ignored", size - 184,
+                     size == 185 ? "" : "s");
+            assert_read(reading);
+            assert_int_equal(reading->scene->meshes[0].face_count, 2);
+            assert_int_equal(reading->scene->warning_count, size > 184);
+            if (size > 184) assert_string_equal(reading->scene->warnings[0], warning);
+            reading_free(reading);
+        }
 }
 
 TEST(count_beyond_the_bytes_is_refused_before_allocating)
@@ -82,7 +106,8 @@ TEST(count_beyond_the_bytes_is_refused_before_allocating)
     size_t size = make_binary(bytes, "x", 1);
     put_u32(bytes + 80, UINT32_MAX);
     struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, size);
-    assert_complaint(reading, ZR_BAD_SYNTAX, "", "214748364834 bytes expected for 4294967295 triangles, got 134");
+    assert_complaint(reading, ZR_BAD_SYNTAX, "",
+                     "214748364834 bytes expected for 4294967295 triangles, got 134; they hold 1");
     assert_true(reading->arena.used < 8192);
     reading_free(reading);
 }
@@ -168,17 +193,17 @@ TEST(words_of_every_length_are_passed_over)
         }
 }
 
+/* Behind its facet, only the end of the solid is missing. */
 TEST(every_prefix_of_ascii_is_refused_within_its_bytes)
 {
     static const char text[] = "solid x\n" FACET "endsolid";
-    for (size_t size = 0; size < sizeof text - 1; size++) {
+    enum { FACET_END = sizeof "solid x\n" FACET - 2 };
+    for (size_t size = 0; size < sizeof text; size++) {
         struct reading *reading = read_bytes(ZR_FORMAT_STL, text, size);
-        assert_int_equal(reading->status, ZR_BAD_SYNTAX);
+        assert_int_equal(reading->status, size < FACET_END ? ZR_BAD_SYNTAX : ZR_OK);
+        if (size >= FACET_END) assert_int_equal(reading->scene->warning_count > 0, size < sizeof text - 1);
         reading_free(reading);
     }
-    struct reading *whole = read_text(ZR_FORMAT_STL, text);
-    assert_read(whole);
-    reading_free(whole);
 }
 
 TEST(malformed_ascii_is_refused_with_its_line)
@@ -186,16 +211,26 @@ TEST(malformed_ascii_is_refused_with_its_line)
     static const struct {
         const char *text, *detail;
     } cases[] = {
-        {"solid\n" FACET, "line 9: expected 'facet' or 'endsolid', found the end of the file"},
+        {"solid\n", "line 2: expected 'facet' or 'endsolid', found the end of the file"},
         {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0\nvertex", "line 5: expected a number, found 'vertex'"},
         {"solid\nfacet normal 0 0 1\nouter lop", "line 3: expected 'loop', found 'lop'"},
         {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan", "line 4: expected a number, found 'nan'"},
         {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0x1", "line 4: expected a number, found '0x1'"},
-        {"solid\nfacet 0 0 1", "line 2: expected 'normal', found '0'"},
-        {"solid\nendsolid\nx", "line 3: expected 'solid', found 'x'"},
-        {"solid\nfacets", "line 2: expected 'facet' or 'endsolid', found 'facets'"},
-        {"solid\nfasad", "line 2: expected 'facet' or 'endsolid', found 'fasad'"},
+        {"solid\nfacet 0 0 1", "line 2: expected 'outer', found the end of the file"},
+        {"solid\nfacet\n0 0 1", "line 3: expected 'outer', found '0'"},
+        {"solid\nendsolid\nx", "line 3: expected 'solid', 'facet' or 'endsolid', found 'x'"},
+        {"solid\nfacets\nfasad", "line 2: expected 'solid', 'facet' or 'endsolid', found 'facets'"},
+        {"solid\nfasad", "line 2: expected 'solid', 'facet' or 'endsolid', found 'fasad'"},
+        {"solid\n" FACET "outer loop\nendsolid", "line 9: expected 'facet' or 'endsolid', found 'outer'"},
+        {"solid\n" FACET "endsolid\nvertex", "line 10: expected 'solid', found 'vertex'"},
         {"solid\nfacet normal 0 0 1\nouter loop\nversus 0 0 0", "line 4: expected 'vertex', found 'versus'"},
+        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid",
+         "line 6: expected 'vertex', found 'endloop'"},
+        {"solid\nfacet normal 0 0 1\nouter loop\n" THREE "versus",
+         "line 7: expected 'vertex' or 'endloop', found 'vers"},
+        {"solid\nfacet normal 0 0 1\nouter loop\n" THREE "endloop\nouter loop", "line 8: expected 'endfacet', found"},
+        {"solid\n# a\nfacet\nouter loop\rvertex 0 0 0,", "line 4: expected a number, found '0,'"},
+        {"solid\rfacet normal 0 0 1\router loop\rversus 0 0 0", "line 4: expected 'vertex', found 'versus'"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
         refuses(ZR_FORMAT_STL, cases[i].text, ZR_BAD_SYNTAX, "", cases[i].detail);

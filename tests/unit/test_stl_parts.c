@@ -26,9 +26,34 @@ static const char *const pieces[] = {
     "facet normal 0 0 0 outer loop\nvertex 1 2 3\nvertex 1 -1e30 2\nvertex 0 0 0\nendloop\nendfacet\n"};
 enum { PIECES = sizeof pieces / sizeof *pieces };
 
+/* What many programs draw, although it is no STL. */
+static const char *const odd_pieces[] = {
+    "facet normal 0 0 1\n" LOOP "endfacet\n",
+    "  FACET Normal nan nan nan\r\n  OUTER\nLOOP\r\n" VERTICES "EndLoop\r\n ENDFACET\r\n",
+    "facet normal 0 0 1 2\nouter loop x\nvertex 0 0 0 red\n" VERTICES "endloop 1\nendfacet 2\n",
+    "facet normal 0 0 1\nouter loop\n" VERTICES VERTICES "endloop\nendfacet\n",
+    "facet\n" LOOP "endfacet\n",
+    "facet normal\n" LOOP "endfacet\n",
+    "# endfacet\n",
+    "endsolid\n",
+    "solid\n",
+    "// a\n\n",
+    "color 1 0 0\n",
+    "units mm\nendsolid 1\n",
+    "facet normal 0 0 1\nouter loop\n" VERTICES "end loop\nend facet\n",
+    "facet normal endfacet\nendfacet\nendfacet\n" LOOP "endfacet\n",
+    "end solid x\nsolid endfacet\n",
+    "\n"};
+enum { ODD_PIECES = sizeof odd_pieces / sizeof *odd_pieces };
+
 TEST(any_text_is_the_same_in_parts)
 {
     check_texts(ZR_FORMAT_STL, begin, pieces, PIECES - 1, "endsolid\n");
+}
+
+TEST(odd_text_is_the_same_in_parts)
+{
+    check_texts(ZR_FORMAT_STL, begin, odd_pieces, ODD_PIECES, "");
 }
 
 TEST(faults_are_the_same_in_their_order_with_their_lines)
