@@ -22,17 +22,20 @@ static void place(struct zr_query *query)
     if (instances) zr_scene_builder_place(builder, instances, count);
 }
 
+/* Colours with an alpha below 1 are blended: no parameter says so. */
 static void make_materials(struct zr_parsed_scene *root)
 {
     for (uint32_t i = 0; i < root->scene->mesh_count; i++) {
         struct zr_mesh *mesh = &root->builder->meshes[i];
-        const bool is_colored = mesh->colors || mesh->face_colors;
-        const struct zr_style style = {.face_style = zr_face_style_unset,
-                                       .is_open = true,
-                                       .has_faces = mesh->face_count > 0,
-                                       .number = i,
-                                       .alpha = zr_alpha_range_of(mesh->colors, mesh->position_count)};
-        mesh->material = zr_parsed_make_material(root, &style, is_colored, mesh->normal_count > 0 || mesh->colors);
+        struct zr_style style = {.face_style = zr_face_style_unset,
+                                 .is_open = true,
+                                 .has_faces = mesh->face_count > 0,
+                                 .number = i,
+                                 .alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
+                                                               zr_alpha_range_of(mesh->face_colors, mesh->face_count))};
+        if (style.alpha.least < 1.0f) style.face_style.alpha_mode = ZR_ALPHA_BLEND;
+        mesh->material = zr_parsed_make_material(root, &style, mesh->colors || mesh->face_colors,
+                                                 mesh->normal_count > 0 || mesh->colors);
     }
 }
 

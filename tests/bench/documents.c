@@ -159,6 +159,45 @@ struct document document_stl(const struct drawing *drawing)
     return finish(out, &document);
 }
 
+struct document document_ply(const struct drawing *drawing)
+{
+    struct document document = {NULL, 0};
+    FILE *out = open_memstream(&document.bytes, &document.size);
+    if (!out) return document;
+    fprintf(out,
+            "ply\nformat binary_little_endian 1.0\nelement vertex %u\nproperty float x\nproperty float y\n"
+            "property float z\nelement face %u\nproperty list uchar int vertex_indices\nend_header\n",
+            drawing->position_count, drawing->face_count);
+    for (uint32_t i = 0; i < drawing->position_count; i++) {
+        put_f32(out, drawing->positions[i].x);
+        put_f32(out, drawing->positions[i].y);
+        put_f32(out, drawing->positions[i].z);
+    }
+    for (uint32_t c = 0; c < drawing->corner_count; c++) {
+        if (c % 3 == 0) fputc(3, out);
+        put_u32(out, drawing->indices[c]);
+    }
+    return finish(out, &document);
+}
+
+struct document document_ply_text(const struct drawing *drawing)
+{
+    struct document document = {NULL, 0};
+    FILE *out = open_memstream(&document.bytes, &document.size);
+    if (!out) return document;
+    fprintf(out,
+            "ply\nformat ascii 1.0\nelement vertex %u\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face %u\nproperty list uchar int vertex_indices\nend_header\n",
+            drawing->position_count, drawing->face_count);
+    for (uint32_t i = 0; i < drawing->position_count; i++) {
+        const zr_vec4 *v = &drawing->positions[i];
+        fprintf(out, "%.7g %.7g %.7g\n", (double)v->x, (double)v->y, (double)v->z);
+    }
+    for (uint32_t c = 0; c < drawing->corner_count; c++)
+        fprintf(out, "%s%u%s", c % 3 ? " " : "3 ", drawing->indices[c], c % 3 == 2 ? "\n" : "");
+    return finish(out, &document);
+}
+
 struct document document_stl_text(const struct drawing *drawing)
 {
     struct document document = {NULL, 0};

@@ -32,5 +32,7 @@ struct document document_obj(const struct drawing *drawing);
 /* Of triangles. As text, laid out as most programs do it. */
 struct document document_stl(const struct drawing *drawing);
 struct document document_stl_text(const struct drawing *drawing);
+struct document document_ply(const struct drawing *drawing);
+struct document document_ply_text(const struct drawing *drawing);
 
 #endif

@@ -34,7 +34,9 @@ static const struct {
              {ZR_FORMAT_JSON, "JSON", "indexed spaced", document_spaced},
              {ZR_FORMAT_OBJ, "OBJ", "text", document_obj},
              {ZR_FORMAT_STL, "STL", "text", document_stl_text},
-             {ZR_FORMAT_STL, "STL", "binary", document_stl}};
+             {ZR_FORMAT_STL, "STL", "binary", document_stl},
+             {ZR_FORMAT_PLY, "PLY", "text", document_ply_text},
+             {ZR_FORMAT_PLY, "PLY", "binary", document_ply}};
 enum { FORMS = sizeof forms / sizeof forms[0] };
 
 struct task {

@@ -17,7 +17,7 @@ mkdir parts none bo
 triangle >part.stl
 cp part.stl other.stl && cp part.stl parts && : >empty.stl
 printf '<!DOCTYPE html><title>403</title>' >page.stl
-printf 'ISO-10303-21;\n' >part.step && printf 'ply\nformat ascii 1.0\n' >part.ply
+printf 'ISO-10303-21;\n' >part.step && printf 'OFF\n3 1 3\n' >part.off
 printf '{"polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >scene.json
 printf '{"polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
 printf '{"file": "part.stl"}\n{"file": "part.stl", "look": "clay"}\n' >twice.jsonl

@@ -20,7 +20,7 @@
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json",  "obj",  "stl",       "png",       "npy",
+static const char *const targets[] = {"json",  "obj",  "stl",       "ply",       "png", "npy",
                                       "array", "gzip", "multipart", "image_png", "jpeg"};
 
 static void fail(const char *what)
@@ -154,6 +154,41 @@ static void write_meshes(void)
     write_seed("stl", "binary-viscam", binary, sizeof binary);
     memcpy(binary, "COLOR=\xFF\xFF\0\xFF", 10);
     write_seed("stl", "binary-magics", binary, sizeof binary);
+}
+
+/* Vertices of ASCII in a header of that form; binary values are the machine's, which are little-endian. */
+static void write_plys(void)
+{
+#define XYZ "property float x\nproperty float y\nproperty float z\n"
+    static const struct text texts[] = {
+        {"colors", "ply\nformat ascii 1.0\ncomment TextureFile a.png\nelement vertex 4\n" XYZ
+                   "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+                   "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0 255 0 0 255\n"
+                   "1 0 0 0 255 0 128\n1 1 0 0 0 255 255\n0 1 0.5 9 9 9 0\n4 0 1 2 3\n3 0 1 2\n"},
+        {"faces", "ply\r\nformat ascii 1.0\r\nobj_info a b\r\nelement face 1\r\nproperty float red\r\n"
+                  "property float green\r\nproperty float blue\r\nproperty list int short vertex_index\r\n"
+                  "element vertex 3\r\nproperty double nx\r\nproperty double ny\r\nproperty double nz\r\n"
+                  "property list char float skipped\r\n" XYZ "property float s\nproperty float t\r\n"
+                  "end_header\r\n0 0.5 1 3 0 1 2\r\n0 0 1 0 0 0 0 1 0\r\n0 0 1 2 5 5 1 0 0 0 1\r\n"
+                  "0 0 0 1 9 0 1 0 1 1\r\n"},
+        {"cloud", "ply\rformat ascii 1.0\relement vertex 2\rproperty short x\rproperty int y\rproperty char z\r"
+                  "element other 1\rproperty list uchar int a\rend_header\r1 2 3\r4 5 6\r2 7 8\r"},
+        {"strips", "ply\nformat ascii 1.0\nelement vertex 4\n" XYZ "element tristrips 1\n"
+                   "property list int int vertex_indices\nelement edge 1\nproperty int vertex1\n"
+                   "property int vertex2\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 nan\n8 0 1 2 -1 0 1 2 0\n0 2\n"},
+    };
+    static const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    static const unsigned char face[2][13] = {{3, 0, 0, 0, 0, 1, 0, 0, 0, 2}, {3, 2, 0, 0, 0, 1, 0, 0, 0, 0}};
+    static const char header[] = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" XYZ
+                                 "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+    unsigned char binary[sizeof header + sizeof corners + sizeof face];
+    size_t size = sizeof header - 1;
+    memcpy(binary, header, size);
+    memcpy(binary + size, corners, sizeof corners);
+    memcpy(binary + size + sizeof corners, face, sizeof face);
+    WRITE_TEXTS("ply", texts);
+    write_seed("ply", "binary", binary, size + sizeof corners + sizeof face);
+#undef XYZ
 }
 
 /* ---- pictures ---- */
@@ -326,6 +361,7 @@ int main(int count, char **arguments)
         make_folder(targets[i]);
     write_scenes();
     write_meshes();
+    write_plys();
     write_pictures();
     write_jpegs();
     write_arrays();

@@ -22,6 +22,10 @@ verdict "no folder's name is left open" sh -c "! grep -rn '@[a-z]*@' '$root$pref
 
 export PKG_CONFIG_SYSROOT_DIR="$root" PKG_CONFIG_PATH="$root$prefix/lib/pkgconfig"
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n' >"$work/part.obj"
+{
+    printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n'
+    printf 'element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n4 0 1 2 3\n'
+} >"$work/part.ply"
 triangle >"$work/part.stl"
 cp clients/examples/solids.json "$work/solids.zraster.json"
 verdict "pkg-config knows the header's version" [ "$(pkg-config --modversion zraster)" = \
@@ -55,6 +59,7 @@ thumbnail() { # THUMBNAILER FILE OPTION...
 if mkdir "$work/try" && sandbox "$work/try" "$work/part.stl" true; then
     verdict "in a sandbox, the thumbnail of an STL has the command's bytes" thumbnail zraster.thumbnailer "$work/part.stl" -s 128
     verdict "of an OBJ" thumbnail zraster.thumbnailer "$work/part.obj" -s 128
+    verdict "of a PLY" thumbnail zraster.thumbnailer "$work/part.ply" -s 128
     verdict "of a scene" thumbnail zraster-scene.thumbnailer "$work/solids.zraster.json" -c color
     verdict "and a file that is no STL fails" eval '! thumbnail zraster.thumbnailer Makefile'
 else
@@ -64,6 +69,7 @@ if command -v update-mime-database >/dev/null; then
     verdict "the MIME types are read" update-mime-database "$root$prefix/share/mime"
     verdict "a scene has one" grep -q '^50:application/vnd.zraster+json:\*.zraster.json$' "$root$prefix/share/mime/globs2"
     verdict "an OBJ is no drawing of TGIF" grep -q '^60:model/obj:\*.obj$' "$root$prefix/share/mime/globs2"
+    verdict "a PLY has one" grep -q '^50:model/ply:\*.ply$' "$root$prefix/share/mime/globs2"
     find "$root$prefix/share/mime" ! -type d ! -path '*/packages/*' -delete
 else
     skip "MIME types" "update-mime-database is missing"

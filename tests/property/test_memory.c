@@ -57,6 +57,10 @@ static const struct sample samples[] = {
     {"STL with quads", ZR_FORMAT_STL,
      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 "
      "0\nendloop\nendfacet\n"},
+    {"PLY", ZR_FORMAT_PLY,
+     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar "
+     "red\nproperty uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int "
+     "vertex_indices\nend_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n"},
 };
 
 /* Allocations are rounded up to STEP, so that no ceiling between two of these is another one. Where one large

@@ -1,0 +1,131 @@
+/* ply_file.h - input: a PLY file while its elements are read, in the order of the file.
+ *
+ * Binary vertices without lists, and binary faces that are all triangles, are read by all threads (ply_vertices.c,
+ * ply_triangles.c). Other elements are read record by record by one thread (ply_records.c).
+ */
+#ifndef ZR_PLY_FILE_H
+#define ZR_PLY_FILE_H
+
+#include <stdatomic.h>
+
+#include "core.h"
+#include "input/ply_header.h"
+#include "scene/scene_builder.h"
+
+/* Values that are drawn. Three of a group belong together. */
+enum zr_ply_slot {
+    ZR_PLY_X,
+    ZR_PLY_Y,
+    ZR_PLY_Z,
+    ZR_PLY_NX,
+    ZR_PLY_NY,
+    ZR_PLY_NZ,
+    ZR_PLY_RED,
+    ZR_PLY_GREEN,
+    ZR_PLY_BLUE,
+    ZR_PLY_ALPHA,
+    ZR_PLY_S,
+    ZR_PLY_T,
+    ZR_PLY_VERTEX1,
+    ZR_PLY_VERTEX2,
+    ZR_PLY_SLOTS
+};
+
+/* The largest number of vertices, faces, corners or edges. */
+enum { ZR_PLY_COUNT_MAX = 1 << 30 };
+
+enum zr_ply_kind { ZR_PLY_VERTEX, ZR_PLY_FACE, ZR_PLY_STRIPS, ZR_PLY_EDGE, ZR_PLY_OTHER };
+
+/* The properties of an element that are drawn; NULL: there is none. */
+struct zr_ply_plan {
+    enum zr_ply_kind kind;
+    const struct zr_ply_element *element;
+    const struct zr_ply_property *slots[ZR_PLY_SLOTS];
+    const struct zr_ply_property *indices; /* the list of vertices */
+};
+
+/* Polygons, as many as have been read. */
+struct zr_ply_faces {
+    size_t count, corner_count;
+    size_t room, corner_room;
+    uint32_t *offsets; /* room + 1; NULL: triangles */
+    uint32_t *indices; /* corner_room */
+    zr_vec4 *colors;   /* room; NULL: faces have no colours */
+};
+
+/* What was left out, replaced or is odd, for warnings, and the first of each. */
+struct zr_ply_oddities {
+    size_t small_faces, first_small_face;
+    size_t broken_lines, first_broken_line; /* records of ASCII that are not one line each */
+    size_t broken_record;
+    struct zr_ply_word broken_name;
+    size_t trailing_bytes;
+};
+
+struct zr_ply_file {
+    struct zr_arena *arena;
+    struct zr_team *team;
+    const struct zr_cancel *cancel;
+    const struct zr_limits *limits;
+    struct zr_error *error;
+    struct zr_ply_header header;
+    const char *at, *end; /* bytes that are not read yet */
+    size_t line;          /* ASCII: of `at` */
+    size_t last_line;     /* ASCII: in which the last record ended */
+    size_t vertex_count;
+    zr_vec4 *positions; /* a hole, a vertex that is not finite, has a NaN for x */
+    zr_vec4 *colors, *texcoords;
+    zr_vec3 *normals;
+    atomic_bool has_holes, has_odd_colors;
+    bool faces_have_colors;
+    struct zr_ply_faces faces;
+    size_t line_count;
+    uint32_t *lines;
+    struct zr_ply_oddities odd;
+};
+
+/* ply_plan.c: finds the properties of an element that are drawn. */
+struct zr_ply_plan zr_ply_plan_of(const struct zr_ply_element *element);
+
+/* A value of this type is multiplied by it to be a colour of 0 to 1. */
+double zr_ply_color_scale(enum zr_ply_type type);
+
+/* Values of up to ZR_PLY_BLOCK records, a column per slot. */
+enum { ZR_PLY_BLOCK = 256 };
+struct zr_ply_columns {
+    double values[ZR_PLY_SLOTS][ZR_PLY_BLOCK];
+};
+
+/* Stores vertices first..first + count - 1. Reports those beyond the limit, up to `faults` faults. */
+void zr_ply_store_vertices(struct zr_ply_file *file, const struct zr_ply_plan *plan,
+                           const struct zr_ply_columns *columns, size_t first, size_t count, size_t faults,
+                           struct zr_error *error);
+
+/* Stores colours as they are, perhaps beyond 0 to 1, which sets has_odd_colors. */
+void zr_ply_store_colors(struct zr_ply_file *file, const struct zr_ply_plan *plan, const struct zr_ply_columns *columns,
+                         size_t count, zr_vec4 *out);
+
+/* Allocates the arrays of the vertices. False without memory. */
+bool zr_ply_make_vertices(struct zr_ply_file *file, const struct zr_ply_plan *plan);
+
+/* Reads the vertices of a binary file, whose records have no lists. The bytes are there. */
+enum zr_status zr_ply_read_vertices(struct zr_ply_file *file, const struct zr_ply_plan *plan);
+
+/* Reads binary faces up to the first that is no triangle or has a fault. Returns the number of faces read. */
+size_t zr_ply_read_triangles(struct zr_ply_file *file, const struct zr_ply_plan *plan);
+
+/* Reads the records of any element from number `first` on. */
+enum zr_status zr_ply_read_records(struct zr_ply_file *file, const struct zr_ply_plan *plan, size_t first);
+
+/* ply_finish.c: makes the mesh of what was read, and the warnings. */
+enum zr_status zr_ply_finish(struct zr_ply_file *file, struct zr_scene_builder *builder);
+
+/* ---- ply_faces.c ---- */
+
+/* Makes room for so many faces and corners more, and the offsets if there are none yet. False without memory. */
+bool zr_ply_faces_reserve(struct zr_ply_file *file, size_t faces, size_t corners);
+
+/* Ends a face whose corners are the last `corners` of the indices. `color` may be NULL: white. False without memory. */
+bool zr_ply_faces_end(struct zr_ply_file *file, const zr_vec4 *color);
+
+#endif
