@@ -80,7 +80,7 @@ static bool read_no_number(const char *at, size_t size, double *value)
     for (size_t i = 0; i < size && i < 3; i++)
         word[i] = (char)(at[i] | 0x20);
     const bool is_none = strcmp(word, "nan") == 0 || strcmp(word, "inf") == 0 || (size > 2 && memchr(at, '#', size));
-    if (is_none) *value = NAN;
+    if (is_none) *value = (double)NAN;
     return is_none;
 }
 
