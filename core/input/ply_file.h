@@ -1,7 +1,7 @@
 /* ply_file.h - input: a PLY file while its elements are read, in the order of the file.
  *
  * Binary vertices without lists, and binary faces that are all triangles, are read by all threads (ply_vertices.c,
- * ply_triangles.c). Other elements are read record by record by one thread (ply_records.c).
+ * ply_faces.c). Other elements are read record by record by one thread (ply_records.c).
  */
 #ifndef ZR_PLY_FILE_H
 #define ZR_PLY_FILE_H

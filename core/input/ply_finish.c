@@ -188,7 +188,7 @@ static void warn_of_oddities(const struct zr_ply_file *file, struct zr_scene_bui
 
 /* ---- the whole ---- */
 
-/* Moves the indices' end to what is used, and takes the arrays of all faces. */
+/* Takes the arrays of all faces. Without offsets they are triangles. */
 static void take_faces(struct zr_ply_file *file, struct zr_mesh *mesh)
 {
     const struct zr_ply_faces *faces = &file->faces;

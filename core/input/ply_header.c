@@ -25,7 +25,6 @@ struct reader {
     const char *at, *end;
     char line_end; /* '\n', or '\r' if no '\n' follows the one of the first line */
     struct zr_ply_header *header;
-    struct zr_arena *arena;
     struct zr_error *error;
     bool has_form;
     struct zr_ply_property *properties; /* room for those to come */
@@ -237,7 +236,7 @@ enum zr_status zr_ply_read_header(struct zr_arena *arena, const char *bytes, siz
                                   struct zr_error *error)
 {
     const size_t searched = size < ZR_PLY_HEADER_MAX ? size : ZR_PLY_HEADER_MAX;
-    struct reader reader = {.at = bytes, .end = bytes + searched, .header = header, .arena = arena, .error = error};
+    struct reader reader = {.at = bytes, .end = bytes + searched, .header = header, .error = error};
     struct line line;
     bool is_end = false;
     *header = (struct zr_ply_header){.form = ZR_PLY_ASCII};
