@@ -138,6 +138,12 @@ static bool is_option(const char *text)
     return text[0] == '-' && (text[1] == '-' || isalpha((unsigned char)text[1]));
 }
 
+/* Returns true for "-x", "-y" and "-z", which are no options. */
+static bool is_axis(const char *text)
+{
+    return text[0] == '-' && text[1] >= 'x' && text[1] <= 'z' && text[2] == '\0';
+}
+
 static int missing(const struct found *found, const char *flag, size_t length)
 {
     const char *value = found->row ? found->row->value : found->parameter->value;
@@ -185,7 +191,9 @@ static int read_option(int count, const char **arguments, int *at, struct option
     if (is_boolean && !inside && (*at + 1 >= count || !is_truth(arguments[*at + 1])))
         return store(options, &found, "true");
     const char *value = inside ? inside : *at + 1 < count ? arguments[++*at] : "";
-    if (*value == '\0' || (!inside && is_option(value))) return missing(&found, flag, length);
+    const bool may_be_axis = found.parameter && strcmp(found.parameter->value, "AXIS") == 0;
+    if (*value == '\0' || (!inside && is_option(value) && !(may_be_axis && is_axis(value))))
+        return missing(&found, flag, length);
     return store(options, &found, value);
 }
 

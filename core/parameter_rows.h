@@ -11,6 +11,7 @@
 #define ZR_PARAMETER_KINDS(KIND)                                                                                       \
     KIND(NAME, "NAME")                                                                                                 \
     KIND(NAME_OR_FALSE, "NAME")                                                                                        \
+    KIND(AXIS, "AXIS") /* x, -x and so on: a command line takes -x for the value */                                    \
     KIND(BOOL, "[BOOL]")                                                                                               \
     KIND(COUNT, "COUNT")     /* one of the numbers that the key allows */                                              \
     KIND(NUMBER, "NUMBER")   /* within the range of the key */                                                         \
@@ -46,7 +47,8 @@
     ROW(azimuth, "/view/azimuthDegrees", MESH, DEGREES, "angle of the camera to the right of the front")               \
     ROW(elevation, "/view/elevationDegrees", MESH, DEGREES, "angle of the camera above the horizon, -90 to 90")        \
     ROW(padding, "/view/fit/padding", MESH, NUMBER, "share of the window left free on each side, 0 to 0.45")           \
-    ROW(up, "/query/up", MESH, NAME, "axis of the mesh that points up: y or z (default: z for STL, else y)")           \
+    ROW(up, "/query/up", MESH, AXIS,                                                                                   \
+        "axis of the mesh that points up: x, -x, y, -y, z, -z or auto (default: z for STL, else y)")                   \
     ROW(projection, "/query/projection", MESH, NAME,                                                                   \
         "kind of camera: orthographic or perspective (default: the look's)")                                           \
     ROW(shading, "/shading", MESH, NAME, "model of reflection: " ZR_SHADING_LIST "or the look's (default)")            \

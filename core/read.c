@@ -108,6 +108,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     zr_view_matrices_warn(arena, &scene->views[0], &builder.warnings);
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    zr_query_orient(&query);
     status = validate(request, scene, limits, error);
     if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, error);
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;

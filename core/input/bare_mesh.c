@@ -5,21 +5,15 @@
 #include "input/parameters.h"
 #include "scene/defaults.h"
 
-/* Returns the rotation that turns the mesh's up axis to y. */
-static zr_mat4 upright(bool z_is_up)
-{
-    if (!z_is_up) return zr_mat4_identity();
-    return (zr_mat4){{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}};
-}
-
+/* Places the meshes in their own axes; zr_query_orient turns them. */
 static void place(struct zr_query *query)
 {
     struct zr_scene_builder *builder = query->given.builder;
     const uint32_t count = builder->scene->mesh_count;
-    struct zr_instance *instances = zr_arena_alloc(builder->arena, count, sizeof *instances);
-    for (uint32_t i = 0; instances && i < count; i++)
-        instances[i] = (struct zr_instance){.mesh = i, .object_to_world = upright(query->z_is_up)};
-    if (instances) zr_scene_builder_place(builder, instances, count);
+    query->instances = zr_arena_alloc(builder->arena, count, sizeof *query->instances);
+    for (uint32_t i = 0; query->instances && i < count; i++)
+        query->instances[i] = (struct zr_instance){.mesh = i, .object_to_world = zr_mat4_identity()};
+    if (query->instances) zr_scene_builder_place(builder, query->instances, count);
 }
 
 /* Colours with an alpha below 1 are blended: no parameter says so. */

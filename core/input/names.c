@@ -8,6 +8,7 @@
 #include "input/text.h"
 #include "scene/colormap.h"
 #include "scene/looks.h"
+#include "scene/mesh_up.h"
 
 #define WORD(ID, word, ...) word,
 static const char *const shadings[] = {ZR_SHADINGS(WORD)};
@@ -15,6 +16,7 @@ static const char *const shadings[] = {ZR_SHADINGS(WORD)};
 static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
 static const char *const algorithms[] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
 static const char *const axes[] = {"y", "z"};
+static const char *const mesh_axes[] = {"x", "-x", "y", "-y", "z", "-z", "auto"};
 static const char *const colormaps[] = {"viridis", "turbo", "gray", "coolwarm"};
 static const char *const compressions[] = {"fast", "small"};
 
@@ -25,6 +27,7 @@ const struct zr_names zr_alpha_mode_names = ZR_NAMES(ZR_ALPHA_COUNT, alpha_modes
 const struct zr_names zr_preset_names = ZR_NAMES(ZR_PRESET_COUNT, presets);
 const struct zr_names zr_algorithm_names = ZR_NAMES(ZR_ALGORITHM_COUNT, algorithms);
 const struct zr_names zr_up_names = ZR_NAMES(2, axes);
+const struct zr_names zr_mesh_up_names = ZR_NAMES(ZR_MESH_UP_COUNT, mesh_axes);
 const struct zr_names zr_colormap_names = ZR_NAMES(ZR_COLORMAP_COUNT, colormaps);
 const struct zr_names zr_compress_names = ZR_NAMES(ZR_COMPRESS_COUNT, compressions);
 

@@ -14,6 +14,7 @@
 #include "input/parameter_names.h"
 #include "input/text.h"
 #include "scene/defaults.h"
+#include "scene/mesh_up.h"
 
 /* ---- the tables ---- */
 
@@ -52,7 +53,7 @@ static const struct zr_names projection_names = ZR_NAMES(2, projections);
 static const struct zr_json_field query_fields[] = {
     {"compress", zr_json_choice, AT(compress), .words = &zr_compress_names, .text = "compression of PNGs"},
     {"strict", zr_json_bool, AT(is_strict), .text = "errors instead of warnings"},
-    {"up", zr_read_up, AT(z_is_up), .words = &zr_up_names, .text = "axis of the mesh that points up"},
+    {"up", zr_json_choice, AT(up), .words = &zr_mesh_up_names, .text = "axis of the mesh that points up"},
     {"projection", zr_json_choice, AT(projection), .words = &projection_names,
      .text = "kind of projection, with the look's angle of view"}};
 #undef AT
@@ -252,6 +253,7 @@ static bool put_value(const struct reading *r, struct zr_json_writer *json, cons
     static bool (*const by_kind[])(const struct reading *, struct zr_json_writer *, const struct row *,
                                    const char *) = {[KIND_NAME] = put_name,
                                                     [KIND_NAME_OR_FALSE] = put_name,
+                                                    [KIND_AXIS] = put_name,
                                                     [KIND_BOOL] = put_flag,
                                                     [KIND_COUNT] = put_count,
                                                     [KIND_NUMBER] = put_in_range,
@@ -419,7 +421,7 @@ static void open_query(const struct zr_request *request, const struct zr_limits 
                                          .face_style = zr_face_style_unset},
                                .compress = ZR_UNSET,
                                .projection = ZR_UNSET,
-                               .z_is_up = format->z_is_up};
+                               .up = ZR_UNSET};
     if (format->has_view) return;
     /* A key of the query's view overrides that key of the look's view. */
     given->look = request->look ? zr_look_find(request->look) : NULL;

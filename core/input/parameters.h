@@ -13,8 +13,9 @@ struct zr_query {
     const struct zr_request *request;
     struct zr_parsed_scene given; /* scene keys of the query; .scene: the builder's for a bare mesh, else `others` */
     struct zr_scene others;       /* values of the query that override a JSON scene: outputs and the colour bar */
-    int compress, projection;     /* ZR_UNSET: not given */
-    bool is_strict, z_is_up;
+    int compress, projection, up; /* ZR_UNSET: not given; up: enum zr_mesh_up */
+    bool is_strict;
+    struct zr_instance *instances; /* of a bare mesh, one per mesh */
 };
 
 /* Reads the query before the body; the request's format is known. builder->scene has its defaults. Fails with
@@ -25,6 +26,10 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
 /* Applies the query once the body is read: its keys override those of a JSON scene, or make a scene of a bare mesh.
  * Fails with ZR_BAD_SCENE or ZR_NO_MEMORY. */
 enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error);
+
+/* Turns a bare mesh upright, and sets its view if it is flat and the request gives none. Runs once the builder is
+ * closed. Does nothing for scenes. */
+void zr_query_orient(const struct zr_query *query);
 
 /* Reports faults of keys under the names of their parameters. Faults elsewhere keep their pointers. */
 void zr_query_report(const struct zr_request *request, enum zr_status status, const struct zr_error *faults,

@@ -28,6 +28,8 @@ check "--output is -o" 0 "$zraster" part.stl --output third.png -W 80
 verdict "a width alone keeps 4:3" [ "$(size_of_png third.png)" = 80x60 ]
 "$zraster" - -s64x48 <part.stl >piped.png 2>"$complained"
 verdict "a pipe gets the picture" [ "$(size_of_png piped.png)" = 64x48 ]
+check "-z is an axis" 0 "$zraster" part.stl up.png --up -z -s 8
+check "so it is behind =" 0 "$zraster" part.stl up.png --up=-x -s 8
 check "-v reports the output" 0 "$zraster" part.stl -s 64x48 -v
 verdict "in one line" grep -qE '^part.png  64x48  studio  [0-9]+ ms' "$complained"
 cmp -s part.png piped.png

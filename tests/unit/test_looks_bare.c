@@ -2,7 +2,7 @@
 #include "looks_check.h"
 #include "support/tests.h"
 
-#define MESH "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+#define MESH "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n"
 
 static struct reading *read_mesh(struct zr_request request)
 {

@@ -193,7 +193,7 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .elevation = "90.1"}, "elevation: '90.1' is not a number of degrees from -90 to 90"},
         {{.format = ZR_FORMAT_OBJ, .elevation = "1", .preset = "top"}, "preset: two poses: preset and elevation"},
         {{.format = ZR_FORMAT_OBJ, .azimuth = "1", .preset = "top"}, "preset: two poses: preset and azimuth"},
-        {{.format = ZR_FORMAT_OBJ, .up = "x"}, "up: 'x' is unknown; allowed: y, z"},
+        {{.format = ZR_FORMAT_OBJ, .up = "w"}, "up: 'w' is unknown; allowed: x, -x, y, -y, z, -z, auto"},
         {{.format = ZR_FORMAT_OBJ, .projection = "fisheye"}, "allowed: orthographic, perspective"},
         {{.format = ZR_FORMAT_OBJ, .color = "reddish"}, "color: 'reddish' is not a colour"},
         {{.format = ZR_FORMAT_OBJ, .color = "#ff000080"}, "color: '#ff000080' is not opaque"},

@@ -1,0 +1,37 @@
+/* Turns a bare mesh upright, and shows it face on if it is flat. */
+#include "input/formats.h"
+#include "input/kept.h"
+#include "input/parameters.h"
+#include "scene/face_on.h"
+#include "scene/mesh_up.h"
+
+static void turn(const struct zr_query *query)
+{
+    const struct zr_scene_builder *builder = query->given.builder;
+    const struct zr_scene *scene = builder->scene;
+    enum zr_mesh_up up = zr_format_rows[query->request->format].z_is_up ? ZR_MESH_UP_Z : ZR_MESH_UP_Y;
+    if (query->up == ZR_MESH_UP_AUTO)
+        up = zr_mesh_up_find(scene, up, builder->team, query->request->cancel);
+    else if (query->up != ZR_UNSET)
+        up = (enum zr_mesh_up)query->up;
+    for (uint32_t i = 0; i < scene->instance_count; i++)
+        query->instances[i].object_to_world = zr_mesh_up_turn(up);
+}
+
+static void show_face_on(const struct zr_query *query)
+{
+    const struct zr_scene_builder *builder = query->given.builder;
+    const struct zr_request *request = query->request;
+    struct zr_view *view = &builder->scene->views[0];
+    const bool has_view = request->preset || request->azimuth || request->elevation ||
+                          (builder->keeping && builder->keeping->has_view);
+    if (has_view || builder->scene->picture.z_is_up) return;
+    if (zr_face_on_find(builder->scene, builder->team, request->cancel, &view->preset)) view->pose = ZR_POSE_PRESET;
+}
+
+void zr_query_orient(const struct zr_query *query)
+{
+    if (zr_format_rows[query->request->format].has_view) return;
+    turn(query);
+    show_face_on(query);
+}
