@@ -19,11 +19,16 @@ enum {
     LINES,
     POINTS,
     POINT_SIZE,
+    POINT_SHAPE,
     HEIGHTS,
     TEXCOORDS,
     TEXCOORDS1,
     TANGENTS
 };
+enum { SQUARE, ROUND, POINT_SHAPES };
+static const char *const point_shapes[] = {"square", "round"};
+static const struct zr_names point_shape_names = ZR_NAMES(POINT_SHAPES, point_shapes);
+
 #define AT(member) offsetof(struct zr_parsed_mesh, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .text = "name for nodes, fit and the output info"},
@@ -38,7 +43,9 @@ static const struct zr_json_field fields[] = {
     [LINES] = {"lines", zr_read_mesh_lines, 0, .text = "lines: each two indices of positions"},
     [POINTS] = {"points", zr_read_mesh_points, 0, .text = "points: indices of positions"},
     [POINT_SIZE] = {"pointSize", zr_json_float, AT(point_size), 1, POINT_SIZE_MAX, .unit = "pixels", .otherwise = "1",
-                    .text = "side of a point, which is a square"},
+                    .text = "width of a point"},
+    [POINT_SHAPE] = {"pointShape", zr_json_choice, AT(point_shape), .words = &point_shape_names, .otherwise = "square",
+                     .text = "square, or round: a regular octagon"},
     [HEIGHTS] = {"heights", zr_read_heights, AT(heights), .unit = "scene units",
                  .text = "grid of heights instead of positions and faces"},
     [TEXCOORDS] = {"texcoords", zr_read_mesh_texcoords, AT(texcoords),
@@ -209,6 +216,7 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
         make_faces(json, path, given, mesh);
         make_points(json, path, &given->points, mesh);
         mesh->point_size = given->point_size;
+        mesh->points_are_round = given->point_shape == ROUND;
     }
     mesh->normals = one_each(json, path, given, NORMALS, &given->normals, mesh->position_count, "positions");
     mesh->normal_count = mesh->normals ? mesh->position_count : 0;

@@ -36,6 +36,7 @@ struct zr_parsed_mesh {
     struct zr_parsed_lines lines;
     struct zr_parsed_points points;
     float point_size;
+    int point_shape;
     struct zr_heights heights;
     struct zr_scalars scalars;
 };

@@ -20,6 +20,12 @@ int32_t zr_point_width(float size, float scale)
     return width > 1 ? width : 1;
 }
 
+/* A regular octagon lacks 1 - 1 / sqrt(2) = 0.293 of its width. */
+int32_t zr_point_cut(const struct zr_mesh *mesh, int32_t width)
+{
+    return mesh->points_are_round ? width * 3 / 10 : 0;
+}
+
 static const struct zr_window_vertex *middle_of(const struct zr_geometry *geometry, const struct zr_draw *draw,
                                                 uint32_t number)
 {
@@ -52,7 +58,11 @@ void zr_point_draw(const struct zr_geometry *geometry, const struct zr_draw *dra
     const float depth = zr_depth_clamp(middle_of(geometry, draw, number)->z);
     int32_t box[4];
     zr_point_box(geometry, draw, number, box);
-    for (int32_t y = box[1] > tile->y ? box[1] : tile->y; y <= box[3] && y <= last_y; y++)
-        for (int32_t x = box[0] > tile->x ? box[0] : tile->x; x <= box[2] && x <= last_x; x++)
+    const int32_t cut = zr_point_cut(draw->mesh, box[2] - box[0] + 1);
+    for (int32_t y = box[1] > tile->y ? box[1] : tile->y; y <= box[3] && y <= last_y; y++) {
+        const int32_t row = y - box[1] < box[3] - y ? y - box[1] : box[3] - y, lacks = row < cut ? cut - row : 0;
+        const int32_t first = box[0] + lacks, last = box[2] - lacks;
+        for (int32_t x = first > tile->x ? first : tile->x; x <= last && x <= last_x; x++)
             zr_tile_put(tile, x, y, depth, number + 1);
+    }
 }

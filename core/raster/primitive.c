@@ -90,13 +90,20 @@ static void add_line_edges(struct zr_primitive *primitive, const struct zr_geome
         add_edge(primitive, c.x[k], c.y[k], c.x[(k + 1) % 4], c.y[(k + 1) % 4]);
 }
 
-/* Adds edges around the centres of the pixels; left and bottom centres lie on the edges. */
-static void add_point_edges(struct zr_primitive *primitive, const int32_t box[4])
+/* Adds edges around the centres of the pixels; left and bottom centres lie on the edges. So the upper corners of an
+ * octagon are cut by one pixel more: their last row lies below the end of the box. */
+static void add_point_edges(struct zr_primitive *primitive, const struct zr_mesh *mesh, const int32_t box[4])
 {
+    const int32_t cut = zr_point_cut(mesh, box[2] - box[0] + 1), low = cut * ZR_SUBPIXELS;
+    const int32_t high = cut > 0 ? low + ZR_SUBPIXELS : 0;
     const int32_t x0 = box[0] * ZR_SUBPIXELS, x1 = (box[2] + 1) * ZR_SUBPIXELS;
     const int32_t y0 = box[1] * ZR_SUBPIXELS, y1 = (box[3] + 1) * ZR_SUBPIXELS;
-    add_edge(primitive, x0, y0, x0, y1);
-    add_edge(primitive, x1, y0, x1, y1);
+    add_edge(primitive, x0 + low, y0, x0, y0 + low);
+    add_edge(primitive, x0, y0 + low, x0, y1 - high);
+    add_edge(primitive, x0, y1 - high, x0 + high, y1);
+    add_edge(primitive, x1 - low, y0, x1, y0 + low);
+    add_edge(primitive, x1, y0 + low, x1, y1 - high);
+    add_edge(primitive, x1, y1 - high, x1 - high, y1);
 }
 
 void zr_primitive_make(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t first, uint32_t width,
@@ -116,7 +123,7 @@ void zr_primitive_make(const struct zr_geometry *geometry, const struct zr_draw 
         return;
     }
     if (draw->kind == ZR_DRAW_POINTS)
-        add_point_edges(primitive, box);
+        add_point_edges(primitive, draw->mesh, box);
     else if (triangle.line)
         add_line_edges(primitive, geometry, &triangle);
     else

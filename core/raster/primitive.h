@@ -18,7 +18,7 @@ struct zr_primitive {
     uint32_t first, count;      /* numbers of its triangles, or the number of its line or point */
     uint32_t edge_count;
     const struct zr_grid_edge *shape_edges; /* NULL: own_edges */
-    struct zr_grid_edge own_edges[4];       /* of a triangle, a line or a point */
+    struct zr_grid_edge own_edges[6];       /* of a triangle, a line or a point */
     struct zr_depth depth;                  /* of the first triangle */
     int32_t min_x, min_y, max_x, max_y;     /* pixels of its box within the window, inclusive; none if min > max */
 };

@@ -87,6 +87,7 @@ struct zr_mesh {
     uint32_t point_count;
     const uint32_t *points; /* into positions */
     float point_size;       /* pixels; below 1 it is 1 */
+    bool points_are_round;  /* regular octagons, else squares */
 
     uint32_t normal_count;          /* 0: normals are computed */
     const zr_vec3 *normals;         /* of any length; zero normals are replaced by computed ones */

@@ -27,7 +27,7 @@ static inline void assert_same_mesh(const struct zr_mesh *a, const struct zr_mes
         assert_same_array(a->ring_offsets, b->ring_offsets, a->face_rings[a->face_count] + 1, sizeof *a->ring_offsets);
     assert_same_array(a->lines, b->lines, a->line_count, 2 * sizeof *a->lines);
     assert_int_equal(a->point_count, b->point_count);
-    assert_true(a->point_size == b->point_size);
+    assert_true(a->point_size == b->point_size && a->points_are_round == b->points_are_round);
     assert_same_array(a->points, b->points, a->point_count, sizeof *a->points);
     assert_same_array(a->normals, b->normals, a->normal_count, sizeof *a->normals);
     assert_same_array(a->normal_indices, b->normal_indices, corners, sizeof *a->normal_indices);

@@ -86,6 +86,54 @@ TEST_AROUND(info_lists_points_behind_faces, open_arena, close_arena)
 
 /* ---- how scenes give them ---- */
 
+/* Rows of a point from its lower end on: pixels that are missing at either side. */
+TEST(round_points_are_octagons)
+{
+    static const struct {
+        int32_t width, cut;
+    } cases[] = {{1, 0}, {2, 0}, {3, 0}, {4, 1}, {7, 2}, {10, 3}, {16, 4}, {64, 19}, {512, 153}};
+    const struct zr_mesh square = {.points_are_round = false}, round = {.points_are_round = true};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        assert_int_equal(zr_point_cut(&round, cases[i].width), cases[i].cut);
+        assert_int_equal(zr_point_cut(&square, cases[i].width), 0);
+    }
+}
+
+/* Counts the pixels of a point in the middle of the window, which has the same picture by all algorithms. */
+TEST_AROUND(round_points_lack_their_corners_by_every_algorithm, open_arena, close_arena)
+{
+    static const uint32_t points[] = {3};
+    static const struct {
+        float size;
+        uint32_t pixels;
+    } cases[] = {{1, 1}, {3, 9}, {4, 12}, {5, 21}, {10, 76}, {31, 781}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int algorithm = 0; algorithm < ZR_ALGORITHM_COUNT; algorithm++) {
+            static struct test_scene test;
+            struct zr_mesh *mesh = scene_of_points(&test, cases[i].size);
+            uint32_t covered = 0;
+            mesh->face_count = 0;
+            mesh->points = points;
+            mesh->point_count = 1;
+            mesh->points_are_round = true;
+            test.scene.algorithm = (enum zr_algorithm)algorithm;
+            const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+            for (size_t at = 0; at < 64 * 64; at++)
+                covered += frame->face_id[at] != 0;
+            assert_int_equal(covered, cases[i].pixels);
+        }
+}
+
+TEST(points_have_a_shape)
+{
+    struct reading *reading = read_scene("{\"meshes\": [{" POSITIONS ", \"points\": [0], \"pointShape\": \"round\"}, {" POSITIONS
+                                         ", \"points\": [0], \"pointShape\": \"square\"}, {" POSITIONS ", \"points\": [3]}]}");
+    assert_read(reading);
+    for (int i = 0; i < 3; i++)
+        assert_true(reading->scene->meshes[i].points_are_round == (i == 0));
+    reading_free(reading);
+}
+
 TEST(points_are_indices_of_positions)
 {
     static const uint32_t points[3] = {2, 0, 2};
