@@ -1,4 +1,5 @@
 /* Makes a scene of a bare mesh: {"meshes": [the body]}, with the keys of the query and the look studio by default. */
+#include "input/cloud.h"
 #include "input/formats.h"
 #include "input/input.h"
 #include "input/kept.h"
@@ -73,7 +74,9 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
     root->json.error = &faults;
     zr_parsed_use_look(root);
     if (!keeping || !keeping->has_view) use_projection(query);
+    const bool has_ink = zr_cloud_take_edges(root);
     make_materials(root);
+    if (has_ink) zr_cloud_draw_in_ink(query);
     zr_parsed_check_light(root);
     place(query);
     warn(root, query->request);

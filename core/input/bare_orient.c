@@ -1,4 +1,5 @@
 /* Turns a bare mesh upright, and shows it face on if it is flat. */
+#include "input/cloud.h"
 #include "input/formats.h"
 #include "input/kept.h"
 #include "input/parameters.h"
@@ -32,6 +33,7 @@ static void show_face_on(const struct zr_query *query)
 void zr_query_orient(const struct zr_query *query)
 {
     if (zr_format_rows[query->request->format].has_view) return;
+    zr_cloud_size_points(query);
     turn(query);
     show_face_on(query);
 }

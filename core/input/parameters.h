@@ -27,8 +27,8 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
  * Fails with ZR_BAD_SCENE or ZR_NO_MEMORY. */
 enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error);
 
-/* Turns a bare mesh upright, and sets its view if it is flat and the request gives none. Runs once the builder is
- * closed. Does nothing for scenes. */
+/* Turns a bare mesh upright, sets its view if it is flat and the request gives none, and the size of its points. Runs
+ * once the builder is closed. Does nothing for scenes. */
 void zr_query_orient(const struct zr_query *query);
 
 /* Reports faults of keys under the names of their parameters. Faults elsewhere keep their pointers. */

@@ -1,0 +1,46 @@
+#include "input/cloud.h"
+
+#include "scene/point_spacing.h"
+
+/* True if the meshes have points, and neither faces nor lines. */
+static bool is_cloud(const struct zr_scene *scene)
+{
+    uint64_t points = 0, others = 0;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        points += scene->meshes[i].point_count;
+        others += (uint64_t)scene->meshes[i].face_count + scene->meshes[i].line_count;
+    }
+    return points > 0 && others == 0;
+}
+
+bool zr_cloud_take_edges(struct zr_parsed_scene *root)
+{
+    struct zr_picture *picture = &root->scene->picture;
+    if (!is_cloud(root->scene) || !picture->edges.is_on || zr_picture_gives(&root->picture, ZR_PICTURE_EDGES))
+        return false;
+    picture->edges.is_on = false;
+    return true;
+}
+
+void zr_cloud_draw_in_ink(const struct zr_query *query)
+{
+    const struct zr_scene_builder *builder = query->given.builder;
+    const zr_vec3 ink = builder->scene->picture.edges.color;
+    for (uint32_t i = 0; i < builder->scene->mesh_count && !query->request->color; i++)
+        if (!builder->meshes[i].colors)
+            builder->materials[builder->meshes[i].material].base_color = (zr_vec4){ink.x, ink.y, ink.z, 1};
+}
+
+void zr_cloud_size_points(const struct zr_query *query)
+{
+    const struct zr_scene_builder *builder = query->given.builder;
+    const struct zr_scene *scene = builder->scene;
+    float size = 0.0f;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct zr_mesh *mesh = &builder->meshes[i];
+        if (mesh->point_count == 0 || mesh->point_size > 0.0f) continue;
+        if (size == 0.0f) size = zr_point_size_for(builder->arena, builder->team, scene, &scene->views[0]);
+        mesh->point_size = size;
+        mesh->points_are_round = scene->look->picture.side > 1;
+    }
+}
