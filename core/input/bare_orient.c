@@ -23,11 +23,16 @@ static void show_face_on(const struct zr_query *query)
 {
     const struct zr_scene_builder *builder = query->given.builder;
     const struct zr_request *request = query->request;
-    struct zr_view *view = &builder->scene->views[0];
-    const bool has_view = request->preset || request->azimuth || request->elevation ||
-                          (builder->keeping && builder->keeping->has_view);
-    if (has_view || builder->scene->picture.z_is_up) return;
-    if (zr_face_on_find(builder->scene, builder->team, request->cancel, &view->preset)) view->pose = ZR_POSE_PRESET;
+    struct zr_scene *scene = builder->scene;
+    struct zr_view *view = &scene->views[0];
+    const bool has_view =
+        request->preset || request->azimuth || request->elevation || (builder->keeping && builder->keeping->has_view);
+    if (has_view || scene->picture.z_is_up) return;
+    const struct zr_bounds bounds = zr_bounds_of(scene, builder->team, request->cancel);
+    scene->has_box = bounds.valid;
+    scene->box_min = bounds.min;
+    scene->box_max = bounds.max;
+    if (zr_face_on_find(scene, &bounds, builder->team, request->cancel, &view->preset)) view->pose = ZR_POSE_PRESET;
 }
 
 void zr_query_orient(const struct zr_query *query)

@@ -8,7 +8,8 @@
  * did. */
 bool zr_cloud_take_edges(struct zr_parsed_scene *root);
 
-/* Gives points without a colour the colour of the edges: the base colour of looks with edges may be the background's. */
+/* Gives points without a colour the colour of the edges: the base colour of looks with edges may be the background's.
+ */
 void zr_cloud_draw_in_ink(const struct zr_query *query);
 
 /* Sets the size of points whose reader left it at 0, by their density, and makes them round in looks with several

@@ -251,21 +251,12 @@ static bool put_name(const struct reading *r, struct zr_json_writer *json, const
 static bool put_value(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
     static bool (*const by_kind[])(const struct reading *, struct zr_json_writer *, const struct row *,
-                                   const char *) = {[KIND_NAME] = put_name,
-                                                    [KIND_NAME_OR_FALSE] = put_name,
-                                                    [KIND_AXIS] = put_name,
-                                                    [KIND_BOOL] = put_flag,
-                                                    [KIND_COUNT] = put_count,
-                                                    [KIND_NUMBER] = put_in_range,
-                                                    [KIND_DEGREES] = put_in_range,
-                                                    [KIND_PIXELS] = put_in_range,
-                                                    [KIND_UNITS] = put_positive,
-                                                    [KIND_SIDE] = put_side,
-                                                    [KIND_PIXEL] = put_pixel,
-                                                    [KIND_VECTOR] = put_vector,
-                                                    [KIND_COLOR] = put_opaque,
-                                                    [KIND_BACKGROUND] = put_background,
-                                                    [KIND_OUTLINE] = put_outline};
+                                   const char *) = {
+        [KIND_NAME] = put_name,        [KIND_NAME_OR_FALSE] = put_name,    [KIND_AXIS] = put_name,
+        [KIND_BOOL] = put_flag,        [KIND_COUNT] = put_count,           [KIND_NUMBER] = put_in_range,
+        [KIND_DEGREES] = put_in_range, [KIND_PIXELS] = put_in_range,       [KIND_UNITS] = put_positive,
+        [KIND_SIDE] = put_side,        [KIND_PIXEL] = put_pixel,           [KIND_VECTOR] = put_vector,
+        [KIND_COLOR] = put_opaque,     [KIND_BACKGROUND] = put_background, [KIND_OUTLINE] = put_outline};
     return by_kind[row->kind](r, json, row, text);
 }
 

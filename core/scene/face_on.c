@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdatomic.h>
 
-#include "scene/camera.h"
 #include "scene/face_area.h"
 
 /* Largest thickness of a flat model, as a share of either other extent. */
@@ -15,14 +14,13 @@ static const double shown_least = 0.5;
 enum { FACES_A_RANGE = 1 << 14 };
 
 /* The presets on the positive and on the negative side of an axis. */
-static const enum zr_preset sides[3][2] = {{ZR_PRESET_RIGHT, ZR_PRESET_LEFT},
-                                           {ZR_PRESET_TOP, ZR_PRESET_BOTTOM},
-                                           {ZR_PRESET_FRONT, ZR_PRESET_BACK}};
+static const enum zr_preset sides[3][2] = {
+    {ZR_PRESET_RIGHT, ZR_PRESET_LEFT}, {ZR_PRESET_TOP, ZR_PRESET_BOTTOM}, {ZR_PRESET_FRONT, ZR_PRESET_BACK}};
 
 struct counting {
     const struct zr_mesh *mesh;
     const struct zr_cancel *cancel;
-    double axis[3]; /* the flat axis of the world, in object space */
+    double axis[3];               /* the flat axis of the world, in object space */
     atomic_uint_fast64_t *fronts; /* on the positive and on the negative side */
 };
 
@@ -55,11 +53,10 @@ static int flat_axis_of(const struct zr_bounds *bounds)
     return -1;
 }
 
-bool zr_face_on_find(const struct zr_scene *scene, struct zr_team *team, const struct zr_cancel *cancel,
-                     enum zr_preset *preset)
+bool zr_face_on_find(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_team *team,
+                     const struct zr_cancel *cancel, enum zr_preset *preset)
 {
-    const struct zr_bounds bounds = zr_bounds_of(scene, team, cancel);
-    const int axis = bounds.valid ? flat_axis_of(&bounds) : -1;
+    const int axis = bounds->valid ? flat_axis_of(bounds) : -1;
     atomic_uint_fast64_t fronts[2] = {0, 0};
     if (axis < 0) return false;
     for (uint32_t i = 0; i < scene->instance_count; i++) {

@@ -4,12 +4,12 @@
 
 #include "base/cancel.h"
 #include "base/team.h"
-#include "scene/scene.h"
+#include "scene/camera.h"
 
-/* Finds the preset that shows a scene of bare meshes face on. False unless one extent of its box is below 1/25 of both
- * others. Of the two sides, it is the one that shows the fronts of more faces; with equal numbers, the front, the right
- * side or the top. Axes are those of a world in which y is up. `team` and `cancel` may be NULL. */
-bool zr_face_on_find(const struct zr_scene *scene, struct zr_team *team, const struct zr_cancel *cancel,
-                     enum zr_preset *preset);
+/* Finds the preset that shows a scene of bare meshes with these bounds face on. False unless one extent of its box is
+ * below 1/25 of both others. Of the two sides, it is the one that shows the fronts of more faces; with equal numbers,
+ * the front, the right side or the top. Axes are those of a world in which y is up. `team` and `cancel` may be NULL. */
+bool zr_face_on_find(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_team *team,
+                     const struct zr_cancel *cancel, enum zr_preset *preset);
 
 #endif

@@ -82,9 +82,9 @@ float zr_point_size_for(struct zr_arena *arena, struct zr_team *team, const stru
     const uint64_t points = count_points(scene);
     const double diagonal = (double)zr_diagonal_of(&bounds);
     const double side = (double)(view->width < view->height ? view->width : view->height);
-    const double widest = fmax(fmax((double)bounds.max.x - (double)bounds.min.x,
-                                    (double)bounds.max.y - (double)bounds.min.y),
-                               (double)bounds.max.z - (double)bounds.min.z);
+    const double widest =
+        fmax(fmax((double)bounds.max.x - (double)bounds.min.x, (double)bounds.max.y - (double)bounds.min.y),
+             (double)bounds.max.z - (double)bounds.min.z);
     const double most = fmin(side / SIZES_A_SIDE, SIZE_MOST);
     if (points == 0 || !bounds.valid) return 1.0f;
     if (!(widest > 0.0)) return (float)fmax(most, 1.0);

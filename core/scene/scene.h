@@ -329,6 +329,8 @@ struct zr_scene {
     bool is_strict;              /* warnings are errors */
     struct zr_read_counts counts;
     struct zr_view views[ZR_VIEWS_MOST];
+    bool has_box; /* box_min and box_max are the result of zr_bounds_of (scene/camera.h), which a reader needed */
+    zr_vec3 box_min, box_max;
     const struct zr_base *base; /* NULL: none */
     uint32_t image_count;
     const struct zr_image *images; /* no two have the same bytes */

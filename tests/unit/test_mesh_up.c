@@ -4,8 +4,8 @@
 #include "support/tests.h"
 
 #define BOX(x, y, z)                                                                                                   \
-    "v 0 0 0\nv " #x " 0 0\nv 0 " #y " 0\nv " #x " " #y " 0\nv 0 0 " #z "\nv " #x " 0 " #z "\nv 0 " #y " " #z "\nv " #x \
-    " " #y " " #z "\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+    "v 0 0 0\nv " #x " 0 0\nv 0 " #y " 0\nv " #x " " #y " 0\nv 0 0 " #z "\nv " #x " 0 " #z "\nv 0 " #y " " #z          \
+    "\nv " #x " " #y " " #z "\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
 
 /* Tents over a rectangle of the sides 4 and 3, with a ridge of the length 3. No other side is flat. */
 #define TENT_ON_Z    "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv .5 1.5 2\nv 3.5 1.5 2\n" TENT

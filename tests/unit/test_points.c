@@ -126,8 +126,9 @@ TEST_AROUND(round_points_lack_their_corners_by_every_algorithm, open_arena, clos
 
 TEST(points_have_a_shape)
 {
-    struct reading *reading = read_scene("{\"meshes\": [{" POSITIONS ", \"points\": [0], \"pointShape\": \"round\"}, {" POSITIONS
-                                         ", \"points\": [0], \"pointShape\": \"square\"}, {" POSITIONS ", \"points\": [3]}]}");
+    struct reading *reading =
+        read_scene("{\"meshes\": [{" POSITIONS ", \"points\": [0], \"pointShape\": \"round\"}, {" POSITIONS
+                   ", \"points\": [0], \"pointShape\": \"square\"}, {" POSITIONS ", \"points\": [3]}]}");
     assert_read(reading);
     for (int i = 0; i < 3; i++)
         assert_true(reading->scene->meshes[i].points_are_round == (i == 0));
