@@ -26,7 +26,7 @@ TEST(triangle_becomes_a_scene_of_the_textbook)
     assert_int_equal(scene->light_count, 2);
     assert_true(scene->lights[0].camera_frame && scene->lights[1].camera_frame);
     assert_int_equal(scene->views[0].output_count, 1);
-    assert_int_equal(scene->views[0].preset, ZR_PRESET_ISOMETRIC);
+    assert_int_equal(scene->views[0].preset, ZR_PRESET_FRONT); /* it is flat */
     assert_int_equal(scene->views[0].projection, ZR_PROJECTION_ORTHOGRAPHIC);
     assert_true(scene->materials[0].double_sided);
     assert_int_equal(scene->materials[0].shading, ZR_SHADING_FLAT);
