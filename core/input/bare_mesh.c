@@ -62,6 +62,11 @@ static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
         zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
                             "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
                             zr_shading_names.words[shading], format->name);
+    if (root->scene->mesh_count > 0 && root->builder->meshes[0].face_groups && !root->scene->picture.is_linear &&
+        shading != ZR_UNSET && zr_shading_varies((enum zr_shading)shading))
+        zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
+                            "shading=%s ignores the smoothing groups (s) here; looks of linear light use them",
+                            zr_shading_names.words[shading]);
     zr_parsed_warn_of_oddities(root);
     zr_parsed_warn_of_materials(root);
 }

@@ -36,6 +36,7 @@ struct zr_kept {
     struct zr_scene_builder bare; /* of a bare mesh: meshes and warnings as read */
     uint32_t mesh_count;
     struct zr_read_counts bare_counts;
+    const double *bare_origin; /* or NULL */
 };
 
 /* The key of poses in a change. */

@@ -81,20 +81,20 @@ static int compare_words(const void *key, const void *rare_word)
 enum zr_obj_keyword zr_obj_rare_keyword(const struct zr_obj_statement *word)
 {
     static const struct rare_word words[] = {
-        {"bevel", ZR_OBJ_IGNORED},      {"bmat", ZR_OBJ_IGNORED},     {"bsp", ZR_OBJ_CURVED},
-        {"bzp", ZR_OBJ_CURVED},         {"c_interp", ZR_OBJ_IGNORED}, {"call", ZR_OBJ_IGNORED},
-        {"cdc", ZR_OBJ_CURVED},         {"cdp", ZR_OBJ_CURVED},       {"con", ZR_OBJ_IGNORED},
-        {"csh", ZR_OBJ_IGNORED},        {"cstype", ZR_OBJ_IGNORED},   {"ctech", ZR_OBJ_IGNORED},
-        {"curv", ZR_OBJ_CURVED},        {"curv2", ZR_OBJ_IGNORED},    {"d_interp", ZR_OBJ_IGNORED},
-        {"deg", ZR_OBJ_IGNORED},        {"end", ZR_OBJ_IGNORED},      {"g", ZR_OBJ_IGNORED},
-        {"hole", ZR_OBJ_IGNORED},       {"l", ZR_OBJ_LINE},           {"lod", ZR_OBJ_IGNORED},
-        {"maplib", ZR_OBJ_MATERIAL},    {"mg", ZR_OBJ_IGNORED},       {"mtllib", ZR_OBJ_MATERIAL},
-        {"o", ZR_OBJ_IGNORED},          {"p", ZR_OBJ_POINT},          {"parm", ZR_OBJ_IGNORED},
-        {"res", ZR_OBJ_IGNORED},        {"s", ZR_OBJ_IGNORED},        {"scrv", ZR_OBJ_IGNORED},
-        {"shadow_obj", ZR_OBJ_IGNORED}, {"sp", ZR_OBJ_IGNORED},       {"stech", ZR_OBJ_IGNORED},
-        {"step", ZR_OBJ_IGNORED},       {"surf", ZR_OBJ_CURVED},      {"trace_obj", ZR_OBJ_IGNORED},
-        {"trim", ZR_OBJ_IGNORED},       {"usemap", ZR_OBJ_MATERIAL},  {"usemtl", ZR_OBJ_MATERIAL},
-        {"vp", ZR_OBJ_IGNORED}};
+        {"bevel", ZR_OBJ_IGNORED},   {"bmat", ZR_OBJ_IGNORED},     {"bsp", ZR_OBJ_CURVED},
+        {"bzp", ZR_OBJ_CURVED},      {"c_interp", ZR_OBJ_IGNORED}, {"call", ZR_OBJ_CALL},
+        {"cdc", ZR_OBJ_CURVED},      {"cdp", ZR_OBJ_CURVED},       {"con", ZR_OBJ_IGNORED},
+        {"csh", ZR_OBJ_CALL},        {"cstype", ZR_OBJ_IGNORED},   {"ctech", ZR_OBJ_IGNORED},
+        {"curv", ZR_OBJ_CURVED},     {"curv2", ZR_OBJ_IGNORED},    {"d_interp", ZR_OBJ_IGNORED},
+        {"deg", ZR_OBJ_IGNORED},     {"end", ZR_OBJ_IGNORED},      {"g", ZR_OBJ_NAME},
+        {"hole", ZR_OBJ_IGNORED},    {"l", ZR_OBJ_LINE},           {"lod", ZR_OBJ_IGNORED},
+        {"maplib", ZR_OBJ_MATERIAL}, {"mg", ZR_OBJ_IGNORED},       {"mtllib", ZR_OBJ_MATERIAL},
+        {"o", ZR_OBJ_NAME},          {"p", ZR_OBJ_POINT},          {"parm", ZR_OBJ_IGNORED},
+        {"res", ZR_OBJ_IGNORED},     {"s", ZR_OBJ_SMOOTH},         {"scrv", ZR_OBJ_IGNORED},
+        {"shadow_obj", ZR_OBJ_NAME}, {"sp", ZR_OBJ_IGNORED},       {"stech", ZR_OBJ_IGNORED},
+        {"step", ZR_OBJ_IGNORED},    {"surf", ZR_OBJ_CURVED},      {"trace_obj", ZR_OBJ_NAME},
+        {"trim", ZR_OBJ_IGNORED},    {"usemap", ZR_OBJ_MATERIAL},  {"usemtl", ZR_OBJ_MATERIAL},
+        {"vp", ZR_OBJ_CURVED}};
     size_t length = (size_t)(word->end - word->at);
     if (length == 2 && word->at[0] == 'v' && word->at[1] == 'n') return ZR_OBJ_VN; /* frequent */
     if (length == 2 && word->at[0] == 'v' && word->at[1] == 't') return ZR_OBJ_VT;
@@ -109,6 +109,52 @@ bool zr_obj_has_comment(const char *at, const char *line_end)
     for (const char *byte = at; byte < line_end; byte++)
         if (*byte == '#' && (byte == at || zr_obj_is_blank(byte[-1]))) return true;
     return false;
+}
+
+bool zr_obj_ends_with_line(const char *at, const char *line_end)
+{
+    struct zr_obj_statement statement = {at, line_end + 1, 0}, word; /* with the continuation */
+    zr_obj_skip_blanks(&statement);
+    if (zr_obj_at_end(&statement)) return false;
+    switch (zr_obj_next_keyword(&statement, &word)) {
+    case ZR_OBJ_MATERIAL:
+    case ZR_OBJ_NAME:
+    case ZR_OBJ_CALL:
+    case ZR_OBJ_UNKNOWN:
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* Returns the next run of carriage returns without a line feed behind it, and its end in *behind; NULL: none. */
+static const char *next_returns(const char *at, const char *last, const char *end, const char **behind)
+{
+    while ((at = memchr(at, '\r', (size_t)(last - at))) != NULL) {
+        const char *run = at;
+        while (at < last && *at == '\r')
+            at++;
+        if (at < end && *at != '\n') {
+            *behind = at;
+            return run;
+        }
+    }
+    return NULL;
+}
+
+size_t zr_obj_count_returns(const char *at, const char *behind, const char *end)
+{
+    size_t count = 0;
+    for (const char *next; (at = next_returns(at, behind, end, &next)) != NULL; at = next)
+        count += (size_t)(next - at);
+    return count;
+}
+
+void zr_obj_mend_returns(char *at, const char *end)
+{
+    const char *run, *next = at;
+    while ((run = next_returns(next, end, end, &next)) != NULL)
+        memset(at + (run - at), '\n', (size_t)(next - run));
 }
 
 /* A line end without a backslash ends every statement, also a comment. */

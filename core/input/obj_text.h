@@ -13,6 +13,13 @@
 
 #include "base/inlined.h"
 
+/* Counts carriage returns that end a line alone: no line feed is behind their run, and neither is `end`, the end of the
+ * file. */
+size_t zr_obj_count_returns(const char *at, const char *behind, const char *end);
+
+/* Replaces them by line feeds. */
+void zr_obj_mend_returns(char *at, const char *end);
+
 /* The rest of the text: whole statements. */
 struct zr_obj_text {
     const char *at, *end;
@@ -30,16 +37,23 @@ enum zr_obj_keyword {
     ZR_OBJ_VN,
     ZR_OBJ_VT,
     ZR_OBJ_F,
-    ZR_OBJ_MATERIAL, /* mtllib, usemtl and other material statements */
     ZR_OBJ_LINE,     /* l */
     ZR_OBJ_POINT,    /* p */
-    ZR_OBJ_CURVED,   /* curves and surfaces */
-    ZR_OBJ_IGNORED,  /* without effect on the picture: names, groups, parameters of curves */
+    ZR_OBJ_SMOOTH,   /* s */
+    ZR_OBJ_MATERIAL, /* mtllib, usemtl and other material statements; the rest of the line is a name */
+    ZR_OBJ_NAME,     /* o, g and others without effect on the picture; the rest of the line is a name */
+    ZR_OBJ_CALL,     /* includes another file */
+    ZR_OBJ_CURVED,   /* curves, surfaces and their vertices */
+    ZR_OBJ_IGNORED,  /* without effect on the picture: parameters of curves, levels of detail */
     ZR_OBJ_UNKNOWN
 };
 
 /* Returns the word up to the next blank and moves behind it. */
 struct zr_obj_statement zr_obj_word(struct zr_obj_statement *statement);
+
+/* True if the statement that begins at `at` may not be continued: its last word is a name, which may end in a
+ * backslash, or its keyword is not known. */
+bool zr_obj_ends_with_line(const char *at, const char *line_end);
 
 /* Counts the words left. Bytes up to `end` may be read. */
 size_t zr_obj_count_words(struct zr_obj_statement *statement, const char *end);
@@ -85,6 +99,7 @@ ZR_INLINED bool zr_obj_ends_word(const struct zr_obj_statement *statement, const
     return at == statement->end || zr_obj_is_blank(*at) || zr_obj_continuation(at, statement->end) > 0;
 }
 
+/* True if a backslash is before the line end. */
 ZR_INLINED bool zr_obj_hides_line_end(const char *from, const char *line_end)
 {
     if (line_end > from && line_end[-1] == '\r') line_end--;
@@ -94,8 +109,8 @@ ZR_INLINED bool zr_obj_hides_line_end(const char *from, const char *line_end)
 /* True if the line that begins at `at` has a comment. A '#' within a word starts none. */
 bool zr_obj_has_comment(const char *at, const char *line_end);
 
-/* Reads the next statement, without leading blanks; false at the end of the text. A comment ends with its line even
- * behind a backslash: a path at its end must not swallow a vertex. */
+/* Reads the next statement, without leading blanks; false at the end of the text. Comments and names end with their
+ * line even behind a backslash: a path at its end must not swallow a vertex. */
 ZR_INLINED bool zr_obj_next(struct zr_obj_text *text, struct zr_obj_statement *statement)
 {
     if (text->at == text->end) return false;
@@ -107,7 +122,8 @@ ZR_INLINED bool zr_obj_next(struct zr_obj_text *text, struct zr_obj_statement *s
         statement->end = line_end ? line_end : text->end;
         text->at = line_end ? line_end + 1 : text->end;
         text->line++;
-    } while (line_end && zr_obj_hides_line_end(at, line_end) && !zr_obj_has_comment(at, line_end));
+    } while (line_end && zr_obj_hides_line_end(at, line_end) && !zr_obj_has_comment(at, line_end) &&
+             !zr_obj_ends_with_line(statement->at, line_end));
     zr_obj_skip_blanks(statement);
     return true;
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/team.h"
+#include "input/far.h"
 #include "input/parts.h"
 #include "input/stl_color.h"
 #include "input/stl_text.h"
@@ -28,6 +29,7 @@ struct binary {
     atomic_uint any, all, unmarked, colored; /* bits of all attributes, as zr_stl_attributes */
     struct zr_stl_colors colors;
     zr_vec4 *face_colors;
+    atomic_bool is_far; /* a coordinate is beyond the limit */
 };
 
 static uint32_t read_u32(const char *at)
@@ -58,21 +60,23 @@ static uint16_t attribute_of(const struct binary *binary, size_t triangle)
 }
 
 /* Reads triangles begin..end - 1, up to `faults` faults. Returns the bits that any attribute has. */
-static unsigned read_triangles(const struct binary *binary, size_t begin, size_t end, size_t faults,
+static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, size_t faults,
                                struct zr_error *error)
 {
     unsigned any = 0;
-    const float limit = binary->limits->coordinate_max;
+    const float near = binary->limits->coordinate_max, limit = (float)zr_far_limit(binary->limits);
     const char *triangle = binary->triangles + begin * TRIANGLE_BYTES;
     for (size_t i = begin; i < end && error->count < faults; i++, triangle += TRIANGLE_BYTES) {
         any |= read_u16(triangle + ATTRIBUTES_AT);
         for (size_t corner = 0; corner < 3; corner++) {
             float v[3];
-            bool good = true;
+            bool good = true, is_far = false;
             for (size_t axis = 0; axis < 3; axis++) {
                 v[axis] = read_f32(triangle + VERTICES_AT + (corner * 3 + axis) * 4);
                 good = v[axis] >= -limit && v[axis] <= limit && good; /* false for a NaN */
+                is_far = v[axis] < -near || v[axis] > near || is_far;
             }
+            if (is_far) atomic_store_explicit(&binary->is_far, true, memory_order_relaxed);
             binary->positions[i * 3 + corner] = (zr_vec4){v[0], v[1], v[2], 1};
             if (!good)
                 zr_error_add(error, ZR_BAD_SCENE, NULL,
@@ -147,7 +151,10 @@ static enum zr_status read_binary(struct zr_scene_builder *builder, const struct
         read_triangles(&binary, failed * PART_TRIANGLES, count, ZR_ERROR_ITEMS, error);
         return error->status;
     }
-    const enum zr_status status = read_colors(builder, &binary, request->bytes, request->cancel, parts);
+    enum zr_status status = read_colors(builder, &binary, request->bytes, request->cancel, parts);
+    if (status == ZR_OK && binary.is_far)
+        status = zr_far_shift(builder->arena, request->cancel, limits, binary.positions, count * 3,
+                              &builder->scene->origin, error);
     *out = (struct zr_stl){3 * count, count, binary.positions, NULL, binary.face_colors};
     return status;
 }

@@ -47,6 +47,7 @@ struct zr_remains *zr_remains_make(struct zr_arena *arena, const struct zr_scene
                                     .compress = scene->compress,
                                     .is_strict = scene->is_strict,
                                     .counts = scene->counts};
+    if (scene->origin) made->scene.origin = zr_arena_copy(arena, scene->origin, 3 * sizeof *scene->origin);
     keep_meshes(arena, scene, &made->scene);
     keep_outputs(arena, frame->view, &made->scene.views[0]);
     made->warnings = zr_drawing_warnings_make(arena, scene, frame);

@@ -9,6 +9,9 @@ enum { FACES_A_RANGE = 1 << 11, VERTICES_A_RANGE = 1 << 10 };
 /* Corners are sorted in chunks, one thread per chunk: more chunks take more memory. */
 enum { CHUNKS_MOST = 4, CORNERS_A_CHUNK = 1 << 14 };
 
+/* Less than each cosine: a group has all faces. */
+#define LEAST_OF_GROUPS (-4.0f)
+
 struct creasing {
     const struct zr_cancel *cancel;
     struct zr_mesh mesh; /* with positions replaced by those of zr_weld_input */
@@ -17,7 +20,8 @@ struct creasing {
     uint32_t vertex_count, corner_count, chunk_count;
     uint32_t *counts; /* vertex_count per chunk; later the slot of the next corner of each vertex */
     uint32_t *slots;
-    float cosine; /* of the crease angle, with a tolerance */
+    uint32_t *groups; /* smoothing group of each corner; or NULL */
+    float cosine;     /* of the crease angle, with a tolerance */
     zr_vec4 *corners;
 };
 
@@ -72,6 +76,71 @@ static void fill_chunks(void *context, size_t begin, size_t end)
         const size_t last = chunk_begin(c, chunk + 1);
         for (size_t slot = chunk_begin(c, chunk); slot < last; slot++)
             c->slots[next[vertex_at(c, slot)]++] = (uint32_t)slot;
+    }
+}
+
+/* ---- smoothing groups ---- */
+
+static void expand_groups(void *context, size_t begin, size_t end)
+{
+    const struct creasing *c = context;
+    for (size_t face = begin; face < end; face++)
+        for (uint32_t slot = c->mesh.face_offsets[face]; slot < c->mesh.face_offsets[face + 1]; slot++)
+            c->groups[slot] = c->mesh.face_groups[face];
+}
+
+/* True if slot a is before slot b: by groups, then in the order of slots. */
+static bool is_before(const struct creasing *c, uint32_t a, uint32_t b)
+{
+    return c->groups[a] != c->groups[b] ? c->groups[a] < c->groups[b] : a < b;
+}
+
+static void sift(const struct creasing *c, uint32_t *slots, size_t root, size_t count)
+{
+    for (size_t child; (child = 2 * root + 1) < count; root = child) {
+        if (child + 1 < count && is_before(c, slots[child], slots[child + 1])) child++;
+        if (!is_before(c, slots[root], slots[child])) return;
+        const uint32_t slot = slots[root];
+        slots[root] = slots[child];
+        slots[child] = slot;
+    }
+}
+
+/* Heap sort: in place, and never quadratic. */
+static void sort_by_groups(const struct creasing *c, uint32_t *slots, uint32_t count)
+{
+    for (size_t i = count / 2; i-- > 0;)
+        sift(c, slots, i, count);
+    for (size_t last = count; last-- > 1;) {
+        const uint32_t slot = slots[0];
+        slots[0] = slots[last];
+        slots[last] = slot;
+        sift(c, slots, 0, last);
+    }
+}
+
+/* Averages the corners of each group of one vertex; those of group 0 keep the normals of their faces. */
+static void sum_groups(const struct creasing *c, uint32_t *slots, uint32_t count)
+{
+    sort_by_groups(c, slots, count);
+    for (uint32_t first = 0, end; first < count; first = end) {
+        const uint32_t group = c->groups[slots[first]];
+        for (end = first; end < count && c->groups[slots[end]] == group; end++)
+            if (group == 0) c->corners[slots[end]].w = 0.0f;
+        const uint32_t own = end - first;
+        const struct zr_vertex_corners of = {&own, slots + first};
+        if (group != 0) zr_crease_sums_of(c->isa)(&of, 0, 1, LEAST_OF_GROUPS, c->corners);
+    }
+}
+
+static void sum_groups_of_vertices(void *context, size_t begin, size_t end)
+{
+    const struct creasing *c = context;
+    const uint32_t *ends = c->counts + (size_t)(c->chunk_count - 1) * c->vertex_count;
+    if (zr_is_cancelled(c->cancel)) return;
+    for (size_t vertex = begin; vertex < end; vertex++) {
+        const uint32_t first = vertex == 0 ? 0 : ends[vertex - 1];
+        sum_groups(c, c->slots + first, ends[vertex] - first);
     }
 }
 
@@ -153,7 +222,8 @@ static void make_normals(struct zr_team *team, struct creasing *c)
     sum_counts(c);
     if (zr_is_cancelled(c->cancel)) return;
     zr_team_ranges(team, c->chunk_count, 1, fill_chunks, c);
-    zr_team_ranges(team, c->vertex_count, VERTICES_A_RANGE, make_sums, c);
+    if (c->groups) zr_team_ranges(team, c->mesh.face_count, FACES_A_RANGE, expand_groups, c);
+    zr_team_ranges(team, c->vertex_count, VERTICES_A_RANGE, c->groups ? sum_groups_of_vertices : make_sums, c);
 }
 
 /* One allocation, so that it can be trimmed as the newest one. Welding and sorting share `rest`. */
@@ -172,7 +242,8 @@ static void find_rooms(struct zr_arena *arena, const struct zr_mesh_extent *exte
     const size_t welding = zr_weld_room(c->mesh.position_count) * sizeof(uint64_t);
     const size_t sorting = (c->chunk_count * positions + c->corner_count) * sizeof(uint32_t);
     const size_t rest = larger(welding, sorting + sorting % sizeof(uint64_t));
-    rooms->size = copied + rest + positions * sizeof(uint32_t);
+    const size_t groups = c->mesh.face_groups ? c->corner_count : 0;
+    rooms->size = copied + rest + (positions + groups) * sizeof(uint32_t);
     rooms->all = zr_arena_alloc(arena, rooms->size, 1);
     if (!rooms->all) return;
     rooms->positions = (zr_vec4 *)(void *)rooms->all;
@@ -201,6 +272,7 @@ zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, co
     c.vertices = c.vertex_count < input.count ? rooms.vertices : NULL;
     c.slots = (uint32_t *)(void *)rooms.rest;
     c.counts = c.slots + corner_count;
+    c.groups = mesh->face_groups ? rooms.vertices + mesh->position_count : NULL;
     if (c.vertex_count > 0) make_normals(team, &c);
     zr_arena_trim(arena, rooms.all, rooms.size, 0, 1);
     return c.corners;

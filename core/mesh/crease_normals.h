@@ -7,6 +7,8 @@
  *         faces of the vertex. If the sum is 0, the corner gets the normal of its face. At a vertex with more than
  *         ZR_CREASE_EXACT corners, faces are summed in groups of similar directions. Corners are compared with the
  *         groups, which avoids quadratic cost.
+ *         If the mesh has smoothing groups, they replace the crease angle: a corner averages all faces of its group at
+ *         the vertex, and corners of group 0 get the normals of their faces.
  * Exact:  sums in the order of faces, for any number of threads; + - * / and sqrt only. */
 #ifndef ZR_CREASE_NORMALS_H
 #define ZR_CREASE_NORMALS_H
@@ -18,8 +20,8 @@
 
 /* Returns one unit normal per corner (slot of mesh->indices), with w = 0; 0 if no face of the vertex has an area.
  * `degrees`: 0..180; a face at exactly this angle counts. Takes about 24 bytes per position and 4 per corner of scratch
- * from the arena and gives them back. Returns NULL if the arena failed. If cancelled, returns early with undefined
- * normals. */
+ * from the arena and gives them back; with smoothing groups, 4 per corner more. Returns NULL if the arena
+ * failed. If cancelled, returns early with undefined normals. */
 zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                 const struct zr_mesh *mesh, float degrees);
 

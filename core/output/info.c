@@ -201,6 +201,7 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
     zr_print_count(print, "height", frame->height);
     zr_print_end(print, '}');
     print_camera(print, frame, scene->picture.z_is_up);
+    if (scene->origin) zr_print_doubles(print, "origin", scene->origin, 3);
     if (!frame->bounds.valid) return;
     zr_print_begin(print, "bounds", '{');
     zr_print_vec3(print, "min", frame->bounds.min);

@@ -106,6 +106,22 @@ void zr_print_floats(struct zr_print *print, const char *key, const float *value
     zr_print_end(print, ']');
 }
 
+void zr_print_doubles(struct zr_print *print, const char *key, const double *values, int count)
+{
+    zr_print_begin(print, key, '[');
+    for (int i = 0; i < count; i++) {
+        char text[40];
+        for (int digits = 6; digits <= 17; digits++) {
+            snprintf(text, sizeof text, "%.*g", digits, values[i]);
+            if (strtod(text, NULL) == values[i]) break; /* reads the separator that it printed */
+        }
+        put_point(text);
+        begin_value(print, NULL);
+        put(print, text);
+    }
+    zr_print_end(print, ']');
+}
+
 void zr_print_vec3(struct zr_print *print, const char *key, zr_vec3 v)
 {
     zr_print_floats(print, key, (float[3]){v.x, v.y, v.z}, 3);

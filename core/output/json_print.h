@@ -34,6 +34,9 @@ void zr_print_count(struct zr_print *print, const char *key, uint64_t count);
  * value is finite. */
 void zr_print_float(struct zr_print *print, const char *key, float value);
 
+/* Prints a list of doubles, each the shortest of the decimals with 6 to 17 digits that reads back as the same. */
+void zr_print_doubles(struct zr_print *print, const char *key, const double *values, int count);
+
 /* Print a list of floats. */
 void zr_print_floats(struct zr_print *print, const char *key, const float *values, int count);
 void zr_print_vec3(struct zr_print *print, const char *key, zr_vec3 v);

@@ -93,6 +93,10 @@ struct zr_mesh {
     const zr_vec3 *normals;         /* of any length; zero normals are replaced by computed ones */
     const uint32_t *normal_indices; /* one per corner; NULL: the corner's position index */
 
+    /* face_count, or NULL: smoothing groups, for crease normals. Faces of one group are averaged, whatever their angle;
+     * those of group 0 are flat. */
+    const uint32_t *face_groups;
+
     const zr_vec4 *texcoords; /* position_count, or NULL: u, v of texcoord 0, then u, v of texcoord 1, or 0 */
     const zr_vec4 *tangents;  /* position_count, or NULL: xyz along u, of any length, and the sign of the bitangent */
 
@@ -328,6 +332,7 @@ struct zr_scene {
     const char *const *warnings; /* of input/ and scene/ */
     bool is_strict;              /* warnings are errors */
     struct zr_read_counts counts;
+    const double *origin; /* three numbers that the reader subtracted from all positions; NULL: none */
     struct zr_view views[ZR_VIEWS_MOST];
     bool has_box; /* box_min and box_max are the result of zr_bounds_of (scene/camera.h), which a reader needed */
     zr_vec3 box_min, box_max;

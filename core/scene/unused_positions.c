@@ -19,27 +19,34 @@ static void mark_range(void *context, size_t begin, size_t end)
         atomic_store_explicit(&marking->used[marking->indices[i]], 1, memory_order_relaxed);
 }
 
-void zr_unused_positions_move(struct zr_arena *arena, struct zr_team *team, const struct zr_mesh *mesh,
-                              zr_vec4 *positions)
+const uint8_t *zr_used_positions(struct zr_arena *arena, struct zr_team *team, const struct zr_mesh *mesh)
 {
-    const size_t count = mesh->position_count;
-    struct marking marking = {.used = zr_arena_zero(arena, count, sizeof *marking.used)};
+    struct marking marking = {.used = zr_arena_zero(arena, mesh->position_count, sizeof *marking.used)};
     const struct {
         const uint32_t *indices;
         size_t count;
     } lists[] = {{mesh->indices, mesh->face_offsets[mesh->face_count]},
                  {mesh->lines, 2 * (size_t)mesh->line_count},
                  {mesh->points, mesh->point_count}};
-    if (!marking.used || count == 0) return;
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
+    for (size_t i = 0; marking.used && i < sizeof lists / sizeof *lists; i++) {
         marking.indices = lists[i].indices;
         zr_team_ranges(team, lists[i].count, INDICES_A_RANGE, mark_range, &marking);
     }
-    const uint8_t *used = (const uint8_t *)marking.used, *end = used + count, *first = memchr(used, 1, count);
+    return (const uint8_t *)marking.used;
+}
+
+void zr_unused_positions_move(struct zr_arena *arena, struct zr_team *team, const struct zr_mesh *mesh,
+                              zr_vec4 *positions)
+{
+    const size_t count = mesh->position_count;
+    if (count == 0) return;
+    const uint8_t *used = zr_used_positions(arena, team, mesh), *end = used + count, *first;
+    if (!used) return;
+    first = memchr(used, 1, count);
     for (const uint8_t *at = used; first && (at = memchr(at, 0, (size_t)(end - at))); at++) {
         zr_vec4 *unused = &positions[at - used];
         const zr_vec4 *wanted = &positions[first - used];
         if (memcmp(unused, wanted, sizeof *unused) != 0) *unused = *wanted; /* no store if moved before */
     }
-    zr_arena_trim(arena, (void *)marking.used, count, 0, sizeof *marking.used);
+    zr_arena_trim(arena, (void *)(uintptr_t)used, count, 0, sizeof *used);
 }

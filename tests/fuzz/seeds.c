@@ -127,6 +127,10 @@ static void write_meshes(void)
         {"normals", "# a quad\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0.5 0 0 1\nv 0 1 0 1 1 1\nvn 0 0 1\nvt 0 0\n"
                     "f 1/1/1 2/1/1 3//1 4/1/1\nf -4//-1 -3//-1 -2//-1\n"},
         {"groups", "o a\ng b c\ns 1\nusemtl red\nv 0 0 0\r\nv 1e-1 2.5E+0 -3\r\nv +1 .5 0 1.0\r\nf 1 \\\n2 3\r\n"},
+        {"lenient",
+         "$ x\rusemtl a\\\nv 2e6 0 0 255 0 1\nv 0 1e7 0 1 2 3\nv 0 0 1\nvn nan 0 1\nvt x\ns 3\nf 1// 2/1/ 3//9\n"
+         "s off\nf 3//1 2//1 1/2\nl 1 2/1 -1\nl 9 1\np 1 2\np x\nvp 0 0\ncall b\n"},
+        {"lines", "v 0 0 0\nv 1 1 0\nl 1 2\np 1 2\n"},
     };
     static const struct text stls[] = {
         {"ascii", "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"

@@ -31,6 +31,7 @@ static inline void assert_same_mesh(const struct zr_mesh *a, const struct zr_mes
     assert_same_array(a->points, b->points, a->point_count, sizeof *a->points);
     assert_same_array(a->normals, b->normals, a->normal_count, sizeof *a->normals);
     assert_same_array(a->normal_indices, b->normal_indices, corners, sizeof *a->normal_indices);
+    assert_same_array(a->face_groups, b->face_groups, a->face_count, sizeof *a->face_groups);
     assert_same_array(a->colors, b->colors, a->position_count, sizeof *a->colors);
     assert_same_array(a->face_colors, b->face_colors, a->face_count, sizeof *a->face_colors);
     assert_same_array(a->face_materials, b->face_materials, a->face_count, sizeof *a->face_materials);
@@ -43,6 +44,7 @@ static inline void assert_same_scene(const struct zr_scene *a, const struct zr_s
     assert_int_equal(a->warning_count, b->warning_count);
     for (uint32_t i = 0; i < a->warning_count; i++)
         assert_string_equal(a->warnings[i], b->warnings[i]);
+    assert_same_array(a->origin, b->origin, 3, sizeof *a->origin);
     for (uint32_t i = 0; i < a->material_count; i++) {
         assert_int_equal(a->materials[i].shading, b->materials[i].shading);
         assert_memory_equal(&a->materials[i].base_color, &b->materials[i].base_color, sizeof a->materials->base_color);

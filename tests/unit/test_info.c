@@ -45,6 +45,17 @@ TEST_AROUND(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena)
     cJSON_Delete(info);
 }
 
+TEST_AROUND(info_has_the_origin_in_double_precision, open_arena, close_arena)
+{
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static const double origin[] = {408205.123456789, -4080925, 0.1};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 1);
+    assert_null(strstr(info_of(&test).bytes, "\"origin\""));
+    test.scene.origin = origin;
+    assert_non_null(strstr(info_of(&test).bytes, "\"origin\":[408205.123456789,-4080925,0.1],"));
+}
+
 TEST_AROUND(nothing_seen_says_why, open_arena, close_arena)
 {
     static const struct {

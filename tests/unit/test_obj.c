@@ -111,7 +111,7 @@ TEST(layout_of_the_text_does_not_matter)
         "\t v\t0  0\t0  \n\n \nv 1 0 0 # comment\nv 0 1 0\n  f 1\t2   3",
         "v 0 \\\n0 0\nv 1 0 0\nv 0 1 0\nf 1 \\\r\n2 \\\n3",
         "# a path C:\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf\\\n1 2 3 #1",
-        "g a#b \\\nf 1 \\\n\nv 0 0 0 # C:\\\nv 1 0 0 #\\\r\nv 0 1 0\nf \\\n1 2 \\\n3\\\n# and \\\n#",
+        "g a#b \nv 0 0 0 # C:\\\nv 1 0 0 #\\\r\nv 0 1 0\nf \\\n1 2 \\\n3\\\n# and \\\n#",
         "v 0 0 0 1\nv 1 0 0 0.5\nv 0 1 0 1\nf 1 2 3",
         "v +0 0. .0e1\nv 1 0 0\nv 0 1 0\nf 1 2 3",
     };
@@ -205,9 +205,8 @@ TEST(what_is_not_drawn_is_warned_of)
         const char *rest, *warnings[2];
     } cases[] = {{"mtllib a.mtl\nusemtl red\nf 1 2 3\nusemtl blue\nf 3 2 1\n",
                   {"OBJ: 3 statements about materials (mtllib, usemtl) are not read in this version"}},
-                 {"l 1 2\nf 1 2 3\nl 2 3 1\np 1\n",
-                  {"OBJ: 2 lines (l) are not drawn in this version", "OBJ: 1 points (p) are not drawn"}},
-                 {"f 1 2 3\ncurv 0 1 1 2 3\nsurf 0 1 0 1 1 2 3\n", {"OBJ: 2 curves and curved surfaces are not drawn"}},
+                 {"f 1 2 3\ncurv 0 1 1 2 3\nsurf 0 1 0 1 1 2 3\n",
+                  {"OBJ: 2 statements of curves and surfaces are not drawn; the first is line 5: 'curv 0 1 1 2 3'"}},
                  {"o a\ng b\ns 1\nvt 0 0\nf 1 2 3\n# usemtl red\n", {NULL}}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct reading *reading = read_rest(cases[i].rest);

@@ -10,9 +10,11 @@ static const char *const pieces[] = {
     "v 0.25 -1 1e-3\n", "v 1 2 3\r\n", "v\t3 2 1 \n", "v 0 0 0 0.5 0.25 1\n", "v 1 \\\n 0 \\\r\n 1\n", "vn 0 1 0\n",
     "vn 0 0 -1 # 1 2 3\n", "vt 0.5 1\n", "f 1 2 3\n", "f -1 -2 -3\n", "f 3 2 1 2\n", "f 1//1 2//1 3//-1\n",
     "f 1/7/1 2//1 3\n", "f 3 \\\n 2 1\n", "f 1 2 -1 # a face\n", "o f 1 2 3\n", "usemtl v\n", "s off\n", "\n",
-    "#f 1 2\n", "# C:\\\n", "g a \\\nf 1\n", "l 1 2\n", "p 1\n", "g any any any any any any any any any any any\n",
+    "#f 1 2\n", "# C:\\\n", "g a \\\n#\n", "l 1 2\n", "p 1\n", "l 1/1 -1 2 9\n", "p 3 -1\n", "s 1\n", "s 12\n",
+    "f 1// 2/7/ 3//9\n", "vn nan 0 1\n", "vt x\n", "v 0 0 0 51 1.5 0\n", "v 2e6 1e7 0\n", "who\n", "usemtl a\\\n",
+    "# a\rv 0 0 1\n", "g any any any any any any any any any any any\n",
     /* faults that reading goes on behind, and bad syntax */
-    "f 1 2 99999999\n", "f 1 2 -99999999\n", "f 1 2\n", "v 0 1e20 0\n", "v 0 0 0 1 1 2\n", "f 1//1 2//1 3//99\n",
+    "f 1 2 99999999\n", "f 1 2 -99999999\n", "f 1 2\n", "v 0 1e20 0\n", "v 0 0 0 1 1 300\n", "f 1 2 3 4/x\n",
     "f 1 2 x\n"};
 enum { PIECES = sizeof pieces / sizeof *pieces, GOOD = PIECES - 7 };
 

@@ -122,7 +122,7 @@ TEST(binary_without_triangles_gives_no_geometry)
 
 TEST(place_out_of_range_gives_bad_scene_with_triangle)
 {
-    static const float values[] = {NAN, INFINITY, -INFINITY, 1.1e6f, -3e38f};
+    static const float values[] = {NAN, INFINITY, -INFINITY, 1.1e15f, -3e38f};
     unsigned char bytes[BYTES_MAX];
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
         size_t size = make_binary(bytes, "x", 2);
@@ -130,6 +130,26 @@ TEST(place_out_of_range_gives_bad_scene_with_triangle)
         struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, size);
         assert_complaint(reading, ZR_BAD_SCENE, "", "triangle 2 of 2, vertex 2: (");
         assert_int_equal(reading->error.count, 1);
+        reading_free(reading);
+    }
+}
+
+/* The middle of a far mesh is its origin, in text and binary. */
+TEST(far_meshes_are_moved_to_their_middle)
+{
+    static const char text[] = "solid\nfacet normal 0 0 1 outer loop vertex 4080920.25 1 2 vertex 4080930.25 4 5 "
+                               "vertex 4080920.25 7 8 endloop endfacet\nendsolid\n";
+    static const zr_vec4 want[] = {{-5, -3, -3, 1}, {5, 0, 0, 1}, {-5, 3, 3, 1}};
+    unsigned char bytes[BYTES_MAX];
+    const size_t size = make_binary(bytes, "x", 1);
+    for (uint32_t corner = 0; corner < 3; corner++)
+        put_f32(bytes + 84 + 12 + 12 * corner, corner == 1 ? 4080930.0f : 4080920.0f);
+    for (int binary = 0; binary < 2; binary++) {
+        struct reading *reading = binary ? read_bytes(ZR_FORMAT_STL, bytes, size) : read_text(ZR_FORMAT_STL, text);
+        assert_read(reading);
+        const double *origin = reading->scene->origin;
+        assert_true(origin && origin[0] == (binary ? 4080925.0 : 4080925.25) && origin[1] == 4 && origin[2] == 5);
+        assert_memory_equal(reading->scene->meshes[0].positions, want, sizeof want);
         reading_free(reading);
     }
 }
@@ -239,9 +259,10 @@ TEST(malformed_ascii_is_refused_with_its_line)
 TEST(ascii_out_of_range_gives_bad_scene_with_triangle)
 {
     refuses(ZR_FORMAT_STL,
-            "solid\n" FACET "facet normal 0 0 1 outer loop\nvertex 0 1e7 0\nvertex 0 0 0 vertex 1 1 1 endloop endfacet "
+            "solid\n" FACET
+            "facet normal 0 0 1 outer loop\nvertex 0 1e16 0\nvertex 0 0 0 vertex 1 1 1 endloop endfacet "
             "endsolid",
-            ZR_BAD_SCENE, "", "line 10: '1e7' in triangle 2 is beyond the limit of 1000000");
+            ZR_BAD_SCENE, "", "line 10: '1e16' in triangle 2 is beyond the limit of 1e+15");
     refuses(ZR_FORMAT_STL, "solid nothing\nendsolid", ZR_BAD_SCENE, "", "no geometry");
 }
 

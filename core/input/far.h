@@ -1,0 +1,73 @@
+/* far.h - input: meshes far from the origin, such as surveys in metres: their middle is subtracted in double precision,
+ * before positions are rounded to float.
+ *
+ *     read all positions; note whether one is beyond limits->coordinate_max, and refuse those beyond zr_far_limit
+ *     if one is: read again, zr_box_include for each position that is drawn
+ *                zr_far_origin(&box, limits, origin), then read again, subtract origin before rounding, and set
+ *                scene->origin
+ *
+ * A mesh within the limit keeps its bytes: its origin is 0, and x - 0 is x.
+ */
+#ifndef ZR_FAR_H
+#define ZR_FAR_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "base/arena.h"
+#include "base/status.h"
+#include "base/vec.h"
+#include "core.h"
+
+/* Bounds in double precision. */
+struct zr_box {
+    double low[3], high[3];
+};
+
+/* Contains nothing. */
+static inline struct zr_box zr_box_empty(void)
+{
+    return (struct zr_box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+}
+
+static inline void zr_box_include(struct zr_box *box, const double position[3])
+{
+    for (int axis = 0; axis < 3; axis++) {
+        if (position[axis] < box->low[axis]) box->low[axis] = position[axis];
+        if (position[axis] > box->high[axis]) box->high[axis] = position[axis];
+    }
+}
+
+static inline void zr_box_join(struct zr_box *box, const struct zr_box *other)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        if (other->low[axis] < box->low[axis]) box->low[axis] = other->low[axis];
+        if (other->high[axis] > box->high[axis]) box->high[axis] = other->high[axis];
+    }
+}
+
+/* Returns the position less the origin, which may be NULL. */
+static inline zr_vec4 zr_far_position(const double v[3], const double *origin)
+{
+    if (!origin) return (zr_vec4){(float)v[0], (float)v[1], (float)v[2], 1};
+    return (zr_vec4){(float)(v[0] - origin[0]), (float)(v[1] - origin[1]), (float)(v[2] - origin[2]), 1};
+}
+
+/* Largest magnitude of a coordinate before its origin is subtracted. */
+static inline double zr_far_limit(const struct zr_limits *limits)
+{
+    return (double)limits->coordinate_max * 1e9;
+}
+
+/* Sets *origin to three numbers in the arena: the middle of the box. Sets it to NULL if the box is empty or within
+ * coordinate_max, or if the arena failed. Refuses a box of which more than ZR_FAR_HALF_EXTENTS times coordinate_max is
+ * on one side of its middle. */
+enum { ZR_FAR_HALF_EXTENTS = 1000 };
+enum zr_status zr_far_origin(struct zr_arena *arena, const struct zr_box *box, const struct zr_limits *limits,
+                             const double **origin, struct zr_error *error);
+
+/* Does all of it for positions that were floats in the file, and are used. */
+enum zr_status zr_far_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
+                            zr_vec4 *positions, size_t count, const double **origin, struct zr_error *error);
+
+#endif

@@ -1,0 +1,105 @@
+/* obj_file.h - input: a file of OBJ while it is read, and the state of the threads that read it. */
+#ifndef ZR_OBJ_FILE_H
+#define ZR_OBJ_FILE_H
+
+#include "input/far.h"
+#include "input/input.h"
+#include "input/obj_text.h"
+#include "input/parts.h"
+
+enum { ZR_OBJ_COUNT_MAX = 1 << 30 };
+
+/* Replaces the index of a missing normal until the zero normal has its index. */
+#define ZR_OBJ_NO_NORMAL UINT32_MAX
+
+/* Input that is not drawn, or drawn although it is wrong: one warning each (obj_notes.c). */
+enum zr_obj_note {
+    /* of the first pass */
+    ZR_OBJ_NOTE_MATERIALS,
+    ZR_OBJ_NOTE_CALLS,
+    ZR_OBJ_NOTE_CURVES,
+    ZR_OBJ_NOTE_UNKNOWN,
+    ZR_OBJ_NOTE_NAMES,
+    ZR_OBJ_NOTE_RETURNS,
+    /* of the second pass */
+    ZR_OBJ_NOTE_EMPTY_INDICES,
+    ZR_OBJ_NOTE_WRONG_NORMALS,
+    ZR_OBJ_NOTE_BAD_NORMALS,
+    ZR_OBJ_NOTE_BAD_TEXCOORDS,
+    ZR_OBJ_NOTE_CLAMPED,
+    ZR_OBJ_NOTE_BAD_LINES,
+    ZR_OBJ_NOTE_BAD_POINTS,
+    ZR_OBJ_NOTES,
+    ZR_OBJ_NOTE_SECOND = ZR_OBJ_NOTE_EMPTY_INDICES
+};
+
+/* How often, and the first statement. */
+struct zr_obj_noted {
+    size_t count;
+    struct zr_obj_statement first;
+};
+
+struct zr_obj_counts {
+    size_t lines, positions, normals, faces, corners, segments, points; /* segments of l, points of p */
+};
+
+/* One part, which is whole statements. */
+struct zr_obj_part {
+    struct zr_obj_counts holds, before;
+    struct zr_obj_noted notes[ZR_OBJ_NOTES]; /* those of the first pass have lines of the part until it is added up */
+    size_t returns;
+    bool has_colors, has_groups;
+    uint32_t group_before, group; /* smoothing group at the begin; at the end, if has_groups */
+    /* Set by the second pass. */
+    bool normal_given, normal_missing; /* at a corner */
+    bool is_far;                       /* a coordinate is beyond the limit */
+    float color_most;                  /* largest component */
+    size_t segments, points;           /* read, at most as many as it holds */
+    struct zr_box box;
+};
+
+/* Data of a file, shared by all threads. */
+struct zr_obj_file {
+    const char *at, *end;
+    const struct zr_limits *limits;
+    size_t part_count;
+    const struct zr_part *texts;
+    struct zr_obj_part *parts;
+    struct zr_obj_counts total;
+    bool has_colors, has_groups;
+    zr_vec4 *positions, *colors; /* NULL: no vertex has a colour */
+    zr_vec3 *normals;
+    uint32_t *face_offsets, *indices, *normal_indices; /* NULL: the file has no normals */
+    uint32_t *groups;                                  /* per face; NULL: the file has no smoothing groups */
+    uint32_t *lines, *points;
+    float color_scale;    /* colours are divided by it */
+    const double *origin; /* subtracted from positions; NULL: nothing */
+    const uint8_t *used;  /* per position; or NULL */
+};
+
+/* Adds a statement to a note. */
+static inline void zr_obj_note(struct zr_obj_noted notes[ZR_OBJ_NOTES], enum zr_obj_note note,
+                               const struct zr_obj_statement *statement)
+{
+    if (notes[note].count++ == 0) notes[note].first = *statement;
+}
+
+/* obj_count.c: the first pass over a part. A zr_part_fn of a struct zr_obj_file. */
+bool zr_obj_count_part(void *file, size_t index);
+
+/* Adds up the parts. */
+void zr_obj_add_up(struct zr_obj_file *file);
+
+/* obj_read.c: reads a part up to `faults` faults or a syntax error; false then. */
+bool zr_obj_read_part(const struct zr_obj_file *file, size_t index, size_t faults, struct zr_error *error);
+
+/* Sets *group by the number of s, or 0 for "off"; false for other words. */
+bool zr_obj_read_group(struct zr_obj_statement *statement, uint32_t *group);
+
+/* obj_notes.c: adds the warnings. */
+void zr_obj_warn(const struct zr_obj_file *file, struct zr_scene_builder *builder);
+
+/* The first statement that is not OBJ; NULL: none. */
+const struct zr_obj_statement *zr_obj_first_unknown(const struct zr_obj_file *file);
+
+#endif
