@@ -27,7 +27,7 @@ struct zr_box {
 /* Contains nothing. */
 static inline struct zr_box zr_box_empty(void)
 {
-    return (struct zr_box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    return (struct zr_box){{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
 }
 
 static inline void zr_box_include(struct zr_box *box, const double position[3])
