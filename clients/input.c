@@ -22,7 +22,6 @@ static const struct {
                {" iges igs ", "an IGES", BY_CAD},
                {" brep fcstd ", "a CAD", BY_CAD},
                {" scad ", "an OpenSCAD", "openscad -o part.stl"},
-               {" gltf glb ", "a glTF", BY_MESH},
                {" 3mf ", "a 3MF", BY_MESH},
                {" off dae fbx 3ds wrl x3d blend usd usda usdc usdz vtk vtu msh dxf ", "a 3D", BY_MESH}};
 
@@ -67,7 +66,7 @@ static bool refuse_foreign(const char *path, struct bytes *faults)
     snprintf(suffix, sizeof suffix, " %.12s ", ending_of(path));
     for (size_t i = 0; i < sizeof foreign / sizeof *foreign && strlen(suffix) > 2; i++)
         if (strcasestr(foreign[i].suffixes, suffix)) {
-            bytes_print(faults, "it is %s file, which zraster does not read. Convert it to STL, OBJ or PLY: %s",
+            bytes_print(faults, "it is %s file, which zraster does not read. Convert it to STL, OBJ, PLY or GLB: %s",
                         foreign[i].name, foreign[i].converter);
             return true;
         }

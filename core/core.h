@@ -81,7 +81,7 @@ struct zr_request {
     enum zr_format format;
     const char *bytes;
     size_t size;
-    const struct zr_asset *assets; /* names are unique; none for formats other than JSON */
+    const struct zr_asset *assets; /* names are unique; bare meshes other than glTF use none */
     size_t asset_count;
     struct zr_stored stored; /* read may be NULL: no store */
     /* Parameters of the query (parameter_rows.h), as text; NULL: not given. */

@@ -10,6 +10,8 @@
     ROW(OBJ, "obj", "model/obj", false, false, false, false)                                                           \
     ROW(STL, "stl", "model/stl application/sla application/vnd.ms-pki.stl model/x.stl-binary model/x.stl-ascii",       \
         false, true, true, true)                                                                                       \
-    ROW(PLY, "ply", "model/ply application/ply application/x-ply model/x-ply", false, true, false, false)
+    ROW(PLY, "ply", "model/ply application/ply application/x-ply model/x-ply", false, true, false, false)              \
+    ROW(GLB, "glb", "model/gltf-binary", false, true, false, false)                                                    \
+    ROW(GLTF, "gltf", "model/gltf+json", false, false, false, false)
 
 #endif

@@ -1,4 +1,4 @@
-/* srgb.h - base: table of sRGB-encoded values as linear light. A kernel.
+/* srgb.h - base: table of sRGB-encoded values as linear light, and the encoding of linear light. Kernels.
  *
  * Exact:  the values of base/srgb_simd.h, the same on every machine.
  */
@@ -13,5 +13,12 @@
 typedef void zr_srgb_ramp_fn(size_t last, float *out);
 
 ZR_KERNEL_TABLE(zr_srgb_ramp_fn, zr_srgb_ramp)
+
+/* Encodes `count` values, clamped to 0..1. Both arrays have ZR_SRGB_EXCESS more floats; those of `linear` are read and
+ * must be defined. */
+enum { ZR_SRGB_EXCESS = 16 };
+typedef void zr_srgb_encode_fn(const float *linear, size_t count, float *encoded);
+
+ZR_KERNEL_TABLE(zr_srgb_encode_fn, zr_srgb_encode)
 
 #endif

@@ -1,19 +1,22 @@
 /* Makes a scene of a bare mesh: {"meshes": [the body]}, with the keys of the query and the look studio by default. */
 #include "input/cloud.h"
+#include "input/file_scene.h"
 #include "input/formats.h"
 #include "input/input.h"
 #include "input/kept.h"
 #include "input/parameters.h"
 #include "scene/defaults.h"
 
-/* Places the meshes in their own axes; zr_query_orient turns them. */
+/* Places the meshes in their own axes, as the nodes of the file say if it has nodes; zr_query_orient turns them. */
 static void place(struct zr_query *query)
 {
     struct zr_scene_builder *builder = query->given.builder;
-    const uint32_t count = builder->scene->mesh_count;
+    const struct zr_file_scene *file = builder->file;
+    const uint32_t count = file ? file->instance_count : builder->scene->mesh_count;
     query->instances = zr_arena_alloc(builder->arena, count, sizeof *query->instances);
     for (uint32_t i = 0; query->instances && i < count; i++)
-        query->instances[i] = (struct zr_instance){.mesh = i, .object_to_world = zr_mat4_identity()};
+        query->instances[i] =
+            file ? file->instances[i] : (struct zr_instance){.mesh = i, .object_to_world = zr_mat4_identity()};
     if (query->instances) zr_scene_builder_place(builder, query->instances, count);
 }
 
@@ -55,7 +58,7 @@ static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
 {
     const struct zr_format_row *format = &zr_format_rows[request->format];
     const int shading = root->face_style.shading;
-    for (size_t i = 0; i < request->asset_count; i++)
+    for (size_t i = 0; !root->builder->file && i < request->asset_count; i++)
         zr_warn_of_unused_asset(root->builder, &request->assets[i]);
     if (format->is_soup && !root->scene->picture.is_linear && shading != ZR_UNSET &&
         zr_shading_varies((enum zr_shading)shading))
@@ -80,9 +83,14 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
     zr_parsed_use_look(root);
     if (!keeping || !keeping->has_view) use_projection(query);
     const bool has_ink = zr_cloud_take_edges(root);
-    make_materials(root);
-    if (has_ink) zr_cloud_draw_in_ink(query);
+    if (root->builder->file) {
+        zr_file_scene_make_materials(root, root->builder->file);
+    } else {
+        make_materials(root);
+        if (has_ink) zr_cloud_draw_in_ink(query);
+    }
     zr_parsed_check_light(root);
+    if (root->builder->file) zr_file_scene_drop_maps(root);
     place(query);
     warn(root, query->request);
     zr_query_report(query->request, ZR_BAD_SCENE, &faults, error);

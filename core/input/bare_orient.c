@@ -10,13 +10,13 @@ static void turn(const struct zr_query *query)
 {
     const struct zr_scene_builder *builder = query->given.builder;
     const struct zr_scene *scene = builder->scene;
-    enum zr_mesh_up up = zr_format_rows[query->request->format].z_is_up ? ZR_MESH_UP_Z : ZR_MESH_UP_Y;
-    if (query->up == ZR_MESH_UP_AUTO)
-        up = zr_mesh_up_find(scene, up, builder->team, query->request->cancel);
-    else if (query->up != ZR_UNSET)
-        up = (enum zr_mesh_up)query->up;
-    for (uint32_t i = 0; i < scene->instance_count; i++)
-        query->instances[i].object_to_world = zr_mesh_up_turn(up);
+    const enum zr_mesh_up usual = zr_format_rows[query->request->format].z_is_up ? ZR_MESH_UP_Z : ZR_MESH_UP_Y;
+    enum zr_mesh_up up = query->up == ZR_UNSET ? usual : (enum zr_mesh_up)query->up;
+    if (up == ZR_MESH_UP_AUTO) /* the format of a file with nodes says what is up */
+        up = builder->file ? usual : zr_mesh_up_find(scene, usual, builder->team, query->request->cancel);
+    const zr_mat4 upright = zr_mesh_up_turn(up);
+    for (uint32_t i = 0; up != ZR_MESH_UP_Y && i < scene->instance_count; i++)
+        query->instances[i].object_to_world = zr_mat4_mul(&upright, &query->instances[i].object_to_world);
 }
 
 static void show_face_on(const struct zr_query *query)

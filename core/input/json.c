@@ -421,5 +421,5 @@ enum zr_status zr_json_close(struct zr_json *json)
 bool zr_looks_so_JSON(const char *bytes, size_t size)
 {
     const size_t blanks = zr_count_blanks(bytes, size);
-    return blanks < size && (bytes[blanks] == '{' || bytes[blanks] == '[');
+    return blanks < size && (bytes[blanks] == '{' || bytes[blanks] == '[') && !zr_looks_so_GLTF(bytes, size);
 }

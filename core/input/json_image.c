@@ -98,6 +98,26 @@ bool zr_parsed_image_is_opaque(const struct zr_parsed_scene *root, uint32_t numb
     return true;
 }
 
+bool zr_parsed_add_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                         const struct zr_parsed_bytes *bytes, uint32_t *number)
+{
+    struct named named = {.text = "", .bytes = *bytes};
+    if (zr_json_stops(&root->json)) return false;
+    root->images.size = sizeof named;
+    const struct named *same = find_bytes(&root->images, bytes);
+    if (!same) {
+        if (root->images.count == NAMES_MAX)
+            return zr_json_fault(&root->json, path, "more than the %d images that are allowed", NAMES_MAX);
+        struct named *kept = decode(root, path, &named) ? zr_growing_next(&root->images, &root->json) : NULL;
+        if (!kept) return false;
+        *kept = named;
+        root->images.count++;
+        same = kept;
+    }
+    *number = same->image;
+    return true;
+}
+
 bool zr_parsed_find_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
                           const struct zr_bytes_name *name, uint32_t *number)
 {

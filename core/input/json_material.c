@@ -44,50 +44,36 @@ static bool read_emissive(struct zr_json *json, const struct zr_json_path *path,
     return true;
 }
 
-enum {
-    NAME,
-    BASE_COLOR,
-    SPECULAR,
-    SHININESS,
-    METALLIC,
-    ROUGHNESS,
-    EMISSIVE,
-    COOL,
-    METALLIC_ROUGHNESS_TEXTURE,
-    NORMAL_TEXTURE,
-    OCCLUSION_TEXTURE,
-    EMISSIVE_TEXTURE,
-    BASE_COLOR_TEXTURE
-};
 #define AT(member) offsetof(struct zr_parsed_material, member)
 static const struct zr_json_field fields[] = {
-    [NAME] = {"name", zr_json_string, AT(name), .required = true,
-              .text = "name by which meshes and polygons refer to the material"},
-    [BASE_COLOR] = {"baseColorFactor", zr_json_color, AT(base_color), .otherwise = "the look's; white",
-                    .text = "colour, a factor of vertex and face colours"},
-    [SPECULAR] = {"specular", zr_read_light_color, AT(specular), .otherwise = "the look's; black",
-                  .text = "colour of highlights"},
-    [SHININESS] = {"shininess", zr_json_float, AT(shininess), 0, SHININESS_MAX, .otherwise = "the look's; 32",
-                   .text = "exponent of highlights; larger is narrower"},
-    [METALLIC] = {"metallicFactor", zr_json_float, AT(metallic), 0, 1, .otherwise = "the look's; 0",
-                  .text = "pbr: metalness, 0 (plastic) to 1 (metal)"},
-    [ROUGHNESS] = {"roughnessFactor", zr_json_float, AT(roughness), 0, 1, .otherwise = "the look's; 0.55",
-                   .text = "pbr: roughness, 0 (mirror) to 1 (matt)"},
-    [EMISSIVE] = {"emissiveFactor", read_emissive, AT(emissive), 0, EMISSIVE_MAX, .otherwise = "[0, 0, 0]",
-                  .text = "pbr: emitted light, linear"},
-    [COOL] = {"cool", zr_json_color, AT(cool), .otherwise = "the look's; #9fb0c3",
-              .text = "gooch: colour of faces that face away from the light"},
-    [METALLIC_ROUGHNESS_TEXTURE] = {"metallicRoughnessTexture", zr_read_texture,
-                                    AT(textures[ZR_TEXTURE_METALLIC_ROUGHNESS]), .otherwise = "none",
-                                    .text = "pbr: factors of roughness (green) and metalness (blue)"},
-    [NORMAL_TEXTURE] = {"normalTexture", zr_read_normal_texture, AT(textures[ZR_TEXTURE_NORMAL]), .otherwise = "none",
-                        .text = "normal map, as in glTF"},
-    [OCCLUSION_TEXTURE] = {"occlusionTexture", zr_read_occlusion_texture, AT(textures[ZR_TEXTURE_OCCLUSION]),
-                           .otherwise = "none", .text = "share of ambient light, in red"},
-    [EMISSIVE_TEXTURE] = {"emissiveTexture", zr_read_texture, AT(textures[ZR_TEXTURE_EMISSIVE]), .otherwise = "none",
-                          .text = "pbr: factor of emissiveFactor"},
-    [BASE_COLOR_TEXTURE] = {"baseColorTexture", zr_read_texture, AT(textures[ZR_TEXTURE_BASE_COLOR]),
-                            .otherwise = "none", .text = "factor of the colours of faces"},
+    [ZR_MATERIAL_NAME] = {"name", zr_json_string, AT(name), .required = true,
+                          .text = "name by which meshes and polygons refer to the material"},
+    [ZR_MATERIAL_BASE_COLOR] = {"baseColorFactor", zr_json_color, AT(base_color), .otherwise = "the look's; white",
+                                .text = "colour, a factor of vertex and face colours"},
+    [ZR_MATERIAL_SPECULAR] = {"specular", zr_read_light_color, AT(specular), .otherwise = "the look's; black",
+                              .text = "colour of highlights"},
+    [ZR_MATERIAL_SHININESS] = {"shininess", zr_json_float, AT(shininess), 0, SHININESS_MAX,
+                               .otherwise = "the look's; 32", .text = "exponent of highlights; larger is narrower"},
+    [ZR_MATERIAL_METALLIC] = {"metallicFactor", zr_json_float, AT(metallic), 0, 1, .otherwise = "the look's; 0",
+                              .text = "pbr: metalness, 0 (plastic) to 1 (metal)"},
+    [ZR_MATERIAL_ROUGHNESS] = {"roughnessFactor", zr_json_float, AT(roughness), 0, 1, .otherwise = "the look's; 0.55",
+                               .text = "pbr: roughness, 0 (mirror) to 1 (matt)"},
+    [ZR_MATERIAL_EMISSIVE] = {"emissiveFactor", read_emissive, AT(emissive), 0, EMISSIVE_MAX, .otherwise = "[0, 0, 0]",
+                              .text = "pbr: emitted light, linear"},
+    [ZR_MATERIAL_COOL] = {"cool", zr_json_color, AT(cool), .otherwise = "the look's; #9fb0c3",
+                          .text = "gooch: colour of faces that face away from the light"},
+    [ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE] = {"metallicRoughnessTexture", zr_read_texture,
+                                                AT(textures[ZR_TEXTURE_METALLIC_ROUGHNESS]), .otherwise = "none",
+                                                .text = "pbr: factors of roughness (green) and metalness (blue)"},
+    [ZR_MATERIAL_NORMAL_TEXTURE] = {"normalTexture", zr_read_normal_texture, AT(textures[ZR_TEXTURE_NORMAL]),
+                                    .otherwise = "none", .text = "normal map, as in glTF"},
+    [ZR_MATERIAL_OCCLUSION_TEXTURE] = {"occlusionTexture", zr_read_occlusion_texture,
+                                       AT(textures[ZR_TEXTURE_OCCLUSION]), .otherwise = "none",
+                                       .text = "share of ambient light, in red"},
+    [ZR_MATERIAL_EMISSIVE_TEXTURE] = {"emissiveTexture", zr_read_texture, AT(textures[ZR_TEXTURE_EMISSIVE]),
+                                      .otherwise = "none", .text = "pbr: factor of emissiveFactor"},
+    [ZR_MATERIAL_BASE_COLOR_TEXTURE] = {"baseColorTexture", zr_read_texture, AT(textures[ZR_TEXTURE_BASE_COLOR]),
+                                        .otherwise = "none", .text = "factor of the colours of faces"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_material, face_style),
     ZR_SIDES_FIELD(struct zr_parsed_material, face_style),
     {.key = "diffuse"},
@@ -110,7 +96,7 @@ static int compare_name(const void *name, const void *given)
 /* Notes keys that need linear light. */
 static void note_linear_keys(struct zr_parsed_scene *root, uint64_t keys)
 {
-    for (int key = METALLIC; key <= EMISSIVE_TEXTURE && !root->linear_key; key++)
+    for (int key = ZR_MATERIAL_METALLIC; key <= ZR_MATERIAL_EMISSIVE_TEXTURE && !root->linear_key; key++)
         if (zr_json_gives(keys, key)) root->linear_key = fields[key].key;
 }
 
@@ -139,7 +125,7 @@ static void refuse_repeated_names(struct zr_parsed_scene *root, const struct zr_
     for (size_t i = 1; i < root->material_count; i++) {
         const struct zr_parsed_material *before = &root->materials[i - 1], *given = before + 1;
         if (*given->name && strcmp(before->name, given->name) == 0)
-            zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, given->number), fields[NAME].key),
+            zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, given->number), fields[ZR_MATERIAL_NAME].key),
                           "%s is the name of material %zu already", zr_quote(given->name, strlen(given->name)).text,
                           before->number);
     }
@@ -175,12 +161,12 @@ static zr_vec3 rgb(zr_vec4 color)
 /* The material's keys override the look's values. */
 static void put_values(const struct zr_parsed_material *given, struct zr_material *material)
 {
-    if (zr_json_gives(given->keys, SPECULAR)) material->specular = rgb(given->specular);
-    if (zr_json_gives(given->keys, SHININESS)) material->shininess = given->shininess;
-    if (zr_json_gives(given->keys, METALLIC)) material->metallic = given->metallic;
-    if (zr_json_gives(given->keys, ROUGHNESS)) material->roughness = given->roughness;
-    if (zr_json_gives(given->keys, EMISSIVE)) material->emissive = given->emissive;
-    if (zr_json_gives(given->keys, COOL)) material->cool = rgb(given->cool);
+    if (zr_json_gives(given->keys, ZR_MATERIAL_SPECULAR)) material->specular = rgb(given->specular);
+    if (zr_json_gives(given->keys, ZR_MATERIAL_SHININESS)) material->shininess = given->shininess;
+    if (zr_json_gives(given->keys, ZR_MATERIAL_METALLIC)) material->metallic = given->metallic;
+    if (zr_json_gives(given->keys, ZR_MATERIAL_ROUGHNESS)) material->roughness = given->roughness;
+    if (zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE)) material->emissive = given->emissive;
+    if (zr_json_gives(given->keys, ZR_MATERIAL_COOL)) material->cool = rgb(given->cool);
 }
 
 /* A given texture replaces the look's factor by 1, unless the factor is given. */
@@ -190,11 +176,11 @@ static void put_textures(const struct zr_parsed_material *given, struct zr_mater
         material->textures[slot] = given->textures[slot].number;
     material->normal_scale = given->textures[ZR_TEXTURE_NORMAL].strength;
     material->occlusion_strength = given->textures[ZR_TEXTURE_OCCLUSION].strength;
-    if (zr_json_gives(given->keys, METALLIC_ROUGHNESS_TEXTURE)) {
-        if (!zr_json_gives(given->keys, METALLIC)) material->metallic = 1.0f;
-        if (!zr_json_gives(given->keys, ROUGHNESS)) material->roughness = 1.0f;
+    if (zr_json_gives(given->keys, ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE)) {
+        if (!zr_json_gives(given->keys, ZR_MATERIAL_METALLIC)) material->metallic = 1.0f;
+        if (!zr_json_gives(given->keys, ZR_MATERIAL_ROUGHNESS)) material->roughness = 1.0f;
     }
-    if (zr_json_gives(given->keys, EMISSIVE_TEXTURE) && !zr_json_gives(given->keys, EMISSIVE))
+    if (zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE_TEXTURE) && !zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE))
         material->emissive = (zr_vec3){1, 1, 1};
 }
 
@@ -206,22 +192,22 @@ static uint32_t shadings_of(int key)
     const uint32_t by_nothing = zr_shadings_lit(ZR_SHADED_BY_NOTHING),
                    by_normals = zr_shadings_lit(ZR_SHADED_BY_NORMALS);
     switch (key) {
-    case SPECULAR:
-    case SHININESS:
+    case ZR_MATERIAL_SPECULAR:
+    case ZR_MATERIAL_SHININESS:
         return ZR_SHADINGS_SPECULAR;
-    case METALLIC:
-    case ROUGHNESS:
-    case EMISSIVE:
-    case METALLIC_ROUGHNESS_TEXTURE:
-    case EMISSIVE_TEXTURE:
+    case ZR_MATERIAL_METALLIC:
+    case ZR_MATERIAL_ROUGHNESS:
+    case ZR_MATERIAL_EMISSIVE:
+    case ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE:
+    case ZR_MATERIAL_EMISSIVE_TEXTURE:
         return zr_shadings_lit(ZR_SHADED_PHYSICALLY);
-    case COOL:
+    case ZR_MATERIAL_COOL:
         return zr_shadings_lit(ZR_SHADED_BY_OWN_LAMP);
-    case NORMAL_TEXTURE:
+    case ZR_MATERIAL_NORMAL_TEXTURE:
         return ZR_SHADING_ALL & ~by_nothing;
-    case OCCLUSION_TEXTURE:
+    case ZR_MATERIAL_OCCLUSION_TEXTURE:
         return ZR_SHADING_ALL & ~(by_nothing | by_normals);
-    case BASE_COLOR_TEXTURE:
+    case ZR_MATERIAL_BASE_COLOR_TEXTURE:
         return ZR_SHADING_ALL & ~by_normals;
     default:
         return 0;
@@ -242,8 +228,8 @@ static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *s
     if (style->face_style.alpha_cutoff >= 0.0f && material->alpha_mode != ZR_ALPHA_MASK)
         note(root, style, ZR_ODD_CUTOFF);
     const bool has_mode = faces->alpha_mode != ZR_UNSET || zr_shading_is_layered(material->shading);
-    const bool is_textured =
-        style->has_faces && !material->unfilled && zr_shading_is_in(material->shading, shadings_of(BASE_COLOR_TEXTURE));
+    const bool is_textured = style->has_faces && !material->unfilled &&
+                             zr_shading_is_in(material->shading, shadings_of(ZR_MATERIAL_BASE_COLOR_TEXTURE));
     const uint32_t texture = is_textured ? material->textures[ZR_TEXTURE_BASE_COLOR] : 0;
     if (!has_mode && texture && least >= 1.0f &&
         !zr_parsed_image_is_opaque(root, root->scene->textures[texture - 1].image))
@@ -270,8 +256,8 @@ static void note_use(struct zr_parsed_material *given, const struct zr_style *st
 static struct zr_names_text unused_keys(const struct zr_parsed_material *given, bool is_linear)
 {
     struct zr_names_text words = {""};
-    for (int key = 0; given->is_used && key <= BASE_COLOR_TEXTURE; key++) {
-        const bool any_shading = key == BASE_COLOR_TEXTURE && given->is_blended && is_linear;
+    for (int key = 0; given->is_used && key <= ZR_MATERIAL_BASE_COLOR_TEXTURE; key++) {
+        const bool any_shading = key == ZR_MATERIAL_BASE_COLOR_TEXTURE && given->is_blended && is_linear;
         const uint32_t users = any_shading ? ZR_SHADING_ALL : shadings_of(key);
         if (zr_json_gives(given->keys, key) && users != 0 && !(users & given->shadings))
             zr_names_text_add(&words, fields[key].key);
@@ -353,9 +339,9 @@ uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_s
     const struct zr_parsed_material none = {
         .name = "", .base_color = zr_default_base_color(look, coloured), .face_style = zr_face_style_unset};
     const struct zr_parsed_material *given = has_given ? &root->materials[style->material] : &none;
-    const bool has_color = zr_json_gives(given->keys, BASE_COLOR) ||
+    const bool has_color = zr_json_gives(given->keys, ZR_MATERIAL_BASE_COLOR) ||
                            (has_given && look == zr_look_textbook() && !root->is_bare) ||
-                           zr_json_gives(given->keys, BASE_COLOR_TEXTURE);
+                           zr_json_gives(given->keys, ZR_MATERIAL_BASE_COLOR_TEXTURE);
     struct zr_face_style faces = zr_face_style_merge(&style->face_style, &given->face_style);
     faces = zr_face_style_merge(&faces, &root->face_style);
     if (faces.double_sided == ZR_UNSET) faces.double_sided = style->is_open;

@@ -13,4 +13,7 @@ zr_json_read_fn zr_json_affine; /* zr_mat4, affine: its bottom row is 0 0 0 1 */
 bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out,
                     bool *nested);
 
+/* Returns translation · rotation · scale; the rotation is a quaternion x, y, z, w of any length above 0. */
+zr_mat4 zr_mat4_of_pose(zr_vec3 t, zr_vec4 q, zr_vec3 s);
+
 #endif

@@ -89,30 +89,6 @@ static bool read_reference(struct zr_json *json, const struct zr_json_path *path
     return zr_json_index(json, path, directory->count, directory->many, out);
 }
 
-/* ---- matrices ---- */
-
-/* Returns T · R · S. The quaternion is normalised by dividing products by its squared length, so that right angles stay
- * exact.
- * Source: glTF 2.0, section 3.5.3 "Transformations"; Shoemake, "Quaternions", 1991. */
-static zr_mat4 matrix_of(zr_vec3 t, zr_vec4 q, zr_vec3 s)
-{
-    const double x = (double)q.x, y = (double)q.y, z = (double)q.z, w = (double)q.w;
-    const double n = x * x + y * y + z * z + w * w;
-    const double rotation[9] = {
-        (w * w + x * x - y * y - z * z) / n, 2 * (x * y + w * z) / n, 2 * (x * z - w * y) / n, 2 * (x * y - w * z) / n,
-        (w * w - x * x + y * y - z * z) / n, 2 * (y * z + w * x) / n, 2 * (x * z + w * y) / n, 2 * (y * z - w * x) / n,
-        (w * w - x * x - y * y + z * z) / n};
-    const double scale[3] = {(double)s.x, (double)s.y, (double)s.z};
-    zr_mat4 out = zr_mat4_identity();
-    for (int column = 0; column < 3; column++)
-        for (int row = 0; row < 3; row++)
-            out.m[column * 4 + row] = (float)(rotation[column * 3 + row] * scale[column]);
-    out.m[12] = t.x;
-    out.m[13] = t.y;
-    out.m[14] = t.z;
-    return out;
-}
-
 /* ---- nodes ---- */
 
 struct given_node {
@@ -162,7 +138,7 @@ static zr_mat4 find_local(struct zr_json *json, const struct zr_json_path *path,
     if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f)
         zr_json_fault(json, ZR_JSON_KEY(path, fields[ROTATION].key),
                       "a quaternion of no length; 0 0 0 1 turns nothing");
-    return matrix_of(given->translation, q, given->scale);
+    return zr_mat4_of_pose(given->translation, q, given->scale);
 }
 
 static void read_node(struct reader *reader, struct zr_json *json, const struct zr_json_path *path, uint32_t number)

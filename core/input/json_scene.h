@@ -36,6 +36,23 @@ struct zr_parsed_texture {
     uint32_t number; /* 1 + its index in the scene, set once the root is read; 0: none or refused */
 };
 
+/* Keys of a material. */
+enum zr_material_key {
+    ZR_MATERIAL_NAME,
+    ZR_MATERIAL_BASE_COLOR,
+    ZR_MATERIAL_SPECULAR,
+    ZR_MATERIAL_SHININESS,
+    ZR_MATERIAL_METALLIC,
+    ZR_MATERIAL_ROUGHNESS,
+    ZR_MATERIAL_EMISSIVE,
+    ZR_MATERIAL_COOL,
+    ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE,
+    ZR_MATERIAL_NORMAL_TEXTURE,
+    ZR_MATERIAL_OCCLUSION_TEXTURE,
+    ZR_MATERIAL_EMISSIVE_TEXTURE,
+    ZR_MATERIAL_BASE_COLOR_TEXTURE
+};
+
 /* A material of the scene, as read. */
 struct zr_parsed_material {
     const char *name;
@@ -332,6 +349,10 @@ bool zr_parsed_read_asset(struct zr_json *json, const struct zr_json_path *path,
 bool zr_parsed_find_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
                           const struct zr_bytes_name *name, uint32_t *number);
 
+/* The same for bytes, which stay where they are. Faults are at `path`. */
+bool zr_parsed_add_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                         const struct zr_parsed_bytes *bytes, uint32_t *number);
+
 /* True if all alphas of the image are 1. Scans its texels once. */
 bool zr_parsed_image_is_opaque(const struct zr_parsed_scene *root, uint32_t number);
 
@@ -341,6 +362,13 @@ zr_json_read_fn zr_read_texture, zr_read_normal_texture, zr_read_occlusion_textu
 
 /* Adds the textures of all materials to the scene. `path`: of the list of materials. */
 void zr_parsed_find_textures(struct zr_parsed_scene *root, const struct zr_json_path *path);
+
+/* Sets the rows of a texture: scales, then rotates, then translates coordinates. */
+void zr_parsed_put_transform(const struct zr_parsed_texture *given, struct zr_texture *texture);
+
+/* The index of glTF's number for a filter or a wrap mode in its words; -1: there is none. */
+int zr_filter_of_number(uint32_t number);
+int zr_wrap_of_number(uint32_t number);
 
 /* Keys of a material's textures, by enum zr_texture_slot. */
 extern const char *const zr_texture_keys[ZR_TEXTURE_SLOTS];

@@ -45,6 +45,23 @@ static bool read_numbered(struct zr_json *json, const struct zr_json_path *path,
                          zr_names_join(&of->names).text);
 }
 
+static int find_number(const uint32_t *numbers, int count, uint32_t number)
+{
+    for (int i = 0; i < count; i++)
+        if (numbers[i] == number) return i;
+    return -1;
+}
+
+int zr_filter_of_number(uint32_t number)
+{
+    return find_number(filter_numbers, ZR_FILTER_COUNT, number);
+}
+
+int zr_wrap_of_number(uint32_t number)
+{
+    return find_number(wrap_numbers, ZR_WRAP_COUNT, number);
+}
+
 #define SAMPLER(member) offsetof(struct zr_parsed_sampler, member)
 static const struct zr_json_field sampler_fields[] = {
     {"magFilter", read_numbered, SAMPLER(magnify), .words = &magnify.names, .otherwise = "linear",
@@ -169,7 +186,7 @@ bool zr_read_occlusion_texture(struct zr_json *json, const struct zr_json_path *
 /* ---- in the scene ---- */
 
 /* Scales, then rotates, then translates the coordinates. Source: KHR_texture_transform. */
-static void put_transform(const struct zr_parsed_texture *given, struct zr_texture *texture)
+void zr_parsed_put_transform(const struct zr_parsed_texture *given, struct zr_texture *texture)
 {
     const double to_degrees = 57.295779513082321;
     double sine, cosine;
@@ -194,7 +211,7 @@ static bool find_texture(struct zr_parsed_scene *root, const struct zr_json_path
     if (!zr_parsed_find_image(root, path, &given->name, &texture.image)) return false;
     if (root->scene->texture_count >= ZR_TEXTURES_MAX)
         return zr_json_fault(&root->json, path, "more than the %d textures that are allowed", ZR_TEXTURES_MAX);
-    put_transform(given, &texture);
+    zr_parsed_put_transform(given, &texture);
     given->number = 1 + zr_scene_builder_texture(root->builder, &texture);
     return true;
 }

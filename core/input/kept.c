@@ -8,6 +8,8 @@ void zr_kept_save_bare(struct zr_kept *kept, const struct zr_scene_builder *buil
     kept->bare_counts = builder->scene->counts;
     kept->bare_origin = builder->scene->origin;
     kept->mesh_count = builder->scene->mesh_count;
+    kept->image_count = builder->scene->image_count;
+    kept->texture_count = builder->scene->texture_count;
     kept->bare.meshes = zr_arena_copy(builder->arena, builder->meshes, kept->mesh_count * sizeof *builder->meshes);
 }
 
@@ -20,5 +22,10 @@ bool zr_kept_load_bare(const struct zr_kept *kept, struct zr_scene_builder *buil
     zr_warning_list_append(builder->arena, &builder->color_warnings, &kept->bare.color_warnings);
     builder->scene->counts = kept->bare_counts;
     builder->scene->origin = kept->bare_origin;
+    builder->file = kept->bare.file;
+    builder->scene->images = kept->bare.images;
+    builder->scene->image_count = kept->image_count;
+    builder->scene->textures = kept->bare.textures;
+    builder->scene->texture_count = kept->texture_count;
     return zr_arena_ok(builder->arena);
 }

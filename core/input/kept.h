@@ -34,7 +34,7 @@ struct zr_kept {
     const struct zr_soup *soup; /* or NULL */
 
     struct zr_scene_builder bare; /* of a bare mesh: meshes and warnings as read */
-    uint32_t mesh_count;
+    uint32_t mesh_count, image_count, texture_count;
     struct zr_read_counts bare_counts;
     const double *bare_origin; /* or NULL */
 };

@@ -18,7 +18,6 @@ static const struct {
     {"\x89PNG", 4, "a PNG picture"},
     {"\xFF\xD8\xFF", 3, "a JPEG picture"},
     {"PK\x03\x04", 4, "a ZIP archive, as 3MF files are"},
-    {"glTF", 4, "binary glTF"},
     {"\xFF\xFE", 2, "UTF-16 text (UTF-8 is needed)"},
     {"\xFE\xFF", 2, "UTF-16 text (UTF-8 is needed)"},
     {"\x93NUMPY", 6, "an NPY array"},

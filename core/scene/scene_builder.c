@@ -190,7 +190,7 @@ void zr_scene_builder_close(struct zr_scene_builder *builder)
         const bool is_soup = !mesh->indices && mesh->face_count > 0;
         if (mesh->face_offsets && !mesh->indices)
             mesh->indices = count_up(builder, mesh->face_offsets[mesh->face_count], 1);
-        if (!is_soup && mesh->indices)
+        if (!is_soup && mesh->indices && mesh->face_offsets)
             zr_unused_positions_move(builder->arena, builder->team, mesh, (zr_vec4 *)mesh->positions);
     }
     scene->materials = builder->materials;

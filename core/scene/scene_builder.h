@@ -17,7 +17,8 @@
 #include "scene/scene.h"
 
 struct zr_team;
-struct zr_keeping; /* input/kept.h */
+struct zr_keeping;    /* input/kept.h */
+struct zr_file_scene; /* input/file_scene.h */
 
 struct zr_scene_builder {
     struct zr_arena *arena;
@@ -34,6 +35,7 @@ struct zr_scene_builder {
     struct zr_texture *textures;
     size_t texture_room;
     const struct zr_keeping *keeping; /* the scene is kept, or changes a kept one; or NULL */
+    const struct zr_file_scene *file; /* nodes and materials of a bare mesh's own; or NULL */
 };
 
 /* Starts to build on *scene, which holds the defaults. */

@@ -179,8 +179,8 @@ check "an unknown ending is no fault" 0 "$client" render mesh.wavefront
 printf '%%PDF-1.4 and so on' >document
 check "unknown bytes are" 1 "$client" render document
 verdict "and the message names their format" grep -q 'looks like a PDF document, which is none of: json, obj' complained
-check "an unknown type ends with 2" 2 "$client" render said --type gltf
-verdict "and the message lists the types" grep -q -e '--type accepts one of json obj stl ply, not gltf' complained
+check "an unknown type ends with 2" 2 "$client" render said --type off
+verdict "and the message lists the types" grep -q -e '--type accepts one of json obj stl ply glb gltf, not off' complained
 check "no file ends with 2" 2 "$client" render
 check "two files end with 2" 2 "$client" render scene.json two.json
 check "another command ends with 2" 2 "$client" draw scene.json

@@ -20,7 +20,7 @@
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json",  "obj",  "stl",       "ply",       "png", "npy",
+static const char *const targets[] = {"json",  "obj",  "stl",       "ply",       "gltf", "png", "npy",
                                       "array", "gzip", "multipart", "image_png", "jpeg"};
 
 static void fail(const char *what)
@@ -324,6 +324,68 @@ static void write_arrays(void)
     write_array("|u1", "(4, 4)", colors, sizeof colors);
 }
 
+/* ---- glTF ---- */
+
+/* Numbers of the file below: four corners, two triangles, normalized colours and coordinates, a PNG of one texel. */
+static const struct {
+    float corners[4][3];
+    uint16_t square[6];
+    uint8_t colors[4][4];
+    int16_t uv[4][2];
+    uint8_t one, pad[3];
+    uint8_t png[70];
+} gltf_numbers = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                  {0, 1, 2, 0, 2, 3},
+                  {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {128, 128, 128, 51}},
+                  {{0, 32767}, {32767, 0}, {0, 0}, {-32768, 0}},
+                  1,
+                  {0, 0, 0},
+                  {0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48,
+                   0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x06, 0x00, 0x00,
+                   0x00, 0x1F, 0x15, 0xC4, 0x89, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x44, 0x41, 0x54, 0x78,
+                   0xDA, 0x63, 0xF8, 0xDF, 0xE0, 0x70, 0x00, 0x00, 0x06, 0xC1, 0x02, 0x80, 0x10, 0xA8,
+                   0x39, 0x61, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82}};
+
+#define GLTF_ALL                                                                                                       \
+    "\"asset\":{\"version\":\"2.0\"},\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,"                 \
+    "\"byteOffset\":48,\"byteLength\":12},{\"buffer\":0,\"byteOffset\":60,\"byteLength\":16,\"byteStride\":4},"        \
+    "{\"buffer\":0,\"byteOffset\":76,\"byteLength\":16},{\"buffer\":0,\"byteOffset\":92,\"byteLength\":1},"            \
+    "{\"buffer\":0,\"byteOffset\":96,\"byteLength\":70}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"     \
+    "\"count\":4,\"type\":\"VEC3\",\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":4,\"componentType\":5121},"     \
+    "\"values\":{\"bufferView\":0,\"byteOffset\":12}}},{\"bufferView\":1,\"componentType\":5123,\"count\":6,"          \
+    "\"type\":\"SCALAR\"},{\"bufferView\":2,\"componentType\":5121,\"normalized\":true,\"count\":4,\"type\":"          \
+    "\"VEC4\"},{\"bufferView\":3,\"componentType\":5122,\"normalized\":true,\"count\":4,\"type\":\"VEC2\"}],"          \
+    "\"images\":[{\"bufferView\":5,\"mimeType\":\"image/png\"}],\"samplers\":[{\"magFilter\":9728,\"wrapS\":33648}],"  \
+    "\"textures\":[{\"source\":0,\"sampler\":0}],\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":"      \
+    "{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.5,0],\"rotation\":1}}}},\"normalTexture\":" \
+    "{\"index\":0,\"scale\":2},\"alphaMode\":\"MASK\"},{\"extensions\":{\"KHR_materials_unlit\":{}},\"doubleSided\":"  \
+    "true}],\"meshes\":[{\"name\":\"m\",\"primitives\":[{\"attributes\":{\"POSITION\":0,\"COLOR_0\":2,\"TEXCOORD_0\""  \
+    ":3},\"indices\":1,\"material\":0},{\"attributes\":{\"POSITION\":0},\"mode\":%d,\"material\":1}]}],\"nodes\":[{"   \
+    "\"children\":[1],\"rotation\":[0,0.6,0,0.8]},{\"mesh\":0,\"scale\":[1,-1,1]}],\"scenes\":[{\"nodes\":[0]}],"      \
+    "\"buffers\":[{\"byteLength\":166"
+
+static void write_gltf(void)
+{
+    char text[4096], name[16];
+    for (int mode = 0; mode <= 6; mode++) {
+        char *uri = base64_of("data:;base64,", (const unsigned char *)&gltf_numbers, sizeof gltf_numbers);
+        if (!uri) fail("a data: URI");
+        snprintf(text, sizeof text, "{" GLTF_ALL ",\"uri\":\"%s\"}]}", mode, uri);
+        free(uri);
+        snprintf(name, sizeof name, "mode%d", mode);
+        write_seed("gltf", name, text, strlen(text));
+    }
+    memset(text, ' ', sizeof text);
+    const int length = snprintf(text + 20, sizeof text - 20, "{" GLTF_ALL "}]}", 4);
+    text[20 + length] = ' ';
+    const uint32_t json = (uint32_t)(length + 4) & ~3u, numbers = sizeof gltf_numbers, size = 28 + json + numbers;
+    const uint32_t head[] = {0x46546C67, 2, size, json, 0x4E4F534A}, chunk[] = {numbers, 0x004E4942};
+    memcpy(text, head, sizeof head);
+    memcpy(text + 20 + json, chunk, sizeof chunk);
+    memcpy(text + 28 + json, &gltf_numbers, numbers);
+    write_seed("gltf", "binary", text, size);
+}
+
 /* ---- bodies ---- */
 
 static void write_gzip(const char *name, const char *text, size_t size, int level)
@@ -369,6 +431,7 @@ int main(int count, char **arguments)
     write_pictures();
     write_jpegs();
     write_arrays();
+    write_gltf();
     write_bodies();
     return 0;
 }

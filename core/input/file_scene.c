@@ -1,0 +1,79 @@
+#include "input/file_scene.h"
+
+#include "input/json_scene.h"
+
+/* Returns the file's material with the values that the query gives. */
+static struct zr_parsed_material put_query(const struct zr_parsed_material *material,
+                                           const struct zr_parsed_material *query)
+{
+    struct zr_parsed_material out = *material;
+    if (!query) return out;
+    if (zr_json_gives(query->keys, ZR_MATERIAL_BASE_COLOR)) out.base_color = query->base_color;
+    if (zr_json_gives(query->keys, ZR_MATERIAL_METALLIC)) out.metallic = query->metallic;
+    if (zr_json_gives(query->keys, ZR_MATERIAL_ROUGHNESS)) out.roughness = query->roughness;
+    return out;
+}
+
+/* Unlit materials are so in looks that light others: a look of another kind shades all surfaces in its own way. */
+static bool lights_surfaces(const struct zr_look *look)
+{
+    return look->shades_by_mesh || look->material.shading == ZR_SHADING_PBR;
+}
+
+static uint32_t make(struct zr_parsed_scene *root, const struct zr_mesh *mesh, uint32_t number, size_t material,
+                     const struct zr_face_style *style)
+{
+    const bool is_colored = mesh->colors != NULL;
+    const struct zr_style of = {.material = material,
+                                .face_style = *style,
+                                .is_open = true,
+                                .has_faces = mesh->face_count > 0,
+                                .number = number,
+                                .alpha = zr_alpha_range_of(mesh->colors, mesh->position_count)};
+    return zr_parsed_make_material(root, &of, is_colored, mesh->normal_count > 0 || is_colored);
+}
+
+/* Notes the uses of the file's materials for the query's, whose keys go into all of them. */
+static void note_uses(struct zr_parsed_material *query, const struct zr_parsed_material *all, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        query->is_used |= all[i].is_used;
+        query->is_masked |= all[i].is_masked;
+        query->is_blended |= all[i].is_blended;
+        query->shadings |= all[i].shadings;
+    }
+}
+
+void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_file_scene *file)
+{
+    struct zr_scene *scene = root->scene;
+    struct zr_parsed_material *const own = root->materials;
+    const size_t own_count = root->material_count; /* 0, or 1: the query's */
+    struct zr_parsed_material *all = zr_arena_alloc(root->json.arena, (size_t)file->material_count + 1, sizeof *all);
+    struct zr_face_style over = root->face_style;
+    if (!all) return;
+    if (own_count > 0) over = zr_face_style_merge(&own->face_style, &root->face_style);
+    for (uint32_t i = 0; i < file->material_count; i++) {
+        all[i] = put_query(&file->materials[i], own_count > 0 ? own : NULL);
+        if (!lights_surfaces(scene->look)) all[i].face_style.shading = ZR_UNSET;
+    }
+    if (own_count > 0) all[file->material_count] = *own;
+    root->materials = all;
+    root->material_count = file->material_count + own_count;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        const uint32_t of = file->mesh_materials[i];
+        struct zr_mesh *mesh = &root->builder->meshes[i];
+        mesh->material = make(root, mesh, i, of == ZR_FILE_MATERIAL_NONE ? file->material_count : of, &over);
+    }
+    if (own_count > 0) note_uses(own, all, file->material_count + 1);
+    root->materials = own;
+    root->material_count = own_count;
+}
+
+void zr_file_scene_drop_maps(struct zr_parsed_scene *root)
+{
+    if (root->scene->picture.is_linear) return;
+    for (uint32_t i = 0; i < root->scene->material_count; i++)
+        for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
+            if (slot != ZR_TEXTURE_BASE_COLOR) root->builder->materials[i].textures[slot] = 0;
+}

@@ -1,0 +1,201 @@
+/* Reads glTF 2.0, binary (GLB) or JSON. Its numbers are where the file has them: bytes of the body, of a data: URI or
+ * of a part of the request. */
+#include "input/gltf.h"
+
+#include <string.h>
+
+#include "input/input.h"
+#include "input/text.h"
+
+/* ---- the root ---- */
+
+static const struct zr_json_field fields[] = {
+#define PLACE(ID, name) [ID] = {.key = name, .read = zr_json_place, .offset = sizeof(const char *) * (ID)}
+    PLACE(ZR_GLTF_ASSET, "asset"),
+    PLACE(ZR_GLTF_ACCESSORS, "accessors"),
+    PLACE(ZR_GLTF_BUFFER_VIEWS, "bufferViews"),
+    PLACE(ZR_GLTF_BUFFERS, "buffers"),
+    PLACE(ZR_GLTF_IMAGES, "images"),
+    PLACE(ZR_GLTF_MATERIALS, "materials"),
+    PLACE(ZR_GLTF_MESHES, "meshes"),
+    PLACE(ZR_GLTF_NODES, "nodes"),
+    PLACE(ZR_GLTF_SAMPLERS, "samplers"),
+    PLACE(ZR_GLTF_SCENE, "scene"),
+    PLACE(ZR_GLTF_SCENES, "scenes"),
+    PLACE(ZR_GLTF_TEXTURES, "textures"),
+    PLACE(ZR_GLTF_ANIMATIONS, "animations"),
+    PLACE(ZR_GLTF_CAMERAS, "cameras"),
+    PLACE(ZR_GLTF_SKINS, "skins"),
+    PLACE(ZR_GLTF_USED, "extensionsUsed"),
+    PLACE(ZR_GLTF_REQUIRED, "extensionsRequired"),
+#undef PLACE
+    ZR_GLTF_COMMON};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("glTF", fields);
+
+const char *zr_gltf_word(enum zr_gltf_key key)
+{
+    return fields[key].key;
+}
+
+/* ---- the version ---- */
+
+struct given_asset {
+    const char *version, *minimum;
+};
+enum { VERSION, MINIMUM };
+static const struct zr_json_field asset_fields[] = {
+    [VERSION] = {"version", zr_json_string, offsetof(struct given_asset, version), .required = true,
+                 .text = "version of glTF"},
+    [MINIMUM] = {.key = "minVersion", .read = zr_json_string, .offset = offsetof(struct given_asset, minimum)},
+    {.key = "generator", .read = zr_gltf_ignore},
+    {.key = "copyright", .read = zr_gltf_ignore},
+    ZR_GLTF_COMMON};
+static const struct zr_json_object asset_object = ZR_JSON_OBJECT_OF("asset", asset_fields);
+
+static void check_version(struct zr_gltf *file)
+{
+    const struct zr_json_path *path = ZR_JSON_KEY(NULL, fields[ZR_GLTF_ASSET].key);
+    struct given_asset given = {NULL, NULL};
+    uint64_t keys;
+    if (!file->places[ZR_GLTF_ASSET]) {
+        zr_json_fault(&file->root.json, NULL, "asset is missing: it has the version of glTF");
+        return;
+    }
+    struct zr_json there = zr_json_at(&file->root.json, file->places[ZR_GLTF_ASSET]);
+    zr_gltf_fields(file, &there, path, &asset_object, &given, &keys);
+    if (given.version && strncmp(given.version, "2.", 2) != 0)
+        zr_json_fault(&file->root.json, ZR_JSON_KEY(path, asset_fields[VERSION].key), "glTF of version %s; 2.0 is read",
+                      zr_quote(given.version, strlen(given.version)).text);
+    if (given.minimum && strcmp(given.minimum, "2.0") != 0)
+        zr_json_fault(&file->root.json, ZR_JSON_KEY(path, asset_fields[MINIMUM].key),
+                      "the file needs a reader of version %s; this one reads 2.0",
+                      zr_quote(given.minimum, strlen(given.minimum)).text);
+}
+
+/* ---- reading ---- */
+
+static bool count_lists(struct zr_gltf *file)
+{
+    for (int key = ZR_GLTF_ACCESSORS; key < ZR_GLTF_KEYS; key++) {
+        size_t count = 0;
+        if (!file->places[key] || key == ZR_GLTF_SCENE) continue;
+        struct zr_json there = zr_json_at(&file->root.json, file->places[key]);
+        if (zr_json_count(&there, ZR_JSON_KEY(NULL, fields[key].key), &count)) file->counts[key] = (uint32_t)count;
+    }
+    return file->root.json.error->count == 0;
+}
+
+static bool is_good(const struct zr_gltf *file)
+{
+    return file->root.json.error->count == 0 && zr_arena_ok(file->root.json.arena);
+}
+
+static void build(struct zr_gltf *file)
+{
+    check_version(file);
+    zr_gltf_check_extensions(file);
+    if (!is_good(file) || !count_lists(file)) return;
+    file->omits[ZR_GLTF_OMITS_ANIMATIONS] = file->counts[ZR_GLTF_ANIMATIONS] > 0;
+    file->omits[ZR_GLTF_OMITS_CAMERAS] = file->counts[ZR_GLTF_CAMERAS] > 0;
+    if (!zr_gltf_read_buffers(file) || !zr_gltf_read_accessors(file) || !zr_gltf_read_textures(file) ||
+        !zr_gltf_read_materials(file) || !zr_gltf_read_nodes(file) || !is_good(file))
+        return;
+    if (file->counts[ZR_GLTF_MESHES] > 0 && zr_gltf_count_unplaced(file) == file->counts[ZR_GLTF_MESHES])
+        zr_json_fault(&file->root.json, NULL, "no geometry: no node of the scene has a mesh");
+    if (!is_good(file) || !zr_gltf_read_meshes(file) || !is_good(file)) return;
+    zr_gltf_place(file);
+    if (is_good(file)) zr_gltf_warn(file);
+}
+
+static uint64_t count_bytes(const struct zr_request *request)
+{
+    uint64_t bytes = request->size;
+    for (size_t i = 0; i < request->asset_count; i++)
+        bytes += request->assets[i].size;
+    return bytes;
+}
+
+static enum zr_status read(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
+{
+    struct zr_limits used = *limits;
+    struct zr_parsed_bytes text;
+    struct zr_gltf *file = zr_arena_zero(builder->arena, 1, sizeof *file);
+    struct zr_file_scene *made = zr_arena_zero(builder->arena, 1, sizeof *made);
+    if (!file || !made) return ZR_NO_MEMORY;
+    if (used.json_depth_max > ZR_JSON_DEPTH_MAX) used.json_depth_max = ZR_JSON_DEPTH_MAX;
+    const enum zr_status status = zr_gltf_unpack(builder, request->bytes, request->size, &text, &file->chunk, error);
+    if (status != ZR_OK) return status;
+    file->made = made;
+    file->bytes = count_bytes(request);
+    file->root = (struct zr_parsed_scene){
+        .json = {.arena = builder->arena,
+                 .team = builder->team,
+                 .cancel = request->cancel,
+                 .limits = &used,
+                 .error = error},
+        .builder = builder,
+        .scene = builder->scene,
+        .assets = {.count = request->asset_count, .items = request->assets, .quick = request->quick}};
+    struct zr_json *json = &file->root.json;
+    json->assets = &file->root.assets;
+    zr_json_open(json, text.bytes, text.size);
+    file->root.assets.uses = zr_arena_zero(builder->arena, request->asset_count, sizeof *file->root.assets.uses);
+    uint64_t keys;
+    if (file->root.assets.uses && zr_gltf_fields(file, json, NULL, &object, file->places, &keys) && zr_json_end(json))
+        build(file);
+    builder->file = made;
+    return zr_json_close(json);
+}
+
+enum zr_status zr_read_GLB(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
+{
+    return read(builder, request, limits, error);
+}
+
+enum zr_status zr_read_GLTF(struct zr_scene_builder *builder, const struct zr_request *request,
+                            const struct zr_limits *limits, struct zr_error *error)
+{
+    return read(builder, request, limits, error);
+}
+
+/* ---- the form ---- */
+
+/* True if `at` begins a string of the given word, with a colon behind it. */
+static bool is_key(const char *at, const char *end, const char *word)
+{
+    const size_t length = strlen(word);
+    if ((size_t)(end - at) < length + 2 || memcmp(at + 1, word, length) != 0 || at[length + 1] != '"') return false;
+    at = zr_json_skip_space(at + length + 2, end);
+    return at < end && *at == ':';
+}
+
+/* Returns the place behind a string, or `end`. */
+static const char *skip_string(const char *at, const char *end)
+{
+    for (at++; at < end && *at != '"'; at++)
+        at += *at == '\\';
+    return at < end ? at + 1 : end;
+}
+
+/* True if the root has a key that glTF has, and scenes do not. */
+bool zr_looks_so_GLTF(const char *bytes, size_t size)
+{
+    static const char *const words[] = {"asset", "accessors", "bufferViews", "buffers", "scenes"};
+    const char *at = bytes + zr_count_blanks(bytes, size), *const end =
+                                                               bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX);
+    int depth = 0;
+    if (at >= end || *at != '{') return false;
+    while (at < end) {
+        if (*at == '"') {
+            for (size_t i = 0; depth == 1 && i < sizeof words / sizeof *words; i++)
+                if (is_key(at, end, words[i])) return true;
+            at = skip_string(at, end);
+            continue;
+        }
+        depth += (*at == '{' || *at == '[') - (*at == '}' || *at == ']');
+        at++;
+    }
+    return false;
+}

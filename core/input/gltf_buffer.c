@@ -1,0 +1,152 @@
+/* Reads buffers and views of glTF. The bytes of a buffer are found at its first use; nothing is fetched. */
+#include "input/gltf.h"
+
+#include <string.h>
+#include <strings.h>
+
+#include "input/base64.h"
+#include "input/text.h"
+
+/* ---- lists ---- */
+
+enum { BUFFER_LENGTH, BUFFER_URI };
+#define AT(member) offsetof(struct zr_gltf_buffer, member)
+static const struct zr_json_field buffer_fields[] = {
+    [BUFFER_LENGTH] = {"byteLength", zr_json_whole, AT(length), .required = true, .text = "bytes of the buffer"},
+    [BUFFER_URI] = {.key = "uri", .read = zr_json_string, .offset = AT(uri)},
+    ZR_GLTF_NAME,
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object buffer_object = ZR_JSON_OBJECT_OF("buffer", buffer_fields);
+
+static void read_buffer(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    uint64_t keys;
+    zr_gltf_fields(file, json, path, &buffer_object, &file->buffers[number], &keys);
+}
+
+enum { VIEW_BUFFER, VIEW_LENGTH, VIEW_OFFSET, VIEW_STRIDE };
+enum { STRIDE_MIN = 4, STRIDE_MAX = 252 };
+#define AT(member) offsetof(struct zr_gltf_view, member)
+static const struct zr_json_field view_fields[] = {
+    [VIEW_BUFFER] = {"buffer", zr_gltf_index, AT(buffer), .required = true, .text = "number of the buffer"},
+    [VIEW_LENGTH] = {"byteLength", zr_json_whole, AT(length), .required = true, .text = "bytes of the view"},
+    [VIEW_OFFSET] = {.key = "byteOffset", .read = zr_json_whole, .offset = AT(offset)},
+    [VIEW_STRIDE] = {.key = "byteStride", .read = zr_json_whole, .offset = AT(stride)},
+    {.key = "target", .read = zr_gltf_ignore},
+    ZR_GLTF_NAME,
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object view_object = ZR_JSON_OBJECT_OF("bufferView", view_fields);
+
+static void read_view(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    struct zr_gltf_view *view = &file->views[number];
+    uint64_t keys;
+    zr_gltf_fields(file, json, path, &view_object, view, &keys);
+    if (zr_json_gives(keys, VIEW_STRIDE) && (view->stride < STRIDE_MIN || view->stride > STRIDE_MAX))
+        zr_json_fault(json, ZR_JSON_KEY(path, view_fields[VIEW_STRIDE].key), "%u; %d to %d bytes are allowed",
+                      view->stride, STRIDE_MIN, STRIDE_MAX);
+}
+
+bool zr_gltf_read_buffers(struct zr_gltf *file)
+{
+    struct zr_arena *arena = file->root.json.arena;
+    file->buffers = zr_arena_zero(arena, file->counts[ZR_GLTF_BUFFERS], sizeof *file->buffers);
+    file->views = zr_arena_zero(arena, file->counts[ZR_GLTF_BUFFER_VIEWS], sizeof *file->views);
+    return zr_arena_ok(arena) && zr_gltf_read_list(file, ZR_GLTF_BUFFERS, read_buffer) &&
+           zr_gltf_read_list(file, ZR_GLTF_BUFFER_VIEWS, read_view);
+}
+
+/* ---- URIs ---- */
+
+/* Resolves %20 and other escapes; invalid ones stay. Source: RFC 3986, section 2.1. */
+static const char *unescape(struct zr_arena *arena, const char *uri)
+{
+    char *text = zr_arena_copy(arena, uri, strlen(uri) + 1), *out = text;
+    for (const char *at = uri; text && *at; at++) {
+        const int high = *at == '%' ? zr_hex_digit(at[1]) : -1, low = high >= 0 ? zr_hex_digit(at[2]) : -1;
+        *out++ = low >= 0 ? (char)(16 * high + low) : *at;
+        if (low >= 0) at += 2;
+    }
+    if (text) *out = '\0';
+    return text;
+}
+
+static const struct zr_asset *find_part(struct zr_gltf *file, const char *name)
+{
+    struct zr_parsed_assets *assets = &file->root.assets;
+    for (size_t i = 0; i < assets->count; i++)
+        if (strcmp(assets->items[i].name, name) == 0) {
+            assets->uses[i] |= ZR_USED_BY_GEOMETRY;
+            return &assets->items[i];
+        }
+    return NULL;
+}
+
+bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const char *uri,
+                      struct zr_parsed_bytes *out)
+{
+    struct zr_json *json = &file->root.json;
+    if (strncasecmp(uri, "data:", 5) == 0) {
+        struct zr_reason reason;
+        const enum zr_status status = zr_data_uri_read(json->arena, uri, &out->bytes, &out->size, &reason);
+        return status == ZR_OK || (status == ZR_BAD_SCENE && zr_json_fault(json, path, "%s", reason.text));
+    }
+    const char *plain = unescape(json->arena, uri);
+    if (!plain) return false;
+    const struct zr_asset *part = find_part(file, uri);
+    if (!part) part = find_part(file, plain);
+    if (!part && strncmp(plain, "./", 2) == 0) part = find_part(file, plain + 2);
+    if (!part)
+        return zr_json_fault(json, path, "no part of the request has the name %s, and nothing is fetched",
+                             zr_quote(plain, strlen(plain)).text);
+    if (part->array.type != ZR_BYTES)
+        return zr_json_fault(json, path, "the part %s is an array; the bytes of a file are needed",
+                             zr_quote(plain, strlen(plain)).text);
+    *out = (struct zr_parsed_bytes){part->bytes, part->size};
+    return true;
+}
+
+/* ---- bytes ---- */
+
+/* Finds the bytes of a buffer. Only the first one may be the binary chunk of a GLB. */
+static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number)
+{
+    struct zr_gltf_buffer *buffer = &file->buffers[number];
+    struct zr_json *json = &file->root.json;
+    if (buffer->uri) {
+        if (!zr_gltf_find_uri(file, ZR_JSON_KEY(path, buffer_fields[BUFFER_URI].key), buffer->uri, &buffer->bytes))
+            return false;
+    } else if (number == 0 && file->chunk.bytes) {
+        buffer->bytes = file->chunk;
+    } else {
+        return zr_json_fault(json, path, "without a uri, and %s",
+                             number == 0 ? "the file has no binary chunk" : "only buffer 0 may be the binary chunk");
+    }
+    if (buffer->length > buffer->bytes.size)
+        return zr_json_fault(json, ZR_JSON_KEY(path, buffer_fields[BUFFER_LENGTH].key), "%u, and there are %zu bytes",
+                             buffer->length, buffer->bytes.size);
+    buffer->bytes.size = buffer->length;
+    return true;
+}
+
+bool zr_gltf_find_view(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number,
+                       struct zr_parsed_bytes *out)
+{
+    if (!zr_gltf_check_index(file, path, number, ZR_GLTF_BUFFER_VIEWS)) return false;
+    const struct zr_gltf_view *view = &file->views[number];
+    const struct zr_json_path *at = ZR_GLTF_ITEM(ZR_GLTF_BUFFER_VIEWS, number);
+    if (!zr_gltf_check_index(file, ZR_JSON_KEY(at, view_fields[VIEW_BUFFER].key), view->buffer, ZR_GLTF_BUFFERS))
+        return false;
+    struct zr_gltf_buffer *buffer = &file->buffers[view->buffer];
+    if (buffer->state == ZR_GLTF_UNREAD)
+        buffer->state = find_bytes(file, ZR_GLTF_ITEM(ZR_GLTF_BUFFERS, view->buffer), view->buffer) ? ZR_GLTF_READ
+                                                                                                    : ZR_GLTF_REFUSED;
+    if (buffer->state == ZR_GLTF_REFUSED) return false;
+    if ((uint64_t)view->offset + view->length > buffer->length)
+        return zr_json_fault(&file->root.json, at, "bytes %u to %llu of buffer %u, which has %u", view->offset,
+                             (unsigned long long)view->offset + view->length, view->buffer, buffer->length);
+    *out = (struct zr_parsed_bytes){(const char *)buffer->bytes.bytes + view->offset, view->length};
+    return true;
+}

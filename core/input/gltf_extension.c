@@ -1,0 +1,54 @@
+/* Checks the extensions that a glTF file names. */
+#include "input/gltf.h"
+
+#include <string.h>
+
+#include "input/text.h"
+
+/* Extensions that are read. */
+static const char *const known[] = {"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization",
+                                    "KHR_texture_transform"};
+
+static bool is_known(const char *name)
+{
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strcmp(known[i], name) == 0) return true;
+    return false;
+}
+
+/* Adds the name of a used extension to the warning, unless it is read. */
+static void note_used(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    const char *name;
+    (void)number;
+    if (!zr_json_string(json, path, NULL, &name) || is_known(name)) return;
+    file->unread_extensions++;
+    zr_names_text_add(&file->extensions, zr_quote(name, strlen(name)).text);
+}
+
+static void check_required(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    const char *name;
+    (void)file;
+    (void)number;
+    if (zr_json_string(json, path, NULL, &name) && !is_known(name))
+        zr_json_fault(json, path, "the file requires the extension %s, which is not read",
+                      zr_quote(name, strlen(name)).text);
+}
+
+void zr_gltf_check_extensions(struct zr_gltf *file)
+{
+    zr_gltf_read_list(file, ZR_GLTF_REQUIRED, check_required);
+    zr_gltf_read_list(file, ZR_GLTF_USED, note_used);
+}
+
+/* ---- objects ---- */
+
+bool zr_gltf_extensions(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
+                        const struct zr_json_object *object, void *out, uint64_t *given)
+{
+    const struct zr_gltf_note before = file->unknown;
+    const bool good = zr_gltf_fields(file, json, path, object, out, given);
+    file->unknown = before;
+    return good;
+}

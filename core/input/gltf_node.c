@@ -1,0 +1,293 @@
+/* Reads nodes and scenes of glTF, and places meshes. Every node has at most one parent. */
+#include "input/gltf.h"
+
+#include <string.h>
+
+#include "base/cancel.h"
+#include "input/json_matrix.h"
+#include "scene/nodes.h"
+
+struct zr_gltf_nodes {
+    uint32_t count, child_count;
+    struct zr_node *nodes; /* `mesh` is a mesh of the file */
+    uint32_t *children;
+    const char **places; /* of the list of each node's children, or NULL */
+    uint32_t *parents;   /* or NONE */
+    bool *is_drawn;      /* below a root of the scene */
+    uint32_t *stack;     /* nodes to visit */
+    size_t stacked;
+};
+
+/* ---- nodes ---- */
+
+struct given_node {
+    const char *name, *children; /* children: a place, or NULL */
+    uint32_t mesh, skin, camera;
+    zr_mat4 matrix;
+    zr_vec3 translation, scale;
+    zr_vec4 rotation;
+};
+
+enum { NAME, CHILDREN, MESH, SKIN, MATRIX, TRANSLATION, ROTATION, SCALE };
+#define AT(member) offsetof(struct given_node, member)
+static const struct zr_json_field fields[] = {
+    [NAME] = {.key = "name", .read = zr_json_string, .offset = AT(name)},
+    [CHILDREN] = {.key = "children", .read = zr_json_place, .offset = AT(children)},
+    [MESH] = {.key = "mesh", .read = zr_gltf_index, .offset = AT(mesh)},
+    [SKIN] = {.key = "skin", .read = zr_gltf_index, .offset = AT(skin)},
+    [MATRIX] = {.key = "matrix", .read = zr_json_affine, .offset = AT(matrix)},
+    [TRANSLATION] = {.key = "translation", .read = zr_json_vec3, .offset = AT(translation)},
+    [ROTATION] = {.key = "rotation", .read = zr_json_vec4, .offset = AT(rotation)},
+    [SCALE] = {.key = "scale", .read = zr_json_vec3, .offset = AT(scale)},
+    {.key = "camera", .read = zr_gltf_index, .offset = AT(camera)},
+    {.key = "weights", .read = zr_gltf_ignore},
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("node", fields);
+
+static zr_mat4 find_local(struct zr_json *json, const struct zr_json_path *path, const struct given_node *given,
+                          uint64_t keys)
+{
+    const zr_vec4 q = given->rotation;
+    const bool has_pose =
+        zr_json_gives(keys, TRANSLATION) || zr_json_gives(keys, ROTATION) || zr_json_gives(keys, SCALE);
+    if (zr_json_gives(keys, MATRIX)) {
+        if (has_pose) zr_json_fault(json, path, "two transformations: a matrix, and its parts");
+        return given->matrix;
+    }
+    if (!has_pose) return zr_mat4_identity();
+    if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f) {
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[ROTATION].key), "a quaternion of no length");
+        return zr_mat4_identity();
+    }
+    return zr_mat4_of_pose(given->translation, q, given->scale);
+}
+
+static void read_node(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    struct zr_gltf_nodes *all = file->nodes;
+    struct zr_node *node = &all->nodes[number];
+    struct given_node given = {.mesh = ZR_GLTF_NONE,
+                               .skin = ZR_GLTF_NONE,
+                               .matrix = zr_mat4_identity(),
+                               .rotation = {0, 0, 0, 1},
+                               .scale = {1, 1, 1}};
+    uint64_t keys;
+    size_t children = 0;
+    zr_gltf_fields(file, json, path, &object, &given, &keys);
+    *node = (struct zr_node){.local = find_local(json, path, &given, keys), .mesh = ZR_NODE_NO_MESH};
+    if (given.mesh != ZR_GLTF_NONE &&
+        zr_gltf_check_index(file, ZR_JSON_KEY(path, fields[MESH].key), given.mesh, ZR_GLTF_MESHES)) {
+        node->mesh = given.mesh;
+        if (given.name && *given.name) node->name = given.name;
+    }
+    if (given.skin != ZR_GLTF_NONE) file->omits[ZR_GLTF_OMITS_SKINS] = true;
+    all->places[number] = given.children;
+    if (!given.children) return;
+    struct zr_json there = zr_json_at(json, given.children);
+    if (zr_json_count(&there, ZR_JSON_KEY(path, fields[CHILDREN].key), &children))
+        node->child_count = (uint32_t)children;
+    else
+        all->places[number] = NULL;
+}
+
+/* ---- children ---- */
+
+static void read_child(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t parent,
+                       uint32_t *out)
+{
+    struct zr_gltf_nodes *all = file->nodes;
+    *out = 0;
+    if (!zr_json_index(json, path, all->count, "nodes", out)) return;
+    if (all->parents[*out] != ZR_GLTF_NONE)
+        zr_json_fault(json, path, "node %u has two parents: node %u, too", *out, all->parents[*out]);
+    all->parents[*out] = parent;
+}
+
+static bool read_children(struct zr_gltf *file)
+{
+    struct zr_gltf_nodes *all = file->nodes;
+    struct zr_arena *arena = file->root.json.arena;
+    for (uint32_t i = 0; i < all->count; i++) {
+        all->nodes[i].first_child = all->child_count;
+        all->child_count += all->nodes[i].child_count; /* no overflow: each is a value of the text */
+    }
+    uint32_t *next = all->children = zr_arena_alloc(arena, all->child_count, sizeof *next);
+    if (!next) return false;
+    for (uint32_t i = 0; i < all->count && !zr_gltf_stops(file); i++) {
+        if (!all->places[i]) continue;
+        const struct zr_json_path *node = ZR_GLTF_ITEM(ZR_GLTF_NODES, i),
+                                  *path = ZR_JSON_KEY(node, fields[CHILDREN].key);
+        struct zr_json there = zr_json_at(&file->root.json, all->places[i]);
+        zr_json_enter(&there, '[');
+        for (size_t k = 0; zr_json_any_item(&there); k++)
+            read_child(file, &there, ZR_JSON_ITEM(path, k), i, next++);
+    }
+    return file->root.json.error->count == 0;
+}
+
+/* ---- the scene ---- */
+
+static void push(struct zr_gltf_nodes *all, uint32_t node)
+{
+    if (all->is_drawn[node]) return;
+    all->is_drawn[node] = true;
+    all->stack[all->stacked++] = node;
+}
+
+struct given_scene {
+    const char *nodes;
+};
+static const struct zr_json_field scene_fields[] = {
+    {.key = "nodes", .read = zr_json_place, .offset = offsetof(struct given_scene, nodes)},
+    ZR_GLTF_NAME,
+    ZR_GLTF_COMMON};
+static const struct zr_json_object scene_object = ZR_JSON_OBJECT_OF("scene", scene_fields);
+
+static void read_root(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    struct zr_gltf_nodes *all = file->nodes;
+    uint32_t node;
+    (void)number;
+    if (!zr_json_index(json, path, all->count, "nodes", &node)) return;
+    if (all->parents[node] != ZR_GLTF_NONE)
+        zr_json_fault(json, path, "node %u is no root: node %u is its parent", node, all->parents[node]);
+    push(all, node);
+}
+
+/* Reads the scene `file->scene`; the others are skipped. */
+static void read_scene(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    struct given_scene given = {NULL};
+    uint64_t keys;
+    if (number != file->scene) {
+        zr_json_skip(json);
+        return;
+    }
+    zr_gltf_fields(file, json, path, &scene_object, &given, &keys);
+    if (given.nodes) zr_gltf_read_items(file, given.nodes, ZR_JSON_KEY(path, scene_fields[0].key), read_root);
+}
+
+/* The default scene, the first one, or all roots. */
+static bool find_roots(struct zr_gltf *file)
+{
+    struct zr_gltf_nodes *all = file->nodes;
+    struct zr_json *json = &file->root.json;
+    file->scene = 0;
+    if (file->places[ZR_GLTF_SCENE]) {
+        struct zr_json there = zr_json_at(json, file->places[ZR_GLTF_SCENE]);
+        zr_json_index(&there, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_SCENE)), file->counts[ZR_GLTF_SCENES], "scenes",
+                      &file->scene);
+    }
+    if (file->counts[ZR_GLTF_SCENES] > 0) {
+        zr_gltf_read_list(file, ZR_GLTF_SCENES, read_scene);
+    } else {
+        for (uint32_t i = 0; i < all->count; i++)
+            if (all->parents[i] == ZR_GLTF_NONE) push(all, i);
+    }
+    return json->error->count == 0;
+}
+
+/* Marks what is below the roots; other nodes place nothing. */
+static void find_drawn(struct zr_gltf *file)
+{
+    struct zr_gltf_nodes *all = file->nodes;
+    while (all->stacked > 0) {
+        const struct zr_node *node = &all->nodes[all->stack[--all->stacked]];
+        for (uint32_t k = 0; k < node->child_count; k++)
+            push(all, all->children[node->first_child + k]);
+    }
+    for (uint32_t i = 0; i < all->count; i++) {
+        if (!all->is_drawn[i]) all->nodes[i].mesh = ZR_NODE_NO_MESH;
+        if (all->nodes[i].mesh != ZR_NODE_NO_MESH) file->meshes[all->nodes[i].mesh].is_placed = true;
+    }
+}
+
+bool zr_gltf_read_nodes(struct zr_gltf *file)
+{
+    struct zr_arena *arena = file->root.json.arena;
+    const uint32_t count = file->counts[ZR_GLTF_NODES];
+    struct zr_gltf_nodes *all = file->nodes = zr_arena_zero(arena, 1, sizeof *all);
+    file->meshes = zr_arena_zero(arena, file->counts[ZR_GLTF_MESHES], sizeof *file->meshes);
+    if (!all) return false;
+    all->count = count;
+    all->nodes = zr_arena_zero(arena, count, sizeof *all->nodes);
+    all->places = zr_arena_zero(arena, count, sizeof *all->places);
+    all->parents = zr_arena_alloc(arena, count, sizeof *all->parents);
+    all->is_drawn = zr_arena_zero(arena, count, sizeof *all->is_drawn);
+    all->stack = zr_arena_alloc(arena, count, sizeof *all->stack);
+    if (!zr_arena_ok(arena)) return false;
+    memset(all->parents, 0xFF, count * sizeof *all->parents);
+    if (!zr_gltf_read_list(file, ZR_GLTF_NODES, read_node) || !read_children(file) || !find_roots(file)) return false;
+    find_drawn(file);
+    return true;
+}
+
+/* ---- instances ---- */
+
+static bool report(struct zr_gltf *file, const struct zr_placement *placement)
+{
+    struct zr_json *json = &file->root.json;
+    const struct zr_json_path *node = ZR_GLTF_ITEM(ZR_GLTF_NODES, placement->node);
+    switch (placement->fault) {
+    case ZR_NODES_GOOD:
+        return true;
+    case ZR_NODES_CYCLE:
+        return zr_json_fault(json, ZR_JSON_ITEM(ZR_JSON_KEY(node, fields[CHILDREN].key), placement->child),
+                             "a cycle: this child is the node itself, or has it for a descendant");
+    case ZR_NODES_TOO_DEEP:
+        return zr_json_fault(json, node, "nested too deep: below this node are more than the limit of %d levels",
+                             (int)ZR_NODES_DEPTH_MAX - 1);
+    case ZR_NODES_TOO_MANY:
+    case ZR_NODES_TOO_MANY_VISITS:
+        return zr_json_fault(json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_NODES)),
+                             "the nodes place more than the limit of %u instances of meshes",
+                             json->limits->instances_max);
+    case ZR_NODES_OUT_OF_RANGE:
+        return zr_json_fault(json, node, "the matrix to world space has an entry beyond %g", (double)ZR_MATRIX_MAX);
+    }
+    return false;
+}
+
+/* Makes an instance of each of a mesh's primitives. */
+static bool expand(struct zr_gltf *file, const struct zr_placement *placement)
+{
+    struct zr_file_scene *made = file->made;
+    struct zr_json *json = &file->root.json;
+    uint64_t count = 0;
+    for (uint32_t i = 0; i < placement->count; i++)
+        count += file->meshes[placement->instances[i].mesh].count;
+    if (count > json->limits->instances_max)
+        return zr_json_fault(json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_NODES)),
+                             "the nodes place %llu primitives of meshes; %u are allowed", (unsigned long long)count,
+                             json->limits->instances_max);
+    struct zr_instance *next = made->instances = zr_arena_alloc(json->arena, (size_t)count, sizeof *next);
+    if (!next) return false;
+    for (uint32_t i = 0; i < placement->count; i++) {
+        const struct zr_gltf_mesh *mesh = &file->meshes[placement->instances[i].mesh];
+        for (uint32_t k = 0; k < mesh->count; k++) {
+            *next = placement->instances[i];
+            next++->mesh = mesh->first + k;
+        }
+    }
+    made->instance_count = (uint32_t)count;
+    return true;
+}
+
+void zr_gltf_place(struct zr_gltf *file)
+{
+    struct zr_arena *arena = file->root.json.arena;
+    const struct zr_gltf_nodes *all = file->nodes;
+    const struct zr_nodes hierarchy = {
+        .count = all->count, .child_count = all->child_count, .nodes = all->nodes, .children = all->children};
+    struct zr_quick *quick = file->root.assets.quick;
+    if (quick && all->count > quick->node_visits_max) {
+        quick->is_exceeded = true;
+        zr_error_add(file->root.json.error, ZR_CANCELLED, NULL, "reading was stopped");
+        return;
+    }
+    const struct zr_placement placement =
+        zr_nodes_place(arena, &hierarchy, file->root.json.limits->instances_max, UINT64_MAX);
+    if (!zr_arena_ok(arena) || zr_is_cancelled(arena->cancel) || !report(file, &placement)) return;
+    expand(file, &placement);
+}

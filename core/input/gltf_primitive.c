@@ -1,0 +1,211 @@
+/* Makes a mesh of one primitive of glTF. Only the vertices between the smallest and the largest index are read, since
+ * many primitives often share one accessor. */
+#include "input/gltf.h"
+
+#include <float.h>
+#include <string.h>
+
+#include "base/cancel.h"
+#include "base/srgb.h"
+#include "scene/texture.h"
+
+/* Colours that are encoded at once, on the stack. */
+enum { AT_ONCE = 256 };
+
+/* The vertices that a primitive uses. */
+struct range {
+    uint32_t first, count;
+};
+
+/* Counts the bytes of an array before it is made; false if a quick reading ends here. */
+static bool note_bytes(struct zr_gltf *file, size_t bytes)
+{
+    struct zr_quick *quick = file->root.assets.quick;
+    file->made_bytes += bytes;
+    if (!quick || file->made_bytes <= quick->array_bytes_max) return true;
+    quick->is_exceeded = true;
+    zr_error_add(file->root.json.error, ZR_CANCELLED, NULL, "reading was stopped");
+    return false;
+}
+
+static void *allocate(struct zr_gltf *file, size_t count, size_t size)
+{
+    return note_bytes(file, count * size) ? zr_arena_alloc(file->root.json.arena, count, size) : NULL;
+}
+
+/* ---- attributes ---- */
+
+/* Opens an attribute of the primitive's vertices: `shape` or, unless NONE, `other`. */
+static bool open_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
+                           int shape, int other, uint32_t vertices, struct zr_gltf_values *out)
+{
+    static const char *const words[ZR_GLTF_SHAPES] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+    const struct zr_json_path *at = ZR_JSON_KEY(ZR_JSON_KEY(path, "attributes"), name);
+    if (!zr_gltf_open(file, at, number, out)) return false;
+    const int found = out->accessor->shape;
+    if (found != shape && found != other)
+        return zr_json_fault(&file->root.json, at, "accessor %u is %s; %s is needed", number, words[found],
+                             words[shape]);
+    return out->count >= vertices || zr_json_fault(&file->root.json, at, "accessor %u has %u elements for %u vertices",
+                                                   number, out->count, vertices);
+}
+
+static zr_vec4 *read_positions(struct zr_gltf *file, const struct zr_gltf_values *values, const struct range *range)
+{
+    zr_vec4 *positions = allocate(file, range->count, sizeof *positions);
+    const double limit = (double)file->root.json.limits->coordinate_max;
+    if (!positions || !zr_gltf_read_floats(file, values, range->first, range->count, limit, &positions[0].x, 4))
+        return NULL;
+    for (uint32_t i = 0; i < range->count; i++)
+        positions[i].w = 1.0f;
+    return positions;
+}
+
+static bool read_normals(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
+                         const struct range *range, struct zr_mesh *mesh, uint32_t mesh_number)
+{
+    struct zr_gltf_values values;
+    if (!open_attribute(file, path, "NORMAL", number, ZR_GLTF_VEC3, ZR_GLTF_VEC3, vertices, &values)) return false;
+    zr_vec3 *normals = allocate(file, range->count, sizeof *normals);
+    if (!normals || !zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &normals[0].x, 3))
+        return false;
+    zr_scene_builder_note_normals(file->root.builder, mesh_number, normals, range->count);
+    mesh->normals = normals;
+    mesh->normal_count = range->count;
+    return true;
+}
+
+static bool read_tangents(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
+                          const struct range *range, struct zr_mesh *mesh)
+{
+    struct zr_gltf_values values;
+    if (!open_attribute(file, path, "TANGENT", number, ZR_GLTF_VEC4, ZR_GLTF_VEC4, vertices, &values)) return false;
+    zr_vec4 *tangents = allocate(file, range->count, sizeof *tangents);
+    if (!tangents ||
+        !zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &tangents[0].x, 4))
+        return false;
+    for (uint32_t i = 0; i < range->count; i++)
+        tangents[i].w = tangents[i].w < 0.0f ? -1.0f : 1.0f;
+    mesh->tangents = tangents;
+    return true;
+}
+
+/* Two sets of coordinates share an array. */
+static bool read_texcoords(struct zr_gltf *file, const struct zr_json_path *path, const uint32_t numbers[2],
+                           uint32_t vertices, const struct range *range, struct zr_mesh *mesh)
+{
+    static const char *const names[2] = {"TEXCOORD_0", "TEXCOORD_1"};
+    zr_vec4 *texcoords = note_bytes(file, range->count * sizeof *texcoords)
+                             ? zr_arena_zero(file->root.json.arena, range->count, sizeof *texcoords)
+                             : NULL;
+    if (!texcoords) return false;
+    for (int set = 0; set < 2; set++) {
+        struct zr_gltf_values values;
+        if (numbers[set] == ZR_GLTF_NONE) continue;
+        if (!open_attribute(file, path, names[set], numbers[set], ZR_GLTF_VEC2, ZR_GLTF_VEC2, vertices, &values) ||
+            !zr_gltf_read_floats(file, &values, range->first, range->count, (double)ZR_TEXCOORD_MAX,
+                                 &texcoords[0].x + 2 * set, 4))
+            return false;
+    }
+    mesh->texcoords = texcoords;
+    return true;
+}
+
+/* Clamps colours, and encodes their linear light as sRGB, as colours of a scene are. */
+static bool encode(struct zr_gltf *file, zr_vec4 *colors, uint32_t count)
+{
+    float linear[4 * AT_ONCE + ZR_SRGB_EXCESS] = {0}, encoded[4 * AT_ONCE + ZR_SRGB_EXCESS];
+    zr_srgb_encode_fn *encode_all = zr_srgb_encode_of(zr_team_isa(file->root.json.team));
+    for (uint32_t at = 0; at < count; at += AT_ONCE) {
+        const uint32_t run = count - at < AT_ONCE ? count - at : AT_ONCE;
+        if (zr_is_cancelled(file->root.json.cancel)) return false;
+        memcpy(linear, colors + at, run * sizeof *colors);
+        encode_all(linear, 4 * (size_t)run, encoded);
+        for (uint32_t i = 0; i < run; i++) {
+            const float alpha = linear[4 * i + 3];
+            memcpy(&colors[at + i], &encoded[4 * i], sizeof *colors);
+            colors[at + i].w = alpha < 0.0f ? 0.0f : alpha > 1.0f ? 1.0f : alpha;
+        }
+    }
+    return true;
+}
+
+static bool read_colors(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
+                        const struct range *range, struct zr_mesh *mesh)
+{
+    struct zr_gltf_values values;
+    if (!open_attribute(file, path, "COLOR_0", number, ZR_GLTF_VEC4, ZR_GLTF_VEC3, vertices, &values)) return false;
+    zr_vec4 *colors = allocate(file, range->count, sizeof *colors);
+    if (!colors) return false;
+    values.is_normalized = true; /* whole numbers have to be */
+    for (uint32_t i = 0; i < range->count; i++)
+        colors[i].w = 1.0f;
+    if (!zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &colors[0].x, 4) ||
+        !encode(file, colors, range->count))
+        return false;
+    mesh->colors = colors;
+    return true;
+}
+
+static bool read_attributes(struct zr_gltf *file, const struct zr_json_path *path,
+                            const struct zr_gltf_primitive *given, uint32_t vertices, const struct range *range,
+                            struct zr_mesh *mesh, uint32_t number)
+{
+    const struct zr_gltf_attributes *of = &given->attributes;
+    const bool has_texcoords = of->texcoords[0] != ZR_GLTF_NONE || of->texcoords[1] != ZR_GLTF_NONE;
+    if (of->normal != ZR_GLTF_NONE && !read_normals(file, path, of->normal, vertices, range, mesh, number))
+        return false;
+    if (of->tangent != ZR_GLTF_NONE && !read_tangents(file, path, of->tangent, vertices, range, mesh)) return false;
+    if (of->color != ZR_GLTF_NONE && !read_colors(file, path, of->color, vertices, range, mesh)) return false;
+    const uint32_t needed = given->material == ZR_GLTF_NONE || mesh->face_count == 0
+                                ? 0
+                                : zr_gltf_texcoords_of(&file->made->materials[given->material]);
+    for (uint32_t set = 0; set < 2; set++)
+        if (needed >> set & 1u && of->texcoords[set] == ZR_GLTF_NONE) zr_gltf_note(&file->no_texcoords, path);
+    return !(has_texcoords || needed) || read_texcoords(file, path, of->texcoords, vertices, range, mesh);
+}
+
+/* ---- primitives ---- */
+
+/* Reads the indices, and finds the range of vertices that they use; the indices become relative to it. */
+static bool read_indices(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
+                         struct range *range, uint32_t **corners, uint32_t *count)
+{
+    struct zr_gltf_values values;
+    uint32_t low, high;
+    if (!zr_gltf_open(file, ZR_JSON_KEY(path, "indices"), number, &values)) return false;
+    *count = values.count;
+    *corners = allocate(file, values.count, sizeof **corners);
+    if (!*corners || !zr_gltf_read_indices(file, &values, vertices, *corners, &low, &high)) return false;
+    *range = values.count == 0 ? (struct range){0, 0} : (struct range){low, high - low + 1};
+    for (uint32_t i = 0; low > 0 && i < values.count; i++)
+        (*corners)[i] -= low;
+    return true;
+}
+
+bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *path,
+                            const struct zr_gltf_primitive *given, struct zr_mesh *mesh, uint32_t number)
+{
+    struct zr_gltf_values positions;
+    struct range range;
+    uint32_t *corners = NULL, count;
+    if (given->mode > ZR_GLTF_TRIANGLE_FAN)
+        return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, "mode"), "%u; glTF has the modes 0 to 6", given->mode);
+    if (given->attributes.position == ZR_GLTF_NONE) {
+        zr_gltf_note(&file->no_positions, path);
+        return false;
+    }
+    if (!open_attribute(file, path, "POSITION", given->attributes.position, ZR_GLTF_VEC3, ZR_GLTF_VEC3, 0, &positions))
+        return false;
+    range = (struct range){0, count = positions.count};
+    if (given->indices != ZR_GLTF_NONE &&
+        !read_indices(file, path, given->indices, positions.count, &range, &corners, &count))
+        return false;
+    if (!zr_gltf_make_topology(file, path, given->mode, corners, count, mesh)) return false;
+    if (!corners && given->mode == ZR_GLTF_TRIANGLES) range.count = 3 * mesh->face_count;
+    mesh->positions = read_positions(file, &positions, &range);
+    mesh->position_count = range.count;
+    mesh->point_size = 1.0f;
+    return mesh->positions && read_attributes(file, path, given, positions.count, &range, mesh, number) &&
+           zr_arena_ok(file->root.json.arena);
+}

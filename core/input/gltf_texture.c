@@ -1,0 +1,252 @@
+/* Reads textures, samplers and images of glTF. An image is decoded when a material that is drawn first uses it. */
+#include "input/gltf.h"
+
+#include <string.h>
+
+#include "scene/texture.h"
+
+/* ---- samplers ---- */
+
+struct given_sampler {
+    uint32_t magnify, minify, wrap_s, wrap_t;
+};
+enum { MAGNIFY, MINIFY, WRAP_S, WRAP_T };
+#define AT(member) offsetof(struct given_sampler, member)
+static const struct zr_json_field sampler_fields[] = {
+    [MAGNIFY] = {.key = "magFilter", .read = zr_json_whole, .offset = AT(magnify)},
+    [MINIFY] = {.key = "minFilter", .read = zr_json_whole, .offset = AT(minify)},
+    [WRAP_S] = {.key = "wrapS", .read = zr_json_whole, .offset = AT(wrap_s)},
+    [WRAP_T] = {.key = "wrapT", .read = zr_json_whole, .offset = AT(wrap_t)},
+    ZR_GLTF_NAME,
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object sampler_object = ZR_JSON_OBJECT_OF("sampler", sampler_fields);
+
+static const struct zr_parsed_sampler sampler_default = {ZR_FILTER_LINEAR, ZR_FILTER_LINEAR_MIPMAP_LINEAR,
+                                                         ZR_WRAP_REPEAT, ZR_WRAP_REPEAT};
+
+/* Sets a filter or a wrap mode, below `end`, if its number is given. */
+static void set(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int key, uint32_t number,
+                int found, int end, int *out)
+{
+    if (!zr_json_gives(keys, key)) return;
+    if (found >= 0 && found < end)
+        *out = found;
+    else
+        zr_json_fault(json, ZR_JSON_KEY(path, sampler_fields[key].key), "%u is none of the numbers that glTF has",
+                      number);
+}
+
+static void read_sampler(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    struct zr_parsed_sampler *out = &file->samplers[number];
+    struct given_sampler given = {0, 0, 0, 0};
+    uint64_t keys;
+    *out = sampler_default;
+    zr_gltf_fields(file, json, path, &sampler_object, &given, &keys);
+    set(json, path, keys, MAGNIFY, given.magnify, zr_filter_of_number(given.magnify), ZR_FILTER_NEAREST_MIPMAP_NEAREST,
+        &out->magnify);
+    set(json, path, keys, MINIFY, given.minify, zr_filter_of_number(given.minify), ZR_FILTER_COUNT, &out->minify);
+    set(json, path, keys, WRAP_S, given.wrap_s, zr_wrap_of_number(given.wrap_s), ZR_WRAP_COUNT, &out->wrap_s);
+    set(json, path, keys, WRAP_T, given.wrap_t, zr_wrap_of_number(given.wrap_t), ZR_WRAP_COUNT, &out->wrap_t);
+}
+
+/* ---- images ---- */
+
+enum { IMAGE_URI, IMAGE_VIEW };
+#define AT(member) offsetof(struct zr_gltf_image, member)
+static const struct zr_json_field image_fields[] = {
+    [IMAGE_URI] = {.key = "uri", .read = zr_json_string, .offset = AT(uri)},
+    [IMAGE_VIEW] = {.key = "bufferView", .read = zr_gltf_index, .offset = AT(view)},
+    {.key = "mimeType", .read = zr_gltf_ignore},
+    ZR_GLTF_NAME,
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object image_object = ZR_JSON_OBJECT_OF("image", image_fields);
+
+static void read_image(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    struct zr_gltf_image *image = &file->images[number];
+    uint64_t keys;
+    image->view = ZR_GLTF_NONE;
+    zr_gltf_fields(file, json, path, &image_object, image, &keys);
+}
+
+static bool decode(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_image *image)
+{
+    const struct zr_json_path *uri = ZR_JSON_KEY(path, image_fields[IMAGE_URI].key),
+                              *view = ZR_JSON_KEY(path, image_fields[IMAGE_VIEW].key);
+    struct zr_parsed_bytes bytes;
+    if (!image->uri == (image->view == ZR_GLTF_NONE))
+        return zr_json_fault(&file->root.json, path, "%s of uri and bufferView is needed",
+                             image->uri ? "only one" : "one");
+    if (!(image->uri ? zr_gltf_find_uri(file, uri, image->uri, &bytes)
+                     : zr_gltf_find_view(file, view, image->view, &bytes)))
+        return false;
+    return zr_parsed_add_image(&file->root, image->uri ? uri : view, &bytes, &image->number);
+}
+
+static bool find_image(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t *out)
+{
+    if (!zr_gltf_check_index(file, path, number, ZR_GLTF_IMAGES)) return false;
+    struct zr_gltf_image *image = &file->images[number];
+    if (image->state == ZR_GLTF_UNREAD)
+        image->state = decode(file, ZR_GLTF_ITEM(ZR_GLTF_IMAGES, number), image) ? ZR_GLTF_READ : ZR_GLTF_REFUSED;
+    *out = image->number;
+    return image->state == ZR_GLTF_READ;
+}
+
+/* ---- textures ---- */
+
+enum { SOURCE, SAMPLER };
+#define AT(member) offsetof(struct zr_gltf_texture, member)
+static const struct zr_json_field texture_fields[] = {
+    [SOURCE] = {.key = "source", .read = zr_gltf_index, .offset = AT(source)},
+    [SAMPLER] = {.key = "sampler", .read = zr_gltf_index, .offset = AT(sampler)},
+    ZR_GLTF_NAME,
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object texture_object = ZR_JSON_OBJECT_OF("texture", texture_fields);
+
+static void read_texture(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    struct zr_gltf_texture *texture = &file->textures[number];
+    uint64_t keys;
+    *texture = (struct zr_gltf_texture){ZR_GLTF_NONE, ZR_GLTF_NONE};
+    zr_gltf_fields(file, json, path, &texture_object, texture, &keys);
+    if (texture->sampler != ZR_GLTF_NONE)
+        zr_gltf_check_index(file, ZR_JSON_KEY(path, texture_fields[SAMPLER].key), texture->sampler, ZR_GLTF_SAMPLERS);
+}
+
+bool zr_gltf_read_textures(struct zr_gltf *file)
+{
+    struct zr_arena *arena = file->root.json.arena;
+    file->samplers = zr_arena_alloc(arena, file->counts[ZR_GLTF_SAMPLERS], sizeof *file->samplers);
+    file->images = zr_arena_zero(arena, file->counts[ZR_GLTF_IMAGES], sizeof *file->images);
+    file->textures = zr_arena_alloc(arena, file->counts[ZR_GLTF_TEXTURES], sizeof *file->textures);
+    return zr_arena_ok(arena) && zr_gltf_read_list(file, ZR_GLTF_SAMPLERS, read_sampler) &&
+           zr_gltf_read_list(file, ZR_GLTF_IMAGES, read_image) &&
+           zr_gltf_read_list(file, ZR_GLTF_TEXTURES, read_texture);
+}
+
+/* ---- textures of materials ---- */
+
+struct given_transform {
+    float offset[2], scale[2];
+    double rotation;
+    uint32_t texcoord;
+};
+
+/* float[2] */
+static bool read_two(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                     void *out)
+{
+    double v[2] = {0};
+    size_t count;
+    if (!zr_json_numbers(json, path, 2, 2, field->low, field->high, v, &count)) return false;
+    for (int k = 0; k < 2; k++)
+        ((float *)out)[k] = (float)v[k];
+    return true;
+}
+
+enum { OFFSET, ROTATION, SCALE, TEXCOORD };
+#define AT(member) offsetof(struct given_transform, member)
+static const struct zr_json_field transform_fields[] = {
+    [OFFSET] = {.key = "offset",
+                .read = read_two,
+                .offset = AT(offset),
+                .low = -(double)ZR_TEXCOORD_MAX,
+                .high = (double)ZR_TEXCOORD_MAX},
+    [ROTATION] = {.key = "rotation", .read = zr_json_number, .offset = AT(rotation), .low = -1e6, .high = 1e6},
+    [SCALE] = {.key = "scale", .read = read_two, .offset = AT(scale), .low = -1000, .high = 1000},
+    [TEXCOORD] = {.key = "texCoord", .read = zr_json_whole, .offset = AT(texcoord)},
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object transform_object = ZR_JSON_OBJECT_OF("KHR_texture_transform", transform_fields);
+
+struct given_extensions {
+    const char *transform;
+};
+static const struct zr_json_field extension_fields[] = {
+    {.key = "KHR_texture_transform", .read = zr_json_place, .offset = offsetof(struct given_extensions, transform)}};
+static const struct zr_json_object extension_object = ZR_JSON_OBJECT_OF("extensions", extension_fields);
+
+static void read_transform(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
+                           struct zr_parsed_texture *out)
+{
+    struct given_extensions extensions = {NULL};
+    struct given_transform given = {.scale = {1, 1}, .texcoord = out->texcoord};
+    uint64_t keys;
+    zr_gltf_extensions(file, json, path, &extension_object, &extensions, &keys);
+    if (!extensions.transform) return;
+    struct zr_json there = zr_json_at(json, extensions.transform);
+    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, extension_fields[0].key), &transform_object, &given, &keys);
+    memcpy(out->offset, given.offset, sizeof out->offset);
+    memcpy(out->scale, given.scale, sizeof out->scale);
+    out->rotation = given.rotation;
+    out->texcoord = given.texcoord;
+}
+
+struct given_texture {
+    uint32_t index, texcoord;
+    float scale, strength;
+    const char *extensions;
+};
+enum { INDEX, SET, NORMAL_SCALE, STRENGTH };
+#define AT(member) offsetof(struct given_texture, member)
+static const struct zr_json_field info_fields[] = {
+    [INDEX] = {"index", zr_gltf_index, AT(index), .required = true, .text = "number of the texture"},
+    [SET] = {.key = "texCoord", .read = zr_json_whole, .offset = AT(texcoord)},
+    [NORMAL_SCALE] = {.key = "scale", .read = zr_json_float, .offset = AT(scale), .low = -1000, .high = 1000},
+    [STRENGTH] = {.key = "strength", .read = zr_json_float, .offset = AT(strength), .low = 0, .high = 1},
+    {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    {.key = "extras", .read = zr_gltf_ignore}};
+#undef AT
+static const struct zr_json_object info_object = ZR_JSON_OBJECT_OF("textureInfo", info_fields);
+
+static bool make(struct zr_gltf *file, const struct zr_json_path *path, enum zr_texture_slot slot, uint32_t number,
+                 struct zr_parsed_texture *given)
+{
+    const struct zr_gltf_texture *of = &file->textures[number];
+    const struct zr_json_path *at = ZR_GLTF_ITEM(ZR_GLTF_TEXTURES, number);
+    const struct zr_parsed_sampler *sampler =
+        of->sampler < file->counts[ZR_GLTF_SAMPLERS] ? &file->samplers[of->sampler] : &sampler_default;
+    struct zr_texture texture = {.texcoord = given->texcoord,
+                                 .wrap_s = (enum zr_wrap)sampler->wrap_s,
+                                 .wrap_t = (enum zr_wrap)sampler->wrap_t,
+                                 .magnify = (enum zr_filter)sampler->magnify,
+                                 .minify = (enum zr_filter)sampler->minify,
+                                 .is_color = slot == ZR_TEXTURE_BASE_COLOR || slot == ZR_TEXTURE_EMISSIVE};
+    if (of->source == ZR_GLTF_NONE) {
+        zr_gltf_note(&file->no_source, at);
+        return true;
+    }
+    if (!find_image(file, ZR_JSON_KEY(at, texture_fields[SOURCE].key), of->source, &texture.image)) return false;
+    if (file->root.scene->texture_count >= ZR_TEXTURES_MAX)
+        return zr_json_fault(&file->root.json, path, "more than the %d textures that are allowed", ZR_TEXTURES_MAX);
+    zr_parsed_put_transform(given, &texture);
+    given->number = 1 + zr_scene_builder_texture(file->root.builder, &texture);
+    return zr_arena_ok(file->root.json.arena);
+}
+
+bool zr_gltf_read_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
+                          enum zr_texture_slot slot, struct zr_parsed_texture *out)
+{
+    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct given_texture given = {.scale = 1, .strength = 1};
+    uint64_t keys;
+    if (!zr_gltf_fields(file, &there, path, &info_object, &given, &keys)) return false;
+    *out = (struct zr_parsed_texture){.is_given = true,
+                                      .scale = {1, 1},
+                                      .texcoord = given.texcoord,
+                                      .strength = slot == ZR_TEXTURE_NORMAL ? given.scale : given.strength};
+    if (given.extensions) {
+        there = zr_json_at(&file->root.json, given.extensions);
+        read_transform(file, &there, ZR_JSON_KEY(path, "extensions"), out);
+    }
+    if (out->texcoord > 1)
+        return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, info_fields[SET].key),
+                             "%u; texture coordinates 0 and 1 are read", out->texcoord);
+    return zr_gltf_check_index(file, ZR_JSON_KEY(path, info_fields[INDEX].key), given.index, ZR_GLTF_TEXTURES) &&
+           make(file, path, slot, given.index, out);
+}

@@ -1,0 +1,61 @@
+/* Warns of what a glTF file has, and its picture does not show as the file means it. */
+#include "input/gltf.h"
+
+#include "input/input.h"
+
+static void warn_of(struct zr_gltf *file, struct zr_warning_list *list, const struct zr_gltf_note *note,
+                    const char *one, const char *many)
+{
+    if (note->count == 1)
+        zr_warning_list_add(file->root.json.arena, list, "%s: %s", note->first, one);
+    else if (note->count > 1)
+        zr_warning_list_add(file->root.json.arena, list, "%u %s, the first is %s", note->count, many, note->first);
+}
+
+static void warn_of_omissions(struct zr_gltf *file)
+{
+    static const char *const words[ZR_GLTF_OMISSIONS] = {[ZR_GLTF_OMITS_ANIMATIONS] = "animations",
+                                                         [ZR_GLTF_OMITS_CAMERAS] = "cameras",
+                                                         [ZR_GLTF_OMITS_SKINS] = "skins",
+                                                         [ZR_GLTF_OMITS_TARGETS] = "morph targets"};
+    struct zr_names_text omitted = {""};
+    for (int i = 0; i < ZR_GLTF_OMISSIONS; i++)
+        if (file->omits[i]) zr_names_text_add(&omitted, words[i]);
+    if (*omitted.text)
+        zr_warning_list_add(file->root.json.arena, &file->root.builder->warnings, "left out: %s of the file",
+                            omitted.text);
+}
+
+uint32_t zr_gltf_count_unplaced(const struct zr_gltf *file)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < file->counts[ZR_GLTF_MESHES]; i++)
+        count += !file->meshes[i].is_placed;
+    return count;
+}
+
+void zr_gltf_warn(struct zr_gltf *file)
+{
+    struct zr_scene_builder *builder = file->root.builder;
+    struct zr_warning_list *all = &builder->warnings, *colors = &builder->color_warnings;
+    struct zr_arena *arena = file->root.json.arena;
+    const uint32_t unplaced = zr_gltf_count_unplaced(file);
+    warn_of_omissions(file);
+    if (file->unread_extensions > 0)
+        zr_warning_list_add(arena, all, "drawn without the extension%s %s", file->unread_extensions > 1 ? "s" : "",
+                            file->extensions.text);
+    if (unplaced > 0)
+        zr_warning_list_add(arena, all, "%u of %u meshes are placed by no node of the scene and are not drawn",
+                            unplaced, file->counts[ZR_GLTF_MESHES]);
+    warn_of(file, all, &file->unknown, "this key is not known", "keys are not known");
+    warn_of(file, all, &file->no_positions, "without POSITION, and not drawn", "primitives are without POSITION");
+    warn_of(file, all, &file->empty, "too few corners to draw", "primitives have too few corners to draw");
+    warn_of(file, all, &file->left_over, "the last corners make no whole primitive",
+            "primitives have corners that are left over");
+    warn_of(file, colors, &file->no_texcoords, "without the texture coordinates of its material: they are 0, 0",
+            "primitives lack texture coordinates of their materials, which are 0, 0");
+    warn_of(file, colors, &file->no_source, "without a source, and not drawn", "textures are without a source");
+    warn_of(file, colors, &file->clamped, "beyond 0 to 1, and clamped", "factors are beyond 0 to 1 and are clamped");
+    for (size_t i = 0; i < file->root.assets.count; i++)
+        if (!file->root.assets.uses[i]) zr_warn_of_unused_asset(builder, &file->root.assets.items[i]);
+}

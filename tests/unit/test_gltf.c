@@ -1,0 +1,326 @@
+/* What glTF files become: the numbers of their accessors, their nodes, materials and warnings. */
+#include "change.h"
+#include "input_check.h"
+#include "support/tests.h"
+
+/* The bytes that texts call "b": four corners of a square, indices, colours, and pairs of coordinates. */
+static struct {
+    float corners[4][3];  /* at 0 */
+    uint16_t square[6];   /* at 48 */
+    uint8_t colors[4][4]; /* at 60 */
+    struct {
+        float position[3];
+        int16_t uv[2];
+    } mixed[4];        /* at 76, 16 bytes each */
+    uint32_t strip[5]; /* at 140 */
+    uint8_t bytes[4];  /* at 160 */
+    float moved[2][3]; /* at 164 */
+} numbers = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+             {0, 1, 2, 0, 2, 3},
+             {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {128, 128, 128, 51}},
+             {{{0, 0, 5}, {0, 32767}}, {{1, 0, 5}, {32767, 0}}, {{1, 1, 5}, {0, 0}}, {{0, 1, 5}, {-32768, 0}}},
+             {0, 1, 3, 3, 2},
+             {1, 3, 0, 0},
+             {{7, 8, 9}, {4, 5, 6}}};
+
+#define ASSET   "\"asset\":{\"version\":\"2.0\"}"
+#define BUFFERS "\"buffers\":[{\"byteLength\":188,\"uri\":\"b\"}]"
+#define VIEWS                                                                                                          \
+    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12},"            \
+    "{\"buffer\":0,\"byteOffset\":60,\"byteLength\":16},{\"buffer\":0,\"byteOffset\":76,\"byteLength\":64,"            \
+    "\"byteStride\":16},{\"buffer\":0,\"byteOffset\":140,\"byteLength\":20},{\"buffer\":0,\"byteOffset\":160,"         \
+    "\"byteLength\":4},{\"buffer\":0,\"byteOffset\":164,\"byteLength\":24}]"
+#define SQUARE "{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}"
+#define INDEX  "{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"}"
+#define COLOR  "{\"bufferView\":2,\"componentType\":5121,\"count\":4,\"type\":\"VEC4\",\"normalized\":true}"
+#define MIXED  "{\"bufferView\":3,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}"
+#define UV                                                                                                             \
+    "{\"bufferView\":3,\"byteOffset\":12,\"componentType\":5122,\"count\":4,\"type\":\"VEC2\",\"normalized\":true}"
+#define STRIP "{\"bufferView\":4,\"componentType\":5125,\"count\":5,\"type\":\"SCALAR\"}"
+#define BYTES "{\"bufferView\":5,\"componentType\":5121,\"count\":3,\"type\":\"SCALAR\"}"
+#define SPARSE                                                                                                         \
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"sparse\":{\"count\":2,\"indices\":"      \
+    "{\"bufferView\":5,\"componentType\":5121},\"values\":{\"bufferView\":6}}}"
+#define ZEROS                                                                                                          \
+    "{\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"sparse\":{\"count\":2,\"indices\":{\"bufferView\":5,"     \
+    "\"componentType\":5121},\"values\":{\"bufferView\":6}}}"
+#define ACCESSORS                                                                                                      \
+    "\"accessors\":[" SQUARE "," INDEX "," COLOR "," MIXED "," UV "," STRIP "," BYTES "," SPARSE "," ZEROS "]"
+#define FILE_OF(rest) "{" ASSET "," BUFFERS "," VIEWS "," ACCESSORS "," rest "}"
+#define NODE          "\"nodes\":[{\"mesh\":0}]"
+#define MESH(rest)    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}" rest "}]}]"
+
+static struct zr_asset parts[] = {{.name = "b", .bytes = &numbers, .size = sizeof numbers}};
+
+static struct reading *read_over(struct zr_request request, const char *text)
+{
+    request.format = ZR_FORMAT_GLTF;
+    request.assets = parts;
+    request.asset_count = 1;
+    return read_request(request, text, strlen(text), zr_limits_default(), (size_t)1 << 28);
+}
+
+static struct reading *read_file(const char *text)
+{
+    struct reading *reading = read_over((struct zr_request){.channel = "color"}, text);
+    assert_read(reading);
+    return reading;
+}
+
+static void assert_position(const struct zr_mesh *mesh, uint32_t i, float x, float y, float z)
+{
+    const zr_vec4 p = mesh->positions[i];
+    if (p.x != x || p.y != y || p.z != z || p.w != 1.0f)
+        fail_msg("position %u is %g %g %g %g", i, (double)p.x, (double)p.y, (double)p.z, (double)p.w);
+}
+
+TEST(the_square_is_two_triangles)
+{
+    struct reading *reading = read_file(FILE_OF(
+        NODE ",\"meshes\":[{\"name\":\"square\",\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}]"));
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    assert_int_equal(reading->scene->mesh_count, 1);
+    assert_int_equal(reading->scene->instance_count, 1);
+    assert_int_equal(reading->scene->warning_count, 0);
+    assert_string_equal(mesh->name, "square");
+    assert_int_equal(mesh->face_count, 2);
+    assert_int_equal(mesh->position_count, 4);
+    for (uint32_t i = 0; i < 6; i++)
+        assert_int_equal(mesh->indices[i], numbers.square[i]);
+    assert_position(mesh, 2, 1, 1, 0);
+    reading_free(reading);
+}
+
+TEST(a_binary_file_gives_the_same)
+{
+    static const char text[] =
+        "{" ASSET ",\"buffers\":[{\"byteLength\":188}]," VIEWS "," ACCESSORS "," NODE "," MESH(",\"indices\":1") "}";
+    enum { JSON_BYTES = (sizeof text - 1 + 3) / 4 * 4, SIZE = 12 + 8 + JSON_BYTES + 8 + 4 + 8 + sizeof numbers };
+    unsigned char bytes[SIZE], *at = bytes;
+    const uint32_t head[] = {0x46546C67, 2, SIZE, JSON_BYTES, 0x4E4F534A}, unknown[] = {4, 0x12345678, 0},
+                   chunk[] = {sizeof numbers, 0x004E4942};
+    at = mempcpy(at, head, sizeof head);
+    memset(at, ' ', JSON_BYTES);
+    memcpy(at, text, sizeof text - 1);
+    at = mempcpy(at + JSON_BYTES, unknown, sizeof unknown);
+    at = mempcpy(at, chunk, sizeof chunk);
+    memcpy(at, &numbers, sizeof numbers);
+    for (int known = 0; known < 2; known++) {
+        struct reading *reading = read_bytes(known ? ZR_FORMAT_GLB : ZR_FORMAT_UNKNOWN, bytes, sizeof bytes);
+        assert_read(reading);
+        assert_int_equal(reading->scene->meshes[0].face_count, 2);
+        assert_position(&reading->scene->meshes[0], 1, 1, 0, 0);
+        reading_free(reading);
+    }
+}
+
+TEST(every_mode_has_its_primitives)
+{
+    static const struct {
+        const char *mesh;
+        uint32_t points, lines, faces, last; /* the last corner */
+    } cases[] = {{MESH(",\"mode\":0"), 4, 0, 0, 3},
+                 {MESH(",\"mode\":1"), 0, 2, 0, 3},
+                 {MESH(",\"mode\":2"), 0, 4, 0, 0},
+                 {MESH(",\"mode\":3"), 0, 3, 0, 3},
+                 {MESH(",\"mode\":4,\"indices\":1"), 0, 0, 2, 3},
+                 {MESH(",\"mode\":5"), 0, 0, 2, 2},
+                 {MESH(",\"mode\":6"), 0, 0, 2, 0},
+                 {MESH(",\"mode\":5,\"indices\":5"), 0, 0, 1, 3}, /* two joints are left out */
+                 {MESH(",\"mode\":6,\"indices\":5"), 0, 0, 2, 0},
+                 {MESH(",\"mode\":3,\"indices\":5"), 0, 4, 0, 2}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[4096];
+        snprintf(text, sizeof text, "{" ASSET "," BUFFERS "," VIEWS "," ACCESSORS "," NODE ",%s}", cases[i].mesh);
+        struct reading *reading = read_file(text);
+        const struct zr_mesh *mesh = &reading->scene->meshes[0];
+        assert_int_equal(mesh->point_count, cases[i].points);
+        assert_int_equal(mesh->line_count, cases[i].lines);
+        assert_int_equal(mesh->face_count, cases[i].faces);
+        const uint32_t last = mesh->point_count  ? mesh->points[mesh->point_count - 1]
+                              : mesh->line_count ? mesh->lines[2 * mesh->line_count - 1]
+                                                 : mesh->indices[3 * mesh->face_count - 1];
+        assert_int_equal(last, cases[i].last);
+        reading_free(reading);
+    }
+}
+
+TEST(accessors_are_strided_normalized_and_sparse)
+{
+    struct reading *reading = read_file(
+        FILE_OF(NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":3,\"TEXCOORD_1\":4,\"COLOR_0\":2},"
+                     "\"indices\":1},{\"attributes\":{\"POSITION\":7},\"indices\":1},{\"attributes\":{\"POSITION\":8},"
+                     "\"indices\":1},{\"attributes\":{\"POSITION\":0},\"indices\":6}]}]"));
+    const struct zr_mesh *mixed = &reading->scene->meshes[0], *sparse = mixed + 1, *zeros = mixed + 2;
+    assert_int_equal(reading->scene->mesh_count, 4);
+    assert_int_equal(reading->scene->instance_count, 4);
+    assert_position(mixed, 2, 1, 1, 5);
+    assert_true(mixed->texcoords[1].z == 1.0f && mixed->texcoords[0].w == 1.0f && mixed->texcoords[3].z == -1.0f);
+    assert_true(mixed->texcoords[1].x == 0.0f);
+    assert_true(mixed->colors[0].x == 1.0f && mixed->colors[0].y == 0.0f);
+    assert_true(mixed->colors[3].w == 51.0f / 255.0f);
+    assert_true(mixed->colors[3].x > 0.735f && mixed->colors[3].x < 0.737f); /* 128 / 255 of linear light */
+    assert_position(sparse, 0, 0, 0, 0);
+    assert_position(sparse, 1, 7, 8, 9);
+    assert_position(sparse, 2, 1, 1, 0);
+    assert_position(sparse, 3, 4, 5, 6);
+    assert_position(zeros, 2, 0, 0, 0);
+    assert_position(zeros, 3, 4, 5, 6);
+    assert_int_equal(reading->scene->meshes[3].indices[1], 3);
+    reading_free(reading);
+}
+
+TEST(only_the_vertices_of_a_primitive_are_kept)
+{
+    static const char text[] = "{" ASSET "," BUFFERS "," VIEWS ",\"accessors\":[" SQUARE ",{\"bufferView\":1,"
+                               "\"byteOffset\":6,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},"
+                               "{\"bufferView\":5,\"componentType\":5121,\"count\":2,\"type\":\"SCALAR\"}]," NODE
+                               ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":2,"
+                               "\"mode\":1}]}]}";
+    struct reading *reading = read_file(text);
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    assert_int_equal(mesh->position_count, 3);
+    assert_int_equal(mesh->lines[0], 0);
+    assert_int_equal(mesh->lines[1], 2);
+    assert_position(mesh, 2, 0, 1, 0);
+    reading_free(reading);
+}
+
+TEST(nodes_of_the_scene_place_meshes)
+{
+    struct reading *reading = read_file(
+        FILE_OF("\"scene\":1,\"scenes\":[{\"nodes\":[3]},{\"nodes\":[0]}],\"nodes\":[{\"children\":[1,2],"
+                "\"translation\":[1,2,3]},{\"mesh\":0,\"name\":\"left\",\"scale\":[2,2,2]},{\"mesh\":0,\"matrix\":"
+                "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,9,1]},{\"mesh\":1}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+                "{\"POSITION\":0}}]},{\"primitives\":[{\"attributes\":{\"POSITION\":99}}]}]"));
+    const struct zr_scene *scene = reading->scene;
+    assert_int_equal(scene->instance_count, 2);
+    assert_string_equal(scene->instances[0].node, "left");
+    assert_true(scene->instances[0].object_to_world.m[0] == 2.0f && scene->instances[0].object_to_world.m[13] == 2.0f);
+    assert_null(scene->instances[1].node);
+    assert_true(scene->instances[1].object_to_world.m[14] == 12.0f);
+    assert_int_equal(scene->warning_count, 2); /* an unplaced mesh, corners left over */
+    reading_free(reading);
+    struct reading *turned = read_over((struct zr_request){.up = "z"},
+                                       FILE_OF("\"nodes\":[{\"mesh\":0,\"translation\":[0,0,5]}]," MESH("")));
+    assert_read(turned);
+    assert_true(turned->scene->instances[0].object_to_world.m[13] == 5.0f);
+    reading_free(turned);
+}
+
+#define MATERIALS                                                                                                      \
+    "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0,1,0.25],\"roughnessFactor\":0.5},"           \
+    "\"alphaMode\":\"BLEND\",\"emissiveFactor\":[0,0.5,0],\"extensions\":{\"KHR_materials_emissive_strength\":"        \
+    "{\"emissiveStrength\":4}}},{\"doubleSided\":true,\"alphaMode\":\"MASK\",\"extensions\":"                          \
+    "{\"KHR_materials_unlit\":{}}}],\"extensionsUsed\":[\"KHR_materials_unlit\",\"KHR_materials_emissive_strength\"]"
+#define THREE_PRIMITIVES                                                                                               \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1,\"material\":0},{\"attributes\":"     \
+    "{\"POSITION\":0},\"indices\":1,\"material\":1},{\"attributes\":{\"POSITION\":0},\"indices\":1}]}]"
+
+static const struct zr_material *material_of(const struct reading *reading, uint32_t mesh)
+{
+    return &reading->scene->materials[reading->scene->meshes[mesh].material];
+}
+
+TEST(materials_of_the_file_are_over_the_look)
+{
+    struct reading *reading = read_file(FILE_OF(NODE "," MATERIALS "," THREE_PRIMITIVES));
+    const struct zr_material *first = material_of(reading, 0), *second = material_of(reading, 1),
+                             *third = material_of(reading, 2);
+    assert_int_equal(reading->scene->warning_count, 0);
+    assert_int_equal(first->shading, ZR_SHADING_PBR);
+    assert_true(first->base_color.x > 0.735f && first->base_color.x < 0.736f && first->base_color.z == 1.0f);
+    assert_true(first->base_color.w == 0.25f && first->metallic == 1.0f && first->roughness == 0.5f);
+    assert_true(first->emissive.y == 2.0f);
+    assert_int_equal(first->alpha_mode, ZR_ALPHA_BLEND);
+    assert_false(first->double_sided);
+    assert_int_equal(second->shading, ZR_SHADING_UNLIT);
+    assert_true(second->double_sided && second->alpha_cutoff == 0.5f);
+    assert_true(third->metallic == 0.0f && third->double_sided); /* the look's */
+    reading_free(reading);
+}
+
+TEST(the_query_is_over_the_file)
+{
+    const struct zr_request request = {.color = "#ff0000", .metallic = "0", .doubleSided = "true", .shading = "gooch"};
+    struct reading *reading = read_over(request, FILE_OF(NODE "," MATERIALS "," THREE_PRIMITIVES));
+    assert_read(reading);
+    for (uint32_t i = 0; i < 3; i++) {
+        const struct zr_material *material = material_of(reading, i);
+        assert_true(material->base_color.x == 1.0f && material->base_color.z == 0.0f);
+        assert_true(material->metallic == 0.0f && material->double_sided);
+        assert_int_equal(material->shading, ZR_SHADING_GOOCH);
+    }
+    reading_free(reading);
+    reading = read_over((struct zr_request){.look = "textbook"}, FILE_OF(NODE "," MATERIALS "," THREE_PRIMITIVES));
+    assert_read(reading);
+    assert_false(reading->scene->picture.is_linear);
+    assert_int_equal(material_of(reading, 0)->shading, ZR_SHADING_FLAT);
+    assert_int_equal(material_of(reading, 1)->shading, ZR_SHADING_UNLIT);
+    reading_free(reading);
+}
+
+TEST(what_is_left_out_is_warned_of)
+{
+    static const struct {
+        const char *text, *warning;
+    } cases[] = {
+        {FILE_OF(NODE "," MESH(",\"indices\":1") ",\"animations\":[{}],\"cameras\":[{}]"),
+         "left out: animations, cameras of the file"},
+        {FILE_OF(NODE "," MESH(",\"indices\":1,\"targets\":[{}]")), "left out: morph targets of the file"},
+        {FILE_OF(NODE "," MESH(",\"indices\":1") ",\"extensionsUsed\":[\"A\",\"KHR_texture_transform\",\"B\"]"),
+         "drawn without the extensions 'A', 'B'"},
+        {FILE_OF(NODE "," MESH(",\"indices\":1,\"lights\":[{}]") ",\"more\":1"),
+         "2 keys are not known, the first is /more"},
+        {FILE_OF(NODE "," MESH(",\"indices\":1,\"lights\":[{}]")),
+         "/meshes/0/primitives/0/lights: this key is not known"},
+        {FILE_OF(NODE "," MESH(",\"indices\":1},{\"attributes\":{}")),
+         "/meshes/0/primitives/1: without POSITION, and not drawn"},
+        {FILE_OF(NODE "," MESH(",\"indices\":1,\"extras\":{\"x\":1},\"extensions\":{\"Y\":{}}")), NULL},
+        {FILE_OF(NODE "," MESH(",\"indices\":1,\"material\":0") ",\"materials\":[{\"pbrMetallicRoughness\":{"
+                                                                "\"baseColorFactor\":[2,0,0,1]}}]"),
+         "/materials/0/pbrMetallicRoughness/baseColorFactor: beyond 0 to 1, and clamped"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct reading *reading = read_file(cases[i].text);
+        assert_int_equal(reading->scene->warning_count, cases[i].warning ? 1 : 0);
+        if (cases[i].warning) assert_string_equal(reading->scene->warnings[0], cases[i].warning);
+        reading_free(reading);
+        reading = read_over((struct zr_request){.strict = "1"}, cases[i].text);
+        assert_int_equal(reading->status, cases[i].warning ? ZR_BAD_SCENE : ZR_OK);
+        reading_free(reading);
+    }
+}
+
+TEST(a_kept_file_keeps_nodes_and_materials)
+{
+    static const char text[] =
+        FILE_OF("\"nodes\":[{\"mesh\":0,\"translation\":[0,0,5]}]," MATERIALS "," THREE_PRIMITIVES);
+    static const char change[] = "{\"window\":{\"width\":64,\"height\":48}}";
+    const struct zr_request request = {
+        .format = ZR_FORMAT_GLTF, .bytes = text, .size = sizeof text - 1, .assets = parts, .asset_count = 1};
+    const struct zr_request changed = {.bytes = change, .size = sizeof change - 1};
+    const struct zr_limits limits = zr_limits_default();
+    struct zr_arena arena, other;
+    struct zr_error error = {0};
+    struct zr_kept *kept;
+    const struct zr_scene *scene;
+    zr_arena_init(&arena, (size_t)1 << 26);
+    zr_arena_init(&other, (size_t)1 << 26);
+    assert_int_equal(zr_scene_keep(&arena, NULL, &request, &limits, &kept, &error), ZR_OK);
+    assert_int_equal(zr_scene_change(&other, NULL, kept, &changed, &scene, &error), ZR_OK);
+    assert_int_equal(scene->views[0].width, 64);
+    assert_int_equal(scene->instance_count, 3);
+    assert_true(scene->instances[2].object_to_world.m[14] == 5.0f);
+    assert_int_equal(scene->materials[scene->meshes[1].material].shading, ZR_SHADING_UNLIT);
+    zr_arena_free(&other);
+    zr_arena_free(&arena);
+}
+
+TEST(a_file_that_needs_more_memory_says_so)
+{
+    static const char text[] = FILE_OF(NODE "," MATERIALS "," THREE_PRIMITIVES);
+    const struct zr_request request = {.format = ZR_FORMAT_GLTF, .assets = parts, .asset_count = 1};
+    assert_true(smallest_ceiling(request, text, sizeof text - 1, 1 << 17) > 512);
+}
+
+RUN_TESTS(NULL, NULL)
