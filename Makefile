@@ -61,7 +61,7 @@ NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy 
 NEED_DEB := /usr/share/doc/build-essential=build-essential dh=debhelper dh_python3=dh-python $(PYTHON)=python3
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels curl=curl
 
-# Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
+# Data that is not in the repository, used where it is present: models/*.obj, gltf/ and json-test-suite/.
 DATA ?= ../shared/data
 # For `make fuzz`: seconds for each target.
 FUZZ_SECONDS ?= 20
@@ -192,6 +192,12 @@ reference: ## the long comparison with Mesa, and build/reference/report.html abo
 .PHONY: compare-reference
 compare-reference:
 	@DATA="$(DATA)" tests/reference/all.sh $(BUILD) $(REFERENCE)
+
+.PHONY: gltf-models
+gltf-models: ## the models of the glTF Asset Generator beside their thumbnails: build/gltf/index.html
+	@.ci/need $(NEED_BUILD)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
+	@$(PYTHON) tests/reference/gltf_models.py $(BUILD) $(DATA)/gltf/asset-generator
 
 .PHONY: mutants
 mutants:

@@ -151,6 +151,12 @@ for part in "$@"; do
             skipped=$((skipped + 6))
             say "LEFT OUT: stanford-bunny and teapot against Mesa, flat and smooth, suzanne and fandisk from all sides: there is no $data/models"
         fi
+        if [ -d "$data/gltf/asset-generator" ]; then
+            run gltf-models "${PYTHON:-/usr/bin/python3}" tests/reference/gltf_models.py "$build" "$data/gltf/asset-generator"
+        else
+            skipped=$((skipped + 171))
+            say "LEFT OUT: the models of the glTF Asset Generator: there is no $data/gltf/asset-generator"
+        fi
         # Without the models it compares pictures of meshes of its own.
         run bench-pictures "ZRASTERD=$build/zrasterd" "$build/zraster-bench" --check-only --models "$data/models"
         if [ -d "$assimp" ]; then
