@@ -37,13 +37,7 @@ enum zr_gltf_key {
 };
 
 /* Things that are left out, for one warning. */
-enum zr_gltf_omission {
-    ZR_GLTF_OMITS_ANIMATIONS,
-    ZR_GLTF_OMITS_CAMERAS,
-    ZR_GLTF_OMITS_SKINS,
-    ZR_GLTF_OMITS_TARGETS,
-    ZR_GLTF_OMISSIONS
-};
+enum zr_gltf_omission { ZR_GLTF_OMITS_ANIMATIONS, ZR_GLTF_OMITS_CAMERAS, ZR_GLTF_OMISSIONS };
 
 enum zr_gltf_state { ZR_GLTF_UNREAD, ZR_GLTF_READ, ZR_GLTF_REFUSED };
 
@@ -112,9 +106,12 @@ struct zr_gltf_texture {
     uint32_t source, sampler;
 };
 
-/* A mesh of the file: one mesh of the scene for each primitive that is drawn. */
-struct zr_gltf_mesh {
-    bool is_placed;
+/* A use of a mesh of the file: one mesh of the scene for each primitive that is drawn. Nodes without a skin and weights
+ * of their own share one. */
+struct zr_gltf_use {
+    uint32_t skin;         /* or NONE */
+    uint32_t next;         /* use of the same mesh, or NONE */
+    const char *weights;   /* place of the node's, or NULL */
     uint32_t first, count; /* in the scene */
 };
 
@@ -144,11 +141,15 @@ struct zr_gltf {
     struct zr_parsed_sampler *samplers;
     struct zr_gltf_image *images;
     const char **material_places; /* NULL: read */
-    struct zr_gltf_mesh *meshes;
+    uint32_t *first_uses;         /* one per mesh, or NONE: no node of the scene places it */
+    uint32_t use_count;
+    struct zr_gltf_use *uses;
     struct zr_gltf_nodes *nodes; /* private to gltf_node.c */
     uint32_t scene;              /* number of the scene that is drawn */
-    uint32_t primitives;         /* of placed meshes */
-    uint32_t mesh, next_mesh;    /* that is read now; in the scene, the next one to make */
+    uint64_t primitives;         /* of all uses of meshes */
+    uint32_t use, next_mesh;     /* that is read now; in the scene, the next one to make */
+    const char *weights;         /* place of those of the mesh that is read now, or NULL */
+    struct zr_gltf_skin *skins;
     uint32_t *mesh_materials;
     struct zr_file_scene *made;
     size_t made_bytes; /* of arrays of meshes */
@@ -244,6 +245,9 @@ bool zr_gltf_read_indices(struct zr_gltf *file, const struct zr_gltf_values *val
 bool zr_gltf_read_nodes(struct zr_gltf *file);
 void zr_gltf_place(struct zr_gltf *file);
 
+/* Returns the matrix of a node to world space, in the pose of the file. */
+const zr_mat4 *zr_gltf_world_of(const struct zr_gltf *file, uint32_t node);
+
 /* ---- gltf_mesh.c: the list; gltf_primitive.c: one primitive; gltf_topology.c: its faces, lines and points ---- */
 
 /* Makes the scene's meshes of the placed ones. */
@@ -262,13 +266,44 @@ enum {
 
 /* Attributes of a primitive: numbers of accessors, or NONE. */
 struct zr_gltf_attributes {
-    uint32_t position, normal, tangent, texcoords[2], color;
+    uint32_t position, normal, tangent, texcoords[2], color, joints[2], weights[2];
 };
 
 struct zr_gltf_primitive {
     struct zr_gltf_attributes attributes;
     uint32_t indices, material, mode;
+    const char *targets; /* place, or NULL */
 };
+
+/* The vertices that a primitive uses. */
+struct zr_gltf_range {
+    uint32_t first, count;
+    uint32_t all; /* of its attribute POSITION */
+};
+
+/* Opens an attribute of the primitive's vertices: `shape` or `other`. `path`: of the object with the attributes. */
+bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
+                            int shape, int other, uint32_t vertices, struct zr_gltf_values *out);
+
+/* Counts the bytes of an array that is to be made; false if a quick reading ends here. */
+bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes);
+
+/* ---- gltf_morph.c, gltf_skin.c: both change the positions, normals and tangents of a mesh ---- */
+
+/* Adds the primitive's targets by the weights of the node or of the mesh. `path`: of the primitive. */
+bool zr_gltf_morph(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given,
+                   const struct zr_gltf_range *range, struct zr_mesh *mesh);
+
+/* Checks the vertices that `by` ("a skin") has moved; `path`: of the primitive. */
+bool zr_gltf_check_moved(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_mesh *mesh,
+                         const char *by);
+
+/* Reads the list of skins. */
+bool zr_gltf_read_skins(struct zr_gltf *file);
+
+/* Moves vertices to world space by the joints of the use that is read now. */
+bool zr_gltf_bend(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given,
+                  const struct zr_gltf_range *range, struct zr_mesh *mesh);
 
 /* Fills a mesh; its name is set. False if there is nothing to draw, or after a fault. */
 bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *path,

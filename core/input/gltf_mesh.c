@@ -10,6 +10,10 @@ static const struct zr_json_field attribute_fields[] = {
     {.key = "TANGENT", .read = zr_gltf_index, .offset = AT(tangent)},
     {.key = "TEXCOORD_0", .read = zr_gltf_index, .offset = AT(texcoords[0])},
     {.key = "TEXCOORD_1", .read = zr_gltf_index, .offset = AT(texcoords[1])},
+    {.key = "JOINTS_0", .read = zr_gltf_index, .offset = AT(joints[0])},
+    {.key = "JOINTS_1", .read = zr_gltf_index, .offset = AT(joints[1])},
+    {.key = "WEIGHTS_0", .read = zr_gltf_index, .offset = AT(weights[0])},
+    {.key = "WEIGHTS_1", .read = zr_gltf_index, .offset = AT(weights[1])},
     {.key = "COLOR_0", .read = zr_gltf_index, .offset = AT(color)}};
 #undef AT
 static const struct zr_json_object attribute_object = ZR_JSON_OBJECT_OF("attributes", attribute_fields);
@@ -26,7 +30,7 @@ static const struct zr_json_field fields[] = {
     [INDICES] = {.key = "indices", .read = zr_gltf_index, .offset = AT(primitive.indices)},
     [MATERIAL] = {.key = "material", .read = zr_gltf_index, .offset = AT(primitive.material)},
     [MODE] = {.key = "mode", .read = zr_json_whole, .offset = AT(primitive.mode)},
-    [TARGETS] = {.key = "targets", .read = zr_gltf_ignore},
+    [TARGETS] = {.key = "targets", .read = zr_json_place, .offset = AT(primitive.targets)},
     ZR_GLTF_COMMON};
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("primitive", fields);
@@ -45,17 +49,17 @@ static void read_attributes(struct zr_gltf *file, const struct zr_json_path *pat
 static void read_primitive(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     const uint32_t none = ZR_GLTF_NONE;
-    struct given_primitive given = {.primitive = {.attributes = {none, none, none, {none, none}, none},
-                                                  .indices = none,
-                                                  .material = none,
-                                                  .mode = ZR_GLTF_TRIANGLES}};
-    struct zr_gltf_mesh *of = &file->meshes[file->mesh];
+    struct given_primitive given = {
+        .primitive = {.attributes = {none, none, none, {none, none}, none, {none, none}, {none, none}},
+                      .indices = none,
+                      .material = none,
+                      .mode = ZR_GLTF_TRIANGLES}};
+    struct zr_gltf_use *of = &file->uses[file->use];
     struct zr_mesh *mesh = &file->root.builder->meshes[of->first + of->count];
     uint64_t keys;
     (void)number;
     if (zr_gltf_stops(file)) return;
     zr_gltf_fields(file, json, path, &object, &given, &keys);
-    if (zr_json_gives(keys, TARGETS)) file->omits[ZR_GLTF_OMITS_TARGETS] = true;
     if (!given.attributes) return;
     read_attributes(file, ZR_JSON_KEY(path, fields[ATTRIBUTES].key), given.attributes, &given.primitive.attributes);
     if (given.primitive.material != none &&
@@ -71,59 +75,72 @@ static void read_primitive(struct zr_gltf *file, struct zr_json *json, const str
 /* ---- meshes ---- */
 
 struct given_mesh {
-    const char *name, *primitives; /* primitives: a place */
+    const char *name, *primitives, *weights; /* the last two are places */
 };
 enum { PRIMITIVES, NAME, WEIGHTS };
 #define AT(member) offsetof(struct given_mesh, member)
 static const struct zr_json_field mesh_fields[] = {
     [PRIMITIVES] = {"primitives", zr_json_place, AT(primitives), .required = true, .text = "what the mesh is made of"},
     [NAME] = {.key = "name", .read = zr_json_string, .offset = AT(name)},
-    [WEIGHTS] = {.key = "weights", .read = zr_gltf_ignore},
+    [WEIGHTS] = {.key = "weights", .read = zr_json_place, .offset = AT(weights)},
     ZR_GLTF_COMMON};
 #undef AT
 static const struct zr_json_object mesh_object = ZR_JSON_OBJECT_OF("mesh", mesh_fields);
 
 static void count_mesh(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
-    struct given_mesh given = {"", NULL};
+    struct given_mesh given = {"", NULL, NULL};
     uint64_t keys;
     size_t count = 0;
     zr_gltf_fields(file, json, path, &mesh_object, &given, &keys);
-    if (!given.primitives || !file->meshes[number].is_placed) return;
+    if (!given.primitives || file->first_uses[number] == ZR_GLTF_NONE) return;
     struct zr_json there = zr_json_at(json, given.primitives);
-    if (zr_json_count(&there, ZR_JSON_KEY(path, mesh_fields[PRIMITIVES].key), &count))
-        file->primitives += (uint32_t)count;
+    if (!zr_json_count(&there, ZR_JSON_KEY(path, mesh_fields[PRIMITIVES].key), &count)) return;
+    for (uint32_t i = file->first_uses[number]; i != ZR_GLTF_NONE; i = file->uses[i].next)
+        file->primitives += count;
+}
+
+/* Makes the primitives of one use of the mesh. */
+static void read_use(struct zr_gltf *file, const struct zr_json_path *path, const struct given_mesh *given,
+                     uint32_t number)
+{
+    struct zr_gltf_use *use = &file->uses[number];
+    struct zr_json there = zr_json_at(&file->root.json, given->primitives);
+    file->use = number;
+    file->weights = use->weights ? use->weights : given->weights;
+    use->first = file->next_mesh;
+    zr_json_enter(&there, '[');
+    for (uint32_t k = 0; zr_json_any_item(&there); k++) {
+        file->root.builder->meshes[use->first + use->count].name = given->name;
+        read_primitive(file, &there, ZR_JSON_ITEM(path, k), k);
+    }
+    file->next_mesh = use->first + use->count;
 }
 
 static void read_mesh(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
-    struct zr_gltf_mesh *mesh = &file->meshes[number];
-    struct given_mesh given = {"", NULL};
+    struct given_mesh given = {"", NULL, NULL};
     uint64_t keys;
-    if (!mesh->is_placed || zr_gltf_stops(file)) {
+    if (file->first_uses[number] == ZR_GLTF_NONE || zr_gltf_stops(file)) {
         zr_json_skip(json);
         return;
     }
     const struct zr_gltf_note before = file->unknown; /* noted by count_mesh */
     zr_gltf_fields(file, json, path, &mesh_object, &given, &keys);
     file->unknown = before;
-    const uint32_t first = mesh->first = number == 0 ? 0 : file->next_mesh;
-    struct zr_json there = zr_json_at(json, given.primitives);
-    const struct zr_json_path *list = ZR_JSON_KEY(path, mesh_fields[PRIMITIVES].key);
-    file->mesh = number;
-    zr_json_enter(&there, '[');
-    for (uint32_t k = 0; zr_json_any_item(&there); k++) {
-        file->root.builder->meshes[first + mesh->count].name = given.name;
-        read_primitive(file, &there, ZR_JSON_ITEM(list, k), k);
-    }
-    file->next_mesh = first + mesh->count;
+    for (uint32_t i = file->first_uses[number]; i != ZR_GLTF_NONE && !zr_gltf_stops(file); i = file->uses[i].next)
+        read_use(file, ZR_JSON_KEY(path, mesh_fields[PRIMITIVES].key), &given, i);
 }
 
 bool zr_gltf_read_meshes(struct zr_gltf *file)
 {
     struct zr_json *json = &file->root.json;
     if (!zr_gltf_read_list(file, ZR_GLTF_MESHES, count_mesh) || json->error->count > 0) return false;
-    file->mesh_materials = zr_arena_alloc(json->arena, file->primitives, sizeof *file->mesh_materials);
+    if (file->primitives > json->limits->instances_max)
+        return zr_json_fault(json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_MESHES)),
+                             "%llu primitives are drawn; %u are allowed", (unsigned long long)file->primitives,
+                             json->limits->instances_max);
+    file->mesh_materials = zr_arena_alloc(json->arena, (size_t)file->primitives, sizeof *file->mesh_materials);
     if (!zr_scene_builder_meshes(file->root.builder, (size_t)file->primitives + 1) || !file->mesh_materials)
         return false;
     file->made->mesh_materials = file->mesh_materials;

@@ -9,19 +9,22 @@
 
 struct zr_gltf_nodes {
     uint32_t count, child_count;
-    struct zr_node *nodes; /* `mesh` is a mesh of the file */
+    struct zr_node *nodes; /* `mesh` is a mesh of the file, later its use */
     uint32_t *children;
     const char **places; /* of the list of each node's children, or NULL */
     uint32_t *parents;   /* or NONE */
     bool *is_drawn;      /* below a root of the scene */
-    uint32_t *stack;     /* nodes to visit */
+    uint32_t *skins;     /* or NONE */
+    const char **weights;
+    zr_mat4 *worlds;
+    uint32_t *stack; /* nodes to visit */
     size_t stacked;
 };
 
 /* ---- nodes ---- */
 
 struct given_node {
-    const char *name, *children; /* children: a place, or NULL */
+    const char *name, *children, *weights; /* the last two are places, or NULL */
     uint32_t mesh, skin, camera;
     zr_mat4 matrix;
     zr_vec3 translation, scale;
@@ -40,7 +43,7 @@ static const struct zr_json_field fields[] = {
     [ROTATION] = {.key = "rotation", .read = zr_json_vec4, .offset = AT(rotation)},
     [SCALE] = {.key = "scale", .read = zr_json_vec3, .offset = AT(scale)},
     {.key = "camera", .read = zr_gltf_index, .offset = AT(camera)},
-    {.key = "weights", .read = zr_gltf_ignore},
+    {.key = "weights", .read = zr_json_place, .offset = AT(weights)},
     ZR_GLTF_COMMON};
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("node", fields);
@@ -81,7 +84,10 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
         node->mesh = given.mesh;
         if (given.name && *given.name) node->name = given.name;
     }
-    if (given.skin != ZR_GLTF_NONE) file->omits[ZR_GLTF_OMITS_SKINS] = true;
+    all->skins[number] = given.skin;
+    all->weights[number] = given.weights;
+    if (given.skin != ZR_GLTF_NONE)
+        zr_gltf_check_index(file, ZR_JSON_KEY(path, fields[SKIN].key), given.skin, ZR_GLTF_SKINS);
     all->places[number] = given.children;
     if (!given.children) return;
     struct zr_json there = zr_json_at(json, given.children);
@@ -188,19 +194,65 @@ static bool find_roots(struct zr_gltf *file)
     return json->error->count == 0;
 }
 
-/* Marks what is below the roots; other nodes place nothing. */
-static void find_drawn(struct zr_gltf *file)
+/* Marks what is below the roots. */
+static void find_drawn(struct zr_gltf_nodes *all)
 {
-    struct zr_gltf_nodes *all = file->nodes;
     while (all->stacked > 0) {
         const struct zr_node *node = &all->nodes[all->stack[--all->stacked]];
         for (uint32_t k = 0; k < node->child_count; k++)
             push(all, all->children[node->first_child + k]);
     }
+}
+
+/* Finds the matrices to world space of all nodes. */
+static void find_worlds(struct zr_gltf_nodes *all)
+{
     for (uint32_t i = 0; i < all->count; i++) {
-        if (!all->is_drawn[i]) all->nodes[i].mesh = ZR_NODE_NO_MESH;
-        if (all->nodes[i].mesh != ZR_NODE_NO_MESH) file->meshes[all->nodes[i].mesh].is_placed = true;
+        all->worlds[i] = all->nodes[i].local;
+        if (all->parents[i] == ZR_GLTF_NONE) all->stack[all->stacked++] = i;
     }
+    while (all->stacked > 0) {
+        const uint32_t number = all->stack[--all->stacked];
+        const struct zr_node *node = &all->nodes[number];
+        for (uint32_t k = 0; k < node->child_count; k++) {
+            const uint32_t child = all->children[node->first_child + k];
+            all->worlds[child] = zr_mat4_mul(&all->worlds[number], &all->nodes[child].local);
+            all->stack[all->stacked++] = child;
+        }
+    }
+}
+
+const zr_mat4 *zr_gltf_world_of(const struct zr_gltf *file, uint32_t node)
+{
+    return &file->nodes->worlds[node];
+}
+
+/* Returns the use of a mesh by a node: one of its own if it has a skin or weights, else the first such use. */
+static uint32_t use_of(struct zr_gltf *file, uint32_t node)
+{
+    const struct zr_gltf_nodes *all = file->nodes;
+    uint32_t *next = &file->first_uses[all->nodes[node].mesh];
+    const bool is_own = all->skins[node] != ZR_GLTF_NONE || all->weights[node];
+    if (!is_own && *next != ZR_GLTF_NONE && file->uses[*next].skin == ZR_GLTF_NONE && !file->uses[*next].weights)
+        return *next;
+    file->uses[file->use_count] =
+        (struct zr_gltf_use){.skin = all->skins[node], .weights = all->weights[node], .next = *next};
+    if (is_own && *next != ZR_GLTF_NONE) { /* behind the shared one */
+        file->uses[file->use_count].next = file->uses[*next].next;
+        next = &file->uses[*next].next;
+    }
+    return *next = file->use_count++;
+}
+
+/* Other nodes than those of the scene place nothing. */
+static void find_uses(struct zr_gltf *file)
+{
+    struct zr_gltf_nodes *all = file->nodes;
+    for (uint32_t i = 0; i < all->count; i++)
+        if (!all->is_drawn[i])
+            all->nodes[i].mesh = ZR_NODE_NO_MESH;
+        else if (all->nodes[i].mesh != ZR_NODE_NO_MESH)
+            all->nodes[i].mesh = use_of(file, i);
 }
 
 bool zr_gltf_read_nodes(struct zr_gltf *file)
@@ -208,8 +260,13 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     struct zr_arena *arena = file->root.json.arena;
     const uint32_t count = file->counts[ZR_GLTF_NODES];
     struct zr_gltf_nodes *all = file->nodes = zr_arena_zero(arena, 1, sizeof *all);
-    file->meshes = zr_arena_zero(arena, file->counts[ZR_GLTF_MESHES], sizeof *file->meshes);
-    if (!all) return false;
+    file->first_uses = zr_arena_alloc(arena, file->counts[ZR_GLTF_MESHES], sizeof *file->first_uses);
+    file->uses = zr_arena_alloc(arena, count, sizeof *file->uses);
+    if (!all || !file->first_uses) return false;
+    memset(file->first_uses, 0xFF, file->counts[ZR_GLTF_MESHES] * sizeof *file->first_uses);
+    all->skins = zr_arena_alloc(arena, count, sizeof *all->skins);
+    all->weights = zr_arena_alloc(arena, count, sizeof *all->weights);
+    all->worlds = zr_arena_alloc(arena, count, sizeof *all->worlds);
     all->count = count;
     all->nodes = zr_arena_zero(arena, count, sizeof *all->nodes);
     all->places = zr_arena_zero(arena, count, sizeof *all->places);
@@ -219,7 +276,9 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     if (!zr_arena_ok(arena)) return false;
     memset(all->parents, 0xFF, count * sizeof *all->parents);
     if (!zr_gltf_read_list(file, ZR_GLTF_NODES, read_node) || !read_children(file) || !find_roots(file)) return false;
-    find_drawn(file);
+    find_drawn(all);
+    find_worlds(all);
+    find_uses(file);
     return true;
 }
 
@@ -256,7 +315,7 @@ static bool expand(struct zr_gltf *file, const struct zr_placement *placement)
     struct zr_json *json = &file->root.json;
     uint64_t count = 0;
     for (uint32_t i = 0; i < placement->count; i++)
-        count += file->meshes[placement->instances[i].mesh].count;
+        count += file->uses[placement->instances[i].mesh].count;
     if (count > json->limits->instances_max)
         return zr_json_fault(json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_NODES)),
                              "the nodes place %llu primitives of meshes; %u are allowed", (unsigned long long)count,
@@ -264,10 +323,11 @@ static bool expand(struct zr_gltf *file, const struct zr_placement *placement)
     struct zr_instance *next = made->instances = zr_arena_alloc(json->arena, (size_t)count, sizeof *next);
     if (!next) return false;
     for (uint32_t i = 0; i < placement->count; i++) {
-        const struct zr_gltf_mesh *mesh = &file->meshes[placement->instances[i].mesh];
-        for (uint32_t k = 0; k < mesh->count; k++) {
+        const struct zr_gltf_use *use = &file->uses[placement->instances[i].mesh];
+        for (uint32_t k = 0; k < use->count; k++, next++) {
             *next = placement->instances[i];
-            next++->mesh = mesh->first + k;
+            next->mesh = use->first + k;
+            if (use->skin != ZR_GLTF_NONE) next->object_to_world = zr_mat4_identity(); /* joints place it */
         }
     }
     made->instance_count = (uint32_t)count;

@@ -12,13 +12,7 @@
 /* Colours that are encoded at once, on the stack. */
 enum { AT_ONCE = 256 };
 
-/* The vertices that a primitive uses. */
-struct range {
-    uint32_t first, count;
-};
-
-/* Counts the bytes of an array before it is made; false if a quick reading ends here. */
-static bool note_bytes(struct zr_gltf *file, size_t bytes)
+bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes)
 {
     struct zr_quick *quick = file->root.assets.quick;
     file->made_bytes += bytes;
@@ -30,17 +24,16 @@ static bool note_bytes(struct zr_gltf *file, size_t bytes)
 
 static void *allocate(struct zr_gltf *file, size_t count, size_t size)
 {
-    return note_bytes(file, count * size) ? zr_arena_alloc(file->root.json.arena, count, size) : NULL;
+    return zr_gltf_note_bytes(file, count * size) ? zr_arena_alloc(file->root.json.arena, count, size) : NULL;
 }
 
 /* ---- attributes ---- */
 
-/* Opens an attribute of the primitive's vertices: `shape` or, unless NONE, `other`. */
-static bool open_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
-                           int shape, int other, uint32_t vertices, struct zr_gltf_values *out)
+bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
+                            int shape, int other, uint32_t vertices, struct zr_gltf_values *out)
 {
     static const char *const words[ZR_GLTF_SHAPES] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
-    const struct zr_json_path *at = ZR_JSON_KEY(ZR_JSON_KEY(path, "attributes"), name);
+    const struct zr_json_path *at = ZR_JSON_KEY(path, name);
     if (!zr_gltf_open(file, at, number, out)) return false;
     const int found = out->accessor->shape;
     if (found != shape && found != other)
@@ -50,7 +43,8 @@ static bool open_attribute(struct zr_gltf *file, const struct zr_json_path *path
                                                    number, out->count, vertices);
 }
 
-static zr_vec4 *read_positions(struct zr_gltf *file, const struct zr_gltf_values *values, const struct range *range)
+static zr_vec4 *read_positions(struct zr_gltf *file, const struct zr_gltf_values *values,
+                               const struct zr_gltf_range *range)
 {
     zr_vec4 *positions = allocate(file, range->count, sizeof *positions);
     const double limit = (double)file->root.json.limits->coordinate_max;
@@ -62,10 +56,11 @@ static zr_vec4 *read_positions(struct zr_gltf *file, const struct zr_gltf_values
 }
 
 static bool read_normals(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
-                         const struct range *range, struct zr_mesh *mesh, uint32_t mesh_number)
+                         const struct zr_gltf_range *range, struct zr_mesh *mesh, uint32_t mesh_number)
 {
     struct zr_gltf_values values;
-    if (!open_attribute(file, path, "NORMAL", number, ZR_GLTF_VEC3, ZR_GLTF_VEC3, vertices, &values)) return false;
+    if (!zr_gltf_open_attribute(file, path, "NORMAL", number, ZR_GLTF_VEC3, ZR_GLTF_VEC3, vertices, &values))
+        return false;
     zr_vec3 *normals = allocate(file, range->count, sizeof *normals);
     if (!normals || !zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &normals[0].x, 3))
         return false;
@@ -76,10 +71,11 @@ static bool read_normals(struct zr_gltf *file, const struct zr_json_path *path, 
 }
 
 static bool read_tangents(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
-                          const struct range *range, struct zr_mesh *mesh)
+                          const struct zr_gltf_range *range, struct zr_mesh *mesh)
 {
     struct zr_gltf_values values;
-    if (!open_attribute(file, path, "TANGENT", number, ZR_GLTF_VEC4, ZR_GLTF_VEC4, vertices, &values)) return false;
+    if (!zr_gltf_open_attribute(file, path, "TANGENT", number, ZR_GLTF_VEC4, ZR_GLTF_VEC4, vertices, &values))
+        return false;
     zr_vec4 *tangents = allocate(file, range->count, sizeof *tangents);
     if (!tangents ||
         !zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &tangents[0].x, 4))
@@ -92,17 +88,18 @@ static bool read_tangents(struct zr_gltf *file, const struct zr_json_path *path,
 
 /* Two sets of coordinates share an array. */
 static bool read_texcoords(struct zr_gltf *file, const struct zr_json_path *path, const uint32_t numbers[2],
-                           uint32_t vertices, const struct range *range, struct zr_mesh *mesh)
+                           uint32_t vertices, const struct zr_gltf_range *range, struct zr_mesh *mesh)
 {
     static const char *const names[2] = {"TEXCOORD_0", "TEXCOORD_1"};
-    zr_vec4 *texcoords = note_bytes(file, range->count * sizeof *texcoords)
+    zr_vec4 *texcoords = zr_gltf_note_bytes(file, range->count * sizeof *texcoords)
                              ? zr_arena_zero(file->root.json.arena, range->count, sizeof *texcoords)
                              : NULL;
     if (!texcoords) return false;
     for (int set = 0; set < 2; set++) {
         struct zr_gltf_values values;
         if (numbers[set] == ZR_GLTF_NONE) continue;
-        if (!open_attribute(file, path, names[set], numbers[set], ZR_GLTF_VEC2, ZR_GLTF_VEC2, vertices, &values) ||
+        if (!zr_gltf_open_attribute(file, path, names[set], numbers[set], ZR_GLTF_VEC2, ZR_GLTF_VEC2, vertices,
+                                    &values) ||
             !zr_gltf_read_floats(file, &values, range->first, range->count, (double)ZR_TEXCOORD_MAX,
                                  &texcoords[0].x + 2 * set, 4))
             return false;
@@ -131,10 +128,11 @@ static bool encode(struct zr_gltf *file, zr_vec4 *colors, uint32_t count)
 }
 
 static bool read_colors(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
-                        const struct range *range, struct zr_mesh *mesh)
+                        const struct zr_gltf_range *range, struct zr_mesh *mesh)
 {
     struct zr_gltf_values values;
-    if (!open_attribute(file, path, "COLOR_0", number, ZR_GLTF_VEC4, ZR_GLTF_VEC3, vertices, &values)) return false;
+    if (!zr_gltf_open_attribute(file, path, "COLOR_0", number, ZR_GLTF_VEC4, ZR_GLTF_VEC3, vertices, &values))
+        return false;
     zr_vec4 *colors = allocate(file, range->count, sizeof *colors);
     if (!colors) return false;
     values.is_normalized = true; /* whole numbers have to be */
@@ -148,7 +146,7 @@ static bool read_colors(struct zr_gltf *file, const struct zr_json_path *path, u
 }
 
 static bool read_attributes(struct zr_gltf *file, const struct zr_json_path *path,
-                            const struct zr_gltf_primitive *given, uint32_t vertices, const struct range *range,
+                            const struct zr_gltf_primitive *given, uint32_t vertices, const struct zr_gltf_range *range,
                             struct zr_mesh *mesh, uint32_t number)
 {
     const struct zr_gltf_attributes *of = &given->attributes;
@@ -161,7 +159,7 @@ static bool read_attributes(struct zr_gltf *file, const struct zr_json_path *pat
                                 ? 0
                                 : zr_gltf_texcoords_of(&file->made->materials[given->material]);
     for (uint32_t set = 0; set < 2; set++)
-        if (needed >> set & 1u && of->texcoords[set] == ZR_GLTF_NONE) zr_gltf_note(&file->no_texcoords, path);
+        if (needed >> set & 1u && of->texcoords[set] == ZR_GLTF_NONE) zr_gltf_note(&file->no_texcoords, path->parent);
     return !(has_texcoords || needed) || read_texcoords(file, path, of->texcoords, vertices, range, mesh);
 }
 
@@ -169,7 +167,7 @@ static bool read_attributes(struct zr_gltf *file, const struct zr_json_path *pat
 
 /* Reads the indices, and finds the range of vertices that they use; the indices become relative to it. */
 static bool read_indices(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
-                         struct range *range, uint32_t **corners, uint32_t *count)
+                         struct zr_gltf_range *range, uint32_t **corners, uint32_t *count)
 {
     struct zr_gltf_values values;
     uint32_t low, high;
@@ -177,7 +175,8 @@ static bool read_indices(struct zr_gltf *file, const struct zr_json_path *path, 
     *count = values.count;
     *corners = allocate(file, values.count, sizeof **corners);
     if (!*corners || !zr_gltf_read_indices(file, &values, vertices, *corners, &low, &high)) return false;
-    *range = values.count == 0 ? (struct range){0, 0} : (struct range){low, high - low + 1};
+    *range = values.count == 0 ? (struct zr_gltf_range){0, 0, vertices}
+                               : (struct zr_gltf_range){low, high - low + 1, vertices};
     for (uint32_t i = 0; low > 0 && i < values.count; i++)
         (*corners)[i] -= low;
     return true;
@@ -187,7 +186,7 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
                             const struct zr_gltf_primitive *given, struct zr_mesh *mesh, uint32_t number)
 {
     struct zr_gltf_values positions;
-    struct range range;
+    struct zr_gltf_range range;
     uint32_t *corners = NULL, count;
     if (given->mode > ZR_GLTF_TRIANGLE_FAN)
         return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, "mode"), "%u; glTF has the modes 0 to 6", given->mode);
@@ -195,9 +194,11 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
         zr_gltf_note(&file->no_positions, path);
         return false;
     }
-    if (!open_attribute(file, path, "POSITION", given->attributes.position, ZR_GLTF_VEC3, ZR_GLTF_VEC3, 0, &positions))
+    const struct zr_json_path *attributes = ZR_JSON_KEY(path, "attributes");
+    if (!zr_gltf_open_attribute(file, attributes, "POSITION", given->attributes.position, ZR_GLTF_VEC3, ZR_GLTF_VEC3, 0,
+                                &positions))
         return false;
-    range = (struct range){0, count = positions.count};
+    range = (struct zr_gltf_range){0, count = positions.count, positions.count};
     if (given->indices != ZR_GLTF_NONE &&
         !read_indices(file, path, given->indices, positions.count, &range, &corners, &count))
         return false;
@@ -206,6 +207,7 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
     mesh->positions = read_positions(file, &positions, &range);
     mesh->position_count = range.count;
     mesh->point_size = 1.0f;
-    return mesh->positions && read_attributes(file, path, given, positions.count, &range, mesh, number) &&
+    return mesh->positions && read_attributes(file, attributes, given, positions.count, &range, mesh, number) &&
+           zr_gltf_morph(file, path, given, &range, mesh) && zr_gltf_bend(file, attributes, given, &range, mesh) &&
            zr_arena_ok(file->root.json.arena);
 }

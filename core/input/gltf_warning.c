@@ -14,10 +14,8 @@ static void warn_of(struct zr_gltf *file, struct zr_warning_list *list, const st
 
 static void warn_of_omissions(struct zr_gltf *file)
 {
-    static const char *const words[ZR_GLTF_OMISSIONS] = {[ZR_GLTF_OMITS_ANIMATIONS] = "animations",
-                                                         [ZR_GLTF_OMITS_CAMERAS] = "cameras",
-                                                         [ZR_GLTF_OMITS_SKINS] = "skins",
-                                                         [ZR_GLTF_OMITS_TARGETS] = "morph targets"};
+    static const char *const words[ZR_GLTF_OMISSIONS] = {
+        [ZR_GLTF_OMITS_ANIMATIONS] = "animations", [ZR_GLTF_OMITS_CAMERAS] = "cameras"};
     struct zr_names_text omitted = {""};
     for (int i = 0; i < ZR_GLTF_OMISSIONS; i++)
         if (file->omits[i]) zr_names_text_add(&omitted, words[i]);
@@ -30,7 +28,7 @@ uint32_t zr_gltf_count_unplaced(const struct zr_gltf *file)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < file->counts[ZR_GLTF_MESHES]; i++)
-        count += !file->meshes[i].is_placed;
+        count += file->first_uses[i] == ZR_GLTF_NONE;
     return count;
 }
 

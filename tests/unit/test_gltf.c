@@ -208,6 +208,51 @@ TEST(nodes_of_the_scene_place_meshes)
     reading_free(turned);
 }
 
+#define JOINTS "{\"componentType\":5121,\"count\":4,\"type\":\"VEC4\"}"
+#define WITH_JOINTS(rest)                                                                                              \
+    "{" ASSET "," BUFFERS "," VIEWS ",\"accessors\":[" SQUARE "," INDEX "," COLOR "," SPARSE "," JOINTS "]," rest "}"
+
+TEST(joints_place_a_skinned_mesh)
+{
+    static const char text[] =
+        WITH_JOINTS("\"nodes\":[{\"mesh\":0,\"skin\":0,\"translation\":[9,9,9]},{\"mesh\":0},{\"translation\":[0,0,2],"
+                    "\"children\":[3]},"
+                    "{\"translation\":[0,0,3],\"scale\":[2,2,2]}],\"skins\":[{\"joints\":[3]}],\"meshes\":[{"
+                    "\"primitives\":[{\"attributes\":"
+                    "{\"POSITION\":0,\"NORMAL\":0,\"JOINTS_0\":4,\"WEIGHTS_0\":2},\"indices\":1}]}]");
+    struct reading *reading = read_file(text);
+    const struct zr_scene *scene = reading->scene;
+    assert_int_equal(scene->mesh_count, 2);
+    const uint32_t bent = scene->instances[0].mesh, straight = scene->instances[1].mesh;
+    assert_true(scene->instances[0].object_to_world.m[12] == 0.0f);
+    assert_position(&scene->meshes[bent], 2, 2, 2, 5);
+    assert_position(&scene->meshes[straight], 2, 1, 1, 0);
+    assert_true(scene->meshes[bent].normals[2].x == 2.0f && scene->meshes[bent].normals[2].z == 0.0f);
+    reading_free(reading);
+    reading = read_over((struct zr_request){.color = NULL},
+                        WITH_JOINTS("\"nodes\":[{\"mesh\":0,\"skin\":0},{}],\"skins\":[{\"joints\":[1]}],\"meshes\":"
+                                    "[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"JOINTS_0\":2,"
+                                    "\"WEIGHTS_0\":2}}]}]"));
+    assert_complaint(reading, ZR_BAD_SCENE, "/meshes/0/primitives/0/attributes/JOINTS_0",
+                     "vertex 0 has a joint that is none of the 1 of skin 0");
+    reading_free(reading);
+}
+
+TEST(weights_move_vertices_to_targets)
+{
+    static const char text[] =
+        FILE_OF("\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"weights\":[0,2]},{\"mesh\":0}],\"meshes\":[{\"weights\":[0.5],"
+                "\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1,\"targets\":[{\"POSITION\":7},"
+                "{\"POSITION\":3}]}]}]");
+    struct reading *reading = read_file(text);
+    const struct zr_scene *scene = reading->scene;
+    assert_int_equal(scene->mesh_count, 2);
+    assert_int_equal(scene->instances[0].mesh, scene->instances[2].mesh);
+    assert_position(&scene->meshes[scene->instances[0].mesh], 3, 2, 3.5f, 3);
+    assert_position(&scene->meshes[scene->instances[1].mesh], 3, 0, 3, 10);
+    reading_free(reading);
+}
+
 #define MATERIALS                                                                                                      \
     "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0,1,0.25],\"roughnessFactor\":0.5},"           \
     "\"alphaMode\":\"BLEND\",\"emissiveFactor\":[0,0.5,0],\"extensions\":{\"KHR_materials_emissive_strength\":"        \
@@ -267,7 +312,6 @@ TEST(what_is_left_out_is_warned_of)
     } cases[] = {
         {FILE_OF(NODE "," MESH(",\"indices\":1") ",\"animations\":[{}],\"cameras\":[{}]"),
          "left out: animations, cameras of the file"},
-        {FILE_OF(NODE "," MESH(",\"indices\":1,\"targets\":[{}]")), "left out: morph targets of the file"},
         {FILE_OF(NODE "," MESH(",\"indices\":1") ",\"extensionsUsed\":[\"A\",\"KHR_texture_transform\",\"B\"]"),
          "drawn without the extensions 'A', 'B'"},
         {FILE_OF(NODE "," MESH(",\"indices\":1,\"lights\":[{}]") ",\"more\":1"),
