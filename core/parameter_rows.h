@@ -49,6 +49,8 @@
     ROW(padding, "/view/fit/padding", MESH, NUMBER, "share of the window left free on each side, 0 to 0.45")           \
     ROW(up, "/query/up", MESH, AXIS,                                                                                   \
         "axis of the mesh that points up: x, -x, y, -y, z, -z or auto (default: z for STL, else y)")                   \
+    ROW(camera, "/query/camera", MESH, NAME,                                                                           \
+        "camera of a glTF file, by its name or number, instead of the look's view")                                    \
     ROW(projection, "/query/projection", MESH, NAME,                                                                   \
         "kind of camera: orthographic or perspective (default: the look's)")                                           \
     ROW(shading, "/shading", MESH, NAME, "model of reflection: " ZR_SHADING_LIST "or the look's (default)")            \

@@ -54,6 +54,20 @@ static void use_projection(const struct zr_query *query)
         view->yfov_radians = ZR_YFOV;
 }
 
+/* Uses a camera of the file, if the query names one. */
+static void use_camera(struct zr_query *query)
+{
+    const struct zr_file_scene *file = query->given.builder->file;
+    const zr_mat4 up = file ? zr_mesh_up_turn(zr_query_up(query)) : zr_mat4_identity();
+    const struct zr_request *request = query->request;
+    const struct zr_json_path *path = ZR_JSON_KEY(ZR_JSON_KEY(NULL, "query"), "camera");
+    if (!query->camera) return;
+    if (request->preset || request->azimuth || request->elevation || request->projection || request->padding)
+        zr_json_fault(&query->given.json, path, "does not go with preset, azimuth, elevation, projection or padding");
+    else
+        zr_file_scene_use_camera(&query->given, path, file, query->camera, &up);
+}
+
 static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
 {
     const struct zr_format_row *format = &zr_format_rows[request->format];
@@ -81,7 +95,10 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
     struct zr_error faults = {0};
     root->json.error = &faults;
     zr_parsed_use_look(root);
-    if (!keeping || !keeping->has_view) use_projection(query);
+    if (!keeping || !keeping->has_view) {
+        use_projection(query);
+        use_camera(query);
+    }
     const bool has_ink = zr_cloud_take_edges(root);
     if (root->builder->file) {
         zr_file_scene_make_materials(root, root->builder->file);

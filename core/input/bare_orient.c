@@ -6,14 +6,23 @@
 #include "scene/face_on.h"
 #include "scene/mesh_up.h"
 
+static enum zr_mesh_up usual_up(const struct zr_query *query)
+{
+    return zr_format_rows[query->request->format].z_is_up ? ZR_MESH_UP_Z : ZR_MESH_UP_Y;
+}
+
+enum zr_mesh_up zr_query_up(const struct zr_query *query)
+{
+    const bool is_usual = query->up == ZR_UNSET || (query->up == ZR_MESH_UP_AUTO && query->given.builder->file);
+    return is_usual ? usual_up(query) : (enum zr_mesh_up)query->up;
+}
+
 static void turn(const struct zr_query *query)
 {
     const struct zr_scene_builder *builder = query->given.builder;
     const struct zr_scene *scene = builder->scene;
-    const enum zr_mesh_up usual = zr_format_rows[query->request->format].z_is_up ? ZR_MESH_UP_Z : ZR_MESH_UP_Y;
-    enum zr_mesh_up up = query->up == ZR_UNSET ? usual : (enum zr_mesh_up)query->up;
-    if (up == ZR_MESH_UP_AUTO) /* the format of a file with nodes says what is up */
-        up = builder->file ? usual : zr_mesh_up_find(scene, usual, builder->team, query->request->cancel);
+    enum zr_mesh_up up = zr_query_up(query);
+    if (up == ZR_MESH_UP_AUTO) up = zr_mesh_up_find(scene, usual_up(query), builder->team, query->request->cancel);
     const zr_mat4 upright = zr_mesh_up_turn(up);
     for (uint32_t i = 0; up != ZR_MESH_UP_Y && i < scene->instance_count; i++)
         query->instances[i].object_to_world = zr_mat4_mul(&upright, &query->instances[i].object_to_world);
@@ -26,7 +35,8 @@ static void show_face_on(const struct zr_query *query)
     struct zr_scene *scene = builder->scene;
     struct zr_view *view = &scene->views[0];
     const bool has_view =
-        request->preset || request->azimuth || request->elevation || (builder->keeping && builder->keeping->has_view);
+        request->preset || request->azimuth || request->elevation || query->camera ||
+        (builder->keeping && builder->keeping->has_view);
     if (has_view || scene->picture.z_is_up) return;
     const struct zr_bounds bounds = zr_bounds_of(scene, builder->team, request->cancel);
     scene->has_box = bounds.valid;

@@ -1,6 +1,11 @@
 #include "input/file_scene.h"
 
+#include <stdio.h>
+#include <string.h>
+
+#include "base/matrix.h"
 #include "input/json_scene.h"
+#include "input/text.h"
 
 /* Returns the file's material with the values that the query gives. */
 static struct zr_parsed_material put_query(const struct zr_parsed_material *material,
@@ -76,4 +81,82 @@ void zr_file_scene_drop_maps(struct zr_parsed_scene *root)
     for (uint32_t i = 0; i < root->scene->material_count; i++)
         for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
             if (slot != ZR_TEXTURE_BASE_COLOR) root->builder->materials[i].textures[slot] = 0;
+}
+
+/* ---- cameras ---- */
+
+/* Lists the cameras of a file, for a message. */
+static struct zr_names_text list_cameras(const struct zr_file_scene *file)
+{
+    struct zr_names_text names = {""};
+    for (uint32_t i = 0; i < file->camera_count; i++) {
+        char number[16];
+        snprintf(number, sizeof number, "%u", file->cameras[i].number);
+        zr_names_text_add(&names, *file->cameras[i].name
+                                      ? zr_quote(file->cameras[i].name, strlen(file->cameras[i].name)).text
+                                      : number);
+    }
+    return names;
+}
+
+/* A name goes before a number. */
+static const struct zr_file_camera *find_camera(const struct zr_file_scene *file, const char *wanted)
+{
+    char number[16];
+    for (uint32_t i = 0; i < file->camera_count; i++)
+        if (strcmp(file->cameras[i].name, wanted) == 0) return &file->cameras[i];
+    for (uint32_t i = 0; i < file->camera_count; i++) {
+        snprintf(number, sizeof number, "%u", file->cameras[i].number);
+        if (strcmp(number, wanted) == 0) return &file->cameras[i];
+    }
+    return NULL;
+}
+
+/* Makes the axes unit vectors: a camera has no scale. */
+static zr_mat4 unscale(const zr_mat4 *matrix)
+{
+    zr_mat4 out = *matrix;
+    for (int column = 0; column < 3; column++) {
+        float *axis = &out.m[4 * column];
+        const zr_vec3 unit = zr_vec3_normalize((zr_vec3){axis[0], axis[1], axis[2]});
+        axis[0] = unit.x;
+        axis[1] = unit.y;
+        axis[2] = unit.z;
+    }
+    return out;
+}
+
+static bool set_pose(struct zr_view *view, const struct zr_file_camera *camera, const zr_mat4 *up)
+{
+    const zr_mat4 turned = zr_mat4_mul(up, &camera->camera_to_world), pose = unscale(&turned);
+    const struct zr_matrix matrix = zr_matrix_of(&pose);
+    struct zr_matrix inverse;
+    if (!zr_matrix_invert(&matrix, &inverse)) return false;
+    for (int i = 0; i < 16; i++)
+        view->world_to_camera.m[i] = (float)inverse.m[i];
+    view->pose = ZR_POSE_MATRIX;
+    return true;
+}
+
+bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                              const struct zr_file_scene *file, const char *camera, const zr_mat4 *up)
+{
+    struct zr_view *view = &root->scene->views[0];
+    const struct zr_file_camera *found = file ? find_camera(file, camera) : NULL;
+    const struct zr_quote quote = zr_quote(camera, strlen(camera));
+    if (!file || file->camera_count == 0) return zr_json_fault(&root->json, path, "the file has no cameras");
+    if (!found)
+        return zr_json_fault(&root->json, path, "the file has no camera %s, but: %s", quote.text,
+                             list_cameras(file).text);
+    if (!set_pose(view, found, up)) return zr_json_fault(&root->json, path, "the camera %s has no axes", quote.text);
+    view->projection = found->is_perspective ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
+    view->yfov_radians = found->yfov_radians;
+    view->xfov_radians = 0.0f;
+    view->xmag = found->xmag;
+    view->ymag = found->ymag;
+    view->has_znear = true;
+    view->znear = found->znear;
+    view->has_zfar = found->has_zfar;
+    view->zfar = found->zfar;
+    return true;
 }

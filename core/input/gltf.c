@@ -95,11 +95,11 @@ static void build(struct zr_gltf *file)
     check_version(file);
     zr_gltf_check_extensions(file);
     if (!is_good(file) || !count_lists(file)) return;
-    file->omits[ZR_GLTF_OMITS_ANIMATIONS] = file->counts[ZR_GLTF_ANIMATIONS] > 0;
-    file->omits[ZR_GLTF_OMITS_CAMERAS] = file->counts[ZR_GLTF_CAMERAS] > 0;
     if (!zr_gltf_read_buffers(file) || !zr_gltf_read_accessors(file) || !zr_gltf_read_textures(file) ||
-        !zr_gltf_read_materials(file) || !zr_gltf_read_nodes(file) || !zr_gltf_read_skins(file) || !is_good(file))
+        !zr_gltf_read_materials(file) || !zr_gltf_read_cameras(file) || !zr_gltf_read_nodes(file) ||
+        !zr_gltf_read_skins(file) || !is_good(file))
         return;
+    zr_gltf_keep_cameras(file);
     if (file->counts[ZR_GLTF_MESHES] > 0 && zr_gltf_count_unplaced(file) == file->counts[ZR_GLTF_MESHES])
         zr_json_fault(&file->root.json, NULL, "no geometry: no node of the scene has a mesh");
     if (!is_good(file) || !zr_gltf_read_meshes(file) || !is_good(file)) return;

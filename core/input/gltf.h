@@ -36,9 +36,6 @@ enum zr_gltf_key {
     ZR_GLTF_KEYS
 };
 
-/* Things that are left out, for one warning. */
-enum zr_gltf_omission { ZR_GLTF_OMITS_ANIMATIONS, ZR_GLTF_OMITS_CAMERAS, ZR_GLTF_OMISSIONS };
-
 enum zr_gltf_state { ZR_GLTF_UNREAD, ZR_GLTF_READ, ZR_GLTF_REFUSED };
 
 struct zr_gltf_buffer {
@@ -150,11 +147,12 @@ struct zr_gltf {
     uint32_t use, next_mesh;     /* that is read now; in the scene, the next one to make */
     const char *weights;         /* place of those of the mesh that is read now, or NULL */
     struct zr_gltf_skin *skins;
+    struct zr_file_camera *cameras; /* one per camera of the file */
+    bool *placed_cameras;           /* a node of the scene places it */
     uint32_t *mesh_materials;
     struct zr_file_scene *made;
     size_t made_bytes; /* of arrays of meshes */
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty;
-    bool omits[ZR_GLTF_OMISSIONS];
     uint32_t unread_extensions; /* used ones; their names: */
     struct zr_names_text extensions;
 };
@@ -331,6 +329,15 @@ bool zr_gltf_read_textures(struct zr_gltf *file);
 /* Reads a texture of a material: {"index", "texCoord", ...}. False after a fault. */
 bool zr_gltf_read_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
                           enum zr_texture_slot slot, struct zr_parsed_texture *out);
+
+/* ---- gltf_camera.c ---- */
+
+/* Reads the list of cameras; keeps those that nodes place. */
+bool zr_gltf_read_cameras(struct zr_gltf *file);
+void zr_gltf_keep_cameras(struct zr_gltf *file);
+
+/* Notes the first node of the scene that places a camera. `name`: of the node, or NULL. */
+void zr_gltf_place_camera(struct zr_gltf *file, uint32_t camera, const char *name, const zr_mat4 *camera_to_world);
 
 /* ---- gltf_extension.c ---- */
 

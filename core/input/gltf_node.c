@@ -11,10 +11,11 @@ struct zr_gltf_nodes {
     uint32_t count, child_count;
     struct zr_node *nodes; /* `mesh` is a mesh of the file, later its use */
     uint32_t *children;
-    const char **places; /* of the list of each node's children, or NULL */
-    uint32_t *parents;   /* or NONE */
-    bool *is_drawn;      /* below a root of the scene */
-    uint32_t *skins;     /* or NONE */
+    const char **places;       /* of the list of each node's children, or NULL */
+    uint32_t *parents;         /* or NONE */
+    bool *is_drawn;            /* below a root of the scene */
+    uint32_t *skins, *cameras; /* or NONE */
+    const char **names;
     const char **weights;
     zr_mat4 *worlds;
     uint32_t *stack; /* nodes to visit */
@@ -31,7 +32,7 @@ struct given_node {
     zr_vec4 rotation;
 };
 
-enum { NAME, CHILDREN, MESH, SKIN, MATRIX, TRANSLATION, ROTATION, SCALE };
+enum { NAME, CHILDREN, MESH, SKIN, MATRIX, TRANSLATION, ROTATION, SCALE, CAMERA };
 #define AT(member) offsetof(struct given_node, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {.key = "name", .read = zr_json_string, .offset = AT(name)},
@@ -42,7 +43,7 @@ static const struct zr_json_field fields[] = {
     [TRANSLATION] = {.key = "translation", .read = zr_json_vec3, .offset = AT(translation)},
     [ROTATION] = {.key = "rotation", .read = zr_json_vec4, .offset = AT(rotation)},
     [SCALE] = {.key = "scale", .read = zr_json_vec3, .offset = AT(scale)},
-    {.key = "camera", .read = zr_gltf_index, .offset = AT(camera)},
+    [CAMERA] = {.key = "camera", .read = zr_gltf_index, .offset = AT(camera)},
     {.key = "weights", .read = zr_json_place, .offset = AT(weights)},
     ZR_GLTF_COMMON};
 #undef AT
@@ -72,6 +73,7 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
     struct zr_node *node = &all->nodes[number];
     struct given_node given = {.mesh = ZR_GLTF_NONE,
                                .skin = ZR_GLTF_NONE,
+                               .camera = ZR_GLTF_NONE,
                                .matrix = zr_mat4_identity(),
                                .rotation = {0, 0, 0, 1},
                                .scale = {1, 1, 1}};
@@ -85,6 +87,10 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
         if (given.name && *given.name) node->name = given.name;
     }
     all->skins[number] = given.skin;
+    all->names[number] = given.name;
+    all->cameras[number] = given.camera;
+    if (given.camera != ZR_GLTF_NONE)
+        zr_gltf_check_index(file, ZR_JSON_KEY(path, fields[CAMERA].key), given.camera, ZR_GLTF_CAMERAS);
     all->weights[number] = given.weights;
     if (given.skin != ZR_GLTF_NONE)
         zr_gltf_check_index(file, ZR_JSON_KEY(path, fields[SKIN].key), given.skin, ZR_GLTF_SKINS);
@@ -265,6 +271,8 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     if (!all || !file->first_uses) return false;
     memset(file->first_uses, 0xFF, file->counts[ZR_GLTF_MESHES] * sizeof *file->first_uses);
     all->skins = zr_arena_alloc(arena, count, sizeof *all->skins);
+    all->cameras = zr_arena_alloc(arena, count, sizeof *all->cameras);
+    all->names = zr_arena_alloc(arena, count, sizeof *all->names);
     all->weights = zr_arena_alloc(arena, count, sizeof *all->weights);
     all->worlds = zr_arena_alloc(arena, count, sizeof *all->worlds);
     all->count = count;
@@ -279,6 +287,9 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     find_drawn(all);
     find_worlds(all);
     find_uses(file);
+    for (uint32_t i = 0; i < count; i++)
+        if (all->is_drawn[i] && all->cameras[i] != ZR_GLTF_NONE)
+            zr_gltf_place_camera(file, all->cameras[i], all->names[i], &all->worlds[i]);
     return true;
 }
 

@@ -12,18 +12,6 @@ static void warn_of(struct zr_gltf *file, struct zr_warning_list *list, const st
         zr_warning_list_add(file->root.json.arena, list, "%u %s, the first is %s", note->count, many, note->first);
 }
 
-static void warn_of_omissions(struct zr_gltf *file)
-{
-    static const char *const words[ZR_GLTF_OMISSIONS] = {
-        [ZR_GLTF_OMITS_ANIMATIONS] = "animations", [ZR_GLTF_OMITS_CAMERAS] = "cameras"};
-    struct zr_names_text omitted = {""};
-    for (int i = 0; i < ZR_GLTF_OMISSIONS; i++)
-        if (file->omits[i]) zr_names_text_add(&omitted, words[i]);
-    if (*omitted.text)
-        zr_warning_list_add(file->root.json.arena, &file->root.builder->warnings, "left out: %s of the file",
-                            omitted.text);
-}
-
 uint32_t zr_gltf_count_unplaced(const struct zr_gltf *file)
 {
     uint32_t count = 0;
@@ -38,7 +26,7 @@ void zr_gltf_warn(struct zr_gltf *file)
     struct zr_warning_list *all = &builder->warnings, *colors = &builder->color_warnings;
     struct zr_arena *arena = file->root.json.arena;
     const uint32_t unplaced = zr_gltf_count_unplaced(file);
-    warn_of_omissions(file);
+    if (file->counts[ZR_GLTF_ANIMATIONS] > 0) zr_warning_list_add(arena, all, "left out: animations of the file");
     if (file->unread_extensions > 0)
         zr_warning_list_add(arena, all, "drawn without the extension%s %s", file->unread_extensions > 1 ? "s" : "",
                             file->extensions.text);

@@ -8,14 +8,16 @@
 
 #include "core.h"
 #include "input/json_scene.h"
+#include "scene/mesh_up.h"
 
 struct zr_query {
     const struct zr_request *request;
     struct zr_parsed_scene given; /* scene keys of the query; .scene: the builder's for a bare mesh, else `others` */
     struct zr_scene others;       /* values of the query that override a JSON scene: outputs and the colour bar */
     int compress, projection, up; /* ZR_UNSET: not given; up: enum zr_mesh_up */
+    const char *camera;           /* of the file; NULL: not given */
     bool is_strict;
-    struct zr_instance *instances; /* of a bare mesh, one per mesh */
+    struct zr_instance *instances; /* of a bare mesh */
 };
 
 /* Reads the query before the body; the request's format is known. builder->scene has its defaults. Fails with
@@ -30,6 +32,9 @@ enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error);
 /* Turns a bare mesh upright, sets its view if it is flat and the request gives none, and the size of its points. Runs
  * once the builder is closed. Does nothing for scenes. */
 void zr_query_orient(const struct zr_query *query);
+
+/* Returns the axis that points up; ZR_MESH_UP_AUTO: zr_query_orient finds it, which no file with nodes needs. */
+enum zr_mesh_up zr_query_up(const struct zr_query *query);
 
 /* Reports faults of keys under the names of their parameters. Faults elsewhere keep their pointers. */
 void zr_query_report(const struct zr_request *request, enum zr_status status, const struct zr_error *faults,

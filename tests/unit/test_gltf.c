@@ -253,6 +253,43 @@ TEST(weights_move_vertices_to_targets)
     reading_free(reading);
 }
 
+#define CAMERAS                                                                                                        \
+    "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,\"znear\":0.25}},{\"name\":\"flat\","        \
+    "\"type\":"                                                                                                        \
+    "\"orthographic\",\"orthographic\":{\"xmag\":2,\"ymag\":3,\"znear\":0.5,\"zfar\":10}}],\"nodes\":[{\"mesh\":0},"   \
+    "{\"camera\":0,\"name\":\"eye\",\"translation\":[0,0,4],\"scale\":[2,2,2]},{\"camera\":1,\"translation\":[0,0,3]}" \
+    "]"
+
+TEST(a_parameter_chooses_a_camera_of_the_file)
+{
+    static const char text[] = FILE_OF(CAMERAS "," MESH(",\"indices\":1"));
+    static const char *const names[] = {"eye", "0"};
+    for (int i = 0; i < 2; i++) {
+        struct reading *reading = read_over((struct zr_request){.camera = names[i]}, text);
+        assert_read(reading);
+        const struct zr_view *view = &reading->scene->views[0];
+        assert_int_equal(view->pose, ZR_POSE_MATRIX);
+        assert_int_equal(view->projection, ZR_PROJECTION_PERSPECTIVE);
+        assert_true(view->world_to_camera.m[0] == 1.0f && view->world_to_camera.m[14] == -4.0f);
+        assert_true(view->yfov_radians == 0.5f && view->znear == 0.25f && !view->has_zfar);
+        reading_free(reading);
+    }
+    struct reading *reading = read_over((struct zr_request){.camera = "flat", .up = "z"}, text);
+    assert_read(reading);
+    assert_int_equal(reading->scene->views[0].projection, ZR_PROJECTION_ORTHOGRAPHIC);
+    assert_true(reading->scene->views[0].ymag == 3.0f && reading->scene->views[0].world_to_camera.m[14] == -3.0f);
+    reading_free(reading);
+    reading = read_over((struct zr_request){.camera = "3"}, text);
+    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter camera: the file has no camera '3', but: 'eye', 'flat'");
+    reading_free(reading);
+    reading = read_over((struct zr_request){.camera = "eye", .preset = "top"}, text);
+    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter camera: does not go with preset");
+    reading_free(reading);
+    reading = read_over((struct zr_request){.camera = "eye"}, FILE_OF(NODE "," MESH(",\"indices\":1")));
+    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter camera: the file has no cameras");
+    reading_free(reading);
+}
+
 #define MATERIALS                                                                                                      \
     "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0,1,0.25],\"roughnessFactor\":0.5},"           \
     "\"alphaMode\":\"BLEND\",\"emissiveFactor\":[0,0.5,0],\"extensions\":{\"KHR_materials_emissive_strength\":"        \
@@ -310,8 +347,7 @@ TEST(what_is_left_out_is_warned_of)
     static const struct {
         const char *text, *warning;
     } cases[] = {
-        {FILE_OF(NODE "," MESH(",\"indices\":1") ",\"animations\":[{}],\"cameras\":[{}]"),
-         "left out: animations, cameras of the file"},
+        {FILE_OF(NODE "," MESH(",\"indices\":1") ",\"animations\":[{}]"), "left out: animations of the file"},
         {FILE_OF(NODE "," MESH(",\"indices\":1") ",\"extensionsUsed\":[\"A\",\"KHR_texture_transform\",\"B\"]"),
          "drawn without the extensions 'A', 'B'"},
         {FILE_OF(NODE "," MESH(",\"indices\":1,\"lights\":[{}]") ",\"more\":1"),
