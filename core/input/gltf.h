@@ -106,9 +106,13 @@ struct zr_gltf_texture {
 /* A use of a mesh of the file: one mesh of the scene for each primitive that is drawn. Nodes without a skin and weights
  * of their own share one. */
 struct zr_gltf_use {
-    uint32_t skin;         /* or NONE */
-    uint32_t next;         /* use of the same mesh, or NONE */
-    const char *weights;   /* place of the node's, or NULL */
+    uint32_t skin;          /* or NONE */
+    uint32_t next;          /* use of the same mesh, or NONE */
+    const char *weights;    /* place of the node's, or NULL */
+    const char *instancing; /* place of the node's, or NULL */
+    uint32_t node;          /* the first one */
+    uint32_t pose_count;    /* of instancing */
+    const zr_mat4 *poses;
     uint32_t first, count; /* in the scene */
 };
 
@@ -245,6 +249,14 @@ void zr_gltf_place(struct zr_gltf *file);
 
 /* Returns the matrix of a node to world space, in the pose of the file. */
 const zr_mat4 *zr_gltf_world_of(const struct zr_gltf *file, uint32_t node);
+
+/* ---- gltf_instancing.c: EXT_mesh_gpu_instancing ---- */
+
+/* Returns the place of the extension in a node's extensions, or NULL. */
+const char *zr_gltf_find_instancing(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions);
+
+/* Reads the poses of a use with instancing. False after a fault. */
+bool zr_gltf_read_poses(struct zr_gltf *file, struct zr_gltf_use *use);
 
 /* ---- gltf_mesh.c: the list; gltf_primitive.c: one primitive; gltf_topology.c: its faces, lines and points ---- */
 

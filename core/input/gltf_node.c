@@ -16,7 +16,7 @@ struct zr_gltf_nodes {
     bool *is_drawn;            /* below a root of the scene */
     uint32_t *skins, *cameras; /* or NONE */
     const char **names;
-    const char **weights;
+    const char **weights, **instancing;
     zr_mat4 *worlds;
     uint32_t *stack; /* nodes to visit */
     size_t stacked;
@@ -25,7 +25,7 @@ struct zr_gltf_nodes {
 /* ---- nodes ---- */
 
 struct given_node {
-    const char *name, *children, *weights; /* the last two are places, or NULL */
+    const char *name, *children, *weights, *extensions; /* all but the name are places, or NULL */
     uint32_t mesh, skin, camera;
     zr_mat4 matrix;
     zr_vec3 translation, scale;
@@ -45,7 +45,8 @@ static const struct zr_json_field fields[] = {
     [SCALE] = {.key = "scale", .read = zr_json_vec3, .offset = AT(scale)},
     [CAMERA] = {.key = "camera", .read = zr_gltf_index, .offset = AT(camera)},
     {.key = "weights", .read = zr_json_place, .offset = AT(weights)},
-    ZR_GLTF_COMMON};
+    {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    {.key = "extras", .read = zr_gltf_ignore}};
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("node", fields);
 
@@ -92,6 +93,8 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
     if (given.camera != ZR_GLTF_NONE)
         zr_gltf_check_index(file, ZR_JSON_KEY(path, fields[CAMERA].key), given.camera, ZR_GLTF_CAMERAS);
     all->weights[number] = given.weights;
+    all->instancing[number] =
+        given.extensions ? zr_gltf_find_instancing(file, ZR_JSON_KEY(path, "extensions"), given.extensions) : NULL;
     if (given.skin != ZR_GLTF_NONE)
         zr_gltf_check_index(file, ZR_JSON_KEY(path, fields[SKIN].key), given.skin, ZR_GLTF_SKINS);
     all->places[number] = given.children;
@@ -233,17 +236,24 @@ const zr_mat4 *zr_gltf_world_of(const struct zr_gltf *file, uint32_t node)
     return &file->nodes->worlds[node];
 }
 
+static bool is_shared(const struct zr_gltf_use *use)
+{
+    return use->skin == ZR_GLTF_NONE && !use->weights && !use->instancing;
+}
+
 /* Returns the use of a mesh by a node: one of its own if it has a skin or weights, else the first such use. */
 static uint32_t use_of(struct zr_gltf *file, uint32_t node)
 {
     const struct zr_gltf_nodes *all = file->nodes;
     uint32_t *next = &file->first_uses[all->nodes[node].mesh];
-    const bool is_own = all->skins[node] != ZR_GLTF_NONE || all->weights[node];
-    if (!is_own && *next != ZR_GLTF_NONE && file->uses[*next].skin == ZR_GLTF_NONE && !file->uses[*next].weights)
-        return *next;
-    file->uses[file->use_count] =
-        (struct zr_gltf_use){.skin = all->skins[node], .weights = all->weights[node], .next = *next};
-    if (is_own && *next != ZR_GLTF_NONE) { /* behind the shared one */
+    const bool is_own = all->skins[node] != ZR_GLTF_NONE || all->weights[node] || all->instancing[node];
+    if (!is_own && *next != ZR_GLTF_NONE && is_shared(&file->uses[*next])) return *next;
+    file->uses[file->use_count] = (struct zr_gltf_use){.skin = all->skins[node],
+                                                       .weights = all->weights[node],
+                                                       .instancing = all->instancing[node],
+                                                       .node = node,
+                                                       .next = *next};
+    if (is_own && *next != ZR_GLTF_NONE && is_shared(&file->uses[*next])) { /* behind the shared one */
         file->uses[file->use_count].next = file->uses[*next].next;
         next = &file->uses[*next].next;
     }
@@ -274,6 +284,7 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     all->cameras = zr_arena_alloc(arena, count, sizeof *all->cameras);
     all->names = zr_arena_alloc(arena, count, sizeof *all->names);
     all->weights = zr_arena_alloc(arena, count, sizeof *all->weights);
+    all->instancing = zr_arena_alloc(arena, count, sizeof *all->instancing);
     all->worlds = zr_arena_alloc(arena, count, sizeof *all->worlds);
     all->count = count;
     all->nodes = zr_arena_zero(arena, count, sizeof *all->nodes);
@@ -319,28 +330,38 @@ static bool report(struct zr_gltf *file, const struct zr_placement *placement)
     return false;
 }
 
-/* Makes an instance of each of a mesh's primitives. */
+/* Makes an instance of each of a mesh's primitives, in each pose of its instancing. */
+static void put_instances(const struct zr_gltf_use *use, const struct zr_instance *placed, struct zr_instance **next)
+{
+    for (uint32_t pose = 0; pose < (use->poses ? use->pose_count : 1); pose++)
+        for (uint32_t k = 0; k < use->count; k++, ++*next) {
+            **next = *placed;
+            (*next)->mesh = use->first + k;
+            if (use->skin != ZR_GLTF_NONE)
+                (*next)->object_to_world = zr_mat4_identity(); /* joints place it */
+            else if (use->poses)
+                (*next)->object_to_world = zr_mat4_mul(&placed->object_to_world, &use->poses[pose]);
+        }
+}
+
 static bool expand(struct zr_gltf *file, const struct zr_placement *placement)
 {
     struct zr_file_scene *made = file->made;
     struct zr_json *json = &file->root.json;
     uint64_t count = 0;
-    for (uint32_t i = 0; i < placement->count; i++)
-        count += file->uses[placement->instances[i].mesh].count;
+    for (uint32_t i = 0; i < placement->count; i++) {
+        struct zr_gltf_use *use = &file->uses[placement->instances[i].mesh];
+        if (use->instancing && !zr_gltf_read_poses(file, use)) return false;
+        count += use->count * (uint64_t)(use->poses ? use->pose_count : 1);
+    }
     if (count > json->limits->instances_max)
         return zr_json_fault(json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_NODES)),
                              "the nodes place %llu primitives of meshes; %u are allowed", (unsigned long long)count,
                              json->limits->instances_max);
     struct zr_instance *next = made->instances = zr_arena_alloc(json->arena, (size_t)count, sizeof *next);
     if (!next) return false;
-    for (uint32_t i = 0; i < placement->count; i++) {
-        const struct zr_gltf_use *use = &file->uses[placement->instances[i].mesh];
-        for (uint32_t k = 0; k < use->count; k++, next++) {
-            *next = placement->instances[i];
-            next->mesh = use->first + k;
-            if (use->skin != ZR_GLTF_NONE) next->object_to_world = zr_mat4_identity(); /* joints place it */
-        }
-    }
+    for (uint32_t i = 0; i < placement->count; i++)
+        put_instances(&file->uses[placement->instances[i].mesh], &placement->instances[i], &next);
     made->instance_count = (uint32_t)count;
     return true;
 }

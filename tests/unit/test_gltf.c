@@ -253,6 +253,23 @@ TEST(weights_move_vertices_to_targets)
     reading_free(reading);
 }
 
+TEST(a_node_places_instances)
+{
+    static const char text[] = FILE_OF(
+        "\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"],\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"translation\":[0,0,"
+        "5],"
+        "\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{\"TRANSLATION\":0,\"SCALE\":3,\"_ID\":9}}}},"
+        "{\"mesh\":0,\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{\"SCALE\":3}}}}]," MESH(
+            ",\"indices\":1"));
+    struct reading *reading = read_file(text);
+    const struct zr_instance *instances = reading->scene->instances;
+    assert_int_equal(reading->scene->instance_count, 9);
+    assert_true(instances[3].object_to_world.m[12] == 1.0f && instances[3].object_to_world.m[13] == 1.0f);
+    assert_true(instances[3].object_to_world.m[14] == 5.0f && instances[3].object_to_world.m[10] == 5.0f);
+    assert_true(instances[8].object_to_world.m[0] == 0.0f && instances[8].object_to_world.m[5] == 1.0f);
+    reading_free(reading);
+}
+
 #define CAMERAS                                                                                                        \
     "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,\"znear\":0.25}},{\"name\":\"flat\","        \
     "\"type\":"                                                                                                        \
