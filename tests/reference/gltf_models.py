@@ -2,8 +2,8 @@
 
     gltf_models.py BUILD FOLDER     writes BUILD/gltf/index.html and prints TAP
 
-gltf_models.txt says which models are refused or draw with a warning. A model that refers to a file that is not there must
-be refused by that file's name.
+gltf_models.txt says which models are refused or draw with a warning. A model that refers to a file that is not
+there must be refused by that file's name.
 """
 import fnmatch
 import html
