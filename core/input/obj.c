@@ -151,7 +151,6 @@ static void fill(struct zr_obj_file *file, struct zr_mesh *mesh)
                              .lines = file->lines,
                              .point_count = (uint32_t)close_gaps(file, false),
                              .points = file->points,
-                             .point_size = 1.0f,
                              .normal_count = normals,
                              .normals = normals ? file->normals : NULL,
                              .normal_indices = normals ? file->normal_indices : NULL,

@@ -7,7 +7,6 @@
 enum { ITEMS_A_LOOK = 1 << 16 };
 
 /* Side of a point of a cloud, in pixels: single pixels of a scan hardly show. */
-static const float POINT_SIZE = 2.0f;
 
 /* Colours of type float beyond this are 0 to 255, not 0 to 1 with a rounding error. */
 static const float BRIGHT = 2.0f;
@@ -63,7 +62,6 @@ static bool make_points(struct zr_ply_file *file, struct zr_mesh *mesh)
     for (size_t i = 0; i < file->vertex_count && !looks_cancelled(file, i); i++)
         if (!is_hole(file, i)) points[mesh->point_count++] = (uint32_t)i;
     mesh->points = points;
-    mesh->point_size = POINT_SIZE;
     return true;
 }
 

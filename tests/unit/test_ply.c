@@ -358,7 +358,6 @@ TEST(vertices_without_faces_are_points_but_for_those_that_are_not_finite)
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
     assert_int_equal(mesh->point_count, 2);
     assert_int_equal(mesh->points[1], 3);
-    assert_true(mesh->point_size == 2.0f);
     assert_int_equal(reading->scene->warning_count, 1);
     assert_non_null(
         strstr(reading->scene->warnings[0], "2 vertices are not finite and are left out, the first is vertex 1"));

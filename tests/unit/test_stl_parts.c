@@ -19,8 +19,6 @@ static const char *const pieces[] = {
     /* with a normal that nobody should write */
     "facet normal 0 0\nendfacet\n" LOOP "endfacet\n", "facet normal 0\nendfacet\nendfacet\n" LOOP "endfacet\n",
     "facet normal\nendfacet\n0\nendfacet " LOOP "endfacet\n", "facet normal solid\nendfacet\nx " LOOP "endfacet\n",
-    /* far from the origin */
-    "facet normal 0 0 1\nouter loop\nvertex 2e6 0 0.1\nvertex 4080920.25 1 2\nvertex 0 1 2\nendloop\nendfacet\n",
     /* solids */
     "endsolid\nsolid\n", "\nEndSolid facet x\r\n  SOLID endfacet facet normal 0 0 1\r\n",
     "endsolid endfacet\nsolid solid endsolid\n", "\n", " \t\n",
