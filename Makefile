@@ -504,7 +504,7 @@ compiler:
 
 is_other = $(if $(filter $(subst $(space),^,$(strip $(1))),$(subst $(space),^,$(strip $(2)))),,other)
 # Changes when the flags of this file change; objects of a build by an older Makefile are then compiled anew.
-$(BUILD)/flags: $(if $(call is_other,$(file <$(BUILD)/flags),$(our_flags)),always)
+$(BUILD)/flags: $(if $(call is_other,$(file <$(BUILD)/flags),$(our_flags)),always) | $(missing_compiler)
 	@mkdir -p $(@D)
 	@echo '$(our_flags)' >$@
 

@@ -5,6 +5,7 @@
 #include "input/formats.h"
 #include "input/parameters.h"
 #include "input/sniff.h"
+#include "input/text.h"
 #include "overlay/color_bar.h"
 #include "scene/camera.h"
 #include "scene/defaults.h"

@@ -34,9 +34,8 @@ static void show_face_on(const struct zr_query *query)
     const struct zr_request *request = query->request;
     struct zr_scene *scene = builder->scene;
     struct zr_view *view = &scene->views[0];
-    const bool has_view =
-        request->preset || request->azimuth || request->elevation || query->camera ||
-        (builder->keeping && builder->keeping->has_view);
+    const bool has_view = request->preset || request->azimuth || request->elevation || query->camera ||
+                          (builder->keeping && builder->keeping->has_view);
     if (has_view || scene->picture.z_is_up) return;
     const struct zr_bounds bounds = zr_bounds_of(scene, builder->team, request->cancel);
     scene->has_box = bounds.valid;

@@ -7,36 +7,6 @@
 #include "input/input.h"
 #include "input/text.h"
 
-/* ---- the root ---- */
-
-static const struct zr_json_field fields[] = {
-#define PLACE(ID, name) [ID] = {.key = name, .read = zr_json_place, .offset = sizeof(const char *) * (ID)}
-    PLACE(ZR_GLTF_ASSET, "asset"),
-    PLACE(ZR_GLTF_ACCESSORS, "accessors"),
-    PLACE(ZR_GLTF_BUFFER_VIEWS, "bufferViews"),
-    PLACE(ZR_GLTF_BUFFERS, "buffers"),
-    PLACE(ZR_GLTF_IMAGES, "images"),
-    PLACE(ZR_GLTF_MATERIALS, "materials"),
-    PLACE(ZR_GLTF_MESHES, "meshes"),
-    PLACE(ZR_GLTF_NODES, "nodes"),
-    PLACE(ZR_GLTF_SAMPLERS, "samplers"),
-    PLACE(ZR_GLTF_SCENE, "scene"),
-    PLACE(ZR_GLTF_SCENES, "scenes"),
-    PLACE(ZR_GLTF_TEXTURES, "textures"),
-    PLACE(ZR_GLTF_ANIMATIONS, "animations"),
-    PLACE(ZR_GLTF_CAMERAS, "cameras"),
-    PLACE(ZR_GLTF_SKINS, "skins"),
-    PLACE(ZR_GLTF_USED, "extensionsUsed"),
-    PLACE(ZR_GLTF_REQUIRED, "extensionsRequired"),
-#undef PLACE
-    ZR_GLTF_COMMON};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("glTF", fields);
-
-const char *zr_gltf_word(enum zr_gltf_key key)
-{
-    return fields[key].key;
-}
-
 /* ---- the version ---- */
 
 struct given_asset {
@@ -54,7 +24,7 @@ static const struct zr_json_object asset_object = ZR_JSON_OBJECT_OF("asset", ass
 
 static void check_version(struct zr_gltf *file)
 {
-    const struct zr_json_path *path = ZR_JSON_KEY(NULL, fields[ZR_GLTF_ASSET].key);
+    const struct zr_json_path *path = ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_ASSET));
     struct given_asset given = {NULL, NULL};
     uint64_t keys;
     if (!file->places[ZR_GLTF_ASSET]) {
@@ -80,7 +50,7 @@ static bool count_lists(struct zr_gltf *file)
         size_t count = 0;
         if (!file->places[key] || key == ZR_GLTF_SCENE) continue;
         struct zr_json there = zr_json_at(&file->root.json, file->places[key]);
-        if (zr_json_count(&there, ZR_JSON_KEY(NULL, fields[key].key), &count)) file->counts[key] = (uint32_t)count;
+        if (zr_json_count(&there, ZR_JSON_KEY(NULL, zr_gltf_word(key)), &count)) file->counts[key] = (uint32_t)count;
     }
     return file->root.json.error->count == 0;
 }
@@ -142,7 +112,8 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
     zr_json_open(json, text.bytes, text.size);
     file->root.assets.uses = zr_arena_zero(builder->arena, request->asset_count, sizeof *file->root.assets.uses);
     uint64_t keys;
-    if (file->root.assets.uses && zr_gltf_fields(file, json, NULL, &object, file->places, &keys) && zr_json_end(json))
+    if (file->root.assets.uses && zr_gltf_fields(file, json, NULL, &zr_gltf_root, file->places, &keys) &&
+        zr_json_end(json))
         build(file);
     builder->file = made;
     return zr_json_close(json);
@@ -158,44 +129,4 @@ enum zr_status zr_read_GLTF(struct zr_scene_builder *builder, const struct zr_re
                             const struct zr_limits *limits, struct zr_error *error)
 {
     return read(builder, request, limits, error);
-}
-
-/* ---- the form ---- */
-
-/* True if `at` begins a string of the given word, with a colon behind it. */
-static bool is_key(const char *at, const char *end, const char *word)
-{
-    const size_t length = strlen(word);
-    if ((size_t)(end - at) < length + 2 || memcmp(at + 1, word, length) != 0 || at[length + 1] != '"') return false;
-    at = zr_json_skip_space(at + length + 2, end);
-    return at < end && *at == ':';
-}
-
-/* Returns the place behind a string, or `end`. */
-static const char *skip_string(const char *at, const char *end)
-{
-    for (at++; at < end && *at != '"'; at++)
-        at += *at == '\\';
-    return at < end ? at + 1 : end;
-}
-
-/* True if the root has a key that glTF has, and scenes do not. */
-bool zr_looks_so_GLTF(const char *bytes, size_t size)
-{
-    static const char *const words[] = {"asset", "accessors", "bufferViews", "buffers", "scenes"};
-    const char *at = bytes + zr_count_blanks(bytes, size), *const end =
-                                                               bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX);
-    int depth = 0;
-    if (at >= end || *at != '{') return false;
-    while (at < end) {
-        if (*at == '"') {
-            for (size_t i = 0; depth == 1 && i < sizeof words / sizeof *words; i++)
-                if (is_key(at, end, words[i])) return true;
-            at = skip_string(at, end);
-            continue;
-        }
-        depth += (*at == '{' || *at == '[') - (*at == '}' || *at == ']');
-        at++;
-    }
-    return false;
 }

@@ -200,7 +200,8 @@ bool zr_gltf_read_items(struct zr_gltf *file, const char *place, const struct zr
 /* Checks an index into a list of the root; false and reported at `path`. */
 bool zr_gltf_check_index(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, enum zr_gltf_key of);
 
-/* Names of the root's keys. */
+/* Keys of the root, and their names. */
+extern const struct zr_json_object zr_gltf_root;
 const char *zr_gltf_word(enum zr_gltf_key key);
 
 /* Path of an item of a list of the root. */

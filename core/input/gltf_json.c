@@ -98,15 +98,3 @@ bool zr_gltf_read_items(struct zr_gltf *file, const char *place, const struct zr
         read(file, json, ZR_JSON_ITEM(path, number), number);
     return !zr_gltf_stops(file);
 }
-
-bool zr_gltf_read_list(struct zr_gltf *file, enum zr_gltf_key key, zr_gltf_item_fn *read)
-{
-    if (!file->places[key]) return true;
-    return zr_gltf_read_items(file, file->places[key], ZR_JSON_KEY(NULL, zr_gltf_word(key)), read);
-}
-
-bool zr_gltf_check_index(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, enum zr_gltf_key of)
-{
-    if (number < file->counts[of]) return true;
-    return zr_json_bad_index(&file->root.json, path, (double)number, file->counts[of], zr_gltf_word(of));
-}

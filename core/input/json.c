@@ -416,10 +416,3 @@ enum zr_status zr_json_close(struct zr_json *json)
     }
     return json->error->count > 0 ? json->error->status : ZR_NO_MEMORY;
 }
-
-/* A scene is always an object; a list is taken for JSON as well, for a better message. */
-bool zr_looks_so_JSON(const char *bytes, size_t size)
-{
-    const size_t blanks = zr_count_blanks(bytes, size);
-    return blanks < size && (bytes[blanks] == '{' || bytes[blanks] == '[') && !zr_looks_so_GLTF(bytes, size);
-}

@@ -150,7 +150,7 @@ static void fill(struct zr_obj_file *file, struct zr_mesh *mesh)
                              .line_count = (uint32_t)close_gaps(file, true),
                              .lines = file->lines,
                              .point_count = (uint32_t)close_gaps(file, false),
-                             .points = file->points,
+                             .points = total->points ? file->points : NULL,
                              .normal_count = normals,
                              .normals = normals ? file->normals : NULL,
                              .normal_indices = normals ? file->normal_indices : NULL,

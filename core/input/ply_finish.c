@@ -6,8 +6,6 @@
 
 enum { ITEMS_A_LOOK = 1 << 16 };
 
-/* Side of a point of a cloud, in pixels: single pixels of a scan hardly show. */
-
 /* Colours of type float beyond this are 0 to 255, not 0 to 1 with a rounding error. */
 static const float BRIGHT = 2.0f;
 

@@ -1,4 +1,5 @@
 #include "input/sniff.h"
+#include "input/text.h"
 
 #include <string.h>
 
@@ -32,12 +33,6 @@ static const struct {
     {"#?RADIANCE", 10, "a Radiance picture"},
     {"<", 1, "XML or HTML"},
 };
-
-size_t zr_byte_order_mark(const char *bytes, size_t size)
-{
-    static const char mark[] = "\xEF\xBB\xBF";
-    return begins_with(bytes, size, mark, sizeof mark - 1) ? sizeof mark - 1 : 0;
-}
 
 bool zr_is_utf16(const char *bytes, size_t size)
 {

@@ -10,9 +10,6 @@ enum zr_format zr_format_of_bytes(const char *bytes, size_t size);
 /* Names the format for a message, also foreign ones: "STL", "a PNG picture"; NULL: unknown. */
 const char *zr_bytes_in_words(const char *bytes, size_t size);
 
-/* Returns the length of a UTF-8 byte order mark at the start, which is no part of the text; 0: there is none. */
-size_t zr_byte_order_mark(const char *bytes, size_t size);
-
 /* True for a byte order mark of UTF-16 at the start. Binary formats may begin with these bytes, too. */
 bool zr_is_utf16(const char *bytes, size_t size);
 

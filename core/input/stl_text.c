@@ -2,7 +2,6 @@
 
 #include "input/chunk.h"
 #include "input/parts.h"
-#include "input/sniff.h"
 #include "input/stl_words.h"
 #include "input/text.h"
 

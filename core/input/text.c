@@ -23,6 +23,12 @@ size_t zr_utf8_length(const char *at, const char *end)
     return in(at[1], lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF) ? 4 : 0;
 }
 
+size_t zr_byte_order_mark(const char *bytes, size_t size)
+{
+    static const char mark[] = "\xEF\xBB\xBF";
+    return size >= sizeof mark - 1 && memcmp(bytes, mark, sizeof mark - 1) == 0 ? sizeof mark - 1 : 0;
+}
+
 size_t zr_count_blanks(const char *bytes, size_t size)
 {
     size_t count = 0;

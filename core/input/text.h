@@ -17,6 +17,9 @@ static inline int zr_hex_digit(char c)
     return -1;
 }
 
+/* Returns the length of a UTF-8 byte order mark at the start, which is no part of the text; 0: there is none. */
+size_t zr_byte_order_mark(const char *bytes, size_t size);
+
 /* Counts leading blanks, tabs and line ends, at most ZR_BLANKS_MAX. */
 enum { ZR_BLANKS_MAX = 64 << 10 };
 size_t zr_count_blanks(const char *bytes, size_t size);

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "format_rows.h"
 #include "support/renderer.h"
 #include "support/tests.h"
 
@@ -118,7 +119,8 @@ TEST(tables_list_all_parameters_and_looks)
     assert_non_null(strstr(tables, "{\"name\":\"lights\",\"help\":\"list of lights\"}"));
     assert_null(strstr(tables, "turntable")); /* reserved */
     assert_true(cJSON_GetArraySize(cJSON_GetObjectItem(all, "channels")) >= 15);
-    assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(all, "formats")), 5);
+#define ONE(...) +1
+    assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(all, "formats")), 0 ZR_FORMAT_ROWS(ONE));
     assert_non_null(strstr(tables, "\"looks\":["));
     assert_non_null(strstr(tables, "\"studio@1\""));
     assert_non_null(strstr(tables, "\"windowSideMax\":8192"));

@@ -1,0 +1,51 @@
+/* Tells scenes in JSON from glTF in JSON. */
+#include <string.h>
+
+#include "input/input.h"
+#include "input/json.h"
+#include "input/text.h"
+
+/* True if `at` begins a string of the given word, with a colon behind it. */
+static bool is_key(const char *at, const char *end, const char *word)
+{
+    const size_t length = strlen(word);
+    if ((size_t)(end - at) < length + 2 || memcmp(at + 1, word, length) != 0 || at[length + 1] != '"') return false;
+    at = zr_json_skip_space(at + length + 2, end);
+    return at < end && *at == ':';
+}
+
+/* Returns the place behind a string, or `end`. */
+static const char *skip_string(const char *at, const char *end)
+{
+    for (at++; at < end && *at != '"'; at++)
+        at += *at == '\\';
+    return at < end ? at + 1 : end;
+}
+
+/* True if the root has a key that glTF has, and scenes do not. */
+bool zr_looks_so_GLTF(const char *bytes, size_t size)
+{
+    static const char *const words[] = {"asset", "accessors", "bufferViews", "buffers", "scenes"};
+    const char *at = bytes + zr_count_blanks(bytes, size), *const end =
+                                                               bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX);
+    int depth = 0;
+    if (at >= end || *at != '{') return false;
+    while (at < end) {
+        if (*at == '"') {
+            for (size_t i = 0; depth == 1 && i < sizeof words / sizeof *words; i++)
+                if (is_key(at, end, words[i])) return true;
+            at = skip_string(at, end);
+            continue;
+        }
+        depth += (*at == '{' || *at == '[') - (*at == '}' || *at == ']');
+        at++;
+    }
+    return false;
+}
+
+/* A scene is always an object; a list is taken for JSON as well, for a better message. */
+bool zr_looks_so_JSON(const char *bytes, size_t size)
+{
+    const size_t blanks = zr_count_blanks(bytes, size);
+    return blanks < size && (bytes[blanks] == '{' || bytes[blanks] == '[') && !zr_looks_so_GLTF(bytes, size);
+}
