@@ -22,7 +22,6 @@ static const struct {
                {" iges igs ", "an IGES", BY_CAD},
                {" brep fcstd ", "a CAD", BY_CAD},
                {" scad ", "an OpenSCAD", "openscad -o part.stl"},
-               {" 3mf ", "a 3MF", BY_MESH},
                {" off dae fbx 3ds wrl x3d blend usd usda usdc usdz vtk vtu msh dxf ", "a 3D", BY_MESH}};
 
 static const char *ending_of(const char *path)

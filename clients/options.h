@@ -103,7 +103,7 @@ bool options_strict(const struct options *options);
 /* Returns the number of --threads; 0: all processors. */
 unsigned options_threads(const struct options *options);
 
-/* Endings of file names, for messages: of meshes " .obj .stl", of all formats " json obj stl". */
+/* Endings of file names, for messages: of meshes " .obj .3mf .stl", of all formats " json obj 3mf stl". */
 #define OPTIONS_ENDING_true(suffix)
 #define OPTIONS_ENDING_false(suffix)                                " ." suffix
 #define OPTIONS_MESH_ENDING(ID, suffix, media_types, has_view, ...) OPTIONS_ENDING_##has_view(suffix)

@@ -9,7 +9,7 @@
 
 enum zr_status {
     ZR_OK = 0,
-    ZR_BAD_SYNTAX,  /* the bytes violate their format (JSON, OBJ, STL) */
+    ZR_BAD_SYNTAX,  /* the bytes violate their format (JSON, OBJ, 3MF, STL) */
     ZR_BAD_TYPE,    /* the content type is missing and the format is not recognized */
     ZR_BAD_REQUEST, /* a parameter of the request is wrong */
     ZR_BAD_SCENE,   /* well-formed, but not a scene that can be drawn */

@@ -20,6 +20,12 @@ static void place(struct zr_query *query)
     if (query->instances) zr_scene_builder_place(builder, query->instances, count);
 }
 
+/* True for files with materials, which read the assets of the request, too. */
+static bool has_materials(const struct zr_parsed_scene *root)
+{
+    return root->builder->file && root->builder->file->mesh_materials;
+}
+
 /* Colours with an alpha below 1 are blended: no parameter says so. */
 static void make_materials(struct zr_parsed_scene *root)
 {
@@ -31,7 +37,8 @@ static void make_materials(struct zr_parsed_scene *root)
                                  .number = i,
                                  .alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
                                                                zr_alpha_range_of(mesh->face_colors, mesh->face_count))};
-        if (style.alpha.least < 1.0f) style.face_style.alpha_mode = ZR_ALPHA_BLEND;
+        if (style.alpha.least < 1.0f && root->face_style.alpha_mode == ZR_UNSET)
+            style.face_style.alpha_mode = ZR_ALPHA_BLEND;
         mesh->material = zr_parsed_make_material(root, &style, mesh->colors || mesh->face_colors,
                                                  mesh->normal_count > 0 || mesh->colors);
     }
@@ -72,7 +79,7 @@ static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
 {
     const struct zr_format_row *format = &zr_format_rows[request->format];
     const int shading = root->face_style.shading;
-    for (size_t i = 0; !root->builder->file && i < request->asset_count; i++)
+    for (size_t i = 0; !has_materials(root) && i < request->asset_count; i++)
         zr_warn_of_unused_asset(root->builder, &request->assets[i]);
     if (format->is_soup && !root->scene->picture.is_linear && shading != ZR_UNSET &&
         zr_shading_varies((enum zr_shading)shading))
@@ -100,14 +107,14 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
         use_camera(query);
     }
     const bool has_ink = zr_cloud_take_edges(root);
-    if (root->builder->file) {
+    if (has_materials(root)) {
         zr_file_scene_make_materials(root, root->builder->file);
     } else {
         make_materials(root);
         if (has_ink) zr_cloud_draw_in_ink(query);
     }
     zr_parsed_check_light(root);
-    if (root->builder->file) zr_file_scene_drop_maps(root);
+    if (has_materials(root)) zr_file_scene_drop_maps(root);
     place(query);
     warn(root, query->request);
     zr_query_report(query->request, ZR_BAD_SCENE, &faults, error);

@@ -16,17 +16,15 @@
 #include "support/files.h"
 #include "support/jpeg.h"
 #include "support/npy.h"
+#include "support/zip_file.h"
 
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json",  "obj",  "stl",       "ply",       "gltf", "png", "npy",
-                                      "array", "gzip", "multipart", "image_png", "jpeg"};
+static const char *const targets[] = {"json", "obj", "stl", "ply", "gltf", "3mf", "zip", "png", "npy",
 
-static void fail(const char *what)
-{
-    perror(what);
-    exit(1);
+                                      static void fail(const char *what){perror(what);
+exit(1);
 }
 
 static void make_folder(const char *name)
@@ -193,6 +191,44 @@ static void write_plys(void)
     WRITE_TEXTS("ply", texts);
     write_seed("ply", "binary", binary, size + sizeof corners + sizeof face);
 #undef XYZ
+}
+
+/* ---- 3MF ---- */
+
+static void write_3mf(void)
+{
+#define MODEL "<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+#define MESH                                                                                                           \
+    "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" "               \
+    "y=\"1\" z=\"-2e-1\"/></vertices><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\"/></triangles></mesh>"
+    static const struct text models[] = {
+        {"triangle", MODEL "unit=\"inch\"><resources><object id=\"1\">" MESH
+                           "</object></resources><build><item objectid=\"1\"/></build></model>"},
+        {"components",
+         MODEL "><resources><object id=\"1\" name=\"a&#x41;&lt;\">" MESH
+               "</object><object id=\"2\"><components><component objectid=\"1\" transform=\"0 1 0 -1 0 0 "
+               "0 0 1 2 3 4\"/><component objectid=\"1\"/></components></object></resources><build>"
+               "<!-- twice --><item objectid=\"2\" printable=\"0\"/><item objectid=\"2\"/></build></model>"},
+        {"colours",
+         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" MODEL "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/"
+         "material/2015/02\" requiredextensions=\"m\"><resources>"
+         "<basematerials id=\"1\"><base name=\"r\" displaycolor=\"#F00000\"/></basematerials><m:colorgroup id=\"2\">"
+         "<m:color color=\"#0000FF80\"/><m:color color=\"#FFFFFF\"/></m:colorgroup><object id=\"3\" pid=\"1\" "
+         "pindex=\"0\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex "
+         "x=\"0\" y=\"1\" z=\"0\"/></vertices><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" p1=\"0\" "
+         "p2=\"1\" p3=\"0\"/><triangle v1=\"0\" v2=\"2\" "
+         "v3=\"1\"/></triangles></mesh></object></resources><build><item "
+         "objectid=\"3\"/></build></model>"}};
+    WRITE_TEXTS("3mf", models);
+    size_t size, directory;
+    const struct zip_entry entries[] = {{"a", "aaaaaaaaaaaaaaaaaaaaaaaab", 25, true}, {"b/c", "stored", 6, false}};
+    unsigned char *file = zip_file(entries, 2, &size, &directory);
+    write_seed("zip", "two", file, size);
+    free(file);
+    const struct zip_entry part = {"3D/3dmodel.model", models[0].text, strlen(models[0].text), true};
+    file = zip_3mf(&part, 1, &size);
+    write_seed("zip", "3mf", file, size);
+    free(file);
 }
 
 /* ---- pictures ---- */
@@ -443,6 +479,7 @@ int main(int count, char **arguments)
     write_scenes();
     write_meshes();
     write_plys();
+    write_3mf();
     write_pictures();
     write_jpegs();
     write_arrays();

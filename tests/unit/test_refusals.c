@@ -8,14 +8,18 @@
  *     bad scene at /view/eye: three numbers         status, place (left out if it is empty) and a part of the message
  *     and at /view/up: three numbers                lines for the next faults, if they are tested, too
  *     {"polygons": [], "view": {"eye": 1}}          the body, up to an empty line; ${0a} is the byte 0x0a
+ *
+ * Bodies of 3MF are the text of the model part.
  */
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "input/formats.h"
 #include "input_check.h"
 #include "support/files.h"
 #include "support/npy.h"
 #include "support/tests.h"
+#include "support/zip_file.h"
 
 enum { LETS_MAX = 16, PARTS_MAX = 24, NUMBERS_MAX = 64, MORE_MAX = 4, BODY_MAX = 1 << 16 };
 
@@ -87,7 +91,12 @@ static void check(struct cases *cases, const char *head, int line)
         fail_msg("%s, line %d: no 'STATUS at PLACE: message'", cases->path, line);
     const struct zr_request request = {
         .format = cases->format, .assets = cases->parts, .asset_count = cases->part_count};
-    struct reading *reading = read_request(request, cases->body, cases->size, zr_limits_default(), (size_t)1 << 28);
+    const struct zip_entry part = {"3D/3dmodel.model", cases->body, cases->size, true};
+    size_t size = cases->size;
+    unsigned char *package = cases->format == ZR_FORMAT_3MF ? zip_3mf(&part, 1, &size) : NULL;
+    struct reading *reading = read_request(request, package ? (const void *)package : cases->body, size,
+                                           zr_limits_default(), (size_t)1 << 28);
+    free(package);
     const struct zr_error *error = &reading->error;
     bool is_refused = reading->status == status && error->status == status && !reading->scene &&
                       has_fault(error, 0, head + strlen(statuses[status]));

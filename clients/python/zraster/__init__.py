@@ -56,7 +56,7 @@ def render(
 ) -> Picture:
     """Draws a file, bytes, a scene or a mesh.
 
-    source: a path (STL, OBJ, PLY, GLB, JSON); the bytes of such a file; a dict as in the scene format, with arrays in place of
+    source: a path (STL, OBJ, PLY, GLB, 3MF, JSON); the bytes of such a file; a dict as in the scene format, with arrays in place of
         lists; or an object with `vertices` (n, 3) and `faces` (m, 3), such as those of trimesh and Open3D
     channels: "depth", or a list such as ["color", "depth", {"channel": "normals", "space": "world"}]; default: color,
         or the outputs of the scene

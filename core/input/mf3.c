@@ -1,0 +1,116 @@
+/* Reads 3MF: a ZIP archive with models in XML (mf3.h). */
+#include "input/mf3.h"
+
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- faults and warnings ---- */
+
+/* Returns the line of a place. Places mostly ascend: then each byte is counted once. */
+static size_t line_of(struct zr_mf3_part *part, const char *at)
+{
+    if (!part->bytes || at < part->bytes || at > part->bytes + part->size) return 0;
+    if (at < part->counted_to) {
+        part->counted_to = part->bytes;
+        part->line = 1;
+    }
+    for (const char *next = part->counted_to; (next = memchr(next, '\n', (size_t)(at - next))) != NULL; next++)
+        part->line++;
+    part->counted_to = at;
+    return part->line;
+}
+
+bool zr_mf3_fault_in(struct zr_mf3 *file, uint32_t number, const char *at, const char *format, ...)
+{
+    struct zr_mf3_part *part = &zr_mf3_parts(file)[number];
+    char text[ZR_DETAIL_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    zr_error_add(file->error, ZR_BAD_SCENE, NULL, "%.*s, line %zu: %s",
+                 (int)(part->member->name_length < 80 ? part->member->name_length : 80), part->member->name,
+                 line_of(part, at), text);
+    return false;
+}
+
+void zr_mf3_note(struct zr_mf3 *file, int note, const char *at, struct zr_xml_text word)
+{
+    if (file->notes[note].count++ > 0) return;
+    file->notes[note].part = file->part;
+    file->notes[note].line = line_of(&zr_mf3_parts(file)[file->part], at);
+    file->notes[note].word = word;
+}
+
+/* What is said of each kind, behind its number. */
+static const char *const texts[ZR_MF3_NOTE_COUNT] = {
+#define TEXT(ID, uri, is_read, text) [ZR_MF3_NOTE_SPACES + ZR_MF3_SPACE_##ID] = "elements of " text " are not drawn",
+    ZR_MF3_SPACES(TEXT)
+#undef TEXT
+        [ZR_MF3_NOTE_UNKNOWN] = "elements are not known",
+    [ZR_MF3_NOTE_TEXTURE] = "triangles have textures, which are not drawn",
+    [ZR_MF3_NOTE_COMPOSITE] = "triangles have composite materials, which are not drawn",
+    [ZR_MF3_NOTE_MULTI] = "triangles have multiproperties, which are not drawn",
+    [ZR_MF3_NOTE_PLAIN] = "objects have triangles without a colour beside coloured ones; they are drawn white",
+    [ZR_MF3_NOTE_PAINTED] = "triangles are painted for a slicer (paint_color), which is not drawn",
+    [ZR_MF3_NOTE_OTHER] = "items or components of the type other are left out",
+    [ZR_MF3_NOTE_NOT_PRINTED] = "items are marked as not printable, and are drawn",
+    [ZR_MF3_NOTE_UNIT] = "parts have another unit than the first; their numbers are taken as they are"};
+
+static bool is_about_color(int note)
+{
+    return note >= ZR_MF3_NOTE_TEXTURE && note <= ZR_MF3_NOTE_PAINTED;
+}
+
+static void warn(const struct zr_mf3 *file, struct zr_scene_builder *builder)
+{
+    for (int i = 0; i < ZR_MF3_NOTE_COUNT; i++) {
+        if (file->notes[i].count == 0) continue;
+        const struct zr_zip_member *member = zr_mf3_parts(file)[file->notes[i].part].member;
+        const struct zr_xml_text word = file->notes[i].word;
+        const bool has_word = i < ZR_MF3_NOTE_TEXTURE;
+        zr_warning_list_add(builder->arena, is_about_color(i) ? &builder->color_warnings : &builder->warnings,
+                            "3MF: %" PRIu64 " %s; the first is in %.*s, line %zu%s%s", file->notes[i].count, texts[i],
+                            (int)(member->name_length < 80 ? member->name_length : 80), member->name,
+                            file->notes[i].line, has_word ? ": " : "",
+                            has_word ? zr_quote(word.at, word.length).text : "");
+    }
+}
+
+/* ---- the whole ---- */
+
+static enum zr_status read_parts(struct zr_mf3 *file)
+{
+    if (zr_mf3_find_root(file)) {
+        file->part_of_member = zr_arena_alloc(file->arena, file->zip.count, sizeof *file->part_of_member);
+        if (!file->part_of_member) return ZR_NO_MEMORY;
+        memset(file->part_of_member, 0xFF, file->zip.count * sizeof *file->part_of_member);
+        file->part_of_member[zr_mf3_parts(file)[0].member - file->zip.members] = 0;
+        for (uint32_t i = 0; i < file->parts.count && !zr_mf3_stops(file); i++)
+            zr_mf3_read_part(file, i);
+    }
+    if (zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
+    if (!zr_arena_ok(file->arena)) return ZR_NO_MEMORY;
+    return file->error->count > 0 ? file->error->status : ZR_OK;
+}
+
+enum zr_status zr_read_3MF(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
+{
+    struct zr_arena *arena = builder->arena;
+    struct zr_reason reason = {""};
+    struct zr_mf3 *file = zr_arena_zero(arena, 1, sizeof *file);
+    if (!file) return ZR_NO_MEMORY;
+    file->arena = arena;
+    file->limits = limits;
+    file->cancel = request->cancel;
+    file->error = error;
+    enum zr_status status = zr_zip_open(arena, request->bytes, request->size, &file->zip, &reason);
+    if (status == ZR_BAD_SYNTAX) return zr_error_add(error, status, NULL, "a broken ZIP archive: %s", reason.text);
+    if (status == ZR_OK) status = read_parts(file);
+    if (status == ZR_OK) status = zr_mf3_place(file, builder, request->quick);
+    if (status == ZR_OK) warn(file, builder);
+    return status;
+}

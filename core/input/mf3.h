@@ -1,0 +1,200 @@
+/* mf3.h - input: shared by the readers of 3MF's parts, private to them.
+ *
+ * Order:  model parts are read whole, the root first, then those that it names by paths (production extension). Then
+ *         build items and components become nodes, and nodes place the meshes (scene/nodes.h).
+ * Units:  positions keep the root part's unit.
+ * Source: 3MF Core Specification 1.3, Materials and Properties 1.2.1, Production 1.1.2.
+ */
+#ifndef ZR_MF3_H
+#define ZR_MF3_H
+
+#include "input/input.h"
+#include "input/xml.h"
+#include "input/zip_read.h"
+
+#define ZR_MF3_NONE UINT32_MAX
+
+/* A new id may move all larger ones in the order of ids. */
+enum { ZR_MF3_RESOURCES_MAX = 1 << 16 };
+
+/* ROW(ID, URI, true if it is read or has nothing to draw, what it has) */
+#define ZR_MF3_SPACES(ROW)                                                                                             \
+    ROW(CORE, "http://schemas.microsoft.com/3dmanufacturing/core/2015/02", true, "core")                               \
+    ROW(CORE_OLD, "http://schemas.microsoft.com/3dmanufacturing/2013/01", true, "core")                                \
+    ROW(MATERIAL, "http://schemas.microsoft.com/3dmanufacturing/material/2015/02", true, "materials")                  \
+    ROW(PRODUCTION, "http://schemas.microsoft.com/3dmanufacturing/production/2015/06", true, "production")             \
+    ROW(SETS, "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07", true, "sets of triangles")          \
+    ROW(SLICE, "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07", false, "slices")                          \
+    ROW(BEAMS, "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02", false, "beam lattices")             \
+    ROW(BALLS, "http://schemas.microsoft.com/3dmanufacturing/beamlattice/balls/2020/07", false,                        \
+        "balls of beam lattices")                                                                                      \
+    ROW(VOLUMETRIC, "http://schemas.3mf.io/3dmanufacturing/volumetric/2022/01", false, "volumetric data")              \
+    ROW(IMPLICIT, "http://schemas.3mf.io/3dmanufacturing/implicit/2023/12", false, "implicit functions")               \
+    ROW(BOOLEAN, "http://schemas.3mf.io/3dmanufacturing/booleanoperations/2023/07", false, "boolean operations")       \
+    ROW(DISPLACEMENT, "http://schemas.microsoft.com/3dmanufacturing/displacement/2022/07", false, "displacement")      \
+    ROW(SECURE, "http://schemas.microsoft.com/3dmanufacturing/securecontent/2019/04", false, "secure content")         \
+    ROW(SECURE_NEW, "http://schemas.microsoft.com/3dmanufacturing/securecontent/2019/07", false, "secure content")
+
+enum zr_mf3_space {
+#define ZR_MF3_SPACE(ID, ...) ZR_MF3_SPACE_##ID,
+    ZR_MF3_SPACES(ZR_MF3_SPACE)
+#undef ZR_MF3_SPACE
+        ZR_MF3_SPACE_COUNT
+};
+
+/* Input that is drawn without, or otherwise than as it says; each kind is one warning. */
+enum zr_mf3_note {
+    ZR_MF3_NOTE_SPACES, /* one per namespace */
+    ZR_MF3_NOTE_UNKNOWN = ZR_MF3_NOTE_SPACES + ZR_MF3_SPACE_COUNT,
+    ZR_MF3_NOTE_TEXTURE,
+    ZR_MF3_NOTE_COMPOSITE,
+    ZR_MF3_NOTE_MULTI,
+    ZR_MF3_NOTE_PLAIN,
+    ZR_MF3_NOTE_PAINTED,
+    ZR_MF3_NOTE_OTHER,
+    ZR_MF3_NOTE_NOT_PRINTED,
+    ZR_MF3_NOTE_UNIT,
+    ZR_MF3_NOTE_COUNT
+};
+
+enum zr_mf3_kind {
+    ZR_MF3_OBJECT,
+    ZR_MF3_COLORS,    /* base materials, or a colour group */
+    ZR_MF3_TEXTURE,   /* properties that are not read */
+    ZR_MF3_COMPOSITE, /* likewise */
+    ZR_MF3_MULTI,     /* likewise */
+    ZR_MF3_OTHER      /* no property, such as an image */
+};
+
+/* A resource of a part. */
+struct zr_mf3_resource {
+    uint32_t part, id;
+    enum zr_mf3_kind kind;
+    const char *at; /* place in its part */
+
+    /* Colours: 0xAABBGGRR. */
+    uint32_t color_count;
+    const uint32_t *colors;
+    bool is_base; /* one colour a triangle */
+
+    /* An object: a mesh, or components. */
+    const char *name;
+    bool is_left_out; /* of the type `other` */
+    uint32_t mesh;    /* or ZR_MF3_NONE */
+    uint32_t first_link, link_count;
+    uint32_t first_node; /* of its links; ZR_MF3_NONE: not made yet */
+};
+
+/* A component or a build item. */
+struct zr_mf3_link {
+    uint32_t part, target_part, id;
+    const char *at;
+    zr_mat4 transform;
+};
+
+/* A model part. */
+struct zr_mf3_part {
+    const struct zr_zip_member *member;
+    const char *bytes; /* NULL: not read yet */
+    size_t size;
+    const char *unit;
+    const char *counted_to; /* a place, and its line */
+    size_t line;
+};
+
+/* An array that grows in the arena. */
+struct zr_mf3_list {
+    uint32_t count, room;
+    void *items;
+};
+
+struct zr_mf3 {
+    struct zr_arena *arena;
+    const struct zr_limits *limits;
+    const struct zr_cancel *cancel;
+    struct zr_error *error;
+    struct zr_zip zip;
+    uint32_t *part_of_member;     /* or ZR_MF3_NONE */
+    struct zr_mf3_list parts;     /* struct zr_mf3_part */
+    struct zr_mf3_list resources; /* struct zr_mf3_resource */
+    struct zr_mf3_list links;     /* struct zr_mf3_link: those of one object follow each other */
+    struct zr_mf3_list items;     /* likewise, of the build */
+    struct zr_mf3_list meshes;    /* struct zr_mesh */
+    struct zr_mf3_list order;     /* uint32_t: numbers of resources, sorted by part and id */
+    struct {
+        uint64_t count;
+        uint32_t part;
+        size_t line;
+        struct zr_xml_text word;
+    } notes[ZR_MF3_NOTE_COUNT];
+
+    /* Of the part that is read now. */
+    uint32_t part;
+    struct zr_xml xml;
+    struct zr_xml_tag tag;
+    bool is_stopped; /* after a syntax fault or a cancel */
+};
+
+/* Appends an item, which is undefined. NULL without memory. */
+void *zr_mf3_list_add(struct zr_arena *arena, struct zr_mf3_list *list, size_t size);
+
+static inline struct zr_mf3_part *zr_mf3_parts(const struct zr_mf3 *file)
+{
+    return file->parts.items;
+}
+static inline struct zr_mf3_resource *zr_mf3_resources(const struct zr_mf3 *file)
+{
+    return file->resources.items;
+}
+
+/* Adds a fault at a place of a part: "3D/3dmodel.model, line 7: ...". Returns false. */
+bool zr_mf3_fault_in(struct zr_mf3 *file, uint32_t part, const char *at, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+#define zr_mf3_fault(file, at, ...) zr_mf3_fault_in(file, (file)->part, at, __VA_ARGS__)
+
+/* Counts an occurrence of what is not drawn, at a place of the current part. */
+void zr_mf3_note(struct zr_mf3 *file, int note, const char *at, struct zr_xml_text word);
+
+/* True if reading is to end. */
+bool zr_mf3_stops(const struct zr_mf3 *file);
+
+/* mf3_package.c: opens the archive, and adds the root part that the relationships name. */
+bool zr_mf3_find_root(struct zr_mf3 *file);
+
+/* Returns the number of the part at a path such as "/3D/a.model", adding it if it is new; ZR_MF3_NONE after a fault. */
+uint32_t zr_mf3_find_part(struct zr_mf3 *file, const char *at, struct zr_xml_text path);
+
+/* mf3_part.c: reads a part whole. */
+void zr_mf3_read_part(struct zr_mf3 *file, uint32_t part);
+
+/* Advances to the next element within the one whose begin made xml.depth `depth`: true, with file->tag. At that
+ * element's end, or if reading stops: false. Children of elements that the caller leaves unread are skipped. */
+bool zr_mf3_child(struct zr_mf3 *file, size_t depth);
+
+/* True if the current element has this name in the namespace; CORE: or in none. */
+bool zr_mf3_is(const struct zr_mf3 *file, enum zr_mf3_space space, const char *name);
+
+/* mf3_values.c: read attributes of the current element; false after a fault. An attribute that is missing leaves *out,
+ * or is a fault. */
+bool zr_mf3_count(struct zr_mf3 *file, const char *name, bool is_needed, uint32_t *out);
+bool zr_mf3_transform(struct zr_mf3 *file, zr_mat4 *out);
+bool zr_mf3_color(struct zr_mf3 *file, const char *name, uint32_t *out);
+bool zr_mf3_digits(struct zr_xml_text text, uint32_t *out);
+bool zr_mf3_number(const struct zr_xml *xml, struct zr_xml_text text, double *out);
+
+/* mf3_resource.c: adds a resource of the current part, or reports that its id is there already; finds one. NULL if
+ * there is none. */
+struct zr_mf3_resource *zr_mf3_add(struct zr_mf3 *file, enum zr_mf3_kind kind);
+struct zr_mf3_resource *zr_mf3_find(const struct zr_mf3 *file, uint32_t part, uint32_t id);
+
+/* Reads a group of colours, whose begin is the current element: children with this name and colour attribute. */
+void zr_mf3_read_colors(struct zr_mf3 *file, enum zr_mf3_space space, const char *child, const char *attribute);
+
+/* mf3_mesh.c: reads the mesh of an object; `pid`, `pindex`: its default property, or ZR_MF3_NONE. Returns its number,
+ * or ZR_MF3_NONE after a fault. */
+uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t pid, uint32_t pindex);
+
+/* mf3_build.c: places the meshes that the build needs, in builder->file. */
+enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick);
+
+#endif

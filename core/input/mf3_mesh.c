@@ -1,0 +1,308 @@
+/* Reads the mesh of an object of 3MF: vertices, triangles and their colours. */
+#include <string.h>
+
+#include "input/mf3.h"
+
+enum { COUNTED_AT_ONCE = 1 << 18, EXPANDED_AT_ONCE = 1 << 14 };
+
+#define WHITE 0xFFFFFFFFu
+
+struct mesh {
+    struct zr_mf3 *file;
+    uint32_t vertex_count, vertex_room, triangle_count, triangle_room;
+    zr_vec4 *positions;
+    uint32_t *corners;
+    uint32_t *colors; /* 0xAABBGGRR, one per corner; NULL: no triangle has one so far */
+    uint32_t colored; /* triangles */
+    bool has_gradients;
+    uint32_t pid, pindex; /* of the object */
+    uint32_t last_pid;
+    const struct zr_mf3_resource *last;
+};
+
+/* ---- rooms ---- */
+
+/* Counts the elements within the one that is open, which ends at the next end tag with this name: at least as many as
+ * there are. */
+static uint32_t count_children(const struct zr_mf3 *file, const char *name)
+{
+    const char *at = file->xml.at, *const end = file->xml.end;
+    const size_t length = strlen(name);
+    uint32_t count = 0;
+    while (at < end && !zr_is_cancelled(file->cancel)) {
+        const size_t left = (size_t)(end - at);
+        const char *const stop = at + (left < COUNTED_AT_ONCE ? left : COUNTED_AT_ONCE);
+        while (at < stop && (at = memchr(at, '<', (size_t)(stop - at))) != NULL) {
+            const char *word = ++at;
+            if (word == end) return count;
+            if (*word != '/') {
+                if (*word != '!' && *word != '?' && count < ZR_MF3_NONE - 1) count++;
+                continue;
+            }
+            while (word < end && *word != '>' && (size_t)(end - word) > length)
+                if (memcmp(++word, name, length) == 0 && (word[length] == '>' || word[length] <= ' ')) return count;
+        }
+        at = at ? at : stop;
+    }
+    return count;
+}
+
+/* Returns a larger room, for a list that a comment with an end tag made too small. */
+static uint32_t larger(uint32_t room)
+{
+    return room < ZR_MF3_NONE / 2 ? room * 2 + 16 : ZR_MF3_NONE;
+}
+
+static bool has_vertex_room(struct mesh *mesh)
+{
+    if (mesh->vertex_count < mesh->vertex_room) return mesh->positions != NULL;
+    mesh->vertex_room = larger(mesh->vertex_room);
+    mesh->positions = zr_arena_grow(mesh->file->arena, mesh->positions, mesh->vertex_count, mesh->vertex_room,
+                                    sizeof *mesh->positions);
+    return mesh->positions != NULL;
+}
+
+static bool has_triangle_room(struct mesh *mesh)
+{
+    const size_t size = 3 * sizeof *mesh->corners;
+    struct zr_arena *arena = mesh->file->arena;
+    if (mesh->triangle_count < mesh->triangle_room) return mesh->corners != NULL;
+    mesh->triangle_room = larger(mesh->triangle_room);
+    mesh->corners = zr_arena_grow(arena, mesh->corners, mesh->triangle_count, mesh->triangle_room, size);
+    if (mesh->colors)
+        mesh->colors = zr_arena_grow(arena, mesh->colors, mesh->triangle_count, mesh->triangle_room, size);
+    return zr_arena_ok(arena);
+}
+
+/* ---- vertices ---- */
+
+static void read_vertex(struct mesh *mesh)
+{
+    struct zr_mf3 *file = mesh->file;
+    const struct zr_xml_tag *tag = &file->tag;
+    const double limit = (double)file->limits->coordinate_max;
+    double v[3] = {0};
+    unsigned given = 0;
+    for (size_t i = 0; i < tag->count; i++) {
+        const struct zr_xml_attribute *attribute = &tag->attributes[i];
+        const unsigned axis = (unsigned)((unsigned char)*attribute->name.at - 'x');
+        if (attribute->name.length != 1 || axis > 2 || attribute->prefix.length != 0) continue;
+        if (!zr_mf3_number(&file->xml, attribute->value, &v[axis]))
+            zr_mf3_fault(file, tag->at, "vertex %u: %c is %s, which is no number", mesh->vertex_count,
+                         *attribute->name.at, zr_quote(attribute->value.at, attribute->value.length).text);
+        else if (!(v[axis] >= -limit && v[axis] <= limit))
+            zr_mf3_fault(file, tag->at, "vertex %u: %c is beyond the limit of %.9g", mesh->vertex_count,
+                         *attribute->name.at, limit);
+        given |= 1u << axis;
+    }
+    if (given != 7)
+        zr_mf3_fault(file, tag->at, "vertex %u: %c is missing", mesh->vertex_count, "xyz"[__builtin_ctz(~given)]);
+    if (has_vertex_room(mesh))
+        mesh->positions[mesh->vertex_count++] = (zr_vec4){(float)v[0], (float)v[1], (float)v[2], 1};
+}
+
+static void read_vertices(struct mesh *mesh)
+{
+    struct zr_mf3 *file = mesh->file;
+    const size_t depth = file->xml.depth;
+    if (!mesh->positions && !file->xml.ends_next) {
+        mesh->vertex_room = count_children(file, "vertices");
+        mesh->positions = zr_arena_alloc(file->arena, mesh->vertex_room, sizeof *mesh->positions);
+    }
+    while (zr_mf3_child(file, depth))
+        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "vertex")) read_vertex(mesh);
+}
+
+/* ---- colours ---- */
+
+/* Finds the group of a property. NULL if it has no colours, or after a fault. */
+static const struct zr_mf3_resource *find_group(struct mesh *mesh, uint32_t pid)
+{
+    struct zr_mf3 *file = mesh->file;
+    static const int notes[] = {[ZR_MF3_TEXTURE] = ZR_MF3_NOTE_TEXTURE,
+                                [ZR_MF3_COMPOSITE] = ZR_MF3_NOTE_COMPOSITE,
+                                [ZR_MF3_MULTI] = ZR_MF3_NOTE_MULTI};
+    if (pid == mesh->last_pid && mesh->last && mesh->last->kind == ZR_MF3_COLORS) return mesh->last;
+    const struct zr_mf3_resource *group = zr_mf3_find(file, file->part, pid);
+    mesh->last_pid = pid;
+    mesh->last = group;
+    if (group && group->kind == ZR_MF3_COLORS) return group;
+    if (group && group->kind >= ZR_MF3_TEXTURE && group->kind <= ZR_MF3_MULTI)
+        zr_mf3_note(file, notes[group->kind], file->tag.at, file->tag.name);
+    else
+        zr_mf3_fault(file, file->tag.at, "triangle %u: pid %u names no group of properties in front of it",
+                     mesh->triangle_count, pid);
+    return NULL;
+}
+
+/* Allocates colours once the first triangle has one; those before it are white. */
+static bool begin_colors(struct mesh *mesh)
+{
+    if (mesh->colors) return true;
+    mesh->colors = zr_arena_alloc(mesh->file->arena, mesh->triangle_room, 3 * sizeof *mesh->colors);
+    if (mesh->colors) memset(mesh->colors, 0xFF, (size_t)mesh->triangle_count * 3 * sizeof *mesh->colors);
+    return mesh->colors != NULL;
+}
+
+/* Sets the colours of the triangle that comes next. `p`: indices into the group, or ZR_MF3_NONE. */
+static void set_colors(struct mesh *mesh, uint32_t pid, const uint32_t p[3])
+{
+    struct zr_mf3 *file = mesh->file;
+    const struct zr_mf3_resource *group = pid == ZR_MF3_NONE ? NULL : find_group(mesh, pid);
+    uint32_t *colors;
+    if (!group) {
+        if (!mesh->colors) return;
+        colors = mesh->colors + (size_t)mesh->triangle_count * 3;
+        colors[0] = colors[1] = colors[2] = WHITE;
+        return;
+    }
+    if (!begin_colors(mesh)) return;
+    colors = mesh->colors + (size_t)mesh->triangle_count * 3;
+    for (int i = 0; i < 3; i++) {
+        const uint32_t index = p[i] == ZR_MF3_NONE || group->is_base ? p[0] : p[i];
+        if (index >= group->color_count) {
+            zr_mf3_fault(file, file->tag.at, "triangle %u names colour %u of group %u, but there are %u",
+                         mesh->triangle_count, index, group->id, group->color_count);
+            return;
+        }
+        colors[i] = group->colors[index];
+    }
+    mesh->has_gradients |= colors[0] != colors[1] || colors[0] != colors[2];
+    mesh->colored++;
+}
+
+/* ---- triangles ---- */
+
+struct triangle {
+    uint32_t v[3], p[3], pid;
+    unsigned given; /* bit i: v[i] */
+};
+
+/* Reads the attributes. False after a fault. */
+static bool read_attributes(struct mesh *mesh, struct triangle *t)
+{
+    struct zr_mf3 *file = mesh->file;
+    const struct zr_xml_tag *tag = &file->tag;
+    for (size_t i = 0; i < tag->count; i++) {
+        const struct zr_xml_attribute *attribute = &tag->attributes[i];
+        const char *name = attribute->name.at;
+        const size_t length = attribute->name.length;
+        const bool is_bare = attribute->prefix.length == 0;
+        uint32_t *out = NULL;
+        const unsigned corner = length == 2 ? (unsigned)((unsigned char)name[1] - '1') : 3;
+        if (is_bare && corner < 3 && *name == 'v') {
+            out = &t->v[corner];
+            t->given |= 1u << corner;
+        } else if (is_bare && corner < 3 && *name == 'p') {
+            out = &t->p[corner];
+        } else if (is_bare && zr_xml_text_is(attribute->name, "pid")) {
+            out = &t->pid;
+        } else if (zr_xml_text_is(attribute->name, "paint_color") ||
+                   zr_xml_text_is(attribute->name, "mmu_segmentation")) {
+            zr_mf3_note(file, ZR_MF3_NOTE_PAINTED, tag->at, attribute->name);
+        }
+        if (!out || zr_mf3_digits(attribute->value, out)) continue;
+        return zr_mf3_fault(file, tag->at, "triangle %u: %.*s is %s, which is no whole number", mesh->triangle_count,
+                            (int)length, name, zr_quote(attribute->value.at, attribute->value.length).text);
+    }
+    if (t->given == 7) return true;
+    const char missing = t->given & 1 ? t->given & 2 ? '3' : '2' : '1';
+    return zr_mf3_fault(file, tag->at, "triangle %u: v%c is missing", mesh->triangle_count, missing);
+}
+
+/* The caller makes room. */
+static void read_triangle(struct mesh *mesh)
+{
+    struct zr_mf3 *file = mesh->file;
+    struct triangle t = {.p = {ZR_MF3_NONE, ZR_MF3_NONE, ZR_MF3_NONE}, .pid = ZR_MF3_NONE};
+    if (!read_attributes(mesh, &t)) return;
+    uint32_t *corners = mesh->corners + (size_t)mesh->triangle_count * 3;
+    for (int i = 0; i < 3; i++) {
+        corners[i] = t.v[i];
+        if (t.v[i] < mesh->vertex_count) continue;
+        zr_mf3_fault(file, file->tag.at, "triangle %u names vertex %u, but there are %u", mesh->triangle_count, t.v[i],
+                     mesh->vertex_count);
+        return;
+    }
+    if (t.p[0] == ZR_MF3_NONE) {
+        const uint32_t p[3] = {mesh->pindex, mesh->pindex, mesh->pindex};
+        set_colors(mesh, mesh->pid, p);
+    } else {
+        set_colors(mesh, t.pid == ZR_MF3_NONE ? mesh->pid : t.pid, t.p);
+    }
+    mesh->triangle_count++;
+}
+
+static void read_triangles(struct mesh *mesh)
+{
+    struct zr_mf3 *file = mesh->file;
+    const size_t depth = file->xml.depth;
+    if (mesh->corners || file->xml.ends_next) {
+        if (mesh->corners) zr_mf3_fault(file, file->tag.at, "a mesh has one list of triangles");
+        return;
+    }
+    mesh->triangle_room = count_children(file, "triangles");
+    mesh->corners = zr_arena_alloc(file->arena, mesh->triangle_room, 3 * sizeof *mesh->corners);
+    while (zr_mf3_child(file, depth))
+        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "triangle") && has_triangle_room(mesh)) read_triangle(mesh);
+}
+
+/* ---- the mesh ---- */
+
+static zr_vec4 color_of(uint32_t rgba)
+{
+    return (zr_vec4){(float)(rgba & 255) / 255.0f, (float)(rgba >> 8 & 255) / 255.0f,
+                     (float)(rgba >> 16 & 255) / 255.0f, (float)(rgba >> 24) / 255.0f};
+}
+
+/* Gives each face its colour, or each corner a position and a colour of its own. */
+static void finish_colors(const struct mesh *mesh, struct zr_mesh *out)
+{
+    struct zr_arena *arena = mesh->file->arena;
+    const size_t step = mesh->has_gradients ? 1 : 3, corners = (size_t)mesh->triangle_count * 3;
+    if (corners > ZR_MF3_NONE / 2) {
+        zr_arena_charge(arena, SIZE_MAX); /* fails */
+        return;
+    }
+    zr_vec4 *colors = zr_arena_alloc(arena, corners / step, sizeof *colors);
+    zr_vec4 *positions = mesh->has_gradients ? zr_arena_alloc(arena, corners, sizeof *positions) : NULL;
+    if (!zr_arena_ok(arena)) return;
+    for (size_t i = 0; i < corners; i += step) {
+        if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(mesh->file->cancel)) return;
+        colors[i / step] = color_of(mesh->colors[i]);
+        if (positions) positions[i] = mesh->positions[mesh->corners[i]];
+    }
+    if (!positions) {
+        out->face_colors = colors;
+        return;
+    }
+    out->colors = colors;
+    out->positions = positions;
+    out->position_count = (uint32_t)corners;
+    out->indices = NULL;
+}
+
+uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t pid, uint32_t pindex)
+{
+    struct mesh mesh = {.file = file, .pid = pid, .pindex = pindex, .last_pid = ZR_MF3_NONE};
+    const size_t depth = file->xml.depth;
+    while (zr_mf3_child(file, depth)) {
+        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "vertices"))
+            read_vertices(&mesh);
+        else if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "triangles"))
+            read_triangles(&mesh);
+        else if (file->tag.space >= ZR_MF3_SPACE_SLICE)
+            zr_mf3_note(file, ZR_MF3_NOTE_SPACES + file->tag.space, file->tag.at, file->tag.name);
+    }
+    struct zr_mesh *out = zr_mf3_list_add(file->arena, &file->meshes, sizeof *out);
+    if (!out) return ZR_MF3_NONE;
+    *out = (struct zr_mesh){.name = "",
+                            .position_count = mesh.vertex_count,
+                            .positions = mesh.positions,
+                            .face_count = mesh.triangle_count,
+                            .indices = mesh.corners};
+    if (mesh.colored > 0) finish_colors(&mesh, out);
+    if (mesh.colored > 0 && mesh.colored < mesh.triangle_count)
+        zr_mf3_note(file, ZR_MF3_NOTE_PLAIN, file->xml.at, file->tag.name);
+    return file->meshes.count - 1;
+}

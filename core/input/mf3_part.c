@@ -1,0 +1,277 @@
+/* Reads a model part of 3MF: its resources and its build. */
+#include <string.h>
+
+#include "input/mf3.h"
+
+static const char *const uris[] = {
+#define URI(ID, uri, ...) uri,
+    ZR_MF3_SPACES(URI)
+#undef URI
+};
+static const struct {
+    bool is_read;
+    const char *text;
+} spaces[] = {
+#define SPACE(ID, uri, is_read, text) {is_read, text},
+    ZR_MF3_SPACES(SPACE)
+#undef SPACE
+};
+
+/* ---- elements ---- */
+
+bool zr_mf3_stops(const struct zr_mf3 *file)
+{
+    return file->is_stopped || file->error->count >= ZR_ERROR_ITEMS || !zr_arena_ok(file->arena);
+}
+
+bool zr_mf3_child(struct zr_mf3 *file, size_t depth)
+{
+    struct zr_xml *xml = &file->xml;
+    while (!zr_mf3_stops(file)) {
+        switch (zr_xml_next(xml, &file->tag)) {
+        case ZR_XML_BEGIN:
+            if (xml->depth == depth + 1) return true;
+            break;
+        case ZR_XML_END:
+            if (xml->depth < depth) return false;
+            break;
+        case ZR_XML_FAULT:
+            zr_mf3_fault(file, xml->at, "%s", xml->reason.text);
+            file->error->status = file->error->count == 1 ? ZR_BAD_SYNTAX : file->error->status;
+            file->is_stopped = true;
+            break;
+        case ZR_XML_DONE:
+        case ZR_XML_CANCELLED:
+            file->is_stopped = true;
+            break;
+        }
+    }
+    return false;
+}
+
+static bool is_core(int space)
+{
+    return space == ZR_MF3_SPACE_CORE || space == ZR_MF3_SPACE_CORE_OLD || space == ZR_XML_NO_NAMESPACE;
+}
+
+bool zr_mf3_is(const struct zr_mf3 *file, enum zr_mf3_space space, const char *name)
+{
+    const bool is_here = space == ZR_MF3_SPACE_CORE ? is_core(file->tag.space) : file->tag.space == (int)space;
+    return is_here && zr_xml_text_is(file->tag.name, name);
+}
+
+/* Notes an element that is not read: of an extension with something to draw, or one of the core that is not known. */
+static void note_unread(struct zr_mf3 *file)
+{
+    const int space = file->tag.space;
+    if (space >= 0 && !spaces[space].is_read)
+        zr_mf3_note(file, ZR_MF3_NOTE_SPACES + space, file->tag.at, file->tag.name);
+    else if (is_core(space))
+        zr_mf3_note(file, ZR_MF3_NOTE_UNKNOWN, file->tag.at, file->tag.name);
+}
+
+/* ---- objects ---- */
+
+/* Reads the attributes of a component or an item. False after a fault. */
+static bool read_link(struct zr_mf3 *file, struct zr_mf3_link *link)
+{
+    const struct zr_xml_tag *tag = &file->tag;
+    *link = (struct zr_mf3_link){.part = file->part, .target_part = file->part, .at = tag->at};
+    for (size_t i = 0; i < tag->count; i++) {
+        const struct zr_xml_attribute *attribute = &tag->attributes[i];
+        if (attribute->prefix.length == 0 || !zr_xml_text_is(attribute->name, "path") ||
+            zr_xml_space(&file->xml, attribute->prefix) != ZR_MF3_SPACE_PRODUCTION)
+            continue;
+        link->target_part = zr_mf3_find_part(file, tag->at, attribute->value);
+        if (link->target_part == ZR_MF3_NONE) return false;
+    }
+    return zr_mf3_count(file, "objectid", true, &link->id) && zr_mf3_transform(file, &link->transform);
+}
+
+static void read_links(struct zr_mf3 *file, struct zr_mf3_list *list, const char *name)
+{
+    const size_t depth = file->xml.depth;
+    while (zr_mf3_child(file, depth)) {
+        struct zr_mf3_link link;
+        if (!zr_mf3_is(file, ZR_MF3_SPACE_CORE, name)) {
+            note_unread(file);
+            continue;
+        }
+        if (!read_link(file, &link)) continue;
+        const struct zr_xml_text printable = zr_xml_value(&file->tag, "printable");
+        if (printable.at && (zr_xml_text_is(printable, "0") || zr_xml_text_is(printable, "false")))
+            zr_mf3_note(file, ZR_MF3_NOTE_NOT_PRINTED, file->tag.at, file->tag.name);
+        struct zr_mf3_link *made = zr_mf3_list_add(file->arena, list, sizeof *made);
+        if (made) *made = link;
+    }
+}
+
+/* Returns the object's name as UTF-8; "" if it has none. */
+static const char *read_name(struct zr_mf3 *file)
+{
+    const struct zr_xml_text value = zr_xml_value(&file->tag, "name");
+    const char *name = value.at ? zr_xml_decode(file->arena, value) : "";
+    for (const char *at = name, *end = name ? name + strlen(name) : NULL; at < end;) {
+        const size_t length = zr_utf8_length(at, end);
+        if (length == 0) {
+            zr_mf3_fault(file, file->tag.at, "name: %s is not UTF-8", zr_quote(value.at, value.length).text);
+            return "";
+        }
+        at += length;
+    }
+    return name ? name : "";
+}
+
+/* Reads the type; true for one that is not drawn. */
+static bool read_type(struct zr_mf3 *file)
+{
+    static const char *const drawn[] = {"model", "solidsupport", "support", "surface"};
+    const struct zr_xml_text type = zr_xml_value(&file->tag, "type");
+    if (!type.at) return false;
+    for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
+        if (zr_xml_text_is(type, drawn[i])) return false;
+    if (!zr_xml_text_is(type, "other"))
+        zr_mf3_fault(file, file->tag.at, "type: model, solidsupport, support, surface or other is needed, not %s",
+                     zr_quote(type.at, type.length).text);
+    return true;
+}
+
+static void read_object(struct zr_mf3 *file)
+{
+    const size_t depth = file->xml.depth;
+    uint32_t pid = ZR_MF3_NONE, pindex = 0;
+    struct zr_mf3_resource *object = zr_mf3_add(file, ZR_MF3_OBJECT);
+    if (!object) return;
+    const uint32_t number = file->resources.count - 1;
+    object->is_left_out = read_type(file);
+    object->name = read_name(file);
+    zr_mf3_count(file, "pid", false, &pid);
+    zr_mf3_count(file, "pindex", false, &pindex);
+    bool has_mesh = false, has_components = false;
+    while (zr_mf3_child(file, depth)) {
+        const bool is_mesh = zr_mf3_is(file, ZR_MF3_SPACE_CORE, "mesh");
+        const bool is_list = zr_mf3_is(file, ZR_MF3_SPACE_CORE, "components");
+        if ((is_mesh || is_list) && (has_mesh || has_components))
+            zr_mf3_fault(file, file->tag.at, "an object has one mesh or one list of components");
+        else if (is_mesh) {
+            has_mesh = true;
+            const uint32_t mesh = zr_mf3_read_mesh(file, pid, pindex);
+            zr_mf3_resources(file)[number].mesh = mesh;
+        } else if (is_list) {
+            const uint32_t first = file->links.count;
+            has_components = true;
+            read_links(file, &file->links, "component");
+            zr_mf3_resources(file)[number].first_link = first;
+            zr_mf3_resources(file)[number].link_count = file->links.count - first;
+        } else if (!zr_mf3_is(file, ZR_MF3_SPACE_CORE, "metadatagroup"))
+            note_unread(file);
+    }
+}
+
+/* ---- the part ---- */
+
+static void read_resources(struct zr_mf3 *file)
+{
+    static const struct {
+        enum zr_mf3_space space;
+        const char *name;
+        enum zr_mf3_kind kind;
+    } others[] = {{ZR_MF3_SPACE_MATERIAL, "texture2d", ZR_MF3_OTHER},
+                  {ZR_MF3_SPACE_MATERIAL, "texture2dgroup", ZR_MF3_TEXTURE},
+                  {ZR_MF3_SPACE_MATERIAL, "compositematerials", ZR_MF3_COMPOSITE},
+                  {ZR_MF3_SPACE_MATERIAL, "multiproperties", ZR_MF3_MULTI}};
+    const size_t depth = file->xml.depth;
+    while (zr_mf3_child(file, depth)) {
+        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "object"))
+            read_object(file);
+        else if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "basematerials"))
+            zr_mf3_read_colors(file, ZR_MF3_SPACE_CORE, "base", "displaycolor");
+        else if (zr_mf3_is(file, ZR_MF3_SPACE_MATERIAL, "colorgroup"))
+            zr_mf3_read_colors(file, ZR_MF3_SPACE_MATERIAL, "color", "color");
+        else
+            note_unread(file);
+        for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+            if (zr_mf3_is(file, others[i].space, others[i].name)) zr_mf3_add(file, others[i].kind);
+    }
+}
+
+/* Refuses extensions that the part requires and that are not read. */
+static void check_required(struct zr_mf3 *file)
+{
+    const struct zr_xml_text words = zr_xml_value(&file->tag, "requiredextensions");
+    const char *at = words.at, *const end = at ? at + words.length : at;
+    while (at < end) {
+        const char *word = at;
+        while (at < end && !strchr(" \t\r\n", *at))
+            at++;
+        const struct zr_xml_text prefix = {word, (size_t)(at - word)};
+        const int space = zr_xml_space(&file->xml, prefix);
+        const struct zr_xml_text uri = zr_xml_uri(&file->xml, prefix);
+        if (prefix.length > 0 && !(space >= 0 && spaces[space].is_read))
+            zr_mf3_fault(file, file->tag.at, "the required extension %s (%s%.*s) is not read",
+                         zr_quote(prefix.at, prefix.length).text, space >= 0 ? spaces[space].text : "",
+                         space >= 0 || uri.length > 200 ? 0 : (int)uri.length, uri.at);
+        at++;
+    }
+}
+
+static const char *read_unit(struct zr_mf3 *file)
+{
+    static const char *const units[] = {"millimeter", "micron", "centimeter", "inch", "foot", "meter"};
+    const struct zr_xml_text unit = zr_xml_value(&file->tag, "unit");
+    if (!unit.at) return units[0];
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (zr_xml_text_is(unit, units[i])) return units[i];
+    zr_mf3_fault(file, file->tag.at, "unit: micron, millimeter, centimeter, inch, foot or meter is needed, not %s",
+                 zr_quote(unit.at, unit.length).text);
+    return units[0];
+}
+
+static void read_model(struct zr_mf3 *file)
+{
+    struct zr_mf3_part *part = &zr_mf3_parts(file)[file->part];
+    const bool is_root = file->part == 0;
+    const size_t depth = file->xml.depth;
+    if (!zr_mf3_is(file, ZR_MF3_SPACE_CORE, "model")) {
+        zr_mf3_fault(file, file->tag.at, "the root element is %s, not the model of 3MF",
+                     zr_quote(file->tag.name.at, file->tag.name.length).text);
+        file->is_stopped = true;
+        return;
+    }
+    check_required(file);
+    if (file->error->count > 0) file->is_stopped = true;
+    part->unit = read_unit(file);
+    if (strcmp(part->unit, zr_mf3_parts(file)[0].unit) != 0)
+        zr_mf3_note(file, ZR_MF3_NOTE_UNIT, file->tag.at, file->tag.name);
+    while (zr_mf3_child(file, depth)) {
+        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "resources"))
+            read_resources(file);
+        else if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "build") && is_root)
+            read_links(file, &file->items, "item");
+        else if (!zr_mf3_is(file, ZR_MF3_SPACE_CORE, "metadata") && !zr_mf3_is(file, ZR_MF3_SPACE_CORE, "build"))
+            note_unread(file);
+    }
+}
+
+void zr_mf3_read_part(struct zr_mf3 *file, uint32_t number)
+{
+    struct zr_mf3_part *part = &zr_mf3_parts(file)[number];
+    struct zr_reason reason = {""};
+    const char *bytes;
+    const enum zr_status status = zr_zip_read(part->member, file->arena, &bytes, &reason);
+    file->part = number;
+    if (status != ZR_OK) {
+        if (status == ZR_BAD_SYNTAX) zr_error_add(file->error, status, NULL, "%s", reason.text);
+        file->is_stopped = true;
+        return;
+    }
+    part->bytes = part->counted_to = bytes;
+    part->size = (size_t)part->member->size;
+    part->line = 1;
+    zr_xml_open(&file->xml, bytes, part->size, uris, ZR_MF3_SPACE_COUNT, file->cancel);
+    if (!zr_mf3_child(file, 0)) return;
+    read_model(file);
+    while (!zr_mf3_stops(file))
+        zr_mf3_child(file, 0); /* to the end of the document */
+    if (!zr_is_cancelled(file->cancel) && file->error->count == 0) file->is_stopped = false;
+}

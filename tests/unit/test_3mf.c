@@ -1,0 +1,193 @@
+/* Reads 3MF: what is drawn, where and in which colours, and what is warned of. Refusals: tests/refusals/3mf.txt. */
+#include "input_check.h"
+#include "support/tests.h"
+#include "support/zip_file.h"
+
+#define CORE       "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+#define MATERIAL   "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "
+#define PRODUCTION "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" "
+#define VERTICES                                                                                                       \
+    "<vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\" 1.5 \" y=\"0\" z=\"0\"/>"                                 \
+    "<vertex x='0' y='+1e0' z='.5'></vertex></vertices>"
+#define TRIANGLE "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>"
+#define MESH     "<mesh>" VERTICES "<triangles>" TRIANGLE "</triangles></mesh>"
+
+static struct reading *read_parts(const struct zip_entry *parts, size_t count, const char *query_up)
+{
+    size_t size;
+    unsigned char *file = zip_3mf(parts, count, &size);
+    struct reading *reading =
+        read_request((struct zr_request){.format = ZR_FORMAT_UNKNOWN, .look = "textbook", .up = query_up}, file, size,
+                     zr_limits_default(), (size_t)1 << 26);
+    free(file);
+    return reading;
+}
+
+static struct reading *read_model(const char *model)
+{
+    const struct zip_entry part = {"3D/3dmodel.model", model, strlen(model), true};
+    return read_parts(&part, 1, "y");
+}
+
+static bool warns(const struct reading *reading, const char *text)
+{
+    for (uint32_t i = 0; i < reading->scene->warning_count; i++)
+        if (strstr(reading->scene->warnings[i], text)) return true;
+    return false;
+}
+
+TEST(a_model_is_read)
+{
+    struct reading *reading =
+        read_model("<model " CORE "unit=\"inch\"><resources><object id=\"1\" name=\"a &amp; b\">" MESH
+                   "</object></resources><build><item objectid=\"1\"/></build></model>");
+    assert_read(reading);
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    assert_int_equal(reading->scene->mesh_count, 1);
+    assert_int_equal(reading->scene->instance_count, 1);
+    assert_int_equal(reading->scene->warning_count, 0);
+    assert_string_equal(mesh->name, "a & b");
+    assert_int_equal(mesh->position_count, 3);
+    assert_int_equal(mesh->face_count, 1);
+    assert_true(mesh->positions[1].x == 1.5f && mesh->positions[2].y == 1.0f && mesh->positions[2].z == 0.5f);
+    assert_null(mesh->colors);
+    assert_null(mesh->face_colors);
+    assert_true(reading->scene->materials[mesh->material].double_sided);
+    reading_free(reading);
+}
+
+TEST(items_and_components_are_placed)
+{
+    struct reading *reading = read_model(
+        "<model " CORE "><resources><object id=\"7\" name=\"leaf\">" MESH "</object><object id=\"3\">" MESH "</object>"
+        "<object id=\"8\"><components><component objectid=\"7\" transform=\"1 0 0 0 1 0 0 0 1 10 0 0\"/>"
+        "<component objectid=\"7\" transform=\"0 1 0 -1 0 0 0 0 1 0 20 0\"/></components></object></resources>"
+        "<build><item objectid=\"8\" transform=\"2 0 0 0 2 0 0 0 2 0 0 5\"/><item objectid=\"8\"/></build></model>");
+    static const float places[][3] = {{20, 0, 5}, {0, 40, 5}, {10, 0, 0}, {0, 20, 0}};
+    assert_read(reading);
+    assert_int_equal(reading->scene->mesh_count, 1); /* object 3 is not placed */
+    assert_int_equal(reading->scene->instance_count, 4);
+    for (size_t i = 0; i < 4; i++) {
+        const struct zr_instance *instance = &reading->scene->instances[i];
+        assert_string_equal(instance->node, "leaf");
+        for (int axis = 0; axis < 3; axis++)
+            assert_true(instance->object_to_world.m[12 + axis] == places[i][axis]);
+    }
+    /* the second turns x to y, and is scaled by 2 */
+    assert_true(reading->scene->instances[1].object_to_world.m[1] == 2.0f);
+    reading_free(reading);
+}
+
+TEST(z_is_up)
+{
+    const char *model = "<model " CORE "><resources><object id=\"1\">" MESH
+                        "</object></resources><build><item objectid=\"1\"/></build></model>";
+    const struct zip_entry part = {"3D/3dmodel.model", model, strlen(model), false};
+    struct reading *reading = read_parts(&part, 1, NULL);
+    assert_read(reading);
+    assert_true(reading->scene->instances[0].object_to_world.m[9] == 1.0f); /* z to y */
+    reading_free(reading);
+}
+
+#define COLORS                                                                                                         \
+    "<basematerials id=\"1\"><base name=\"r\" displaycolor=\"#FF0000\"/><base name=\"g\" "                             \
+    "displaycolor=\"#00FF0080\"/></basematerials><m:colorgroup id=\"2\"><m:color color=\"#0000FF\"/><m:color "         \
+    "color=\"#FFFFFF\"/></m:colorgroup>"
+
+TEST(colours_are_of_faces_or_corners)
+{
+    struct reading *reading = read_model(
+        "<model " CORE MATERIAL "><resources>" COLORS "<object id=\"3\" pid=\"1\" pindex=\"0\"><mesh>" VERTICES
+        "<triangles>" TRIANGLE "<triangle v1=\"0\" v2=\"1\" v3=\"2\" p1=\"1\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\" "
+                               "pid=\"2\" p1=\"0\"/></triangles></mesh>"
+        "</object><object id=\"4\"><mesh>" VERTICES "<triangles><triangle v1=\"0\" v2=\"2\" v3=\"1\" pid=\"2\" "
+                                                    "p1=\"0\" p2=\"1\" p3=\"0\"/></triangles></mesh></object>"
+        "</resources><build><item objectid=\"3\"/><item objectid=\"4\"/></build></model>");
+    assert_read(reading);
+    const struct zr_mesh *faces = &reading->scene->meshes[0], *corners = faces + 1;
+    assert_null(faces->colors);
+    assert_true(faces->face_colors[0].x == 1 && faces->face_colors[0].y == 0 && faces->face_colors[0].w == 1);
+    assert_true(faces->face_colors[1].y == 1 && faces->face_colors[1].w == 128.0f / 255.0f);
+    assert_true(faces->face_colors[2].z == 1);
+    assert_int_equal(reading->scene->materials[faces->material].alpha_mode, ZR_ALPHA_BLEND);
+    assert_int_equal(reading->scene->materials[corners->material].alpha_mode, ZR_ALPHA_OPAQUE);
+    assert_null(corners->face_colors);
+    assert_int_equal(corners->position_count, 3);
+    assert_true(corners->colors[0].x == 0 && corners->colors[1].x == 1 && corners->positions[1].y == 1.0f);
+    assert_true(reading->scene->materials[faces->material].base_color.x == 1.0f);
+    reading_free(reading);
+}
+
+TEST(parts_named_by_paths_are_read)
+{
+    const char *root =
+        "<model " CORE PRODUCTION "requiredextensions=\"p\"><resources><object id=\"1\"><components>"
+        "<component objectid=\"1\" p:path=\"/3D/Objects/a%20b.model\"/></components></object></resources>"
+        "<build><item objectid=\"1\"/><item objectid=\"2\" p:path=\"/3d/objects/A b.model\"/></build></model>";
+    const char *other =
+        "\xEF\xBB\xBF<?xml version=\"1.0\" encoding=\"UTF-8\"?>\r\n<c:model xmlns:c=\"http://schemas.microsoft.com/"
+        "3dmanufacturing/core/2015/02\"><c:resources><c:object id=\"1\"><c:mesh><c:vertices><c:vertex x=\"0\" "
+        "y=\"0\" z=\"0\"/><c:vertex x=\"1\" y=\"0\" z=\"0\"/><c:vertex x=\"0\" y=\"1\" z=\"0\"/></c:vertices>"
+        "<c:triangles><c:triangle v1=\"0\" v2=\"1\" v3=\"2\"/></c:triangles></c:mesh></c:object>"
+        "<object id=\"2\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">" MESH
+        "</object></c:resources></c:model>";
+    const struct zip_entry parts[] = {{"3D/3dmodel.model", root, strlen(root), true},
+                                      {"3D/Objects/a b.model", other, strlen(other), true}};
+    struct reading *reading = read_parts(parts, 2, "y");
+    assert_read(reading);
+    assert_int_equal(reading->scene->mesh_count, 2);
+    assert_int_equal(reading->scene->instance_count, 2);
+    reading_free(reading);
+}
+
+TEST(what_is_not_drawn_is_warned_of)
+{
+    struct reading *reading = read_model(
+        "<model " CORE MATERIAL "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\" "
+        "xmlns:q=\"http://example.org\"><metadata name=\"Title\">x</metadata><resources>\n<s:slicestack id=\"9\"/>"
+        "<q:odd/>\n<odd/><m:texture2dgroup id=\"5\" texid=\"6\"/><object id=\"1\"><mesh>" VERTICES
+        "<triangles>" TRIANGLE "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"5\" p1=\"0\" paint_color=\"8\"/></triangles>"
+        "</mesh></object><object id=\"2\" type=\"other\">" MESH "</object></resources>"
+        "<build><item objectid=\"1\" printable=\"0\"/><item objectid=\"2\"/></build></model>");
+    assert_read(reading);
+    assert_int_equal(reading->scene->instance_count, 1);
+    assert_true(
+        warns(reading, "3MF: 1 elements of slices are not drawn; the first is in 3D/3dmodel.model, line 2: 's"));
+    assert_true(warns(reading, "3MF: 1 elements are not known; the first is in 3D/3dmodel.model, line 3: 'odd'"));
+    assert_true(warns(reading, "1 triangles have textures"));
+    assert_true(warns(reading, "1 triangles are painted"));
+    assert_true(warns(reading, "type other are left out"));
+    assert_true(warns(reading, "not printable"));
+    assert_int_equal(reading->scene->warning_count, 6);
+    reading_free(reading);
+}
+
+/* A list of components that doubles at each of 40 levels is counted, not made. */
+TEST(exponential_components_are_foretold)
+{
+    static char model[1 << 14];
+    int used = snprintf(model, sizeof model, "<model " CORE "><resources><object id=\"1\">" MESH "</object>");
+    for (int i = 2; i < 42; i++)
+        used += snprintf(model + used, sizeof model - (size_t)used,
+                         "<object id=\"%d\"><components><component objectid=\"%d\"/><component objectid=\"%d\"/>"
+                         "</components></object>",
+                         i, i - 1, i - 1);
+    snprintf(model + used, sizeof model - (size_t)used, "</resources><build><item objectid=\"41\"/></build></model>");
+    struct reading *reading = read_model(model);
+    assert_complaint(reading, ZR_BAD_SCENE, "", "the build places more than the limit of 100000 meshes");
+    reading_free(reading);
+}
+
+/* An end tag within a comment makes the room for triangles too small at first. */
+TEST(end_tags_in_comments_end_nothing)
+{
+    struct reading *reading =
+        read_model("<model " CORE "><resources><object id=\"1\"><mesh>" VERTICES
+                   "<triangles><!-- </triangles> -->" TRIANGLE TRIANGLE
+                   "</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>");
+    assert_read(reading);
+    assert_int_equal(reading->scene->meshes[0].face_count, 2);
+    reading_free(reading);
+}
+
+RUN_TESTS(NULL, NULL)
