@@ -48,7 +48,7 @@
     ROW(elevation, "/view/elevationDegrees", MESH, DEGREES, "angle of the camera above the horizon, -90 to 90")        \
     ROW(padding, "/view/fit/padding", MESH, NUMBER, "share of the window left free on each side, 0 to 0.45")           \
     ROW(up, "/query/up", MESH, AXIS,                                                                                   \
-        "axis of the mesh that points up: x, -x, y, -y, z, -z or auto (default: z for STL, else y)")                   \
+        "axis of the mesh that points up: x, -x, y, -y, z, -z or auto (default: z for STL and 3MF, else y)")           \
     ROW(camera, "/query/camera", MESH, NAME,                                                                           \
         "camera of a glTF file, by its name or number, instead of the look's view")                                    \
     ROW(projection, "/query/projection", MESH, NAME,                                                                   \

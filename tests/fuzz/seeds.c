@@ -21,10 +21,13 @@
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json", "obj", "stl", "ply", "gltf", "3mf", "zip", "png", "npy",
+static const char *const targets[] = {"json", "obj",   "stl",  "ply",       "gltf",      "3mf", "zip", "png",
+                                      "npy",  "array", "gzip", "multipart", "image_png", "jpeg"};
 
-                                      static void fail(const char *what){perror(what);
-exit(1);
+static void fail(const char *what)
+{
+    perror(what);
+    exit(1);
 }
 
 static void make_folder(const char *name)
