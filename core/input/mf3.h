@@ -115,6 +115,8 @@ struct zr_mf3 {
     struct zr_error *error;
     struct zr_zip zip;
     uint32_t *part_of_member;     /* or ZR_MF3_NONE */
+    struct zr_xml_text last_path; /* found last, and its part */
+    uint32_t last_part;
     struct zr_mf3_list parts;     /* struct zr_mf3_part */
     struct zr_mf3_list resources; /* struct zr_mf3_resource */
     struct zr_mf3_list links;     /* struct zr_mf3_link: those of one object follow each other */

@@ -87,17 +87,21 @@ bool zr_mf3_find_root(struct zr_mf3 *file)
 
 uint32_t zr_mf3_find_part(struct zr_mf3 *file, const char *at, struct zr_xml_text path)
 {
+    if (file->last_path.length > 0 && zr_xml_texts_equal(path, file->last_path)) return file->last_part;
     const struct zr_zip_member *member = find_member(&file->zip, file->arena, path);
     if (!member) {
         zr_mf3_fault(file, at, "the archive does not have the part %s", zr_quote(path.at, path.length).text);
         return ZR_MF3_NONE;
     }
     uint32_t *number = &file->part_of_member[member - file->zip.members];
-    if (*number != ZR_MF3_NONE) return *number;
-    struct zr_mf3_part *part = zr_mf3_list_add(file->arena, &file->parts, sizeof *part);
-    if (!part) return ZR_MF3_NONE;
-    *part = (struct zr_mf3_part){.member = member};
-    *number = file->parts.count - 1;
+    if (*number == ZR_MF3_NONE) {
+        struct zr_mf3_part *part = zr_mf3_list_add(file->arena, &file->parts, sizeof *part);
+        if (!part) return ZR_MF3_NONE;
+        *part = (struct zr_mf3_part){.member = member};
+        *number = file->parts.count - 1;
+    }
+    file->last_path = path;
+    file->last_part = *number;
     return *number;
 }
 

@@ -94,9 +94,12 @@ static inline bool zr_xml_text_is(struct zr_xml_text text, const char *word)
     return text.length == length && memcmp(text.at, word, length) == 0;
 }
 
+/* Names often differ in their last byte: v1, v2, v3. */
 static inline bool zr_xml_texts_equal(struct zr_xml_text a, struct zr_xml_text b)
 {
-    return a.length == b.length && (a.length == 0 || memcmp(a.at, b.at, a.length) == 0);
+    const size_t length = a.length;
+    if (length != b.length) return false;
+    return length == 0 || (a.at[length - 1] == b.at[length - 1] && memcmp(a.at, b.at, length - 1) == 0);
 }
 
 /* Returns the value of an attribute without a prefix; .at is NULL if there is none. */
