@@ -2,47 +2,9 @@
 #include "input/mf3.h"
 
 #include <inttypes.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 /* ---- faults and warnings ---- */
-
-/* Returns the line of a place. Places mostly ascend: then each byte is counted once. */
-static size_t line_of(struct zr_mf3_part *part, const char *at)
-{
-    if (!part->bytes || at < part->bytes || at > part->bytes + part->size) return 0;
-    if (at < part->counted_to) {
-        part->counted_to = part->bytes;
-        part->line = 1;
-    }
-    for (const char *next = part->counted_to; (next = memchr(next, '\n', (size_t)(at - next))) != NULL; next++)
-        part->line++;
-    part->counted_to = at;
-    return part->line;
-}
-
-bool zr_mf3_fault_in(struct zr_mf3 *file, uint32_t number, const char *at, const char *format, ...)
-{
-    struct zr_mf3_part *part = &zr_mf3_parts(file)[number];
-    char text[ZR_DETAIL_SIZE];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    zr_error_add(file->error, ZR_BAD_SCENE, NULL, "%.*s, line %zu: %s",
-                 (int)(part->member->name_length < 80 ? part->member->name_length : 80), part->member->name,
-                 line_of(part, at), text);
-    return false;
-}
-
-void zr_mf3_note(struct zr_mf3 *file, int note, const char *at, struct zr_xml_text word)
-{
-    if (file->notes[note].count++ > 0) return;
-    file->notes[note].part = file->part;
-    file->notes[note].line = line_of(&zr_mf3_parts(file)[file->part], at);
-    file->notes[note].word = word;
-}
 
 /* What is said of each kind, behind its number. */
 static const char *const texts[ZR_MF3_NOTE_COUNT] = {

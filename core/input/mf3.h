@@ -166,15 +166,21 @@ bool zr_mf3_find_root(struct zr_mf3 *file);
 /* Returns the number of the part at a path such as "/3D/a.model", adding it if it is new; ZR_MF3_NONE after a fault. */
 uint32_t zr_mf3_find_part(struct zr_mf3 *file, const char *at, struct zr_xml_text path);
 
-/* mf3_part.c: reads a part whole. */
-void zr_mf3_read_part(struct zr_mf3 *file, uint32_t part);
-
-/* Advances to the next element within the one whose begin made xml.depth `depth`: true, with file->tag. At that
+/* mf3_element.c: advances to the next element within the one whose begin made xml.depth `depth`: true, with file->tag. At that
  * element's end, or if reading stops: false. Children of elements that the caller leaves unread are skipped. */
 bool zr_mf3_child(struct zr_mf3 *file, size_t depth);
 
+/* True for a namespace of the core specification, and for none. */
+static inline bool zr_mf3_is_core(int space)
+{
+    return space == ZR_MF3_SPACE_CORE || space == ZR_MF3_SPACE_CORE_OLD || space == ZR_XML_NO_NAMESPACE;
+}
+
 /* True if the current element has this name in the namespace; CORE: or in none. */
 bool zr_mf3_is(const struct zr_mf3 *file, enum zr_mf3_space space, const char *name);
+
+/* mf3_part.c: reads a part whole. */
+void zr_mf3_read_part(struct zr_mf3 *file, uint32_t part);
 
 /* mf3_values.c: read attributes of the current element; false after a fault. An attribute that is missing leaves *out,
  * or is a fault. */

@@ -19,54 +19,13 @@ static const struct {
 
 /* ---- elements ---- */
 
-bool zr_mf3_stops(const struct zr_mf3 *file)
-{
-    return file->is_stopped || file->error->count >= ZR_ERROR_ITEMS || !zr_arena_ok(file->arena);
-}
-
-bool zr_mf3_child(struct zr_mf3 *file, size_t depth)
-{
-    struct zr_xml *xml = &file->xml;
-    while (!zr_mf3_stops(file)) {
-        switch (zr_xml_next(xml, &file->tag)) {
-        case ZR_XML_BEGIN:
-            if (xml->depth == depth + 1) return true;
-            break;
-        case ZR_XML_END:
-            if (xml->depth < depth) return false;
-            break;
-        case ZR_XML_FAULT:
-            zr_mf3_fault(file, xml->at, "%s", xml->reason.text);
-            file->error->status = file->error->count == 1 ? ZR_BAD_SYNTAX : file->error->status;
-            file->is_stopped = true;
-            break;
-        case ZR_XML_DONE:
-        case ZR_XML_CANCELLED:
-            file->is_stopped = true;
-            break;
-        }
-    }
-    return false;
-}
-
-static bool is_core(int space)
-{
-    return space == ZR_MF3_SPACE_CORE || space == ZR_MF3_SPACE_CORE_OLD || space == ZR_XML_NO_NAMESPACE;
-}
-
-bool zr_mf3_is(const struct zr_mf3 *file, enum zr_mf3_space space, const char *name)
-{
-    const bool is_here = space == ZR_MF3_SPACE_CORE ? is_core(file->tag.space) : file->tag.space == (int)space;
-    return is_here && zr_xml_text_is(file->tag.name, name);
-}
-
 /* Notes an element that is not read: of an extension with something to draw, or one of the core that is not known. */
 static void note_unread(struct zr_mf3 *file)
 {
     const int space = file->tag.space;
     if (space >= 0 && !spaces[space].is_read)
         zr_mf3_note(file, ZR_MF3_NOTE_SPACES + space, file->tag.at, file->tag.name);
-    else if (is_core(space))
+    else if (zr_mf3_is_core(space))
         zr_mf3_note(file, ZR_MF3_NOTE_UNKNOWN, file->tag.at, file->tag.name);
 }
 

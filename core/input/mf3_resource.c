@@ -3,20 +3,6 @@
 
 #include "input/mf3.h"
 
-enum { ROOM_AT_FIRST = 16 };
-
-void *zr_mf3_list_add(struct zr_arena *arena, struct zr_mf3_list *list, size_t size)
-{
-    if (list->count == list->room) {
-        const uint32_t room = list->room ? 2 * list->room : ROOM_AT_FIRST;
-        void *more = room > list->room ? zr_arena_grow(arena, list->items, list->count, room, size) : NULL;
-        if (!more) return NULL;
-        list->items = more;
-        list->room = room;
-    }
-    return (char *)list->items + size * list->count++;
-}
-
 /* Returns the first position in the order of parts and ids that is not before this one. */
 static uint32_t position_of(const struct zr_mf3 *file, uint32_t part, uint32_t id)
 {
