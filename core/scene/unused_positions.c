@@ -40,9 +40,9 @@ void zr_unused_positions_move(struct zr_arena *arena, struct zr_team *team, cons
 {
     const size_t count = mesh->position_count;
     if (count == 0) return;
-    const uint8_t *used = zr_used_positions(arena, team, mesh), *end = used + count, *first;
+    const uint8_t *used = zr_used_positions(arena, team, mesh);
     if (!used) return;
-    first = memchr(used, 1, count);
+    const uint8_t *first = memchr(used, 1, count), *end = used + count;
     for (const uint8_t *at = used; first && (at = memchr(at, 0, (size_t)(end - at))); at++) {
         zr_vec4 *unused = &positions[at - used];
         const zr_vec4 *wanted = &positions[first - used];
