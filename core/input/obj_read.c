@@ -189,7 +189,7 @@ static bool index_fault(struct reader *reader, const struct zr_obj_statement *st
 static bool read_corner(struct reader *reader, struct zr_obj_statement *statement, size_t slot)
 {
     const struct zr_obj_file *file = reader->file;
-    struct zr_obj_corner corner;
+    struct zr_obj_corner corner = {0};
     if (!zr_obj_read_indices(statement, &corner))
         return word_fault(reader, statement, "a corner: v, v/vt, v//vn or v/vt/vn");
     if (!zr_obj_resolve_index(corner.position, reader->count.positions, file->total.positions, &file->indices[slot]))
