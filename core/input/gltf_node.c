@@ -5,7 +5,7 @@
 
 #include "base/cancel.h"
 #include "input/json_matrix.h"
-#include "scene/nodes.h"
+#include "input/json_placement.h"
 
 struct zr_gltf_nodes {
     uint32_t count, child_count;
@@ -306,30 +306,6 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
 
 /* ---- instances ---- */
 
-static bool report(struct zr_gltf *file, const struct zr_placement *placement)
-{
-    struct zr_json *json = &file->root.json;
-    const struct zr_json_path *node = ZR_GLTF_ITEM(ZR_GLTF_NODES, placement->node);
-    switch (placement->fault) {
-    case ZR_NODES_GOOD:
-        return true;
-    case ZR_NODES_CYCLE:
-        return zr_json_fault(json, ZR_JSON_ITEM(ZR_JSON_KEY(node, fields[CHILDREN].key), placement->child),
-                             "a cycle: this child is the node itself, or has it for a descendant");
-    case ZR_NODES_TOO_DEEP:
-        return zr_json_fault(json, node, "nested too deep: below this node are more than the limit of %d levels",
-                             (int)ZR_NODES_DEPTH_MAX - 1);
-    case ZR_NODES_TOO_MANY:
-    case ZR_NODES_TOO_MANY_VISITS:
-        return zr_json_fault(json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_NODES)),
-                             "the nodes place more than the limit of %u instances of meshes",
-                             json->limits->instances_max);
-    case ZR_NODES_OUT_OF_RANGE:
-        return zr_json_fault(json, node, "the matrix to world space has an entry beyond %g", (double)ZR_MATRIX_MAX);
-    }
-    return false;
-}
-
 /* Makes an instance of each of a mesh's primitives, in each pose of its instancing. */
 static void put_instances(const struct zr_gltf_use *use, const struct zr_instance *placed, struct zr_instance **next)
 {
@@ -380,6 +356,9 @@ void zr_gltf_place(struct zr_gltf *file)
     }
     const struct zr_placement placement =
         zr_nodes_place(arena, &hierarchy, file->root.json.limits->instances_max, UINT64_MAX);
-    if (!zr_arena_ok(arena) || zr_is_cancelled(arena->cancel) || !report(file, &placement)) return;
+    if (!zr_arena_ok(arena) || zr_is_cancelled(arena->cancel) ||
+        !zr_json_check_placement(&file->root.json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_NODES)), all->count,
+                                 fields[CHILDREN].key, &placement))
+        return;
     expand(file, &placement);
 }

@@ -31,15 +31,24 @@ static zr_vec4 *read_positions(struct zr_gltf *file, const struct zr_gltf_values
     return positions;
 }
 
+/* Reads an attribute of vectors of any length, `width` numbers per vertex. Returns NULL after a fault. */
+static float *read_vectors(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
+                           size_t width, uint32_t vertices, const struct zr_gltf_range *range)
+{
+    struct zr_gltf_values values;
+    const int shape = width == 3 ? ZR_GLTF_VEC3 : ZR_GLTF_VEC4;
+    if (!zr_gltf_open_attribute(file, path, name, number, shape, shape, vertices, &values)) return NULL;
+    float *out = allocate(file, range->count, width * sizeof *out);
+    const bool is_read =
+        out && zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, out, width);
+    return is_read ? out : NULL;
+}
+
 static bool read_normals(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
                          const struct zr_gltf_range *range, struct zr_mesh *mesh, uint32_t mesh_number)
 {
-    struct zr_gltf_values values;
-    if (!zr_gltf_open_attribute(file, path, "NORMAL", number, ZR_GLTF_VEC3, ZR_GLTF_VEC3, vertices, &values))
-        return false;
-    zr_vec3 *normals = allocate(file, range->count, sizeof *normals);
-    if (!normals || !zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &normals[0].x, 3))
-        return false;
+    zr_vec3 *normals = (zr_vec3 *)(void *)read_vectors(file, path, "NORMAL", number, 3, vertices, range);
+    if (!normals) return false;
     zr_scene_builder_note_normals(file->root.builder, mesh_number, normals, range->count);
     mesh->normals = normals;
     mesh->normal_count = range->count;
@@ -49,17 +58,11 @@ static bool read_normals(struct zr_gltf *file, const struct zr_json_path *path, 
 static bool read_tangents(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
                           const struct zr_gltf_range *range, struct zr_mesh *mesh)
 {
-    struct zr_gltf_values values;
-    if (!zr_gltf_open_attribute(file, path, "TANGENT", number, ZR_GLTF_VEC4, ZR_GLTF_VEC4, vertices, &values))
-        return false;
-    zr_vec4 *tangents = allocate(file, range->count, sizeof *tangents);
-    if (!tangents ||
-        !zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &tangents[0].x, 4))
-        return false;
-    for (uint32_t i = 0; i < range->count; i++)
+    zr_vec4 *tangents = (zr_vec4 *)(void *)read_vectors(file, path, "TANGENT", number, 4, vertices, range);
+    for (uint32_t i = 0; tangents && i < range->count; i++)
         tangents[i].w = tangents[i].w < 0.0f ? -1.0f : 1.0f;
     mesh->tangents = tangents;
-    return true;
+    return tangents != NULL;
 }
 
 /* Two sets of coordinates share an array. */

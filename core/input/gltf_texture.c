@@ -137,28 +137,16 @@ struct given_transform {
     uint32_t texcoord;
 };
 
-/* float[2] */
-static bool read_two(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
-{
-    double v[2] = {0};
-    size_t count;
-    if (!zr_json_numbers(json, path, 2, 2, field->low, field->high, v, &count)) return false;
-    for (int k = 0; k < 2; k++)
-        ((float *)out)[k] = (float)v[k];
-    return true;
-}
-
 enum { OFFSET, ROTATION, SCALE, TEXCOORD };
 #define AT(member) offsetof(struct given_transform, member)
 static const struct zr_json_field transform_fields[] = {
     [OFFSET] = {.key = "offset",
-                .read = read_two,
+                .read = zr_json_float2,
                 .offset = AT(offset),
                 .low = -(double)ZR_TEXCOORD_MAX,
                 .high = (double)ZR_TEXCOORD_MAX},
     [ROTATION] = {.key = "rotation", .read = zr_json_number, .offset = AT(rotation), .low = -1e6, .high = 1e6},
-    [SCALE] = {.key = "scale", .read = read_two, .offset = AT(scale), .low = -1000, .high = 1000},
+    [SCALE] = {.key = "scale", .read = zr_json_float2, .offset = AT(scale), .low = -1000, .high = 1000},
     [TEXCOORD] = {.key = "texCoord", .read = zr_json_whole, .offset = AT(texcoord)},
     ZR_GLTF_COMMON};
 #undef AT

@@ -1,6 +1,7 @@
 /* Reads the hierarchy of nodes and makes the instances that it places. */
 #include "input/json_matrix.h"
 #include "input/json_objects.h"
+#include "input/json_placement.h"
 #include "input/json_scene.h"
 #include "input/kept.h"
 
@@ -10,7 +11,6 @@
 
 #include "base/cancel.h"
 #include "input/text.h"
-#include "scene/nodes.h"
 
 /* ---- references ---- */
 
@@ -210,39 +210,6 @@ static void read_poses(struct reader *reader, const struct zr_keeping *keeping)
     }
 }
 
-static uint64_t visits_max(const struct reader *reader)
-{
-    return (uint64_t)ZR_NODES_VISITS_AN_INSTANCE * reader->json->limits->instances_max + reader->nodes.count;
-}
-
-static bool report(const struct reader *reader, const struct zr_placement *placement)
-{
-    struct zr_json *json = reader->json;
-    const struct zr_json_path *node = ZR_JSON_ITEM(reader->path, placement->node);
-    switch (placement->fault) {
-    case ZR_NODES_GOOD:
-        return true;
-    case ZR_NODES_CYCLE:
-        return zr_json_fault(json, ZR_JSON_ITEM(ZR_JSON_KEY(node, fields[CHILDREN].key), placement->child),
-                             "a cycle: this child is the node itself, or has it for a descendant");
-    case ZR_NODES_TOO_DEEP:
-        return zr_json_fault(json, node, "nested too deep: below this node are more than the limit of %d levels",
-                             (int)ZR_NODES_DEPTH_MAX - 1);
-    case ZR_NODES_TOO_MANY:
-        return zr_json_fault(json, reader->path, "the nodes place more than the limit of %u instances of meshes",
-                             json->limits->instances_max);
-    case ZR_NODES_TOO_MANY_VISITS:
-        return zr_json_fault(
-            json, reader->path,
-            "shared nodes are visited %" PRIu64 " times, once for each way from a root to a mesh; up to "
-            "%" PRIu64 " visits are allowed, %d for each of the %u instances of the limit",
-            placement->visits, visits_max(reader), (int)ZR_NODES_VISITS_AN_INSTANCE, json->limits->instances_max);
-    case ZR_NODES_OUT_OF_RANGE:
-        return zr_json_fault(json, node, "the matrix to world space has an entry beyond %g", (double)ZR_MATRIX_MAX);
-    }
-    return false;
-}
-
 /* Returns the number of meshes that no node places. In a hierarchy without cycles every node is below a root. */
 static uint32_t count_unplaced(struct zr_arena *arena, const struct reader *reader)
 {
@@ -285,7 +252,7 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
     hierarchy.children = read_children(&reader, &hierarchy.child_count);
     if (!zr_arena_ok(arena) || json->error->count > 0) return NULL;
     struct zr_quick *quick = root->assets.quick;
-    const uint64_t most = visits_max(&reader);
+    const uint64_t most = zr_json_visits_max(json, reader.nodes.count);
     const uint64_t quick_most = quick && quick->node_visits_max < most ? quick->node_visits_max : most;
     struct zr_placement placement = zr_nodes_place(arena, &hierarchy, json->limits->instances_max, quick_most);
     if (placement.fault == ZR_NODES_TOO_MANY_VISITS && placement.visits <= most) {
@@ -293,7 +260,9 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
         zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");
         return NULL;
     }
-    if (!zr_arena_ok(arena) || zr_is_cancelled(arena->cancel) || !report(&reader, &placement)) return NULL;
+    if (!zr_arena_ok(arena) || zr_is_cancelled(arena->cancel) ||
+        !zr_json_check_placement(json, path, reader.nodes.count, fields[CHILDREN].key, &placement))
+        return NULL;
     root->unplaced_meshes = count_unplaced(arena, &reader);
     *count = placement.count;
     return placement.instances;

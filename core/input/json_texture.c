@@ -87,18 +87,6 @@ static bool read_sampler(struct zr_json *json, const struct zr_json_path *path, 
 #define OFFSET_MAX (double)ZR_TEXCOORD_MAX
 #define SCALE_MAX  1000.0
 
-/* float[2] */
-static bool read_two(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
-{
-    double v[2] = {0};
-    size_t count;
-    if (!zr_json_numbers(json, path, 2, 2, field->low, field->high, v, &count)) return false;
-    for (int k = 0; k < 2; k++)
-        ((float *)out)[k] = (float)v[k];
-    return true;
-}
-
 /* uint32_t: 0 or 1 */
 static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                           void *out)
@@ -119,7 +107,7 @@ static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path,
         {"sampler", read_sampler, TEXTURE(sampler), .otherwise = "linear, with mipmaps, repeated",                     \
          .text = "filters and repetition of the image"},                                                               \
         {"offset",                                                                                                     \
-         read_two,                                                                                                     \
+         zr_json_float2,                                                                                               \
          TEXTURE(offset),                                                                                              \
          -OFFSET_MAX,                                                                                                  \
          OFFSET_MAX,                                                                                                   \
@@ -134,7 +122,7 @@ static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path,
          .otherwise = "0",                                                                                             \
          .text = "rotation of the coordinates around [0, 0]; the image turns clockwise"},                              \
     {                                                                                                                  \
-        "scale", read_two, TEXTURE(scale), -SCALE_MAX, SCALE_MAX,                                                      \
+        "scale", zr_json_float2, TEXTURE(scale), -SCALE_MAX, SCALE_MAX,                                                \
             .otherwise = "[1, 1]", .text = "factor of the coordinates: 2 shows the image twice"                        \
     }
 static const struct zr_json_field fields[] = {TEXTURE_FIELDS};

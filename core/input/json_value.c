@@ -357,6 +357,16 @@ static bool read_vec4(struct zr_json *json, const struct zr_json_path *path, siz
     return true;
 }
 
+bool zr_json_float2(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    double v[2] = {0};
+    size_t count;
+    if (!zr_json_numbers(json, path, 2, 2, field->low, field->high, v, &count)) return false;
+    for (int k = 0; k < 2; k++)
+        ((float *)out)[k] = (float)v[k];
+    return true;
+}
+
 bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;

@@ -110,6 +110,7 @@ zr_json_read_fn zr_json_flag;   /* int: 0 or 1 */
 zr_json_read_fn zr_json_string; /* const char *, in the arena */
 zr_json_read_fn zr_json_choice; /* int: the index of a supported word of field->words */
 
+zr_json_read_fn zr_json_float2;   /* float[2], from field->low to field->high */
 zr_json_read_fn zr_json_vec3;     /* zr_vec3 */
 zr_json_read_fn zr_json_vec4;     /* zr_vec4 */
 zr_json_read_fn zr_json_position; /* zr_vec4: three coordinates with w = 1, or four */

@@ -16,13 +16,14 @@
 #include "support/files.h"
 #include "support/jpeg.h"
 #include "support/npy.h"
+#include "support/skinned_gltf.h"
 #include "support/zip_file.h"
 
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json", "obj",   "stl",  "ply",       "gltf",      "3mf", "zip", "png",
-                                      "npy",  "array", "gzip", "multipart", "image_png", "jpeg"};
+static const char *const targets[] = {"json", "obj", "stl",   "ply",  "gltf",      "3mf",       "zip",
+                                      "png",  "npy", "array", "gzip", "multipart", "image_png", "jpeg"};
 
 static void fail(const char *what)
 {
@@ -414,20 +415,7 @@ static void write_gltf(void)
         snprintf(name, sizeof name, "mode%d", mode);
         write_seed("gltf", name, text, strlen(text));
     }
-    static const struct text posed[] = {
-        {"posed", "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":76,\"uri\":\"data:;bas"
-                  "e64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAABAAIAAAACAAMA"
-                  "/wAA//8AAP//AAD//wAA/w==\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},{\"bu"
-                  "ffer\":0,\"byteOffset\":48,\"byteLength\":12},{\"buffer\":0,\"byteOffset\":60,\"byte"
-                  "Length\":16}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\""
-                  "type\":\"VEC3\"},{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCA"
-                  "LAR\"},{\"bufferView\":2,\"componentType\":5121,\"count\":4,\"type\":\"VEC4\"},{\"co"
-                  "mponentType\":5121,\"count\":4,\"type\":\"VEC4\"}],\"meshes\":[{\"weights\":[0.5],\""
-                  "primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0,\"JOINTS_0\":3,\"WEIGHTS_"
-                  "0\":2},\"indices\":1,\"targets\":[{\"POSITION\":0,\"NORMAL\":0}]}]}],\"skins\":[{\"j"
-                  "oints\":[1]}],\"nodes\":[{\"mesh\":0,\"skin\":0,\"weights\":[2]},{\"children\":[2],"
-                  "\"scale\":[2,2,2]},{\"mesh\":0,\"camera\":0}],\"cameras\":[{\"perspective\":{\"yfov"
-                  "\":0.5,\"znear\":1}}]}"}};
+    static const struct text posed[] = {{"posed", SKINNED_GLTF}};
     WRITE_TEXTS("gltf", posed);
     memset(text, ' ', sizeof text);
     const int length = snprintf(text + 20, sizeof text - 20, "{" GLTF_ALL "}]}", 4);

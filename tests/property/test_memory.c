@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "core.h"
+#include "support/skinned_gltf.h"
 #include "support/tests.h"
 
 struct sample {
@@ -61,20 +62,7 @@ static const struct sample samples[] = {
      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar "
      "red\nproperty uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int "
      "vertex_indices\nend_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n"},
-    {"glTF with a skin and targets", ZR_FORMAT_GLTF,
-     "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":76,\"uri\":\"data:;bas"
-     "e64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAABAAIAAAACAAMA"
-     "/wAA//8AAP//AAD//wAA/w==\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},{\"bu"
-     "ffer\":0,\"byteOffset\":48,\"byteLength\":12},{\"buffer\":0,\"byteOffset\":60,\"byte"
-     "Length\":16}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\""
-     "type\":\"VEC3\"},{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCA"
-     "LAR\"},{\"bufferView\":2,\"componentType\":5121,\"count\":4,\"type\":\"VEC4\"},{\"co"
-     "mponentType\":5121,\"count\":4,\"type\":\"VEC4\"}],\"meshes\":[{\"weights\":[0.5],\""
-     "primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0,\"JOINTS_0\":3,\"WEIGHTS_"
-     "0\":2},\"indices\":1,\"targets\":[{\"POSITION\":0,\"NORMAL\":0}]}]}],\"skins\":[{\"j"
-     "oints\":[1]}],\"nodes\":[{\"mesh\":0,\"skin\":0,\"weights\":[2]},{\"children\":[2],"
-     "\"scale\":[2,2,2]},{\"mesh\":0,\"camera\":0}],\"cameras\":[{\"perspective\":{\"yfov"
-     "\":0.5,\"znear\":1}}]}"},
+    {"glTF with a skin and targets", ZR_FORMAT_GLTF, SKINNED_GLTF},
 };
 
 /* Allocations are rounded up to STEP, so that no ceiling between two of these is another one. Where one large
