@@ -1,13 +1,13 @@
 /* Opens attributes of primitives, and counts the bytes of the arrays that are made of them. */
 #include "input/gltf.h"
+#include "input/quick.h"
 
 bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes)
 {
     struct zr_quick *quick = file->root.assets.quick;
     file->made_bytes += bytes;
     if (!quick || file->made_bytes <= quick->array_bytes_max) return true;
-    quick->is_exceeded = true;
-    zr_error_add(file->root.json.error, ZR_CANCELLED, NULL, "reading was stopped");
+    zr_quick_exceed(quick, file->root.json.error);
     return false;
 }
 

@@ -6,6 +6,7 @@
 #include "base/cancel.h"
 #include "input/json_matrix.h"
 #include "input/json_placement.h"
+#include "input/quick.h"
 
 struct zr_gltf_nodes {
     uint32_t count, child_count;
@@ -350,8 +351,7 @@ void zr_gltf_place(struct zr_gltf *file)
         .count = all->count, .child_count = all->child_count, .nodes = all->nodes, .children = all->children};
     struct zr_quick *quick = file->root.assets.quick;
     if (quick && all->count > quick->node_visits_max) {
-        quick->is_exceeded = true;
-        zr_error_add(file->root.json.error, ZR_CANCELLED, NULL, "reading was stopped");
+        zr_quick_exceed(quick, file->root.json.error);
         return;
     }
     const struct zr_placement placement =

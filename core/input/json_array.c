@@ -7,6 +7,7 @@
 #include "input/json_scene.h"
 #include "input/npy_read.h"
 #include "input/parts.h"
+#include "input/quick.h"
 
 /* PART_NUMBERS: numbers between two checks for cancellation, whole rows of three, some 20 us of work. TEAM_NUMBERS:
  * smaller arrays are read by one thread. ROWS_MAX: kernels gather rows by 32-bit offsets. */
@@ -65,8 +66,7 @@ static bool has_time(struct zr_json *json, size_t bytes)
     struct zr_parsed_assets *assets = json->assets;
     assets->array_bytes += bytes;
     if (!assets->quick || assets->array_bytes <= assets->quick->array_bytes_max) return true;
-    assets->quick->is_exceeded = true;
-    zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");
+    zr_quick_exceed(assets->quick, json->error);
     return false;
 }
 

@@ -7,6 +7,7 @@
 #include "input/json_scene.h"
 #include "input/npy_read.h"
 #include "input/png_read.h"
+#include "input/quick.h"
 
 static const char *const sides[] = {"base", "scene"};
 static const struct zr_names side_names = ZR_NAMES(2, sides);
@@ -95,8 +96,7 @@ static void read_color(struct reader *reader)
     struct zr_reason reason;
     uint8_t *rgba = NULL;
     if (quick && count_pixels(reader) > quick->image_pixels_max) {
-        quick->is_exceeded = true;
-        zr_error_add(reader->root->json.error, ZR_CANCELLED, NULL, "reading was stopped");
+        zr_quick_exceed(quick, reader->root->json.error);
         return;
     }
     enum zr_status status = zr_png_read(reader->root->json.arena, reader->given[COLOR].bytes, reader->given[COLOR].size,

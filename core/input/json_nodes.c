@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "input/quick.h"
 #include "input/text.h"
 
 /* ---- references ---- */
@@ -256,8 +257,7 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
     const uint64_t quick_most = quick && quick->node_visits_max < most ? quick->node_visits_max : most;
     struct zr_placement placement = zr_nodes_place(arena, &hierarchy, json->limits->instances_max, quick_most);
     if (placement.fault == ZR_NODES_TOO_MANY_VISITS && placement.visits <= most) {
-        quick->is_exceeded = true;
-        zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");
+        zr_quick_exceed(quick, json->error);
         return NULL;
     }
     if (!zr_arena_ok(arena) || zr_is_cancelled(arena->cancel) ||

@@ -3,6 +3,7 @@
 
 #include "input/file_scene.h"
 #include "input/mf3.h"
+#include "input/quick.h"
 #include "scene/nodes.h"
 
 /* Nodes: first the build items, then the components of each object that is needed, in one range. */
@@ -160,8 +161,7 @@ enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builde
     const uint64_t allowed = quick && quick->node_visits_max < most ? quick->node_visits_max : most;
     const struct zr_placement placement = zr_nodes_place(file->arena, &nodes, file->limits->instances_max, allowed);
     if (placement.fault == ZR_NODES_TOO_MANY_VISITS && placement.visits <= most) {
-        quick->is_exceeded = true;
-        return zr_error_add(file->error, ZR_CANCELLED, NULL, "reading was stopped");
+        return zr_quick_exceed(quick, file->error);
     }
     if (zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
     if (!zr_arena_ok(file->arena)) return ZR_NO_MEMORY;
