@@ -6,7 +6,7 @@
 
 /* ---- faults and warnings ---- */
 
-/* What is said of each kind, behind its number. */
+/* Text of each warning, after its count. */
 static const char *const texts[ZR_MF3_NOTE_COUNT] = {
 #define TEXT(ID, uri, is_read, text) [ZR_MF3_NOTE_SPACES + ZR_MF3_SPACE_##ID] = "elements of " text " are not drawn",
     ZR_MF3_SPACES(TEXT)
@@ -15,11 +15,11 @@ static const char *const texts[ZR_MF3_NOTE_COUNT] = {
     [ZR_MF3_NOTE_TEXTURE] = "triangles have textures, which are not drawn",
     [ZR_MF3_NOTE_COMPOSITE] = "triangles have composite materials, which are not drawn",
     [ZR_MF3_NOTE_MULTI] = "triangles have multiproperties, which are not drawn",
-    [ZR_MF3_NOTE_PLAIN] = "objects have triangles without a colour beside coloured ones; they are drawn white",
+    [ZR_MF3_NOTE_PLAIN] = "objects have some triangles without a colour, which are drawn white",
     [ZR_MF3_NOTE_PAINTED] = "triangles are painted for a slicer (paint_color), which is not drawn",
     [ZR_MF3_NOTE_OTHER] = "items or components of the type other are left out",
     [ZR_MF3_NOTE_NOT_PRINTED] = "items are marked as not printable, and are drawn",
-    [ZR_MF3_NOTE_UNIT] = "parts have another unit than the first; their numbers are taken as they are"};
+    [ZR_MF3_NOTE_UNIT] = "parts have a different unit from the first; their coordinates are not converted"};
 
 static bool is_about_color(int note)
 {
@@ -41,7 +41,7 @@ static void warn(const struct zr_mf3 *file, struct zr_scene_builder *builder)
     }
 }
 
-/* ---- the whole ---- */
+/* ---- interface ---- */
 
 static enum zr_status read_parts(struct zr_mf3 *file)
 {

@@ -1,7 +1,7 @@
-/* mf3.h - input: shared by the readers of 3MF's parts, private to them.
+/* mf3.h - input: shared by the files of the 3MF reader, private to them.
  *
- * Order:  model parts are read whole, the root first, then those that it names by paths (production extension). Then
- *         build items and components become nodes, and nodes place the meshes (scene/nodes.h).
+ * Order:  each model part is read whole: the root, then the parts that it names by paths (production extension).
+ *         Build items and components then become nodes, which place the meshes (scene/nodes.h).
  * Units:  positions keep the root part's unit.
  * Source: 3MF Core Specification 1.3, Materials and Properties 1.2.1, Production 1.1.2.
  */
@@ -14,10 +14,10 @@
 
 #define ZR_MF3_NONE UINT32_MAX
 
-/* A new id may move all larger ones in the order of ids. */
+/* Bounds the cost of insertion: a new id may move all larger ones in the sorted order. */
 enum { ZR_MF3_RESOURCES_MAX = 1 << 16 };
 
-/* ROW(ID, URI, true if it is read or has nothing to draw, what it has) */
+/* ROW(ID, URI, true if it is read or adds no geometry or colour, its contents in words) */
 #define ZR_MF3_SPACES(ROW)                                                                                             \
     ROW(CORE, "http://schemas.microsoft.com/3dmanufacturing/core/2015/02", true, "core")                               \
     ROW(CORE_OLD, "http://schemas.microsoft.com/3dmanufacturing/2013/01", true, "core")                                \
@@ -42,7 +42,7 @@ enum zr_mf3_space {
         ZR_MF3_SPACE_COUNT
 };
 
-/* Input that is drawn without, or otherwise than as it says; each kind is one warning. */
+/* Input that is ignored or drawn differently; one warning per kind. */
 enum zr_mf3_note {
     ZR_MF3_NOTE_SPACES, /* one per namespace */
     ZR_MF3_NOTE_UNKNOWN = ZR_MF3_NOTE_SPACES + ZR_MF3_SPACE_COUNT,
@@ -59,7 +59,7 @@ enum zr_mf3_note {
 
 enum zr_mf3_kind {
     ZR_MF3_OBJECT,
-    ZR_MF3_COLORS,    /* base materials, or a colour group */
+    ZR_MF3_COLORS,    /* base materials or a colour group */
     ZR_MF3_TEXTURE,   /* properties that are not read */
     ZR_MF3_COMPOSITE, /* likewise */
     ZR_MF3_MULTI,     /* likewise */
@@ -75,14 +75,14 @@ struct zr_mf3_resource {
     /* Colours: 0xAABBGGRR. */
     uint32_t color_count;
     const uint32_t *colors;
-    bool is_base; /* one colour a triangle */
+    bool is_base; /* one colour per triangle */
 
     /* An object: a mesh, or components. */
     const char *name;
     bool is_left_out; /* of the type `other` */
     uint32_t mesh;    /* or ZR_MF3_NONE */
     uint32_t first_link, link_count;
-    uint32_t first_node; /* of its links; ZR_MF3_NONE: not made yet */
+    uint32_t first_node; /* of its links; ZR_MF3_NONE: not added yet */
 };
 
 /* A component or a build item. */
@@ -98,7 +98,7 @@ struct zr_mf3_part {
     const char *bytes; /* NULL: not read yet */
     size_t size;
     const char *unit;
-    const char *counted_to; /* a place, and its line */
+    const char *counted_to; /* a place; `line` is its line */
     size_t line;
 };
 
@@ -115,7 +115,7 @@ struct zr_mf3 {
     struct zr_error *error;
     struct zr_zip zip;
     uint32_t *part_of_member;     /* or ZR_MF3_NONE */
-    struct zr_xml_text last_path; /* found last, and its part */
+    struct zr_xml_text last_path; /* path found last; its part is last_part */
     uint32_t last_part;
     struct zr_mf3_list parts;     /* struct zr_mf3_part */
     struct zr_mf3_list resources; /* struct zr_mf3_resource */
@@ -130,14 +130,14 @@ struct zr_mf3 {
         struct zr_xml_text word;
     } notes[ZR_MF3_NOTE_COUNT];
 
-    /* Of the part that is read now. */
+    /* Of the current part. */
     uint32_t part;
     struct zr_xml xml;
     struct zr_xml_tag tag;
     bool is_stopped; /* after a syntax fault or a cancel */
 };
 
-/* Appends an item, which is undefined. NULL without memory. */
+/* Appends an uninitialised item. NULL without memory. */
 void *zr_mf3_list_add(struct zr_arena *arena, struct zr_mf3_list *list, size_t size);
 
 static inline struct zr_mf3_part *zr_mf3_parts(const struct zr_mf3 *file)
@@ -154,10 +154,10 @@ bool zr_mf3_fault_in(struct zr_mf3 *file, uint32_t part, const char *at, const c
     __attribute__((format(printf, 4, 5)));
 #define zr_mf3_fault(file, at, ...) zr_mf3_fault_in(file, (file)->part, at, __VA_ARGS__)
 
-/* Counts an occurrence of what is not drawn, at a place of the current part. */
+/* Counts an occurrence for a warning, at a place of the current part. */
 void zr_mf3_note(struct zr_mf3 *file, int note, const char *at, struct zr_xml_text word);
 
-/* True if reading is to end. */
+/* True after a syntax fault, a cancel or the last fault that fits the list, or without memory. */
 bool zr_mf3_stops(const struct zr_mf3 *file);
 
 /* mf3_package.c: opens the archive, and adds the root part that the relationships name. */
@@ -166,43 +166,42 @@ bool zr_mf3_find_root(struct zr_mf3 *file);
 /* Returns the number of the part at a path such as "/3D/a.model", adding it if it is new; ZR_MF3_NONE after a fault. */
 uint32_t zr_mf3_find_part(struct zr_mf3 *file, const char *at, struct zr_xml_text path);
 
-/* mf3_element.c: advances to the next element within the one whose begin made xml.depth `depth`: true, with file->tag. At that
- * element's end, or if reading stops: false. Children of elements that the caller leaves unread are skipped. */
+/* mf3_element.c: advances to the next child of the element whose begin set xml.depth to `depth`. Returns true and sets
+ * file->tag; false at that element's end, or if reading stops. Skips unread descendants. */
 bool zr_mf3_child(struct zr_mf3 *file, size_t depth);
 
-/* True for a namespace of the core specification, and for none. */
+/* True for a namespace of the core specification, and for no namespace. */
 static inline bool zr_mf3_is_core(int space)
 {
     return space == ZR_MF3_SPACE_CORE || space == ZR_MF3_SPACE_CORE_OLD || space == ZR_XML_NO_NAMESPACE;
 }
 
-/* True if the current element has this name in the namespace; CORE: or in none. */
+/* True if the current element has this name in the namespace. CORE includes no namespace. */
 bool zr_mf3_is(const struct zr_mf3 *file, enum zr_mf3_space space, const char *name);
 
 /* mf3_part.c: reads a part whole. */
 void zr_mf3_read_part(struct zr_mf3 *file, uint32_t part);
 
-/* mf3_values.c: read attributes of the current element; false after a fault. An attribute that is missing leaves *out,
- * or is a fault. */
+/* mf3_values.c: read attributes of the current element; false after a fault. A missing attribute leaves *out unchanged,
+ * or is a fault if it is needed. */
 bool zr_mf3_count(struct zr_mf3 *file, const char *name, bool is_needed, uint32_t *out);
 bool zr_mf3_transform(struct zr_mf3 *file, zr_mat4 *out);
 bool zr_mf3_color(struct zr_mf3 *file, const char *name, uint32_t *out);
 bool zr_mf3_digits(struct zr_xml_text text, uint32_t *out);
 bool zr_mf3_number(const struct zr_xml *xml, struct zr_xml_text text, double *out);
 
-/* mf3_resource.c: adds a resource of the current part, or reports that its id is there already; finds one. NULL if
- * there is none. */
+/* mf3_resource.c: adds a resource of the current part, or reports a duplicate id; finds one. NULL if there is none. */
 struct zr_mf3_resource *zr_mf3_add(struct zr_mf3 *file, enum zr_mf3_kind kind);
 struct zr_mf3_resource *zr_mf3_find(const struct zr_mf3 *file, uint32_t part, uint32_t id);
 
-/* Reads a group of colours, whose begin is the current element: children with this name and colour attribute. */
+/* Reads the current element as a group of colours: children with this name and colour attribute. */
 void zr_mf3_read_colors(struct zr_mf3 *file, enum zr_mf3_space space, const char *child, const char *attribute);
 
 /* mf3_mesh.c: reads the mesh of an object; `pid`, `pindex`: its default property, or ZR_MF3_NONE. Returns its number,
  * or ZR_MF3_NONE after a fault. */
 uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t pid, uint32_t pindex);
 
-/* mf3_build.c: places the meshes that the build needs, in builder->file. */
+/* mf3_build.c: places the meshes that the build uses, in builder->file. */
 enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick);
 
 #endif

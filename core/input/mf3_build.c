@@ -6,12 +6,12 @@
 #include "input/quick.h"
 #include "scene/nodes.h"
 
-/* Nodes: first the build items, then the components of each object that is needed, in one range. */
+/* Nodes: first the build items, then one range per used object: its components. */
 struct build {
     struct zr_mf3 *file;
     struct zr_mf3_list nodes;   /* struct zr_node */
-    struct zr_mf3_list targets; /* uint32_t: for each node, the resource that it names, or ZR_MF3_NONE */
-    struct zr_mf3_list sources; /* const struct zr_mf3_link *: for each node */
+    struct zr_mf3_list targets; /* uint32_t: per node, the resource that it names, or ZR_MF3_NONE */
+    struct zr_mf3_list sources; /* const struct zr_mf3_link *: per node */
 };
 
 /* Finds the object of a link. ZR_MF3_NONE if it is left out, or after a fault. */
@@ -46,8 +46,7 @@ static void add_node(struct build *build, const struct zr_mf3_link *link)
                              .name = object && *object->name ? object->name : NULL};
 }
 
-/* Adds the nodes of the build, then those of each object with components, once, in the order in which they are
- * needed. */
+/* Adds the nodes of the build, then those of each used object, once, in the order of first use. */
 static void add_nodes(struct build *build)
 {
     struct zr_mf3 *file = build->file;
@@ -66,7 +65,7 @@ static void add_nodes(struct build *build)
     }
 }
 
-/* Gives each node the range of its object's components. Entry i of all children is node items + i. */
+/* Sets each node's children: the range of its object's components. Entry i of all children is node items + i. */
 static struct zr_nodes join(struct build *build)
 {
     struct zr_mf3 *file = build->file;
@@ -114,7 +113,7 @@ static void report(struct build *build, const struct zr_placement *placement, ui
     }
 }
 
-/* Gives the builder the meshes that are placed, in the order of the file. */
+/* Moves the placed meshes to the builder, in the order of the file. */
 static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_file_scene *scene)
 {
     const struct zr_mesh *all = file->meshes.items;
@@ -137,7 +136,7 @@ static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, s
     return true;
 }
 
-/* Instances of meshes without triangles draw nothing. Returns the number of the others, which come first. */
+/* Moves the instances of meshes with triangles to the front; returns their number. */
 static uint32_t drop_empty(const struct zr_mf3 *file, struct zr_instance *instances, uint32_t count)
 {
     const struct zr_mesh *meshes = file->meshes.items;

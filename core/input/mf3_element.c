@@ -1,4 +1,4 @@
-/* Walks over the elements of a part of 3MF, and notes faults and oddities with its name and line. */
+/* Iterates over the elements of a part of 3MF; records faults and warnings with part and line. */
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -7,9 +7,9 @@
 
 enum { ROOM_AT_FIRST = 16 };
 
-/* ---- faults and oddities ---- */
+/* ---- faults and warnings ---- */
 
-/* Returns the line of a place. Places mostly ascend: then each byte is counted once. */
+/* Returns the line of a place. If places ascend, as they mostly do, each byte is scanned once. */
 static size_t line_of(struct zr_mf3_part *part, const char *at)
 {
     if (!part->bytes || at < part->bytes || at > part->bytes + part->size) return 0;

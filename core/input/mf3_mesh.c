@@ -13,17 +13,16 @@ struct mesh {
     zr_vec4 *positions;
     uint32_t *corners;
     uint32_t *colors; /* 0xAABBGGRR, one per corner; NULL: no triangle has one so far */
-    uint32_t colored; /* triangles */
+    uint32_t colored; /* triangles with a colour */
     bool has_gradients;
     uint32_t pid, pindex; /* of the object */
     uint32_t last_pid;
     const struct zr_mf3_resource *last;
 };
 
-/* ---- rooms ---- */
+/* ---- capacity ---- */
 
-/* Counts the elements within the one that is open, which ends at the next end tag with this name: at least as many as
- * there are. */
+/* Estimates the number of elements up to the next end tag with this name. Too low only if a comment has that tag. */
 static uint32_t count_children(const struct zr_mf3 *file, const char *name)
 {
     const char *at = file->xml.at, *const end = file->xml.end;
@@ -47,7 +46,7 @@ static uint32_t count_children(const struct zr_mf3 *file, const char *name)
     return count;
 }
 
-/* Returns a larger room, for a list that a comment with an end tag made too small. */
+/* Returns a larger room, for a list that an end tag in a comment made too small. */
 static uint32_t larger(uint32_t room)
 {
     return room < ZR_MF3_NONE / 2 ? room * 2 + 16 : ZR_MF3_NONE;
@@ -130,12 +129,12 @@ static const struct zr_mf3_resource *find_group(struct mesh *mesh, uint32_t pid)
     if (group && group->kind >= ZR_MF3_TEXTURE && group->kind <= ZR_MF3_MULTI)
         zr_mf3_note(file, notes[group->kind], file->tag.at, file->tag.name);
     else
-        zr_mf3_fault(file, file->tag.at, "triangle %u: pid %u names no group of properties in front of it",
-                     mesh->triangle_count, pid);
+        zr_mf3_fault(file, file->tag.at, "triangle %u: pid %u names no preceding property group", mesh->triangle_count,
+                     pid);
     return NULL;
 }
 
-/* Allocates colours once the first triangle has one; those before it are white. */
+/* Allocates colours at the first triangle with a colour; earlier triangles are white. */
 static bool begin_colors(struct mesh *mesh)
 {
     if (mesh->colors) return true;
@@ -144,7 +143,7 @@ static bool begin_colors(struct mesh *mesh)
     return mesh->colors != NULL;
 }
 
-/* Sets the colours of the triangle that comes next. `p`: indices into the group, or ZR_MF3_NONE. */
+/* Sets the colours of the next triangle. `p`: indices into the group, or ZR_MF3_NONE. */
 static void set_colors(struct mesh *mesh, uint32_t pid, const uint32_t p[3])
 {
     struct zr_mf3 *file = mesh->file;
@@ -210,7 +209,7 @@ static bool read_attributes(struct mesh *mesh, struct triangle *t)
     return zr_mf3_fault(file, tag->at, "triangle %u: v%c is missing", mesh->triangle_count, missing);
 }
 
-/* The caller makes room. */
+/* The caller ensures room. */
 static void read_triangle(struct mesh *mesh)
 {
     struct zr_mf3 *file = mesh->file;
@@ -255,7 +254,7 @@ static zr_vec4 color_of(uint32_t rgba)
                      (float)(rgba >> 16 & 255) / 255.0f, (float)(rgba >> 24) / 255.0f};
 }
 
-/* Gives each face its colour, or each corner a position and a colour of its own. */
+/* Sets one colour per face or, with gradients, one position and colour per corner. */
 static void finish_colors(const struct mesh *mesh, struct zr_mesh *out)
 {
     struct zr_arena *arena = mesh->file->arena;

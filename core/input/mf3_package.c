@@ -6,10 +6,10 @@
 #define RELATIONSHIPS "_rels/.rels"
 #define MODEL_TYPE    "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
 
-/* Memory for a look at a package: its directory and its relationships. */
+/* Memory limit for detection, which reads the directory and the relationships. */
 enum { LOOK_BYTES_MAX = 4 << 20 };
 
-/* Replaces %20 and the like. NULL without memory. */
+/* Decodes percent escapes such as %20. NULL without memory. */
 static const char *unescaped(struct zr_arena *arena, const char *text)
 {
     const size_t length = strlen(text);
@@ -24,7 +24,7 @@ static const char *unescaped(struct zr_arena *arena, const char *text)
     return out;
 }
 
-/* Finds the member at a path from the package's root, as written or with its escapes replaced. */
+/* Finds the member at a path from the package's root, as written or with its escapes decoded. */
 static const struct zr_zip_member *find_member(const struct zr_zip *zip, struct zr_arena *arena,
                                                struct zr_xml_text path)
 {
@@ -105,7 +105,7 @@ uint32_t zr_mf3_find_part(struct zr_mf3 *file, const char *at, struct zr_xml_tex
     return *number;
 }
 
-/* ---- sniffing ---- */
+/* ---- detection ---- */
 
 static bool has_model(struct zr_arena *arena, const char *bytes, size_t size)
 {

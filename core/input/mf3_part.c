@@ -19,7 +19,7 @@ static const struct {
 
 /* ---- elements ---- */
 
-/* Notes an element that is not read: of an extension with something to draw, or one of the core that is not known. */
+/* Counts an unread element: of an extension that is not drawn, or unknown in the core. */
 static void note_unread(struct zr_mf3 *file)
 {
     const int space = file->tag.space;
@@ -81,7 +81,7 @@ static const char *read_name(struct zr_mf3 *file)
     return name ? name : "";
 }
 
-/* Reads the type; true for one that is not drawn. */
+/* Reads the type; true for `other`, which is not drawn. */
 static bool read_type(struct zr_mf3 *file)
 {
     static const char *const drawn[] = {"model", "solidsupport", "support", "surface"};
@@ -154,7 +154,7 @@ static void read_resources(struct zr_mf3 *file)
     }
 }
 
-/* Refuses extensions that the part requires and that are not read. */
+/* Refuses required extensions that are not read. */
 static void check_required(struct zr_mf3 *file)
 {
     const struct zr_xml_text words = zr_xml_value(&file->tag, "requiredextensions");

@@ -3,7 +3,7 @@
 
 #include "input/mf3.h"
 
-/* Returns the first position in the order of parts and ids that is not before this one. */
+/* Returns the first position at or after this part and id in the sorted order. */
 static uint32_t position_of(const struct zr_mf3 *file, uint32_t part, uint32_t id)
 {
     const struct zr_mf3_resource *resources = file->resources.items;
@@ -28,13 +28,13 @@ struct zr_mf3_resource *zr_mf3_find(const struct zr_mf3 *file, uint32_t part, ui
     return found->part == part && found->id == id ? found : NULL;
 }
 
-/* Ids mostly ascend: then the new one comes last, and nothing moves. */
+/* If ids ascend, as they mostly do, the new one is appended and nothing moves. */
 struct zr_mf3_resource *zr_mf3_add(struct zr_mf3 *file, enum zr_mf3_kind kind)
 {
     uint32_t id = 0;
     if (!zr_mf3_count(file, "id", true, &id)) return NULL;
     if (zr_mf3_find(file, file->part, id)) {
-        zr_mf3_fault(file, file->tag.at, "the id %u is there twice", id);
+        zr_mf3_fault(file, file->tag.at, "the id %u occurs twice", id);
         return NULL;
     }
     if (file->resources.count == ZR_MF3_RESOURCES_MAX) {

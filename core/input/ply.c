@@ -1,6 +1,6 @@
-/* Reads PLY, ASCII and binary: vertices with colours, normals and texture coordinates, polygons with colours, strips of
- * triangles, edges. Without faces and edges, the vertices are drawn as points. Up is y, as for the scans of Stanford,
- * which brought the format about: it says nothing of an axis. */
+/* Reads PLY, ASCII and binary: vertices with colours, normals and texture coordinates; coloured polygons; triangle
+ * strips; edges. Without faces and edges, the vertices are drawn as points. The format names no up axis: y is up, as
+ * in the Stanford scans, the format's origin. */
 #include "input/input.h"
 
 #include <inttypes.h>
@@ -19,7 +19,7 @@ static bool is_text(const struct zr_ply_file *file)
     return file->header.form == ZR_PLY_ASCII;
 }
 
-/* Checks that an element has the properties without which it cannot be drawn. */
+/* Checks that an element has the properties that drawing requires. */
 static bool check_properties(struct zr_ply_file *file, const struct zr_ply_plan *plan)
 {
     static const char *const missing[] = {[ZR_PLY_VERTEX] = "x, y and z",
@@ -37,8 +37,8 @@ static bool check_properties(struct zr_ply_file *file, const struct zr_ply_plan 
     return false;
 }
 
-/* Checks that the bytes which are left can hold all records of an element. A value of text takes a byte, and one more
- * to end it. */
+/* Checks that the remaining bytes can hold all records of an element. A text value takes at least two bytes: a
+ * character and a separator. */
 static bool check_bytes(struct zr_ply_file *file, const struct zr_ply_element *element)
 {
     const size_t left = (size_t)(file->end - file->at), values = element->property_count;
@@ -111,7 +111,7 @@ static enum zr_status read_element(struct zr_ply_file *file, const struct zr_ply
     return zr_ply_read_records(file, &plan, first);
 }
 
-/* Counts the bytes behind the last element; white space behind text is none. */
+/* Counts the bytes after the last element, in text without trailing white space. */
 static void note_trailing(struct zr_ply_file *file)
 {
     const char *end = file->end;

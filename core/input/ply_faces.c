@@ -1,4 +1,4 @@
-/* Faces of PLY: the arrays that grow while they are read, and binary triangles, which all threads read. */
+/* Faces of PLY: growing arrays, and binary triangles, which all threads read. */
 #include "input/parts.h"
 #include "input/ply_file.h"
 #include "input/ply_values.h"
@@ -70,11 +70,11 @@ struct reading {
     const char *records;
     size_t count;
     size_t stride;  /* of a record with three corners */
-    size_t list_at; /* place of the list in it */
+    size_t list_at; /* offset of the list in a record */
     bool is_swapped;
 };
 
-/* Reads three indices from each record. False at a list of another length, or an index that is too large. */
+/* Reads three indices per record. False if a list has another length or an index is too large. */
 ZR_INLINED bool read_indices(const struct reading *reading, size_t begin, size_t end, bool is_swapped)
 {
     const char *at = reading->records + begin * reading->stride + reading->list_at;

@@ -1,7 +1,7 @@
-/* ply_file.h - input: a PLY file while its elements are read, in the order of the file.
+/* ply_file.h - input: the state of reading a PLY file, element by element in the order of the file.
  *
- * Binary vertices without lists, and binary faces that are all triangles, are read by all threads (ply_vertices.c,
- * ply_faces.c). Other elements are read record by record by one thread (ply_records.c).
+ * All threads read binary vertices without lists (ply_vertices.c), and binary faces if all are triangles (ply_faces.c).
+ * One thread reads other elements record by record (ply_records.c).
  */
 #ifndef ZR_PLY_FILE_H
 #define ZR_PLY_FILE_H
@@ -36,7 +36,7 @@ enum { ZR_PLY_COUNT_MAX = 1 << 30 };
 
 enum zr_ply_kind { ZR_PLY_VERTEX, ZR_PLY_FACE, ZR_PLY_STRIPS, ZR_PLY_EDGE, ZR_PLY_OTHER };
 
-/* The properties of an element that are drawn; NULL: there is none. */
+/* The drawn properties of an element; NULL if it has none. */
 struct zr_ply_plan {
     enum zr_ply_kind kind;
     const struct zr_ply_element *element;
@@ -53,7 +53,7 @@ struct zr_ply_faces {
     zr_vec4 *colors;   /* room; NULL: faces have no colours */
 };
 
-/* What was left out, replaced or is odd, for warnings, and the first of each. */
+/* Counts for warnings, and the first place of each. */
 struct zr_ply_oddities {
     size_t small_faces, first_small_face;
     size_t broken_lines, first_broken_line; /* records of ASCII that are not one line each */
@@ -69,11 +69,11 @@ struct zr_ply_file {
     const struct zr_limits *limits;
     struct zr_error *error;
     struct zr_ply_header header;
-    const char *at, *end; /* bytes that are not read yet */
+    const char *at, *end; /* unread bytes */
     size_t line;          /* ASCII: of `at` */
-    size_t last_line;     /* ASCII: in which the last record ended */
+    size_t last_line;     /* ASCII: line of the last record's end */
     size_t vertex_count;
-    zr_vec4 *positions; /* a hole, a vertex that is not finite, has a NaN for x */
+    zr_vec4 *positions; /* x of a hole, a vertex that is not finite, is NaN */
     zr_vec4 *colors, *texcoords;
     zr_vec3 *normals;
     atomic_bool has_holes, has_odd_colors;
@@ -84,13 +84,13 @@ struct zr_ply_file {
     struct zr_ply_oddities odd;
 };
 
-/* ply_plan.c: finds the properties of an element that are drawn. */
+/* ply_plan.c: finds the drawn properties of an element. */
 struct zr_ply_plan zr_ply_plan_of(const struct zr_ply_element *element);
 
-/* A value of this type is multiplied by it to be a colour of 0 to 1. */
+/* Returns the value of this type that is a colour of 1. */
 double zr_ply_color_scale(enum zr_ply_type type);
 
-/* Values of up to ZR_PLY_BLOCK records, a column per slot. */
+/* Values of up to ZR_PLY_BLOCK records, one column per slot. */
 enum { ZR_PLY_BLOCK = 256 };
 struct zr_ply_columns {
     double values[ZR_PLY_SLOTS][ZR_PLY_BLOCK];
@@ -101,28 +101,28 @@ void zr_ply_store_vertices(struct zr_ply_file *file, const struct zr_ply_plan *p
                            const struct zr_ply_columns *columns, size_t first, size_t count, size_t faults,
                            struct zr_error *error);
 
-/* Stores colours as they are, perhaps beyond 0 to 1, which sets has_odd_colors. */
+/* Stores colours unclamped; sets has_odd_colors if one is beyond 0 to 1. */
 void zr_ply_store_colors(struct zr_ply_file *file, const struct zr_ply_plan *plan, const struct zr_ply_columns *columns,
                          size_t count, zr_vec4 *out);
 
 /* Allocates the arrays of the vertices. False without memory. */
 bool zr_ply_make_vertices(struct zr_ply_file *file, const struct zr_ply_plan *plan);
 
-/* Reads the vertices of a binary file, whose records have no lists. The bytes are there. */
+/* Reads binary vertices without lists. The caller has checked that the bytes suffice. */
 enum zr_status zr_ply_read_vertices(struct zr_ply_file *file, const struct zr_ply_plan *plan);
 
-/* Reads binary faces up to the first that is no triangle or has a fault. Returns the number of faces read. */
+/* Reads binary faces up to the first that is not a triangle or has a fault. Returns the number of faces read. */
 size_t zr_ply_read_triangles(struct zr_ply_file *file, const struct zr_ply_plan *plan);
 
 /* Reads the records of any element from number `first` on. */
 enum zr_status zr_ply_read_records(struct zr_ply_file *file, const struct zr_ply_plan *plan, size_t first);
 
-/* ply_finish.c: makes the mesh of what was read, and the warnings. */
+/* ply_finish.c: makes the mesh and the warnings. */
 enum zr_status zr_ply_finish(struct zr_ply_file *file, struct zr_scene_builder *builder);
 
 /* ---- ply_faces.c ---- */
 
-/* Makes room for so many faces and corners more, and the offsets if there are none yet. False without memory. */
+/* Makes room for this many more faces and corners, and adds missing offsets. False without memory. */
 bool zr_ply_faces_reserve(struct zr_ply_file *file, size_t faces, size_t corners);
 
 /* Ends a face whose corners are the last `corners` of the indices. `color` may be NULL: white. False without memory. */

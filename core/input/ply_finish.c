@@ -1,4 +1,4 @@
-/* Makes the mesh of a PLY file of what was read: holes, odd colours, points, and the warnings of what is not drawn. */
+/* Makes the mesh of a PLY file: fills holes, limits colours, makes points and adds the warnings. */
 #include <math.h>
 
 #include "input/ply_file.h"
@@ -6,7 +6,7 @@
 
 enum { ITEMS_A_LOOK = 1 << 16 };
 
-/* Colours of type float beyond this are 0 to 255, not 0 to 1 with a rounding error. */
+/* A float colour above this means a range of 0 to 255, not a rounding error at 1. */
 static const float BRIGHT = 2.0f;
 
 static void warn(struct zr_scene_builder *builder, size_t count, const char *what)
@@ -38,7 +38,7 @@ static bool check_holes(const struct zr_ply_file *file, const uint32_t *indices,
     return true;
 }
 
-/* Warns of the holes. Since nothing uses them, any position does. */
+/* Warns of the holes and sets them to the origin; nothing uses them. */
 static void fill_holes(struct zr_ply_file *file, struct zr_scene_builder *builder)
 {
     size_t count = 0, first = 0;
@@ -92,7 +92,7 @@ static void mend_colors(const struct zr_ply_file *file, zr_vec4 *colors, size_t 
     odd->is_bright |= is_bright;
 }
 
-/* Some programs write 0 for alpha everywhere, and mean opaque. */
+/* Sets alpha to 1 if it is 0 everywhere, as some programs write opaque colours. */
 static void mend_alpha(struct zr_scene_builder *builder, zr_vec4 *colors, size_t count)
 {
     size_t i = 0;
@@ -172,7 +172,7 @@ static void warn_of_oddities(const struct zr_ply_file *file, struct zr_scene_bui
                             header->unknown_count, header->unknown_line);
     if (odd->small_faces > 0)
         zr_warning_list_add(builder->arena, list,
-                            "PLY: %zu faces have less than 3 corners and are left out, the first is face %zu",
+                            "PLY: %zu faces have fewer than 3 corners and are left out, the first is face %zu",
                             odd->small_faces, odd->first_small_face);
     if (odd->broken_lines > 0)
         zr_warning_list_add(builder->arena, list,
@@ -182,9 +182,9 @@ static void warn_of_oddities(const struct zr_ply_file *file, struct zr_scene_bui
     warn_of_elements(file, builder);
 }
 
-/* ---- the whole ---- */
+/* ---- interface ---- */
 
-/* Takes the arrays of all faces. Without offsets they are triangles. */
+/* Moves the arrays of all faces to the mesh. Without offsets, the faces are triangles. */
 static void take_faces(struct zr_ply_file *file, struct zr_mesh *mesh)
 {
     const struct zr_ply_faces *faces = &file->faces;

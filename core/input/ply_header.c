@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* ITEMS_MAX: elements of a file, and properties of an element. */
+/* ITEMS_MAX: elements per file, and properties per element. */
 enum { WORDS_MAX = 6, ITEMS_MAX = 1000 };
 
 static const struct {
@@ -23,11 +23,11 @@ struct line {
 
 struct reader {
     const char *at, *end;
-    char line_end; /* '\n', or '\r' if no '\n' follows the one of the first line */
+    char line_end; /* '\n', or '\r' if the first line ends in '\r' alone */
     struct zr_ply_header *header;
     struct zr_error *error;
     bool has_form;
-    struct zr_ply_property *properties; /* room for those to come */
+    struct zr_ply_property *properties; /* room for those of later elements */
 };
 
 bool zr_ply_word_is(struct zr_ply_word word, const char *text)
@@ -128,7 +128,7 @@ static bool read_form(struct reader *reader, const struct line *line)
     return true;
 }
 
-/* Saturates: the bytes that follow hold no such count. */
+/* Saturates: no file is large enough for such a count. */
 static bool read_count(struct zr_ply_word word, size_t *count)
 {
     *count = 0;
@@ -192,7 +192,7 @@ static bool read_property(struct reader *reader, const struct line *line)
     return true;
 }
 
-/* MeshLab names the image of a texture so. */
+/* Reads `comment TextureFile NAME`, in which MeshLab names a texture. */
 static void read_comment(struct reader *reader, const struct line *line)
 {
     if (line->count < 3 || !zr_ply_word_is(line->words[1], "TextureFile")) return;
@@ -218,7 +218,7 @@ static bool read_line(struct reader *reader, const struct line *line, bool *is_e
     return !*is_end;
 }
 
-/* ---- the whole ---- */
+/* ---- interface ---- */
 
 /* Counts lines that begin with a word, for the size of an array. */
 static size_t count_lines(struct reader reader, const char *word)

@@ -1,6 +1,6 @@
-/* ply_header.h - input: the header of a PLY file: its elements, their properties and the place of its values.
+/* ply_header.h - input: the header of a PLY file: its elements, their properties and the place of the values.
  *
- * Source: Turk, "The PLY Polygon File Format", 1994, and the names of types that later programs write (int32, float64).
+ * Source: Turk, "The PLY Polygon File Format", 1994, and the type names of later programs (int32, float64).
  */
 #ifndef ZR_PLY_HEADER_H
 #define ZR_PLY_HEADER_H
@@ -31,7 +31,7 @@ enum zr_ply_type {
         ZR_PLY_TYPES
 };
 
-/* A word of the header, which is not terminated. */
+/* A word of the header, not terminated. */
 struct zr_ply_word {
     const char *at;
     size_t size;
@@ -65,21 +65,21 @@ struct zr_ply_header {
     size_t lines; /* of the header */
     size_t texture_count, unknown_count;
     struct zr_ply_word texture; /* the first `comment TextureFile` */
-    size_t unknown_line;        /* the first line that is not known */
+    size_t unknown_line;        /* the first unknown line */
 };
 
 enum { ZR_PLY_HEADER_MAX = 1 << 18 };
 
 size_t zr_ply_type_bytes(enum zr_ply_type type);
 
-/* Returns the property of the name, or NULL. */
+/* Returns the property with this name, or NULL. */
 const struct zr_ply_property *zr_ply_find(const struct zr_ply_element *element, const char *name);
 
 /* True if the bytes begin as every PLY file does. */
 bool zr_ply_begins(const char *bytes, size_t size);
 
-/* Reads the header. ZR_BAD_SYNTAX names the line. Names point into the bytes. Counts are not checked against the bytes
- * that follow. */
+/* Reads the header. Errors of ZR_BAD_SYNTAX name the line. Names point into the bytes. The caller checks the counts
+ * against the bytes that follow. */
 enum zr_status zr_ply_read_header(struct zr_arena *arena, const char *bytes, size_t size, struct zr_ply_header *header,
                                   struct zr_error *error);
 

@@ -1,6 +1,6 @@
 #include "input/ply_file.h"
 
-/* A group of values under the names that a program gives them. The first `needed` of them belong together. */
+/* A group of values, under the property names of one program. The first `needed` are required together. */
 static const struct {
     enum zr_ply_kind kind;
     enum zr_ply_slot first;

@@ -1,4 +1,4 @@
-/* Records of any PLY element, in ASCII and binary, with lists of any length: one after the other, by one thread. */
+/* Records of any PLY element, in ASCII and binary, with lists of any length, read in order by one thread. */
 #include <math.h>
 #include <stdio.h>
 
@@ -16,9 +16,9 @@ struct reader {
     size_t record;
     size_t first_corner; /* of the record's list */
     size_t strip;        /* corners of the strip so far */
-    uint32_t before[2];  /* the last two of them */
-    bool is_flipped;     /* the next triangle of the strip has the other order */
-    bool is_bad;         /* the record has a fault that reading goes on behind */
+    uint32_t before[2];  /* the last two corners of the strip */
+    bool is_flipped;     /* the next triangle of the strip is reversed */
+    bool is_bad;         /* the record has a fault after which reading continues */
     struct zr_ply_columns *columns;
 };
 
@@ -39,7 +39,7 @@ static struct place place_of(const struct reader *reader)
     return place;
 }
 
-/* A fault that ends reading. */
+/* Reports a fault that ends reading. Returns false. */
 static bool syntax_fault(const struct reader *reader, const char *what, const char *found)
 {
     const struct zr_ply_oddities *odd = &reader->file->odd;
@@ -72,7 +72,7 @@ static void skip_spaces(struct zr_ply_file *file)
         file->line += *file->at == '\n' || (*file->at == '\r' && (file->at + 1 == file->end || file->at[1] != '\n'));
 }
 
-/* Reads what programs write for values that are no numbers: nan, -nan(ind), inf, 1.#QNAN. */
+/* Reads the spellings of NaN and infinity: nan, -nan(ind), inf, 1.#QNAN. */
 static bool read_no_number(const char *at, size_t size, double *value)
 {
     char word[8] = "";
@@ -138,7 +138,7 @@ static bool skip_values(struct reader *reader, const struct zr_ply_property *pro
     return true;
 }
 
-/* Adds a triangle of a strip, whose orders alternate. Those with two equal corners only join strips. */
+/* Adds a triangle of a strip, every second one reversed. Skips triangles with two equal corners, which join strips. */
 static bool end_triangle(struct reader *reader, uint32_t a, uint32_t b, uint32_t c)
 {
     struct zr_ply_faces *faces = &reader->file->faces;
@@ -199,7 +199,7 @@ static bool check_corners(struct reader *reader, size_t count)
     return true;
 }
 
-/* Reads a list; its values are corners if it is the plan's. */
+/* Reads a list. The plan's list holds corners; others are skipped. */
 static bool read_list(struct reader *reader, const struct zr_ply_property *property)
 {
     struct zr_ply_file *file = reader->file;
@@ -293,7 +293,7 @@ static bool read_record(struct reader *reader, const uint8_t *slots)
     return end_record(reader);
 }
 
-/* Counts a record that shares its lines of text with others, or has more than one. */
+/* Counts a record that shares a line with another one or spans several lines. */
 static void note_lines(const struct reader *reader, size_t line)
 {
     struct zr_ply_file *file = reader->file;

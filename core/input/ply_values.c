@@ -1,6 +1,6 @@
 #include "input/ply_values.h"
 
-/* load_ID reads a value of the type ID. */
+/* load_ID reads a value of type ID. */
 #define LOAD(ID, name, newer, type)                                                                                    \
     ZR_INLINED double load_##ID(const char *at, bool is_swapped)                                                       \
     {                                                                                                                  \

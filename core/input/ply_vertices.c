@@ -1,4 +1,4 @@
-/* Vertices of PLY: stores them, and reads binary records of one size by all threads. */
+/* Vertices of PLY: stores them; all threads read binary records of one size. */
 #include <math.h>
 #include <string.h>
 
@@ -33,7 +33,7 @@ static bool is_within(double value, double limit)
     return value >= -limit && value <= limit; /* false for a NaN */
 }
 
-/* Stores a position that is not within the limit: a hole, or a fault. */
+/* Stores a position beyond the limit: a hole if it is not finite, else a fault. */
 static void store_odd(struct zr_ply_file *file, size_t vertex, const double v[3], struct zr_error *error)
 {
     if (!isfinite(v[0]) || !isfinite(v[1]) || !isfinite(v[2])) {
@@ -58,7 +58,7 @@ static void store_positions(struct zr_ply_file *file, const struct zr_ply_column
     }
 }
 
-/* A normal that cannot be one is zero, which is replaced by a computed one. */
+/* Stores an invalid normal as zero, which a computed normal later replaces. */
 static void store_normals(struct zr_ply_file *file, const struct zr_ply_columns *columns, size_t first, size_t count)
 {
     const double limit = (double)file->limits->coordinate_max;
@@ -100,7 +100,7 @@ void zr_ply_store_colors(struct zr_ply_file *file, const struct zr_ply_plan *pla
     if (is_odd) atomic_store_explicit(&file->has_odd_colors, true, memory_order_relaxed);
 }
 
-/* Stores all but the positions. */
+/* Stores normals, texture coordinates and colours. */
 static void store_others(struct zr_ply_file *file, const struct zr_ply_plan *plan, const struct zr_ply_columns *columns,
                          size_t first, size_t count)
 {
@@ -126,7 +126,7 @@ struct reading {
     bool is_plain; /* x, y and z are three floats side by side, in the machine's byte order */
 };
 
-/* Stores plain positions up to the first that is not within the limit; returns their number. */
+/* Stores plain positions up to the first beyond the limit; returns their number. */
 static size_t read_plain(const struct reading *reading, const char *at, size_t first, size_t count)
 {
     const float limit = reading->file->limits->coordinate_max;

@@ -1,7 +1,6 @@
 #include "input/xml.h"
 
-/* STEPS: elements between two looks at the cancel flag, some 20 microseconds. SKIPPED_AT_ONCE: bytes of text, likewise.
- */
+/* Between two checks for cancellation, some 20 microseconds: STEPS elements, SKIPPED_AT_ONCE bytes of text. */
 enum { STEPS = 256, SKIPPED_AT_ONCE = 1 << 18 };
 
 static bool is_blank(char c)
@@ -9,7 +8,7 @@ static bool is_blank(char c)
     return c == ' ' || c == '\n' || c == '\r' || c == '\t';
 }
 
-/* Bytes of UTF-8 sequences are taken as letters. */
+/* Bytes of UTF-8 sequences count as letters. */
 static bool begins_name(char c)
 {
     return (unsigned char)((c | 0x20) - 'a') < 26 || c == '_' || (unsigned char)c >= 0x80;
@@ -34,9 +33,9 @@ static enum zr_xml_event name_fault(struct zr_xml *xml, const char *at, const ch
     return ZR_XML_FAULT;
 }
 
-/* ---- what is skipped ---- */
+/* ---- skipped text ---- */
 
-/* Returns the place of `word` from `at` on; NULL if it does not come, or after a cancel. */
+/* Returns the first place of `word` at or after `at`; NULL if there is none, or after a cancel. */
 static const char *find(struct zr_xml *xml, const char *at, const char *word)
 {
     const size_t length = strlen(word);
@@ -49,7 +48,7 @@ static const char *find(struct zr_xml *xml, const char *at, const char *word)
     return NULL;
 }
 
-/* Checks a reference such as &lt; or &#x41;. Returns the byte behind it; NULL for any other text. */
+/* Checks a reference such as &lt; or &#x41;. Returns the byte after it; NULL for any other text. */
 static const char *check_reference(const char *at, const char *end)
 {
     static const char *const names[] = {"&lt;", "&gt;", "&amp;", "&quot;", "&apos;"};
@@ -68,7 +67,7 @@ static const char *check_reference(const char *at, const char *end)
     return digit > first && digit < end && *digit == ';' && is_character ? digit + 1 : NULL;
 }
 
-/* Returns the place of the first wrong reference; NULL: none. */
+/* Returns the place of the first invalid reference; NULL if there is none. */
 static const char *find_wrong_reference(const char *at, const char *end)
 {
     while (at < end && (at = memchr(at, '&', (size_t)(end - at))) != NULL) {
@@ -96,7 +95,7 @@ static enum zr_xml_event skip_text(struct zr_xml *xml)
         const char *wrong = find_wrong_reference(xml->at, stop);
         if (wrong && (next || size == left)) return reference_fault(xml, wrong);
         if (wrong == xml->at) return reference_fault(xml, wrong);
-        xml->at = wrong ? wrong : stop; /* a reference may be cut in two by the end of the piece */
+        xml->at = wrong ? wrong : stop; /* the end of the piece may split a reference */
         if (zr_is_cancelled(xml->cancel)) return ZR_XML_CANCELLED;
     }
     return ZR_XML_BEGIN;
@@ -148,7 +147,7 @@ static enum zr_xml_event skip_mark(struct zr_xml *xml)
 
 /* ---- tags ---- */
 
-/* Reads a name, with its prefix, from *at on; false if there is none. */
+/* Reads a name with its prefix at *at; false if there is none. */
 static bool read_name(const struct zr_xml *xml, const char **at, struct zr_xml_text *prefix, struct zr_xml_text *name)
 {
     const char *first = *at, *next = first;
@@ -225,7 +224,7 @@ static enum zr_xml_event take(struct zr_xml *xml, const char *at, struct zr_xml_
     for (size_t i = 0; i < tag->count; i++)
         if (zr_xml_texts_equal(tag->attributes[i].name, attribute->name) &&
             zr_xml_texts_equal(tag->attributes[i].prefix, attribute->prefix))
-            return name_fault(xml, at, "an element has twice the attribute", attribute->name);
+            return name_fault(xml, at, "an element repeats the attribute", attribute->name);
     if (tag->count == ZR_XML_ATTRIBUTES_MAX) return fault(xml, at, "an element with more than 64 attributes");
     tag->attributes[tag->count++] = *attribute;
     return ZR_XML_BEGIN;
@@ -252,7 +251,7 @@ static enum zr_xml_event read_begin(struct zr_xml *xml, struct zr_xml_tag *tag)
     for (;;) {
         const char *const before = at;
         skip_blanks(xml, &at);
-        if (at == xml->end) return name_fault(xml, xml->at, "the end is missing of the tag", tag->name);
+        if (at == xml->end) return name_fault(xml, xml->at, "the end is missing: tag", tag->name);
         if (*at == '>') break;
         if (*at == '/' && xml->end - at > 1 && at[1] == '>') break;
         struct zr_xml_attribute attribute;
@@ -284,7 +283,7 @@ static enum zr_xml_event read_end(struct zr_xml *xml, struct zr_xml_tag *tag)
     const char *at = xml->at + 2;
     if (!read_name(xml, &at, &tag->prefix, &tag->name)) return fault(xml, xml->at, "'</' without a name");
     skip_blanks(xml, &at);
-    if (at == xml->end || *at != '>') return name_fault(xml, xml->at, "the end is missing of the tag", tag->name);
+    if (at == xml->end || *at != '>') return name_fault(xml, xml->at, "the end is missing: tag", tag->name);
     if (xml->depth == 0 || !zr_xml_texts_equal(xml->open[xml->depth - 1], whole_name(tag)))
         return name_fault(xml, xml->at, "this tag ends another element than the innermost one:", tag->name);
     xml->at = at + 1;
@@ -361,7 +360,7 @@ struct zr_xml_text zr_xml_value(const struct zr_xml_tag *tag, const char *name)
     return (struct zr_xml_text){NULL, 0};
 }
 
-/* Writes a character as UTF-8; returns the byte behind it. */
+/* Writes a character as UTF-8; returns the byte after it. */
 static char *put_character(char *out, unsigned long value)
 {
     const int more = value < 0x80 ? 0 : value < 0x800 ? 1 : value < 0x10000 ? 2 : 3;
@@ -372,7 +371,7 @@ static char *put_character(char *out, unsigned long value)
     return out;
 }
 
-/* A reference is longer than its character. */
+/* The value's length suffices: a reference is longer than its character. */
 const char *zr_xml_decode(struct zr_arena *arena, struct zr_xml_text value)
 {
     char *text = zr_arena_alloc(arena, value.length + 1, 1), *out = text;

@@ -5,8 +5,8 @@
  *     zr_xml_open(&xml, bytes, size, uris, uri_count, cancel);
  *     while (zr_xml_next(&xml, &tag) == ZR_XML_BEGIN) ...
  *
- * Safe:   a document type is refused, so there are no entities other than &lt; &gt; &amp; &quot; &apos; and numbers of
- *         characters. Depth, attributes of an element and namespaces are bounded. The encoding is UTF-8.
+ * Safe:   a document type is refused, so the only entities are &lt; &gt; &amp; &quot; &apos; and character numbers.
+ *         Depth, attributes per element and namespaces are bounded. The encoding is UTF-8.
  * Source: XML 1.0, fifth edition; Namespaces in XML 1.0, third edition.
  */
 #ifndef ZR_XML_H
@@ -29,7 +29,7 @@ struct zr_xml_text {
 };
 
 struct zr_xml_attribute {
-    struct zr_xml_text prefix, name; /* the part before the colon, or nothing, and that behind it */
+    struct zr_xml_text prefix, name; /* before and after the colon; prefix: may be empty */
     struct zr_xml_text value;        /* as written: zr_xml_decode replaces references */
 };
 
@@ -59,18 +59,18 @@ struct zr_xml {
         int space;
         size_t depth; /* of its element */
     } bindings[ZR_XML_NAMESPACES_MAX];
-    bool ends_next; /* the end of an empty element comes next */
+    bool ends_next; /* the next event is the end of an empty element */
     bool has_root;
-    unsigned steps;          /* since the last look at `cancel` */
+    unsigned steps;          /* since the last check of `cancel` */
     struct zr_reason reason; /* of a fault */
 };
 
 enum zr_xml_event {
     ZR_XML_BEGIN,
-    ZR_XML_END,      /* of the element that began last; xml->depth is that around it */
-    ZR_XML_DONE,     /* the document ended */
+    ZR_XML_END,      /* of the innermost open element; xml->depth is its parent's */
+    ZR_XML_DONE,     /* end of the document */
     ZR_XML_FAULT,    /* xml->reason; the place is xml->at */
-    ZR_XML_CANCELLED /* may come at any time */
+    ZR_XML_CANCELLED /* possible at any time */
 };
 
 void zr_xml_open(struct zr_xml *xml, const char *bytes, size_t size, const char *const *uris, int uri_count,
@@ -94,7 +94,7 @@ static inline bool zr_xml_text_is(struct zr_xml_text text, const char *word)
     return text.length == length && memcmp(text.at, word, length) == 0;
 }
 
-/* Names often differ in their last byte: v1, v2, v3. */
+/* Compares the last byte first: names often differ there (v1, v2, v3). */
 static inline bool zr_xml_texts_equal(struct zr_xml_text a, struct zr_xml_text b)
 {
     const size_t length = a.length;

@@ -29,7 +29,7 @@ static enum zr_status check_crc(const struct zr_zip_member *member, const char *
     return crc == member->crc ? ZR_OK : fault(member, reason, "its checksum is wrong");
 }
 
-/* Packed bytes that the stream has not used. */
+/* Returns the number of packed bytes that the stream has not used. */
 static uint64_t unused(const struct inflate_state *state, uint64_t left)
 {
     return left + state->avail_in + (uint64_t)(state->read_in_length > 0 ? state->read_in_length / 8 : 0);
@@ -39,7 +39,7 @@ static enum zr_status inflate_all(const struct zr_zip_member *member, struct inf
                                   const struct zr_cancel *cancel, struct zr_reason *reason)
 {
     uint64_t packed_left = member->packed_size, used = 0;
-    uint8_t behind[1]; /* receives a byte beyond the size in the directory */
+    uint8_t behind[1]; /* detects a byte beyond the size in the directory */
     isal_inflate_init(state);
     state->next_in = (uint8_t *)(uintptr_t)member->packed;
     while (state->block_state != ISAL_BLOCK_FINISH) {

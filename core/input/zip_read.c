@@ -5,7 +5,7 @@
 
 #include "base/cancel.h"
 
-/* Source: APPNOTE.TXT, sections 4.3.7, 4.3.12 and 4.3.14 to 4.3.16: signatures and sizes of records without names. */
+/* Source: APPNOTE.TXT, sections 4.3.7, 4.3.12 and 4.3.14 to 4.3.16: signatures, and sizes of records without names. */
 enum { LOCAL_SIZE = 30, CENTRAL_SIZE = 46, END_SIZE = 22, LOCATOR_SIZE = 20, END64_SIZE = 56, COMMENT_MAX = 65535 };
 enum { LOCAL = 0x04034b50, CENTRAL = 0x02014b50, END = 0x06054b50, LOCATOR = 0x07064b50, END64 = 0x06064b50 };
 enum { ENCRYPTED = 1 << 0, SIZES_BEHIND = 1 << 3, STRONGLY_ENCRYPTED = 1 << 6, HEADERS_ENCRYPTED = 1 << 13 };
@@ -46,7 +46,7 @@ static bool member_fault(const struct archive *archive, const struct zr_zip_memb
 
 /* ---- the end of the directory ---- */
 
-/* Returns the offset of the end record, whose comment reaches to the end of the archive; SIZE_MAX if there is none. */
+/* Returns the offset of the end record, whose comment ends the archive; SIZE_MAX if there is none. */
 static size_t find_end(const struct archive *archive)
 {
     for (size_t comment = 0; comment <= COMMENT_MAX && END_SIZE + comment <= archive->size; comment++) {
@@ -57,7 +57,7 @@ static size_t find_end(const struct archive *archive)
     return SIZE_MAX;
 }
 
-/* Reads the ZIP64 end record that the locator in front of the end record points to. */
+/* Reads the ZIP64 end record that the locator before the end record names. */
 static bool read_end64(struct archive *archive, size_t end)
 {
     const char *locator = archive->bytes + end - LOCATOR_SIZE;
@@ -94,7 +94,7 @@ static bool read_end(struct archive *archive)
 
 /* ---- members ---- */
 
-/* Checks that a name stays within a folder, and is text without control characters. */
+/* Checks that a name stays within its folder and has no control characters. */
 static bool check_name(const struct archive *archive, const struct zr_zip_member *member)
 {
     const char *name = member->name, *const end = name + member->name_length;
@@ -112,14 +112,14 @@ static bool check_name(const struct archive *archive, const struct zr_zip_member
     return true;
 }
 
-/* Replaces the sizes and the offset that are 0xFFFFFFFF by those of the ZIP64 field. */
+/* Replaces each size and offset of 0xFFFFFFFF by its value in the ZIP64 field. */
 static bool read_extra(const struct archive *archive, struct zr_zip_member *member, uint64_t *offset, const char *at,
                        size_t size)
 {
     uint64_t *const values[] = {&member->size, &member->packed_size, offset};
     while (size >= 4) {
         const uint32_t id = number(at, 2), length = number(at + 2, 2);
-        if (length > size - 4) break; /* padding, as some writers put it there */
+        if (length > size - 4) break; /* padding of some writers */
         const char *value = at + 4, *const end = value + length;
         for (size_t i = 0; id == ZIP64_FIELD && i < 3; i++) {
             if (*values[i] != UINT32_MAX) continue;
@@ -133,7 +133,7 @@ static bool read_extra(const struct archive *archive, struct zr_zip_member *memb
     return true;
 }
 
-/* Finds the member's bytes behind its local header, which must agree with the directory. */
+/* Finds the member's bytes after its local header. Checks the header against the directory. */
 static bool read_local(const struct archive *archive, struct zr_zip_member *member, uint64_t offset)
 {
     const size_t room = archive->directory;
@@ -157,14 +157,14 @@ static bool read_local(const struct archive *archive, struct zr_zip_member *memb
 
 static bool check_sizes(const struct archive *archive, const struct zr_zip_member *member)
 {
-    enum { DEFLATE_MOST = 1032 }; /* bytes that one packed byte can become */
+    enum { DEFLATE_MOST = 1032 }; /* most bytes per packed byte */
     if (member->method == 0 ? member->size != member->packed_size
                             : member->size > (member->packed_size + 1) * DEFLATE_MOST)
         return member_fault(archive, member, "its sizes do not add up");
     return true;
 }
 
-/* Reads the entry at *at, and advances *at behind it. */
+/* Reads the entry at *at; advances *at to its end. */
 static bool read_entry(const struct archive *archive, size_t *at, struct zr_zip_member *member)
 {
     const char *entry = archive->bytes + *at;
@@ -217,7 +217,7 @@ static int compare_offsets(const void *left, const void *right)
     return (a->offset > b->offset) - (a->offset < b->offset);
 }
 
-/* Checks for overlaps and duplicates; leaves the members sorted by name. */
+/* Checks for overlaps and duplicates; sorts the members by name. */
 static bool check_together(const struct archive *archive, struct zr_zip *zip)
 {
     struct zr_zip_member *members = zip->members;
@@ -229,7 +229,7 @@ static bool check_together(const struct archive *archive, struct zr_zip *zip)
     qsort(members, zip->count, sizeof *members, compare_names);
     for (size_t i = 1; i < zip->count; i++)
         if (compare_names(&members[i - 1], &members[i]) == 0)
-            return member_fault(archive, &members[i], "it is there twice");
+            return member_fault(archive, &members[i], "it occurs twice");
     return true;
 }
 
@@ -265,7 +265,7 @@ enum zr_status zr_zip_open(struct zr_arena *arena, const char *bytes, size_t siz
 const struct zr_zip_member *zr_zip_find(const struct zr_zip *zip, const char *name, size_t length)
 {
     size_t low = 0, high = zip->count;
-    while (low < high) { /* the first that is not before `name` without regard to case */
+    while (low < high) { /* the first at or after `name`, ignoring case */
         const size_t middle = low + (high - low) / 2;
         const struct zr_zip_member *member = &zip->members[middle];
         if (compare_texts(member->name, member->name_length, name, length, false) < 0)

@@ -28,10 +28,10 @@ struct zr_zip_member {
 
 struct zr_zip {
     size_t count;                  /* without folders */
-    struct zr_zip_member *members; /* sorted by name, without regard to the case of ASCII letters first */
+    struct zr_zip_member *members; /* sorted by name: ASCII case is ignored first, then decides */
 };
 
-/* True if the bytes begin like an archive with members. */
+/* True if the bytes begin with a local header, as an archive with members does. */
 bool zr_zip_is(const char *bytes, size_t size);
 
 /* Reads the directory. Fails with ZR_BAD_SYNTAX and a reason, ZR_NO_MEMORY or ZR_CANCELLED (arena->cancel). The
@@ -39,11 +39,10 @@ bool zr_zip_is(const char *bytes, size_t size);
 enum zr_status zr_zip_open(struct zr_arena *arena, const char *bytes, size_t size, struct zr_zip *zip,
                            struct zr_reason *reason);
 
-/* Finds a member by its name; without an exact one, the first that differs in the case of ASCII letters only. NULL if
- * there is none. */
+/* Finds a member by its exact name, else the first whose name differs only in ASCII case. NULL if there is none. */
 const struct zr_zip_member *zr_zip_find(const struct zr_zip *zip, const char *name, size_t length);
 
-/* Returns the member's bytes, member->size of them: in the archive if they are stored, else inflated in the arena.
+/* Sets *bytes to the member's member->size bytes: in the archive if they are stored, else inflated in the arena.
  * Fails as zr_zip_open does. */
 enum zr_status zr_zip_read(const struct zr_zip_member *member, struct zr_arena *arena, const char **bytes,
                            struct zr_reason *reason);

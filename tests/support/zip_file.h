@@ -1,4 +1,4 @@
-/* zip_file.h - tests: archives made by hand, which may be wrong. */
+/* zip_file.h - tests: makes ZIP archives, valid or not. */
 #ifndef ZR_TESTS_ZIP_FILE_H
 #define ZR_TESTS_ZIP_FILE_H
 
@@ -34,7 +34,7 @@ static inline size_t zip_deflate(const char *bytes, size_t size, unsigned char *
     return room - stream.avail_out;
 }
 
-/* Returns an archive, to be freed. *directory: the offset of its directory. */
+/* Returns an archive, which the caller frees. Sets *directory to the offset of its directory. */
 static inline unsigned char *zip_file(const struct zip_entry *entries, size_t count, size_t *size, size_t *directory)
 {
     size_t room = 22;
@@ -87,7 +87,7 @@ static inline unsigned char *zip_file(const struct zip_entry *entries, size_t co
     return file;
 }
 
-/* Returns a 3MF with these parts: the relationships name the first. */
+/* Returns a 3MF package of these parts; the relationships name the first as the model. */
 static inline unsigned char *zip_3mf(const struct zip_entry *parts, size_t count, size_t *size)
 {
     static const char rels[] =

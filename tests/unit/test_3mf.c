@@ -1,4 +1,4 @@
-/* Reads 3MF: what is drawn, where and in which colours, and what is warned of. Refusals: tests/refusals/3mf.txt. */
+/* Reads 3MF: meshes, instances, colours and warnings. Refusals: tests/refusals/3mf.txt. */
 #include "input_check.h"
 #include "support/tests.h"
 #include "support/zip_file.h"
@@ -73,7 +73,7 @@ TEST(items_and_components_are_placed)
         for (int axis = 0; axis < 3; axis++)
             assert_true(instance->object_to_world.m[12 + axis] == places[i][axis]);
     }
-    /* the second turns x to y, and is scaled by 2 */
+    /* the second rotates x to y and is scaled by 2 */
     assert_true(reading->scene->instances[1].object_to_world.m[1] == 2.0f);
     reading_free(reading);
 }
@@ -162,7 +162,7 @@ TEST(what_is_not_drawn_is_warned_of)
     reading_free(reading);
 }
 
-/* A list of components that doubles at each of 40 levels is counted, not made. */
+/* Components that double at each of 40 levels are counted before any instance is made. */
 TEST(exponential_components_are_foretold)
 {
     static char model[1 << 14];

@@ -1,4 +1,4 @@
-/* PLY of every form, type and order, and what comes with it. */
+/* Reads PLY of every form, type and order of properties; warnings and bounds. */
 #include <math.h>
 
 #include "input/ply_values.h"
@@ -17,7 +17,7 @@ static const char *const types[ZR_PLY_TYPES][2] = {
 
 /* ---- writing ---- */
 
-/* Puts a value of a type into a file of a form. */
+/* Appends a value in this form and type. */
 static void put_value(struct text *text, int form, int type, double value)
 {
     char bytes[8];
@@ -47,7 +47,7 @@ static const char *any_name(int type)
     return types[type][below(2)];
 }
 
-/* Puts a list of so many corners, counted in a type. */
+/* Appends a list of `count` corners, with a length of type count_type. */
 static void put_list(struct text *text, int form, int count_type, int type, const double *values, size_t count)
 {
     put_value(text, form, count_type, (double)count);
@@ -75,13 +75,13 @@ static struct reading *read_and_drop(struct text *text)
     return reading;
 }
 
-/* Small whole numbers, which every type holds. */
+/* Small whole numbers, which every type can represent. */
 static const double corners[VERTICES][3] = {{0, 0, 0}, {9, 0, 1}, {9, 8, 2}, {0, 8, 3}};
 static const double quad[VERTICES] = {0, 1, 2, 3}, triangle[3] = {2, 1, 0};
 
 /* ---- types, forms and orders ---- */
 
-/* Vertices with x, y and z among others in an odd order, and an element and lists that are not known between. */
+/* Appends vertices with x, y and z in an unusual order, between unknown properties and lists. */
 static void put_vertices(struct text *header, struct text *body, int form, int type, int list_type, bool with_list)
 {
     const int odd = (type + 3) % ZR_PLY_TYPES;
@@ -197,7 +197,7 @@ TEST(line_ends_of_every_kind_are_the_same_file)
     reading_free(wanted);
 }
 
-/* The first value of the body is a line feed, so the end of the header is found by the first line's. */
+/* The body begins with a line feed, so the first line decides the line end of the header. */
 TEST(binary_begins_right_behind_the_header)
 {
     static const char *const ends[] = {"\r", "\r\n", "\n"};
@@ -230,7 +230,7 @@ TEST(mesh_equals_that_of_obj)
     reading_free(wanted);
 }
 
-/* ---- what vertices have ---- */
+/* ---- properties of vertices ---- */
 
 TEST(colours_of_every_kind_are_0_to_1)
 {
@@ -377,7 +377,7 @@ TEST(what_is_not_drawn_or_odd_is_warned_of)
          "1 lines of the header are not known, the first is line 3"},
         {ASCII VERTEX "element face 3\nproperty list uchar int vertex_indices\nend_header\n" POSITIONS
                       "3 0 1 2\n2 0 1\n0\n",
-         "2 faces have less than 3 corners and are left out, the first is face 1"},
+         "2 faces have fewer than 3 corners and are left out, the first is face 1"},
         {ASCII VERTEX "end_header\n0 0 0 9 0 1\n9 8 2 0 8 3\n",
          "2 lines have another number of values than the header says, the first is line 8"},
         {MESH "5 6\n", "4 bytes behind the last element are not read"},

@@ -1,4 +1,4 @@
-/* Binary PLY in parts, read by several threads, and the same meshes in ASCII. */
+/* Reads binary PLY in parts by several threads; compares with the same meshes in ASCII. */
 #include <math.h>
 
 #include "by_teams.h"
@@ -25,7 +25,7 @@ static void put_header(struct text *text, int form, size_t vertices, size_t face
     add(text, "element face %zu\nproperty list uchar int vertex_indices\nend_header\n", faces);
 }
 
-/* A mesh of triangles, but for face `quad`, which has four corners, and face `line`, which has two. */
+/* Makes a mesh of triangles; face `quad` has four corners, face `line` has two. */
 static struct text make_mesh(int form, size_t vertices, size_t faces, size_t quad, size_t line)
 {
     struct text text = {0};
@@ -123,7 +123,7 @@ TEST(triangles_take_little_more_memory_than_their_arrays)
     drop(&text);
 }
 
-/* zr_scene_read would say so whatever the reader says. */
+/* Calls the reader itself: zr_scene_read reports a cancel in any case. */
 TEST(cancelled_reader_says_so)
 {
     struct zr_cancel cancel = {.raised = true};

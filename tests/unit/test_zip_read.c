@@ -1,4 +1,4 @@
-/* input/zip_read.h: archives that are read, and those that are refused. */
+/* input/zip_read.h: reads valid archives, refuses others. */
 #include "base/cancel.h"
 #include "guarded.h"
 #include "input/zip_read.h"
@@ -62,7 +62,7 @@ TEST(members_are_found_by_name_and_read)
     free(file);
 }
 
-/* Bytes of the archive of two members that are replaced; offsets behind a minus sign are from the directory on. */
+/* Replaces bytes of an archive of two members. Offsets are from the directory if the first field is true. */
 TEST(wrong_bytes_are_refused_with_their_reason)
 {
     static const struct {
@@ -106,7 +106,7 @@ TEST(duplicates_and_overlaps_are_refused)
     struct opened opened;
     open_zip(&opened, file, size);
     assert_int_equal(opened.status, ZR_BAD_SYNTAX);
-    assert_non_null(strstr(opened.reason.text, "'a': it is there twice"));
+    assert_non_null(strstr(opened.reason.text, "'a': it occurs twice"));
     close_zip(&opened);
     zip_put(file + directory + 47 + 42, 0, 4); /* the second entry names the first member's header */
     open_zip(&opened, file, size);
@@ -116,7 +116,7 @@ TEST(duplicates_and_overlaps_are_refused)
     free(file);
 }
 
-/* Sizes and checksums that lie, in both headers alike. */
+/* Both headers have the same wrong size or checksum. */
 TEST(members_that_are_not_as_the_directory_says_are_refused)
 {
     static const struct {
@@ -155,7 +155,7 @@ TEST(bombs_are_foretold_by_the_directory)
     assert_int_equal(opened.status, ZR_OK);
     assert_int_equal(zr_zip_read(opened.zip.members, &opened.arena, &bytes, &opened.reason), ZR_NO_MEMORY);
     close_zip(&opened);
-    zip_put(file + 22, 0xFFFFFFF0, 4); /* more than so few bytes can become */
+    zip_put(file + 22, 0xFFFFFFF0, 4); /* more than the packed bytes can inflate to */
     zip_put(file + directory + 24, 0xFFFFFFF0, 4);
     open_zip(&opened, file, size);
     assert_int_equal(opened.status, ZR_BAD_SYNTAX);
