@@ -7,7 +7,7 @@
 #include "input/json_scene.h"
 #include "input/text.h"
 
-/* Returns the file's material with the values that the query gives. */
+/* Returns the file's material with the values of the query in place of its own. */
 static struct zr_parsed_material put_query(const struct zr_parsed_material *material,
                                            const struct zr_parsed_material *query)
 {
@@ -19,7 +19,7 @@ static struct zr_parsed_material put_query(const struct zr_parsed_material *mate
     return out;
 }
 
-/* Unlit materials are so in looks that light others: a look of another kind shades all surfaces in its own way. */
+/* True if the look lights surfaces. Only such looks draw unlit materials as unlit. */
 static bool lights_surfaces(const struct zr_look *look)
 {
     return look->shades_by_mesh || look->material.shading == ZR_SHADING_PBR;
@@ -38,7 +38,7 @@ static uint32_t make(struct zr_parsed_scene *root, const struct zr_mesh *mesh, u
     return zr_parsed_make_material(root, &of, is_colored, mesh->normal_count > 0 || is_colored);
 }
 
-/* Notes the uses of the file's materials for the query's, whose keys go into all of them. */
+/* Adds the uses of the file's materials to the query's, whose keys override all of them. */
 static void note_uses(struct zr_parsed_material *query, const struct zr_parsed_material *all, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -53,7 +53,7 @@ void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_
 {
     struct zr_scene *scene = root->scene;
     struct zr_parsed_material *const own = root->materials;
-    const size_t own_count = root->material_count; /* 0, or 1: the query's */
+    const size_t own_count = root->material_count; /* 0 or 1: the query's material */
     struct zr_parsed_material *all = zr_arena_alloc(root->json.arena, (size_t)file->material_count + 1, sizeof *all);
     struct zr_face_style over = root->face_style;
     if (!all) return;
@@ -99,7 +99,7 @@ static struct zr_names_text list_cameras(const struct zr_file_scene *file)
     return names;
 }
 
-/* A name goes before a number. */
+/* Returns the camera of this name, else the one of this number, else NULL. */
 static const struct zr_file_camera *find_camera(const struct zr_file_scene *file, const char *wanted)
 {
     char number[16];
@@ -112,7 +112,7 @@ static const struct zr_file_camera *find_camera(const struct zr_file_scene *file
     return NULL;
 }
 
-/* Makes the axes unit vectors: a camera has no scale. */
+/* Removes the scale: makes the axes unit vectors. */
 static zr_mat4 unscale(const zr_mat4 *matrix)
 {
     zr_mat4 out = *matrix;
@@ -146,7 +146,7 @@ bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json
     const struct zr_quote quote = zr_quote(camera, strlen(camera));
     if (!file || file->camera_count == 0) return zr_json_fault(&root->json, path, "the file has no cameras");
     if (!found)
-        return zr_json_fault(&root->json, path, "the file has no camera %s, but: %s", quote.text,
+        return zr_json_fault(&root->json, path, "the file has no camera %s; its cameras: %s", quote.text,
                              list_cameras(file).text);
     if (!set_pose(view, found, up)) return zr_json_fault(&root->json, path, "the camera %s has no axes", quote.text);
     view->projection = found->is_perspective ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;

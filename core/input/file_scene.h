@@ -1,4 +1,4 @@
-/* file_scene.h - input: nodes, materials and cameras of a bare mesh whose format has them, such as glTF.
+/* file_scene.h - input: nodes, materials and cameras of bare meshes in formats such as glTF.
  *
  * Over:   a parameter of the query replaces the file's value, which replaces the look's.
  */
@@ -13,9 +13,9 @@ struct zr_json_path;
 
 #define ZR_FILE_MATERIAL_NONE UINT32_MAX
 
-/* A camera that a node of the file places. */
+/* A camera that a node of the scene places. */
 struct zr_file_camera {
-    const char *name; /* of the camera, else of its node; "": none */
+    const char *name; /* of the camera, else of its node, else "" */
     uint32_t number;  /* in the file */
     zr_mat4 camera_to_world;
     bool is_perspective;
@@ -31,18 +31,18 @@ struct zr_file_scene {
     struct zr_parsed_material *materials;
     uint32_t camera_count;
     struct zr_file_camera *cameras;
-    const uint32_t *mesh_materials; /* one per mesh: its material, or NONE: the look's */
+    const uint32_t *mesh_materials; /* one per mesh; NONE: the look's material */
 };
 
-/* Makes the materials of the builder's meshes: those of the file, under the keys of the query. */
+/* Makes the materials of the builder's meshes from those of the file. The keys of the query override them. */
 void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_file_scene *file);
 
-/* Sets the view's pose and projection to those of a camera of the file, by its name or number; `up` turns the file's
- * space to the world. False, and a fault at `path`, if there is none. `file` may be NULL. */
+/* Sets the view's pose and projection to those of the file's camera of this name or number. `up` turns the file's
+ * space to world space. False, and a fault at `path`, if there is no such camera. `file` may be NULL. */
 bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
                               const struct zr_file_scene *file, const char *camera, const zr_mat4 *up);
 
-/* Removes maps that need linear light, if the picture has none. */
+/* Removes the maps that need linear light if the picture is made without it. */
 void zr_file_scene_drop_maps(struct zr_parsed_scene *root);
 
 #endif

@@ -1,5 +1,5 @@
-/* Reads glTF 2.0, binary (GLB) or JSON. Its numbers are where the file has them: bytes of the body, of a data: URI or
- * of a part of the request. */
+/* Reads glTF 2.0, binary (GLB) or JSON. The bytes of buffers and images are in the body, in data: URIs or in parts of
+ * the request. */
 #include "input/gltf.h"
 
 #include <string.h>
@@ -28,7 +28,7 @@ static void check_version(struct zr_gltf *file)
     struct given_asset given = {NULL, NULL};
     uint64_t keys;
     if (!file->places[ZR_GLTF_ASSET]) {
-        zr_json_fault(&file->root.json, NULL, "asset is missing: it has the version of glTF");
+        zr_json_fault(&file->root.json, NULL, "asset is missing: it gives the version of glTF");
         return;
     }
     struct zr_json there = zr_json_at(&file->root.json, file->places[ZR_GLTF_ASSET]);

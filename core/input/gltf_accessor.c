@@ -23,7 +23,7 @@ size_t zr_gltf_type_bytes(uint32_t type)
     }
 }
 
-/* uint32_t: a componentType. */
+/* Reads a componentType, a uint32_t. */
 static bool read_type(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                       void *out)
 {
@@ -59,7 +59,7 @@ struct given_sparse {
 #define AT(member) offsetof(struct given_sparse, member)
 static const struct zr_json_field sparse_fields[] = {
     {"count", zr_json_whole, AT(count), .required = true, .text = "number of elements"},
-    {"indices", zr_json_place, AT(indices), .required = true, .text = "which elements"},
+    {"indices", zr_json_place, AT(indices), .required = true, .text = "numbers of the elements"},
     {"values", zr_json_place, AT(values), .required = true, .text = "their values"},
     ZR_GLTF_COMMON};
 static const struct zr_json_object sparse_object = ZR_JSON_OBJECT_OF("sparse", sparse_fields);
@@ -154,7 +154,7 @@ static bool open_sparse(struct zr_gltf *file, const struct zr_json_path *path, s
     return true;
 }
 
-/* Zeros take no bytes of the file, so its size limits their number. */
+/* Limits elements without a view by the size of the request: they use no bytes of it. */
 static bool zeros_are_few(struct zr_gltf *file, const struct zr_json_path *path, uint32_t count)
 {
     return count <= file->bytes ||

@@ -1,4 +1,4 @@
-/* Opens attributes of primitives, and counts the bytes of the arrays that are made of them. */
+/* Opens attributes of primitives, and counts the bytes of the meshes' arrays. */
 #include "input/gltf.h"
 #include "input/quick.h"
 

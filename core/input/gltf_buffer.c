@@ -1,4 +1,4 @@
-/* Reads buffers and views of glTF. The bytes of a buffer are found at its first use; nothing is fetched. */
+/* Reads buffers and views of glTF. Finds the bytes of a buffer at its first use, and fetches nothing. */
 #include "input/gltf.h"
 
 #include <string.h>
@@ -125,7 +125,7 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, ui
                              number == 0 ? "the file has no binary chunk" : "only buffer 0 may be the binary chunk");
     }
     if (buffer->length > buffer->bytes.size)
-        return zr_json_fault(json, ZR_JSON_KEY(path, buffer_fields[BUFFER_LENGTH].key), "%u, and there are %zu bytes",
+        return zr_json_fault(json, ZR_JSON_KEY(path, buffer_fields[BUFFER_LENGTH].key), "%u, but there are %zu bytes",
                              buffer->length, buffer->bytes.size);
     buffer->bytes.size = buffer->length;
     return true;

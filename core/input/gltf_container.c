@@ -57,7 +57,7 @@ enum zr_status zr_gltf_unpack(struct zr_scene_builder *builder, const char *byte
         return zr_error_add(error, ZR_BAD_SCENE, NULL, "binary glTF of version %u; version 2 is read", version);
     if (length > size)
         return zr_error_add(error, ZR_BAD_SYNTAX, NULL,
-                            "binary glTF of %u bytes by its header, and %zu are there: was it cut short?", length,
+                            "binary glTF of %u bytes by its header, but there are %zu: was it cut short?", length,
                             size);
     if (length < size)
         zr_warning_list_add(builder->arena, &builder->warnings, "%zu bytes behind the end of binary glTF are not read",

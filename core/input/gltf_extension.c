@@ -1,4 +1,4 @@
-/* Checks the extensions that a glTF file names. */
+/* Reads the names of the extensions that a glTF file uses and requires. */
 #include "input/gltf.h"
 
 #include <string.h>

@@ -32,7 +32,7 @@ static const struct zr_json_field fields[] = {{.key = "attributes",
                                               ZR_GLTF_COMMON};
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("EXT_mesh_gpu_instancing", fields);
 
-/* Accessors, or NONE. */
+/* Accessor numbers, or NONE. */
 struct attributes {
     uint32_t translation, rotation, scale;
 };
@@ -44,7 +44,7 @@ static const struct zr_json_field attribute_fields[] = {
 #undef AT
 static const struct zr_json_object attribute_object = ZR_JSON_OBJECT_OF("attributes", attribute_fields);
 
-/* Reads an attribute of all instances, four floats each, or `otherwise`. The first one sets the number of instances. */
+/* Reads an attribute of all instances, four floats each. Without it, all are `otherwise`. Sets *count if it is 0. */
 static zr_vec4 *read_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
                                int shape, zr_vec4 otherwise, uint32_t *count)
 {
@@ -77,7 +77,7 @@ static bool make_poses(struct zr_gltf *file, const struct zr_json_path *path, co
 {
     const zr_vec4 zero = {0, 0, 0, 0}, one = {1, 1, 1, 1}, straight = {0, 0, 0, 1};
     uint32_t count = 0;
-    for (int pass = 0; pass < 2; pass++) { /* the first pass finds the number of instances */
+    for (int pass = 0; pass < 2; pass++) { /* the first pass counts the instances */
         const zr_vec4 *t = read_attribute(file, path, "TRANSLATION", of->translation, ZR_GLTF_VEC3, zero, &count);
         const zr_vec4 *q =
             t ? read_attribute(file, path, "ROTATION", of->rotation, ZR_GLTF_VEC4, straight, &count) : NULL;

@@ -1,4 +1,4 @@
-/* Reads objects and lists of glTF, whose readers skip keys that they do not know. */
+/* Reads objects and lists of glTF, and skips unknown keys. */
 #include "input/gltf.h"
 
 #include <float.h>
@@ -10,7 +10,7 @@ bool zr_gltf_stops(struct zr_gltf *file)
     return zr_json_stops(&file->root.json);
 }
 
-/* ---- oddities ---- */
+/* ---- notes ---- */
 
 void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path)
 {

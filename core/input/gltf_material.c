@@ -1,4 +1,4 @@
-/* Reads materials of glTF as materials of a scene. A material is read when something that is drawn first uses it. */
+/* Converts materials of glTF to materials of a scene. Reads a material at its first use by a drawn primitive. */
 #include "input/gltf.h"
 
 #include <float.h>
@@ -8,7 +8,7 @@
 
 /* ---- numbers ---- */
 
-/* Factors of a material: 0 to 1, others are clamped with a note. */
+/* Factors of a material as given, before they are clamped to 0 to 1. */
 struct factors {
     double v[4];
 };
@@ -43,7 +43,7 @@ static float clamp(struct zr_gltf *file, const struct zr_json_path *path, double
     return value > 0.0 ? 1.0f : 0.0f;
 }
 
-/* Colours of a scene are sRGB-encoded. */
+/* Encodes a linear colour as sRGB, the encoding of colours of a scene. */
 static zr_vec4 encode(struct zr_gltf *file, const float linear[4])
 {
     float in[4 + ZR_SRGB_EXCESS] = {linear[0], linear[1], linear[2]}, out[4 + ZR_SRGB_EXCESS];
@@ -125,7 +125,7 @@ static const struct zr_json_field strength_fields[] = {{.key = "emissiveStrength
 static const struct zr_json_object strength_object =
     ZR_JSON_OBJECT_OF("KHR_materials_emissive_strength", strength_fields);
 
-/* *strength: factor of the emitted light. */
+/* Sets *strength to the factor of the emitted light. */
 static void read_extensions(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                             struct zr_parsed_material *out, double *strength)
 {

@@ -35,7 +35,7 @@ static const struct zr_json_field fields[] = {
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("primitive", fields);
 
-/* Other attributes, such as TEXCOORD_2 or _TEMPERATURE, are skipped without a note. */
+/* Skips other attributes, such as TEXCOORD_2 or _TEMPERATURE, without a note. */
 static void read_attributes(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                             struct zr_gltf_attributes *out)
 {
@@ -80,7 +80,7 @@ struct given_mesh {
 enum { PRIMITIVES, NAME, WEIGHTS };
 #define AT(member) offsetof(struct given_mesh, member)
 static const struct zr_json_field mesh_fields[] = {
-    [PRIMITIVES] = {"primitives", zr_json_place, AT(primitives), .required = true, .text = "what the mesh is made of"},
+    [PRIMITIVES] = {"primitives", zr_json_place, AT(primitives), .required = true, .text = "list of primitives"},
     [NAME] = {.key = "name", .read = zr_json_string, .offset = AT(name)},
     [WEIGHTS] = {.key = "weights", .read = zr_json_place, .offset = AT(weights)},
     ZR_GLTF_COMMON};
@@ -125,7 +125,7 @@ static void read_mesh(struct zr_gltf *file, struct zr_json *json, const struct z
         zr_json_skip(json);
         return;
     }
-    const struct zr_gltf_note before = file->unknown; /* noted by count_mesh */
+    const struct zr_gltf_note before = file->unknown; /* count_mesh has noted the unknown keys */
     zr_gltf_fields(file, json, path, &mesh_object, &given, &keys);
     file->unknown = before;
     for (uint32_t i = file->first_uses[number]; i != ZR_GLTF_NONE && !zr_gltf_stops(file); i = file->uses[i].next)

@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-/* One target: accessors of differences, or NONE. */
+/* One target: accessor numbers of its differences, or NONE. */
 struct target {
     uint32_t position, normal, tangent;
 };
@@ -15,7 +15,7 @@ static const struct zr_json_field fields[] = {{.key = "POSITION", .read = zr_glt
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("target", fields);
 
-/* Adds `weight` times the differences to vectors that are `step` floats apart; the first three of each. */
+/* Adds `weight` times the differences to the first three floats of vectors that are `step` floats apart. */
 static bool add(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number, double weight,
                 const struct zr_gltf_range *range, float *vectors, size_t step)
 {

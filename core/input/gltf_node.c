@@ -1,4 +1,4 @@
-/* Reads nodes and scenes of glTF, and places meshes. Every node has at most one parent. */
+/* Reads nodes and scenes of glTF, and places meshes. A node with two parents is refused. */
 #include "input/gltf.h"
 
 #include <string.h>
@@ -10,16 +10,16 @@
 
 struct zr_gltf_nodes {
     uint32_t count, child_count;
-    struct zr_node *nodes; /* `mesh` is a mesh of the file, later its use */
+    struct zr_node *nodes; /* `mesh`: number of a mesh of the file, later of its use */
     uint32_t *children;
-    const char **places;       /* of the list of each node's children, or NULL */
+    const char **places;       /* places of the lists of children, or NULL */
     uint32_t *parents;         /* or NONE */
-    bool *is_drawn;            /* below a root of the scene */
+    bool *is_drawn;            /* the node is a root of the scene or its descendant */
     uint32_t *skins, *cameras; /* or NONE */
     const char **names;
     const char **weights, **instancing;
     zr_mat4 *worlds;
-    uint32_t *stack; /* nodes to visit */
+    uint32_t *stack; /* numbers of nodes to visit */
     size_t stacked;
 };
 
@@ -171,7 +171,7 @@ static void read_root(struct zr_gltf *file, struct zr_json *json, const struct z
     push(all, node);
 }
 
-/* Reads the scene `file->scene`; the others are skipped. */
+/* Reads the scene `file->scene`, and skips the others. */
 static void read_scene(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct given_scene given = {NULL};
@@ -184,7 +184,7 @@ static void read_scene(struct zr_gltf *file, struct zr_json *json, const struct 
     if (given.nodes) zr_gltf_read_items(file, given.nodes, ZR_JSON_KEY(path, scene_fields[0].key), read_root);
 }
 
-/* The default scene, the first one, or all roots. */
+/* Finds the roots of the default scene, else of the first scene, else all nodes without a parent. */
 static bool find_roots(struct zr_gltf *file)
 {
     struct zr_gltf_nodes *all = file->nodes;
@@ -204,7 +204,7 @@ static bool find_roots(struct zr_gltf *file)
     return json->error->count == 0;
 }
 
-/* Marks what is below the roots. */
+/* Marks the descendants of the roots as drawn. */
 static void find_drawn(struct zr_gltf_nodes *all)
 {
     while (all->stacked > 0) {
@@ -214,7 +214,7 @@ static void find_drawn(struct zr_gltf_nodes *all)
     }
 }
 
-/* Finds the matrices to world space of all nodes. */
+/* Computes the matrices of all nodes to world space. */
 static void find_worlds(struct zr_gltf_nodes *all)
 {
     for (uint32_t i = 0; i < all->count; i++) {
@@ -242,7 +242,7 @@ static bool is_shared(const struct zr_gltf_use *use)
     return use->skin == ZR_GLTF_NONE && !use->weights && !use->instancing;
 }
 
-/* Returns the use of a mesh by a node: one of its own if it has a skin or weights, else the first such use. */
+/* Returns the use of a node's mesh: a new one if the node has a skin, weights or instancing, else the shared one. */
 static uint32_t use_of(struct zr_gltf *file, uint32_t node)
 {
     const struct zr_gltf_nodes *all = file->nodes;
@@ -254,14 +254,14 @@ static uint32_t use_of(struct zr_gltf *file, uint32_t node)
                                                        .instancing = all->instancing[node],
                                                        .node = node,
                                                        .next = *next};
-    if (is_own && *next != ZR_GLTF_NONE && is_shared(&file->uses[*next])) { /* behind the shared one */
+    if (is_own && *next != ZR_GLTF_NONE && is_shared(&file->uses[*next])) { /* insert it behind the shared one */
         file->uses[file->use_count].next = file->uses[*next].next;
         next = &file->uses[*next].next;
     }
     return *next = file->use_count++;
 }
 
-/* Other nodes than those of the scene place nothing. */
+/* Sets the use of each node's mesh; removes the meshes of nodes outside the scene. */
 static void find_uses(struct zr_gltf *file)
 {
     struct zr_gltf_nodes *all = file->nodes;
@@ -307,7 +307,7 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
 
 /* ---- instances ---- */
 
-/* Makes an instance of each of a mesh's primitives, in each pose of its instancing. */
+/* Makes one instance per primitive of the mesh and per pose of its instancing. */
 static void put_instances(const struct zr_gltf_use *use, const struct zr_instance *placed, struct zr_instance **next)
 {
     for (uint32_t pose = 0; pose < (use->poses ? use->pose_count : 1); pose++)
@@ -315,7 +315,7 @@ static void put_instances(const struct zr_gltf_use *use, const struct zr_instanc
             **next = *placed;
             (*next)->mesh = use->first + k;
             if (use->skin != ZR_GLTF_NONE)
-                (*next)->object_to_world = zr_mat4_identity(); /* joints place it */
+                (*next)->object_to_world = zr_mat4_identity(); /* its vertices are in world space */
             else if (use->poses)
                 (*next)->object_to_world = zr_mat4_mul(&placed->object_to_world, &use->poses[pose]);
         }

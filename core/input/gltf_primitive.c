@@ -1,5 +1,5 @@
-/* Makes a mesh of one primitive of glTF. Only the vertices between the smallest and the largest index are read, since
- * many primitives often share one accessor. */
+/* Makes a mesh of one primitive of glTF. Reads only the vertices from the smallest to the largest index, since many
+ * primitives often share one accessor. */
 #include "input/gltf.h"
 
 #include <float.h>
@@ -9,7 +9,7 @@
 #include "base/srgb.h"
 #include "scene/texture.h"
 
-/* Colours that are encoded at once, on the stack. */
+/* Colours per encoding pass, on the stack. */
 enum { AT_ONCE = 256 };
 
 static void *allocate(struct zr_gltf *file, size_t count, size_t size)
@@ -65,7 +65,7 @@ static bool read_tangents(struct zr_gltf *file, const struct zr_json_path *path,
     return tangents != NULL;
 }
 
-/* Two sets of coordinates share an array. */
+/* Reads both sets into one array: set 0 into x, y and set 1 into z, w. */
 static bool read_texcoords(struct zr_gltf *file, const struct zr_json_path *path, const uint32_t numbers[2],
                            uint32_t vertices, const struct zr_gltf_range *range, struct zr_mesh *mesh)
 {
@@ -87,7 +87,7 @@ static bool read_texcoords(struct zr_gltf *file, const struct zr_json_path *path
     return true;
 }
 
-/* Clamps colours, and encodes their linear light as sRGB, as colours of a scene are. */
+/* Clamps linear colours and encodes them as sRGB, the encoding of colours of a scene. */
 static bool encode(struct zr_gltf *file, zr_vec4 *colors, uint32_t count)
 {
     float linear[4 * AT_ONCE + ZR_SRGB_EXCESS] = {0}, encoded[4 * AT_ONCE + ZR_SRGB_EXCESS];
@@ -114,7 +114,7 @@ static bool read_colors(struct zr_gltf *file, const struct zr_json_path *path, u
         return false;
     zr_vec4 *colors = allocate(file, range->count, sizeof *colors);
     if (!colors) return false;
-    values.is_normalized = true; /* whole numbers have to be */
+    values.is_normalized = true; /* the format requires it of integers */
     for (uint32_t i = 0; i < range->count; i++)
         colors[i].w = 1.0f;
     if (!zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &colors[0].x, 4) ||
@@ -144,7 +144,7 @@ static bool read_attributes(struct zr_gltf *file, const struct zr_json_path *pat
 
 /* ---- primitives ---- */
 
-/* Reads the indices, and finds the range of vertices that they use; the indices become relative to it. */
+/* Reads the indices, finds their range of vertices, and makes them relative to its start. */
 static bool read_indices(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t vertices,
                          struct zr_gltf_range *range, uint32_t **corners, uint32_t *count)
 {

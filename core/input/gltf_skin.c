@@ -1,4 +1,4 @@
-/* Moves vertices by the joints of a skin of glTF, in the pose that the nodes have. Source: glTF 2.0, section 3.7.3. */
+/* Moves vertices by the joints of a skin of glTF, in the pose of the nodes. Source: glTF 2.0, section 3.7.3. */
 #include "input/gltf.h"
 
 #include <float.h>
@@ -13,7 +13,7 @@ struct zr_gltf_skin {
     const char *joints; /* place of the list */
     uint32_t inverse;   /* accessor of matrices, or NONE */
     uint32_t count;
-    zr_mat4 *matrices; /* one per joint, from the mesh to the world; NULL: not made yet */
+    zr_mat4 *matrices; /* one per joint, from mesh to world space; NULL before its first use */
     bool is_refused;
 };
 
@@ -45,7 +45,7 @@ bool zr_gltf_read_skins(struct zr_gltf *file)
 
 /* ---- joints ---- */
 
-/* Reads the matrices from the mesh to the joints; without an accessor they are identities. */
+/* Reads the matrices from mesh to joint space. Without an accessor, they are identities. */
 static bool read_inverses(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_skin *skin)
 {
     struct zr_gltf_values values;
@@ -80,7 +80,7 @@ static bool make_matrices(struct zr_gltf *file, uint32_t number, struct zr_gltf_
 
 /* ---- vertices ---- */
 
-/* Joints and weights of the vertices, four of each. */
+/* Joints and weights: four of each per vertex. */
 struct influences {
     float *joints, *weights;
 };
@@ -106,7 +106,7 @@ static bool read_influences(struct zr_gltf *file, const struct zr_json_path *pat
            zr_gltf_read_floats(file, &of_weights, range->first, range->count, (double)FLT_MAX, out->weights, 4);
 }
 
-/* Adds the vertex's weighted matrices to *sum, and its weights to *weight. False: no such joint. */
+/* Adds the vertex's weighted matrices to *sum, and its weights to *weight. False if the skin has no such joint. */
 static bool add_matrices(const struct zr_gltf_skin *skin, const struct influences *of, uint32_t vertex, zr_mat4 *sum,
                          float *weight)
 {
@@ -129,7 +129,7 @@ static void turn(const float *m, float scale, float *v)
         v[row] = scale * ((m[row] * x + m[4 + row] * y) + m[8 + row] * z);
 }
 
-/* Moves vertex `i`. Weights that do not add up to 1 are scaled; without any, it stays. */
+/* Moves vertex `i`. Scales its weights to the sum 1. If their sum is 0, the vertex stays. */
 static bool move(const struct zr_gltf_skin *skin, const struct influences of[2], int sets, uint32_t i,
                  struct zr_mesh *mesh)
 {
@@ -167,8 +167,8 @@ bool zr_gltf_bend(struct zr_gltf *file, const struct zr_json_path *path, const s
         if (i % AT_ONCE == 0 && zr_is_cancelled(file->root.json.cancel)) return false;
         if (!move(skin, of, sets, i, mesh))
             return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, "JOINTS_0"),
-                                 "vertex %u has a joint that is none of the %u of skin %u", range->first + i,
-                                 skin->count, number);
+                                 "vertex %u has a joint beyond the %u joints of skin %u", range->first + i, skin->count,
+                                 number);
     }
     return zr_gltf_check_moved(file, path->parent, mesh, "a skin");
 }

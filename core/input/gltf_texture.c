@@ -1,4 +1,4 @@
-/* Reads textures, samplers and images of glTF. An image is decoded when a material that is drawn first uses it. */
+/* Reads textures, samplers and images of glTF. Decodes an image at its first use by a drawn material. */
 #include "input/gltf.h"
 
 #include <string.h>
@@ -25,7 +25,7 @@ static const struct zr_json_object sampler_object = ZR_JSON_OBJECT_OF("sampler",
 static const struct zr_parsed_sampler sampler_default = {ZR_FILTER_LINEAR, ZR_FILTER_LINEAR_MIPMAP_LINEAR,
                                                          ZR_WRAP_REPEAT, ZR_WRAP_REPEAT};
 
-/* Sets a filter or a wrap mode, below `end`, if its number is given. */
+/* Sets a filter or a wrap mode to `found` if its number is given. Refuses values outside 0 to end - 1. */
 static void set(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int key, uint32_t number,
                 int found, int end, int *out)
 {

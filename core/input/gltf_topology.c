@@ -1,7 +1,7 @@
 /* Makes faces, lines and points of the modes of glTF. Source: glTF 2.0, section 3.7.2.1. */
 #include "input/gltf.h"
 
-/* Corners of a primitive: given ones, or consecutive vertices. */
+/* Returns corner `i`: an index, or vertex `i` if there are no indices. */
 static inline uint32_t corner(const uint32_t *corners, uint32_t i)
 {
     return corners ? corners[i] : i;
@@ -12,7 +12,7 @@ static uint32_t *allocate(struct zr_gltf *file, size_t count)
     return zr_arena_alloc(file->root.json.arena, count, sizeof(uint32_t));
 }
 
-/* Triangles of a strip or a fan. Those with two equal corners are left out: strips use them as joints. */
+/* Makes triangles of a strip or a fan. Leaves out those with two equal corners, which join strips. */
 static bool make_triangles(struct zr_gltf *file, uint32_t mode, const uint32_t *corners, uint32_t count,
                            struct zr_mesh *mesh)
 {
@@ -32,7 +32,7 @@ static bool make_triangles(struct zr_gltf *file, uint32_t mode, const uint32_t *
     return true;
 }
 
-/* Lines from each corner to the next; of a loop, also from the last to the first. */
+/* Makes lines from each corner to the next; in a loop, also from the last to the first. */
 static bool make_chain(struct zr_gltf *file, bool is_loop, const uint32_t *corners, uint32_t count,
                        struct zr_mesh *mesh)
 {
@@ -48,7 +48,7 @@ static bool make_chain(struct zr_gltf *file, bool is_loop, const uint32_t *corne
     return true;
 }
 
-/* All corners, as a list. */
+/* Returns all corners as a list. */
 static const uint32_t *list(struct zr_gltf *file, const uint32_t *corners, uint32_t count)
 {
     if (corners) return corners;
@@ -80,7 +80,7 @@ bool zr_gltf_make_topology(struct zr_gltf *file, const struct zr_json_path *path
     case ZR_GLTF_LINE_STRIP:
         return make_chain(file, mode == ZR_GLTF_LINE_LOOP, corners, count, mesh);
     case ZR_GLTF_TRIANGLES:
-        mesh->indices = corners; /* NULL: consecutive ones */
+        mesh->indices = corners; /* NULL: consecutive vertices */
         mesh->face_count = count / 3;
         return true;
     default:

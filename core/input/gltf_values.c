@@ -5,7 +5,7 @@
 
 #include "base/cancel.h"
 
-/* Elements between checks for cancellation: some 20 microseconds. */
+/* Elements between checks for cancellation: about 20 microseconds. */
 enum { AT_ONCE = 4096, WIDTH_MAX = 16 };
 
 /* ---- numbers ---- */
@@ -28,7 +28,7 @@ static float read_f32(const unsigned char *at)
     return value;
 }
 
-/* Signed numbers have two values of -1. */
+/* The two lowest signed integers both stand for -1. */
 static float at_least_minus_one(float value)
 {
     return value < -1.0f ? -1.0f : value;
@@ -63,7 +63,7 @@ static uint32_t read_index(const unsigned char *at, uint32_t type)
 
 /* ---- floats ---- */
 
-/* Reads `count` elements. Inlined for each width and for floats, so that the usual ones are short loops. */
+/* Reads `count` elements. It is inlined per type and width, so that frequent ones become short loops. */
 static inline void read_elements(const unsigned char *at, size_t stride, uint32_t type, bool is_normalized,
                                  uint32_t width, uint32_t count, float *out, size_t step)
 {
@@ -92,7 +92,7 @@ static void put_zeros(uint32_t width, uint32_t count, float *out, size_t step)
             out[k] = 0.0f;
 }
 
-/* Returns the first element with a number that is not within the limit, or `count`. */
+/* Returns the first element with a number beyond the limit or not finite, else `count`. */
 static uint32_t find_bad(const float *at, size_t step, uint32_t width, uint32_t count, float limit)
 {
     for (uint32_t i = 0; i < count; i++, at += step) {
@@ -123,7 +123,7 @@ static bool refuse(struct zr_gltf *file, const struct zr_gltf_values *values, ui
     return false;
 }
 
-/* Reports an index that is too large, or not above the one before. */
+/* Reports a sparse index that is too large, or not above the index before it. */
 static bool refuse_sparse(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t k, uint32_t index)
 {
     struct zr_json_path room[2];

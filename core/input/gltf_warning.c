@@ -1,4 +1,4 @@
-/* Warns of what a glTF file has, and its picture does not show as the file means it. */
+/* Warns of the contents of a glTF file that are left out or changed in its picture. */
 #include "input/gltf.h"
 
 #include "input/input.h"

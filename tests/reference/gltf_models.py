@@ -2,8 +2,8 @@
 
     gltf_models.py BUILD FOLDER     writes BUILD/gltf/index.html and prints TAP
 
-gltf_models.txt says which models are refused or draw with a warning. A model that refers to a file that is not
-there must be refused by that file's name.
+gltf_models.txt lists the models that are refused or drawn with a warning. A model that refers to a missing file must
+be refused with the name of that file.
 """
 import fnmatch
 import html
@@ -27,7 +27,7 @@ def read_rows():
 
 
 def parts_of(path):
-    """The files that a model refers to: (name, path) pairs."""
+    """Returns the files that a model refers to: (name, path) pairs."""
     with open(path, encoding="utf-8") as file:
         root = json.load(file)
     uris = {item["uri"] for key in ("buffers", "images") for item in root.get(key, []) if "uri" in item}
@@ -36,7 +36,7 @@ def parts_of(path):
 
 
 def draw(build, path, picture):
-    """Returns True if it is drawn, what is said, and the names of missing files."""
+    """Returns True if the model is drawn, its messages, and the names of missing files."""
     command = [os.path.join(build, "zraster"), "render", path, "-o", picture, "-s", str(SIDE), "--preset", "front"]
     missing = []
     for name, file in parts_of(path):

@@ -1,9 +1,9 @@
-/* What glTF files become: the numbers of their accessors, their nodes, materials and warnings. */
+/* Tests the scenes of glTF files: numbers of accessors, nodes, materials and warnings. */
 #include "change.h"
 #include "input_check.h"
 #include "support/tests.h"
 
-/* The bytes that texts call "b": four corners of a square, indices, colours, and pairs of coordinates. */
+/* Bytes of the part "b": four corners of a square, indices, colours, and pairs of coordinates. */
 static struct {
     float corners[4][3];  /* at 0 */
     uint16_t square[6];   /* at 48 */
@@ -126,7 +126,7 @@ TEST(every_mode_has_its_primitives)
                  {MESH(",\"mode\":4,\"indices\":1"), 0, 0, 2, 3},
                  {MESH(",\"mode\":5"), 0, 0, 2, 2},
                  {MESH(",\"mode\":6"), 0, 0, 2, 0},
-                 {MESH(",\"mode\":5,\"indices\":5"), 0, 0, 1, 3}, /* two joints are left out */
+                 {MESH(",\"mode\":5,\"indices\":5"), 0, 0, 1, 3}, /* two triangles with equal corners are left out */
                  {MESH(",\"mode\":6,\"indices\":5"), 0, 0, 2, 0},
                  {MESH(",\"mode\":3,\"indices\":5"), 0, 4, 0, 2}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -159,7 +159,7 @@ TEST(accessors_are_strided_normalized_and_sparse)
     assert_true(mixed->texcoords[1].x == 0.0f);
     assert_true(mixed->colors[0].x == 1.0f && mixed->colors[0].y == 0.0f);
     assert_true(mixed->colors[3].w == 51.0f / 255.0f);
-    assert_true(mixed->colors[3].x > 0.735f && mixed->colors[3].x < 0.737f); /* 128 / 255 of linear light */
+    assert_true(mixed->colors[3].x > 0.735f && mixed->colors[3].x < 0.737f); /* 128 / 255 in linear light */
     assert_position(sparse, 0, 0, 0, 0);
     assert_position(sparse, 1, 7, 8, 9);
     assert_position(sparse, 2, 1, 1, 0);
@@ -234,7 +234,7 @@ TEST(joints_place_a_skinned_mesh)
                                     "[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"JOINTS_0\":2,"
                                     "\"WEIGHTS_0\":2}}]}]"));
     assert_complaint(reading, ZR_BAD_SCENE, "/meshes/0/primitives/0/attributes/JOINTS_0",
-                     "vertex 0 has a joint that is none of the 1 of skin 0");
+                     "vertex 0 has a joint beyond the 1 joints of skin 0");
     reading_free(reading);
 }
 
@@ -297,7 +297,8 @@ TEST(a_parameter_chooses_a_camera_of_the_file)
     assert_true(reading->scene->views[0].ymag == 3.0f && reading->scene->views[0].world_to_camera.m[14] == -3.0f);
     reading_free(reading);
     reading = read_over((struct zr_request){.camera = "3"}, text);
-    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter camera: the file has no camera '3', but: 'eye', 'flat'");
+    assert_complaint(reading, ZR_BAD_SCENE, "",
+                     "parameter camera: the file has no camera '3'; its cameras: 'eye', 'flat'");
     reading_free(reading);
     reading = read_over((struct zr_request){.camera = "eye", .preset = "top"}, text);
     assert_complaint(reading, ZR_BAD_SCENE, "", "parameter camera: does not go with preset");
