@@ -63,7 +63,7 @@ void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size);
 /* The same, zeroed. The first access to large memory takes long: the arena fails once its `cancel` is raised. */
 void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size);
 
-/* Returns a copy of `size` bytes; they may be NULL if there are none. NULL once the arena has failed. */
+/* Returns a copy of `size` bytes, or NULL once the arena has failed. The bytes may be NULL if `size` is 0. */
 void *zr_arena_copy(struct zr_arena *arena, const void *bytes, size_t size);
 
 /* Zeroes allocated memory. False if the arena's `cancel` is raised meanwhile. */

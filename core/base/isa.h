@@ -51,8 +51,8 @@ enum zr_isa zr_isa_best(void);
 bool zr_isa_choose(const char *name, enum zr_isa *isa);
 
 /* Sets the upper halves of the vector registers to 0. libisal leaves other values there. Until they are 0 again, SSE
- * instructions wait for one another and take up to three times as long: in kernels for SSE2, and in all code outside of
- * kernels. Does nothing on processors without AVX. */
+ * instructions wait for one another and take up to three times as long. This affects kernels for SSE2 and all code
+ * outside of kernels. Does nothing on processors without AVX. */
 void zr_isa_clear_upper_halves(void);
 
 /* Writes the names that zr_isa_choose accepts, such as "auto, scalar, sse2", cut at `size`. */

@@ -9,7 +9,7 @@ void ZR_KERNEL(zr_srgb_ramp)(size_t last, float *out)
         zr_vf_store(out + i, zr_srgb_decode_v(zr_vf_of(zr_vi_set((int32_t)i) + zr_vi_ramp()) * scale));
 }
 
-/* White stays exactly white. */
+/* 1 is encoded as exactly 1. */
 void ZR_KERNEL(zr_srgb_encode)(const float *linear, size_t count, float *encoded)
 {
     const zr_vf one = zr_vf_set(1.0f);

@@ -7,7 +7,7 @@
 #include "input/parameters.h"
 #include "scene/defaults.h"
 
-/* Places the meshes in their own axes, as the nodes of the file say if it has nodes; zr_query_orient turns them. */
+/* Places the meshes in the axes of the file, by its nodes if it has any. zr_query_orient turns them. */
 static void place(struct zr_query *query)
 {
     struct zr_scene_builder *builder = query->given.builder;
@@ -26,7 +26,7 @@ static bool has_materials(const struct zr_parsed_scene *root)
     return root->builder->file && root->builder->file->mesh_materials;
 }
 
-/* Colours with an alpha below 1 are blended: no parameter says so. */
+/* Blends colours with an alpha below 1; no parameter sets this. */
 static void make_materials(struct zr_parsed_scene *root)
 {
     for (uint32_t i = 0; i < root->scene->mesh_count; i++) {

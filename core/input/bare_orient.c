@@ -1,4 +1,4 @@
-/* Turns a bare mesh upright, and shows it face on if it is flat. */
+/* Turns a bare mesh upright, and views it face on if it is flat. */
 #include "input/cloud.h"
 #include "input/formats.h"
 #include "input/kept.h"

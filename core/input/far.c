@@ -24,7 +24,7 @@ enum zr_status zr_far_origin(struct zr_arena *arena, const struct zr_box *box, c
     return middle ? ZR_OK : ZR_NO_MEMORY;
 }
 
-/* Positions between two looks at `cancel`: less than a millisecond. */
+/* Positions between two checks of `cancel`: less than a millisecond. */
 enum { AT_ONCE = 1 << 14 };
 
 enum zr_status zr_far_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,

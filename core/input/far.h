@@ -1,4 +1,4 @@
-/* far.h - input: meshes far from the origin, such as surveys in metres: their middle is subtracted in double precision,
+/* far.h - input: meshes far from the origin, such as surveys in metres. Subtracts their middle in double precision,
  * before positions are rounded to float.
  *
  *     read all positions; note whether one is beyond limits->coordinate_max, and refuse those beyond zr_far_limit
@@ -6,7 +6,7 @@
  *                zr_far_origin(&box, limits, origin), then read again, subtract origin before rounding, and set
  *                scene->origin
  *
- * A mesh within the limit keeps its bytes: its origin is 0, and x - 0 is x.
+ * A mesh within the limit keeps its coordinates: its origin is NULL.
  */
 #ifndef ZR_FAR_H
 #define ZR_FAR_H
@@ -24,7 +24,7 @@ struct zr_box {
     double low[3], high[3];
 };
 
-/* Contains nothing. */
+/* Returns a box that contains no position. */
 static inline struct zr_box zr_box_empty(void)
 {
     return (struct zr_box){{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
@@ -46,7 +46,7 @@ static inline void zr_box_join(struct zr_box *box, const struct zr_box *other)
     }
 }
 
-/* Returns the position less the origin, which may be NULL. */
+/* Returns the position minus the origin. `origin` may be NULL. */
 static inline zr_vec4 zr_far_position(const double v[3], const double *origin)
 {
     if (!origin) return (zr_vec4){(float)v[0], (float)v[1], (float)v[2], 1};
@@ -59,14 +59,14 @@ static inline double zr_far_limit(const struct zr_limits *limits)
     return (double)limits->coordinate_max * 1e9;
 }
 
-/* Sets *origin to three numbers in the arena: the middle of the box. Sets it to NULL if the box is empty or within
- * coordinate_max, or if the arena failed. Refuses a box of which more than ZR_FAR_HALF_EXTENTS times coordinate_max is
- * on one side of its middle. */
+/* Sets *origin to the middle of the box: three numbers in the arena. Sets it to NULL if the box is empty or within
+ * coordinate_max, or if the arena failed. Refuses a box whose half extent exceeds ZR_FAR_HALF_EXTENTS times
+ * coordinate_max. */
 enum { ZR_FAR_HALF_EXTENTS = 1000 };
 enum zr_status zr_far_origin(struct zr_arena *arena, const struct zr_box *box, const struct zr_limits *limits,
                              const double **origin, struct zr_error *error);
 
-/* Does all of it for positions that were floats in the file, and are used. */
+/* Finds and subtracts the origin of `count` positions that are floats in the file. All of them are used. */
 enum zr_status zr_far_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
                             zr_vec4 *positions, size_t count, const double **origin, struct zr_error *error);
 

@@ -1,11 +1,11 @@
-/* Tells scenes in JSON from glTF in JSON. */
+/* Distinguishes scenes in JSON from glTF in JSON. */
 #include <string.h>
 
 #include "input/input.h"
 #include "input/json.h"
 #include "input/text.h"
 
-/* True if `at` begins a string of the given word, with a colon behind it. */
+/* True if `at` begins `word` as a string, followed by a colon. */
 static bool is_key(const char *at, const char *end, const char *word)
 {
     const size_t length = strlen(word);
@@ -14,7 +14,7 @@ static bool is_key(const char *at, const char *end, const char *word)
     return at < end && *at == ':';
 }
 
-/* Returns the place behind a string, or `end`. */
+/* Returns the end of the string at `at`, or `end`. */
 static const char *skip_string(const char *at, const char *end)
 {
     for (at++; at < end && *at != '"'; at++)
@@ -22,7 +22,7 @@ static const char *skip_string(const char *at, const char *end)
     return at < end ? at + 1 : end;
 }
 
-/* True if the root has a key that glTF has, and scenes do not. */
+/* True if the root has a key of glTF that is no key of scenes. */
 bool zr_looks_so_GLTF(const char *bytes, size_t size)
 {
     static const char *const words[] = {"asset", "accessors", "bufferViews", "buffers", "scenes"};
@@ -43,7 +43,7 @@ bool zr_looks_so_GLTF(const char *bytes, size_t size)
     return false;
 }
 
-/* A scene is always an object; a list is taken for JSON as well, for a better message. */
+/* A scene is always an object. Lists also count as JSON, for a better message. */
 bool zr_looks_so_JSON(const char *bytes, size_t size)
 {
     const size_t blanks = zr_count_blanks(bytes, size);

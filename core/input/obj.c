@@ -3,7 +3,7 @@
  * All threads read the parts of the text twice. The first pass counts: arrays get their sizes, each part its first
  * numbers, and an index can be checked before its vertex is read. The second pass reads. From the first part with a
  * fault on, one thread reads again and reports, so that faults come in the order of the text. Two kinds of files are
- * read once more, since all of the file decides: coordinates far from the origin, and colours of 0 to 255. */
+ * read a third time: with coordinates far from the origin, or with colours of 0 to 255. */
 #include "input/input.h"
 
 #include "input/obj_file.h"
@@ -15,7 +15,7 @@
 #define ZR_OBJ_PART_BYTES (1 << 16)
 #endif
 
-/* Colour components beyond this are of 0 to 255; up to it, they are clamped to 1. */
+/* A larger colour component means that the range is 0 to 255. Components from 1 to this are clamped to 1. */
 #define COLOR_CLAMPED 2.0f
 
 struct parsing {
@@ -81,7 +81,7 @@ static enum zr_status read_all(struct parsing *parsing)
 
 /* ---- arrays ---- */
 
-/* Allocates what the file has; one more element, as none of them is empty. */
+/* Allocates one element more than `count`. Returns NULL if `count` is 0. */
 static void *allocate_some(struct zr_arena *arena, size_t count, size_t size)
 {
     return count > 0 ? zr_arena_alloc(arena, count + 1, size) : NULL;
@@ -119,7 +119,7 @@ static uint32_t finish_normals(struct zr_obj_file *file)
     return count + 1;
 }
 
-/* Closes the gaps that wrong statements left in a list; returns its length. */
+/* Closes the gaps that wrong statements leave in a list. Returns its length. */
 static size_t close_gaps(const struct zr_obj_file *file, bool of_lines)
 {
     size_t sum = 0;
@@ -158,7 +158,7 @@ static void fill(struct zr_obj_file *file, struct zr_mesh *mesh)
                              .colors = file->colors};
 }
 
-/* Refuses a file without geometry. If it has unknown lines, it probably is no OBJ. */
+/* Refuses a file without geometry. If it has unknown lines, the message quotes the first one. */
 static enum zr_status refuse_empty(struct parsing *parsing)
 {
     const struct zr_obj_statement *unknown = zr_obj_first_unknown(&parsing->file);
@@ -171,7 +171,7 @@ static enum zr_status refuse_empty(struct parsing *parsing)
                         word.line, zr_quote(word.at, (size_t)(word.end - word.at)).text);
 }
 
-/* Finds the origin of a mesh that is far from 0: the middle of the positions that are drawn. */
+/* Computes the origin of a mesh that is far from 0: the middle of the positions that are drawn. */
 static enum zr_status find_origin(struct parsing *parsing, const struct zr_limits *limits, const struct zr_mesh *mesh)
 {
     struct zr_obj_file *file = &parsing->file;
@@ -187,7 +187,7 @@ static enum zr_status find_origin(struct parsing *parsing, const struct zr_limit
     return zr_far_origin(arena, &box, limits, &file->origin, parsing->error);
 }
 
-/* Reads again, if the coordinates are far from 0 or the colours are of 0 to 255. */
+/* Reads again if the coordinates are far from 0 or the range of colours is 0 to 255. */
 static enum zr_status adjust(struct parsing *parsing, const struct zr_limits *limits, struct zr_mesh *mesh)
 {
     struct zr_obj_file *file = &parsing->file;

@@ -4,7 +4,7 @@
 /* Words of v with colours. */
 enum { COLORED_WORDS = 6 };
 
-/* What a thread counts; local, since the structs of other threads share cache lines. */
+/* Counts of one thread: a local variable, since the structs of other threads share cache lines. */
 struct counting {
     struct zr_obj_counts counts;
     struct zr_obj_noted notes[ZR_OBJ_NOTES];
@@ -12,14 +12,14 @@ struct counting {
     uint32_t group;
 };
 
-/* Notes a name that ends in a backslash, which does not continue the line. */
+/* Notes a name that ends in a backslash. The line is not continued. */
 static void note_name(struct counting *counting, const struct zr_obj_statement *whole, const char *end)
 {
     if (whole->end < end && zr_obj_hides_line_end(whole->at, whole->end) && !zr_obj_has_comment(whole->at, whole->end))
         zr_obj_note(counting->notes, ZR_OBJ_NOTE_NAMES, whole);
 }
 
-/* Counts statements other than v, vn and f. `statement` is behind its keyword, `whole` has it. */
+/* Counts statements other than v, vn and f. `statement` begins after its keyword, `whole` includes it. */
 static void count_rare(struct counting *counting, enum zr_obj_keyword keyword, struct zr_obj_statement *statement,
                        const struct zr_obj_statement *whole, const char *end)
 {

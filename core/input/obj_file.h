@@ -1,4 +1,4 @@
-/* obj_file.h - input: a file of OBJ while it is read, and the state of the threads that read it. */
+/* obj_file.h - input: state of reading an OBJ file, shared by all threads and per part. */
 #ifndef ZR_OBJ_FILE_H
 #define ZR_OBJ_FILE_H
 
@@ -12,16 +12,16 @@ enum { ZR_OBJ_COUNT_MAX = 1 << 30 };
 /* Replaces the index of a missing normal until the zero normal has its index. */
 #define ZR_OBJ_NO_NORMAL UINT32_MAX
 
-/* Input that is not drawn, or drawn although it is wrong: one warning each (obj_notes.c). */
+/* Kinds of faults that do not stop reading. Each causes one warning (obj_notes.c). */
 enum zr_obj_note {
-    /* of the first pass */
+    /* found by the first pass */
     ZR_OBJ_NOTE_MATERIALS,
     ZR_OBJ_NOTE_CALLS,
     ZR_OBJ_NOTE_CURVES,
     ZR_OBJ_NOTE_UNKNOWN,
     ZR_OBJ_NOTE_NAMES,
     ZR_OBJ_NOTE_RETURNS,
-    /* of the second pass */
+    /* found by the second pass */
     ZR_OBJ_NOTE_EMPTY_INDICES,
     ZR_OBJ_NOTE_WRONG_NORMALS,
     ZR_OBJ_NOTE_BAD_NORMALS,
@@ -33,7 +33,7 @@ enum zr_obj_note {
     ZR_OBJ_NOTE_SECOND = ZR_OBJ_NOTE_EMPTY_INDICES
 };
 
-/* How often, and the first statement. */
+/* Number of occurrences, and the first statement. */
 struct zr_obj_noted {
     size_t count;
     struct zr_obj_statement first;
@@ -43,18 +43,18 @@ struct zr_obj_counts {
     size_t lines, positions, normals, faces, corners, segments, points; /* segments of l, points of p */
 };
 
-/* One part, which is whole statements. */
+/* One part of the text: complete statements. */
 struct zr_obj_part {
     struct zr_obj_counts holds, before;
-    struct zr_obj_noted notes[ZR_OBJ_NOTES]; /* those of the first pass have lines of the part until it is added up */
+    struct zr_obj_noted notes[ZR_OBJ_NOTES]; /* first pass: lines count from the part until zr_obj_add_up */
     size_t returns;
     bool has_colors, has_groups;
-    uint32_t group_before, group; /* smoothing group at the begin; at the end, if has_groups */
+    uint32_t group_before, group; /* smoothing group at the begin, and at the end if has_groups */
     /* Set by the second pass. */
     bool normal_given, normal_missing; /* at a corner */
     bool is_far;                       /* a coordinate is beyond the limit */
     float color_most;                  /* largest component */
-    size_t segments, points;           /* read, at most as many as it holds */
+    size_t segments, points;           /* read so far, at most those of `holds` */
     struct zr_box box;
 };
 
@@ -73,8 +73,8 @@ struct zr_obj_file {
     uint32_t *groups;                                  /* per face; NULL: the file has no smoothing groups */
     uint32_t *lines, *points;
     float color_scale;    /* colours are divided by it */
-    const double *origin; /* subtracted from positions; NULL: nothing */
-    const uint8_t *used;  /* per position; or NULL */
+    const double *origin; /* subtracted from positions; NULL: 0 */
+    const uint8_t *used;  /* per position: 1 if it is drawn; NULL: all are */
 };
 
 /* Adds a statement to a note. */
@@ -90,16 +90,16 @@ bool zr_obj_count_part(void *file, size_t index);
 /* Adds up the parts. */
 void zr_obj_add_up(struct zr_obj_file *file);
 
-/* obj_read.c: reads a part up to `faults` faults or a syntax error; false then. */
+/* obj_read.c: reads a part. Stops and returns false at `faults` faults or a syntax error. */
 bool zr_obj_read_part(const struct zr_obj_file *file, size_t index, size_t faults, struct zr_error *error);
 
-/* Sets *group by the number of s, or 0 for "off"; false for other words. */
+/* Sets *group to the number of s, or to 0 for "off". False for other words. */
 bool zr_obj_read_group(struct zr_obj_statement *statement, uint32_t *group);
 
 /* obj_notes.c: adds the warnings. */
 void zr_obj_warn(const struct zr_obj_file *file, struct zr_scene_builder *builder);
 
-/* The first statement that is not OBJ; NULL: none. */
+/* Returns the first unknown statement, or NULL. */
 const struct zr_obj_statement *zr_obj_first_unknown(const struct zr_obj_file *file);
 
 #endif

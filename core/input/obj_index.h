@@ -36,10 +36,10 @@ ZR_INLINED bool zr_obj_resolve_index(int64_t index, size_t so_far, size_t total,
 struct zr_obj_corner {
     int64_t position, normal;
     bool has_normal;
-    bool has_gap; /* nothing is behind a slash, other than in v//vn */
+    bool has_gap; /* a slash without an index, other than in v//vn */
 };
 
-/* Reads v, v/vt, v//vn, v/vt/vn, or these without what is behind a slash. False for any other word. */
+/* Reads v, v/vt, v//vn or v/vt/vn, also if an index after a slash is missing. False for any other word. */
 ZR_INLINED bool zr_obj_read_indices(struct zr_obj_statement *statement, struct zr_obj_corner *corner)
 {
     const char *end = statement->end, *at = zr_obj_read_integer(statement->at, end, &corner->position), *behind;

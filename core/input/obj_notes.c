@@ -2,8 +2,8 @@
 #include "input/text.h"
 
 struct words {
-    const char *one, *many; /* behind the number */
-    bool names_first;       /* the first statement is quoted */
+    const char *one, *many; /* text after the number */
+    bool names_first;       /* quotes the first statement */
 };
 
 static const struct words all_words[ZR_OBJ_NOTES] = {
@@ -33,7 +33,7 @@ static const struct words all_words[ZR_OBJ_NOTES] = {
                                 "statements of points (p) have wrong indices, and are not drawn", true},
 };
 
-/* Adds the notes of all parts to one. */
+/* Sums the notes of all parts. */
 static struct zr_obj_noted noted(const struct zr_obj_file *file, enum zr_obj_note note)
 {
     struct zr_obj_noted all = {.count = 0};

@@ -7,7 +7,7 @@
 
 enum { VERTEX_NUMBERS_MAX = 6 };
 
-/* Colour components beyond 1 by more than rounding are of 0 to 255; those beyond 255 by more are refused. */
+/* Tolerances: colours above 1 by more than rounding have the range 0 to 255. Colours above 255 by more are refused. */
 #define COLOR_LEAST    (-1.0f)
 #define COLOR_IN_BYTES 2.0f
 #define COLOR_MOST     256.0f
@@ -25,7 +25,7 @@ struct reader {
     struct zr_box box;
     bool is_far;
     bool normal_given, normal_missing;
-    bool bad_syntax; /* stops the reader: more faults would only follow from this one */
+    bool bad_syntax; /* stops reading: any later faults would follow from this one */
 };
 
 static void note(struct reader *reader, enum zr_obj_note note)
@@ -50,7 +50,7 @@ static bool word_fault(struct reader *reader, const struct zr_obj_statement *sta
     return syntax_fault(reader, statement, &word, expected);
 }
 
-/* Reads up to `most` numbers; false before any other word. */
+/* Reads up to `most` numbers. False at any other word. */
 ZR_INLINED bool read_numbers(const struct reader *reader, struct zr_obj_statement *statement, int most, double *out,
                              int *count)
 {
@@ -65,7 +65,7 @@ ZR_INLINED bool read_numbers(const struct reader *reader, struct zr_obj_statemen
     return true;
 }
 
-/* Reports a number of v or vn that is beyond the limit. `statement` is behind the keyword. */
+/* Reports a number of v or vn that is beyond the limit. `statement` begins after the keyword. */
 static bool limit_fault(struct reader *reader, struct zr_obj_statement statement, int index, double limit)
 {
     struct zr_obj_statement word = {0};
@@ -147,7 +147,7 @@ static bool read_vertex(struct reader *reader, struct zr_obj_statement *statemen
     return true;
 }
 
-/* Reads a normal. One that is no normal counts as zero: exporters write "nan" for faces without area. */
+/* Reads a normal. Other words than numbers count as zero: exporters write "nan" for faces without area. */
 static bool read_normal(struct reader *reader, struct zr_obj_statement *statement)
 {
     const double limit = (double)reader->file->limits->coordinate_max;
@@ -278,7 +278,7 @@ static bool next_index(const struct reader *reader, struct zr_obj_statement *sta
     return !*is_bad;
 }
 
-/* Reads the segments of a line; none of a wrong one. */
+/* Reads the segments of a line. A wrong index discards all of them. */
 static void read_line(struct reader *reader, struct zr_obj_statement *statement)
 {
     const size_t first = reader->count.segments;

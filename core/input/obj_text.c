@@ -127,7 +127,7 @@ bool zr_obj_ends_with_line(const char *at, const char *line_end)
     }
 }
 
-/* Returns the next run of carriage returns without a line feed behind it, and its end in *behind; NULL: none. */
+/* Returns the next run of carriage returns without a line feed after it, or NULL. Sets *behind to its end. */
 static const char *next_returns(const char *at, const char *last, const char *end, const char **behind)
 {
     while ((at = memchr(at, '\r', (size_t)(last - at))) != NULL) {

@@ -13,11 +13,11 @@
 
 #include "base/inlined.h"
 
-/* Counts carriage returns that end a line alone: no line feed is behind their run, and neither is `end`, the end of the
- * file. */
+/* Counts carriage returns that end a line alone: their run is followed neither by a line feed nor by `end`, the end of
+ * the file. */
 size_t zr_obj_count_returns(const char *at, const char *behind, const char *end);
 
-/* Replaces them by line feeds. */
+/* Replaces carriage returns that end a line alone by line feeds. */
 void zr_obj_mend_returns(char *at, const char *end);
 
 /* The rest of the text: whole statements. */
@@ -51,8 +51,8 @@ enum zr_obj_keyword {
 /* Returns the word up to the next blank and moves behind it. */
 struct zr_obj_statement zr_obj_word(struct zr_obj_statement *statement);
 
-/* True if the statement that begins at `at` may not be continued: its last word is a name, which may end in a
- * backslash, or its keyword is not known. */
+/* True if the statement that begins at `at` ends with its line, even after a backslash: its last word is a name, or
+ * its keyword is unknown. */
 bool zr_obj_ends_with_line(const char *at, const char *line_end);
 
 /* Counts the words left. Bytes up to `end` may be read. */
@@ -99,7 +99,7 @@ ZR_INLINED bool zr_obj_ends_word(const struct zr_obj_statement *statement, const
     return at == statement->end || zr_obj_is_blank(*at) || zr_obj_continuation(at, statement->end) > 0;
 }
 
-/* True if a backslash is before the line end. */
+/* True if a backslash precedes the line end. */
 ZR_INLINED bool zr_obj_hides_line_end(const char *from, const char *line_end)
 {
     if (line_end > from && line_end[-1] == '\r') line_end--;
@@ -110,7 +110,7 @@ ZR_INLINED bool zr_obj_hides_line_end(const char *from, const char *line_end)
 bool zr_obj_has_comment(const char *at, const char *line_end);
 
 /* Reads the next statement, without leading blanks; false at the end of the text. Comments and names end with their
- * line even behind a backslash: a path at its end must not swallow a vertex. */
+ * line even after a backslash: a path that ends in one must not hide a vertex. */
 ZR_INLINED bool zr_obj_next(struct zr_obj_text *text, struct zr_obj_statement *statement)
 {
     if (text->at == text->end) return false;

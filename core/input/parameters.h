@@ -15,7 +15,7 @@ struct zr_query {
     struct zr_parsed_scene given; /* scene keys of the query; .scene: the builder's for a bare mesh, else `others` */
     struct zr_scene others;       /* values of the query that override a JSON scene: outputs and the colour bar */
     int compress, projection, up; /* ZR_UNSET: not given; up: enum zr_mesh_up */
-    const char *camera;           /* of the file; NULL: not given */
+    const char *camera;           /* name or number of a camera of the file; NULL: not given */
     bool is_strict;
     struct zr_instance *instances; /* of a bare mesh */
 };
@@ -29,11 +29,11 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
  * Fails with ZR_BAD_SCENE or ZR_NO_MEMORY. */
 enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error);
 
-/* Turns a bare mesh upright, sets its view if it is flat and the request gives none, and the size of its points. Runs
+/* Turns a bare mesh upright and sizes its points. Sets the view of a flat mesh, unless the request gives one. Runs
  * once the builder is closed. Does nothing for scenes. */
 void zr_query_orient(const struct zr_query *query);
 
-/* Returns the axis that points up; ZR_MESH_UP_AUTO: zr_query_orient finds it, which no file with nodes needs. */
+/* Returns the axis that points up. ZR_MESH_UP_AUTO: zr_query_orient finds it; never returned for files with nodes. */
 enum zr_mesh_up zr_query_up(const struct zr_query *query);
 
 /* Reports faults of keys under the names of their parameters. Faults elsewhere keep their pointers. */

@@ -10,7 +10,7 @@ enum zr_format zr_format_of_bytes(const char *bytes, size_t size);
 /* Names the format for a message, also foreign ones: "STL", "a PNG picture"; NULL: unknown. */
 const char *zr_bytes_in_words(const char *bytes, size_t size);
 
-/* True for a byte order mark of UTF-16 at the start. Binary formats may begin with these bytes, too. */
+/* True if the bytes begin with a UTF-16 byte order mark. Binary formats may begin with these bytes, too. */
 bool zr_is_utf16(const char *bytes, size_t size);
 
 #endif

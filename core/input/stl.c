@@ -17,7 +17,7 @@ enum {
     COUNT_END = HEADER_BYTES + 4,
     TRIANGLE_BYTES = 50,     /* normal, three vertices, two bytes of attributes */
     VERTICES_AT = 12,        /* offset in a triangle, behind its normal */
-    ATTRIBUTES_AT = 48,      /* behind its vertices */
+    ATTRIBUTES_AT = 48,      /* after its vertices */
     PART_TRIANGLES = 1 << 13 /* read in a tenth of a millisecond */
 };
 
@@ -26,7 +26,7 @@ struct binary {
     const char *triangles; /* bytes of the first triangle */
     size_t count;
     zr_vec4 *positions;
-    atomic_uint any, all, unmarked, colored; /* bits of all attributes, as zr_stl_attributes */
+    atomic_uint any, all, unmarked, colored; /* as in zr_stl_attributes, over all triangles */
     struct zr_stl_colors colors;
     zr_vec4 *face_colors;
     atomic_bool is_far; /* a coordinate is beyond the limit */
@@ -93,7 +93,7 @@ static size_t end_of_part(const struct binary *binary, size_t part)
     return end < binary->count ? end : binary->count;
 }
 
-/* Looks at attributes one by one only if some are not zero. */
+/* Reads attributes one by one only if any is not zero. */
 static bool read_part(void *context, size_t part)
 {
     struct binary *binary = context;
@@ -161,7 +161,7 @@ static enum zr_status read_binary(struct zr_scene_builder *builder, const struct
 
 /* ---- both ---- */
 
-/* The size that the header of a binary file gives. */
+/* Returns the size of a binary file by its header. */
 static uint64_t size_wanted(const char *bytes)
 {
     return COUNT_END + (uint64_t)read_u32(bytes + HEADER_BYTES) * TRIANGLE_BYTES;
@@ -175,7 +175,7 @@ static bool is_binary(const char *bytes, size_t size)
     return size_wanted(bytes) == size || bytes[COUNT_END - 1] == 0 || !zr_stl_is_text(bytes, size);
 }
 
-/* True if the first triangles have the coordinates of a model: data of another format have not, since half of all
+/* True if the magnitudes of the first triangles are those of a model. Data of other formats fail, since half of all
  * floats are smaller or larger. */
 static bool has_model_triangles(const char *bytes)
 {

@@ -4,7 +4,7 @@
 
 enum { HEADER_BYTES = 80, MARKED = 1 << 15, BITS = 5, MOST = (1 << BITS) - 1 };
 
-/* Finds the colour of the part; ignores its alpha, since writers leave any there. */
+/* Finds the colour of the part. Ignores its alpha, since the values that exporters write are arbitrary. */
 static bool find_part_color(const char *header, zr_vec4 *color)
 {
     static const char word[] = "COLOR=";
@@ -18,7 +18,7 @@ static bool find_part_color(const char *header, zr_vec4 *color)
     return false;
 }
 
-/* Attributes of VisCAM have bit 15 or are 0. If all colours are white, they are more likely a filler. */
+/* Attributes of VisCAM have bit 15 or are 0. If all are white, they are more likely a filler than colours. */
 struct zr_stl_colors zr_stl_colors_of(const char *header, const struct zr_stl_attributes *bits)
 {
     struct zr_stl_colors colors = {ZR_STL_PLAIN, {1, 1, 1, 1}};

@@ -42,7 +42,7 @@ bool zr_stl_read_vertex(struct zr_stl_reader *reader, zr_vec4 *out)
     return read_vertex(reader, out);
 }
 
-/* The normal may be any words: some exporters write "nan". */
+/* Accepts any words as a normal: some exporters write "nan". */
 static inline bool read_facet(struct zr_stl_reader *reader)
 {
     if (!expect(reader, "normal")) return false;
@@ -66,8 +66,7 @@ bool zr_stl_read_facet(struct zr_stl_reader *reader)
     return read_facet(reader);
 }
 
-/* Reads facets up to the end of the solid. False if reading ends before: at a fault, a cancellation or the end of the
- * part. */
+/* Reads facets up to the end of the solid. False if a fault, a cancellation or the end of the part comes first. */
 static bool read_facets(struct zr_stl_reader *reader)
 {
     while (reader->error->count < reader->faults && !zr_is_cancelled(reader->cancel)) {

@@ -1,10 +1,10 @@
 #include "input/stl_words.h"
 #include "input/text.h"
 
-/* Words of a facet, which stand nowhere else. */
+/* Keywords that are valid only within a facet. */
 static const char *const within_facets[] = {"normal", "outer", "loop", "vertex", "endloop", "endfacet"};
 
-/* Notes an oddity that begins at `at`, or has no text if that is NULL. */
+/* Notes an oddity whose text begins at `at`. NULL: it has no text. */
 static void note_at(struct zr_stl_reader *reader, enum zr_stl_oddity oddity, size_t line, const char *at)
 {
     enum { QUOTED = sizeof(struct zr_quote) };
@@ -34,7 +34,7 @@ static bool begins_color(struct zr_stl_word word)
     return zr_stl_is_word(word, "color") || zr_stl_is_word(word, "colour");
 }
 
-/* Returns the next word behind lines of comments and colours. An empty word at the end of the text, or if cancelled. */
+/* Returns the next word after any comment and colour lines; an empty word at the end of the text or if cancelled. */
 static struct zr_stl_word next_word(struct zr_stl_reader *reader)
 {
     for (;;) {
@@ -69,7 +69,7 @@ static bool is_end(struct zr_stl_reader *reader, struct zr_stl_word word, const 
 
 /* ---- facets ---- */
 
-/* Reads what is between "facet" and the first vertex. */
+/* Reads from "facet" to the first vertex: the normal and "outer loop". */
 static bool read_head(struct zr_stl_reader *reader)
 {
     const size_t line = reader->line;
@@ -118,7 +118,7 @@ static bool read_end(struct zr_stl_reader *reader)
     }
 }
 
-/* Begins to write the offsets of facets: up to here, all were triangles. */
+/* Allocates the offsets of facets, and writes those of the facets so far: all are triangles. */
 static bool begin_offsets(struct zr_stl_reader *reader)
 {
     if (reader->offsets) return true;
@@ -142,7 +142,7 @@ static bool count_facet(struct zr_stl_reader *reader, size_t corners, size_t lin
     return true;
 }
 
-/* Reads a facet behind "facet", at first as the source has it: a normal may be any words, even keywords. */
+/* Reads a facet after "facet". Tries the syntax of the source first, whose normal may be any words, even keywords. */
 static bool read_facet(struct zr_stl_reader *reader)
 {
     const struct zr_stl_reader before = *reader;
@@ -168,7 +168,7 @@ static bool is_within_facets(struct zr_stl_word word)
     return false;
 }
 
-/* Skips a line, or the rest of it, that begins with a word that is no keyword. */
+/* Skips the rest of a line from an unknown word on. Reports keywords that are valid only within a facet. */
 static bool skip_unknown(struct zr_stl_reader *reader, struct zr_stl_word word, const char *expected)
 {
     if (word.size == 0 || (reader->starts_line && is_within_facets(word)))
@@ -177,7 +177,7 @@ static bool skip_unknown(struct zr_stl_reader *reader, struct zr_stl_word word, 
     return true;
 }
 
-/* True if something was read for which the end of the text is no fault, or another fault is reported. */
+/* True if the text has a facet or an unknown line: then a missing "endsolid" is no fault. */
 static bool has_any(const struct zr_stl_reader *reader)
 {
     return reader->before + reader->facets > 0 || reader->notes->of[ZR_STL_UNKNOWN].count > 0;
@@ -200,7 +200,7 @@ static bool read_facets(struct zr_stl_reader *reader)
     return false;
 }
 
-/* Reads up to the begin of a solid; false at the end of the text and at a fault. */
+/* Reads up to the first facet of the next solid. False at the end of the text and at a fault. */
 static bool begin_solid(struct zr_stl_reader *reader)
 {
     for (;;) {
@@ -219,7 +219,7 @@ static bool begin_solid(struct zr_stl_reader *reader)
     }
 }
 
-/* Reports the first unknown line of a text without a facet: the text is no STL. */
+/* Reports the first unknown line if the text has no facet: it is no STL. */
 static void report_unknown(struct zr_stl_reader *reader)
 {
     const struct zr_stl_note *first = &reader->notes->of[ZR_STL_UNKNOWN];

@@ -1,4 +1,4 @@
-/* stl_notes.h - input: notes what is odd in the text of ASCII STL and drawn nevertheless; one warning for each kind. */
+/* stl_notes.h - input: counts the oddities of ASCII STL that do not stop reading. Each kind causes one warning. */
 #ifndef ZR_STL_NOTES_H
 #define ZR_STL_NOTES_H
 
@@ -11,18 +11,18 @@ enum zr_stl_oddity {
     ZR_STL_COMMENT,   /* comment lines */
     ZR_STL_COLOR,     /* colour lines */
     ZR_STL_UNKNOWN,   /* other lines between facets */
-    ZR_STL_WORDS,     /* words behind a keyword and its numbers */
+    ZR_STL_WORDS,     /* extra words after a keyword and its numbers */
     ZR_STL_SPLIT_END, /* "end loop" */
-    ZR_STL_NO_NORMAL, /* facets without three words behind "normal" */
+    ZR_STL_NO_NORMAL, /* facets without three words after "normal" */
     ZR_STL_POLYGON,   /* facets of more than three corners */
-    ZR_STL_NO_SOLID,  /* facets behind "endsolid" without "solid" */
+    ZR_STL_NO_SOLID,  /* facets outside of a solid */
     ZR_STL_NO_END,    /* solids without "endsolid" */
     ZR_STL_ODDITIES
 };
 
 struct zr_stl_note {
-    size_t count, line; /* line of the first */
-    const char *at;     /* its text, up to the end of the line; or NULL */
+    size_t count, line; /* `line`: of the first one */
+    const char *at;     /* text of the first one up to the end of its line, or NULL */
     size_t size;
 };
 

@@ -13,12 +13,12 @@
 #define ZR_STL_PART_BYTES (1 << 17)
 #endif
 
-/* A part of the text. All but the first begin behind a line that is only "endfacet": within a solid, between two
- * facets. If such a line belongs to a normal, the part before it has a fault, and one thread reads on from that part.
- * So does one thread from the first part on that has something odd. */
+/* A part of the text. All but the first begin after a line that is only "endfacet": within a solid, between two
+ * facets. If such a line belongs to a normal, the part before it has a fault. From the first part with a fault or an
+ * oddity on, one thread reads the rest. */
 struct part {
     size_t first;     /* number of its first vertex */
-    size_t room;      /* vertices that it has room for, at least as many as it has */
+    size_t room;      /* upper bound of its vertices */
     size_t facets;    /* triangles read */
     size_t line_ends; /* line ends read */
 };
@@ -84,8 +84,8 @@ static size_t count_letter(const char *at, const char *end, char letter)
     return count;
 }
 
-/* Bounds the vertices of a part: by its letters x, one per "vertex", and by its length. A name with an x only raises
- * the bound. */
+/* Bounds the number of vertices of a part by its letters x, one per "vertex", and by its length. An x in a name only
+ * raises the bound. */
 static bool make_room(void *context, size_t index)
 {
     const struct file *file = context;
@@ -147,7 +147,7 @@ static size_t close_gaps(struct file *file, size_t parts)
     return sum;
 }
 
-/* Reads leniently from the part `index`, which could not be read by itself, to the end or ZR_ERROR_ITEMS faults. */
+/* Reads leniently from the part `index` on, up to the end of the text or ZR_ERROR_ITEMS faults. */
 static void read_on(struct file *file, size_t index, size_t room, struct zr_scene_builder *builder, struct zr_stl *out,
                     struct zr_error *error)
 {
@@ -173,7 +173,7 @@ static void read_on(struct file *file, size_t index, size_t room, struct zr_scen
 
 /* ---- the whole ---- */
 
-/* Returns what ends lines: '\r' if the first line and most others end in CR alone, else '\n'. */
+/* Returns the line end: '\r' if the first line and most others end in CR alone, else '\n'. */
 static char find_line_end(const char *at, const char *end)
 {
     enum { BYTES = 4096 };
@@ -188,7 +188,7 @@ static char find_line_end(const char *at, const char *end)
     return returns > feeds ? '\r' : '\n';
 }
 
-/* Comments may stand before it. */
+/* Accepts comments before "solid". */
 bool zr_stl_is_text(const char *bytes, size_t size)
 {
     const size_t mark = zr_byte_order_mark(bytes, size);

@@ -11,7 +11,7 @@
 /* The largest number of triangles of an STL file. */
 enum { ZR_STL_TRIANGLES_MAX = 1 << 29 };
 
-/* What was read of a file, in the arena. */
+/* Geometry of a file, in the arena. */
 struct zr_stl {
     size_t vertices, facets;
     const zr_vec4 *positions;
@@ -27,7 +27,7 @@ bool zr_stl_is_text(const char *bytes, size_t size);
  * as many as the word has. */
 const char *zr_stl_cut(const char *at, size_t size, const char *end);
 
-/* Reads vertices; ignores normals. Adds a warning for each kind of oddity (stl_notes.h). Returns ZR_BAD_SYNTAX or
+/* Reads vertices, and ignores normals. Adds a warning for each kind of oddity (stl_notes.h). Returns ZR_BAD_SYNTAX or
  * ZR_BAD_SCENE, with details in *error, ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_stl_text_read(struct zr_scene_builder *builder, const struct zr_request *request,
                                 const struct zr_limits *limits, struct zr_stl *out, struct zr_error *error);

@@ -1,6 +1,6 @@
 /* stl_words.h - input: splits the text of ASCII STL into words.
  *
- * Speed: inlined, since reading a file is mostly this. */
+ * Speed: inlined, since it takes most of the reading time. */
 #ifndef ZR_STL_WORDS_H
 #define ZR_STL_WORDS_H
 
@@ -17,22 +17,22 @@
 struct zr_stl_reader {
     const struct zr_limits *limits;
     const struct zr_cancel *cancel;
-    struct zr_arena *arena;       /* if notes is not NULL */
+    struct zr_arena *arena;       /* used if notes is not NULL */
     const char *begin, *at, *end; /* `begin` is the begin of a line */
     char line_end;                /* '\n', or '\r' if lines end in CR alone */
     size_t line;
     bool inside;                /* within a solid */
-    bool goes_on;               /* text follows behind `end` */
+    bool goes_on;               /* text follows after `end` */
     bool starts_line;           /* lenient reading: the last word is the first of its line */
-    size_t before;              /* facets before this text, for messages */
+    size_t before;              /* number of facets before this text, for messages */
     size_t facets;              /* read here */
-    size_t vertices;            /* read here; if notes is NULL, three per facet */
+    size_t vertices;            /* read here: three per facet if notes is NULL */
     zr_vec4 *positions;         /* of the vertices read here */
     size_t vertices_before;     /* before this text */
-    size_t facets_most;         /* before and here, at most */
+    size_t facets_most;         /* upper bound of the facets before and here */
     uint32_t *offsets;          /* vertices before each facet of the file; NULL: all facets are triangles */
     size_t faults;              /* stops at this number of faults */
-    struct zr_stl_notes *notes; /* NULL: whatever is odd is a fault */
+    struct zr_stl_notes *notes; /* NULL: every oddity is a fault */
     struct zr_error *error;
 };
 
@@ -52,7 +52,7 @@ static inline void zr_stl_skip_spaces(struct zr_stl_reader *reader)
         reader->line += *reader->at == reader->line_end;
 }
 
-/* Returns the next white space, or `end`. Byte by byte, this took a third of the reading time. */
+/* Returns the next white space, or `end`. A loop over bytes would take a third of the reading time. */
 static inline const char *zr_stl_find_space(const char *at, const char *end)
 {
     while (end - at >= ZR_CHUNK) {
@@ -101,20 +101,20 @@ static inline bool zr_stl_begins_comment(struct zr_stl_word word)
     return memchr("#;!%", *word.at, 4) || (word.size >= 2 && memcmp(word.at, "//", 2) == 0);
 }
 
-/* stl_facets.c: reports that another word was expected, in `quotes`; returns false. */
+/* stl_facets.c: reports that `expected`, in `quotes`, was not found. Returns false. */
 bool zr_stl_fault(struct zr_stl_reader *reader, struct zr_stl_word found, const char *quotes, const char *expected);
 
-/* stl_facets.c: reads the numbers of a vertex. False for a syntax error only; a coordinate out of range is reported,
- * and reading continues. */
+/* stl_facets.c: reads the numbers of a vertex. False at a syntax error. Reports coordinates out of range and returns
+ * true. */
 bool zr_stl_read_vertex(struct zr_stl_reader *reader, zr_vec4 *out);
 
-/* stl_facets.c: reads a facet of three corners behind "facet", as the source has it, and counts it. */
+/* stl_facets.c: reads a facet of three corners after "facet", by the syntax of the source, and counts it. */
 bool zr_stl_read_facet(struct zr_stl_reader *reader);
 
-/* stl_facets.c: reads all solids as the source has them. Stops at a fault, a cancellation or the end. */
+/* stl_facets.c: reads all solids by the syntax of the source. Stops at a fault, a cancellation or the end. */
 void zr_stl_read_solids(struct zr_stl_reader *reader);
 
-/* stl_lenient.c: the same, and what many programs draw although the source does not have it, which is noted. */
+/* stl_lenient.c: reads all solids, also with syntax beyond the source that many programs accept, which it notes. */
 void zr_stl_read_leniently(struct zr_stl_reader *reader);
 
 #endif

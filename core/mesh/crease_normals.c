@@ -9,7 +9,7 @@ enum { FACES_A_RANGE = 1 << 11, VERTICES_A_RANGE = 1 << 10 };
 /* Corners are sorted in chunks, one thread per chunk: more chunks take more memory. */
 enum { CHUNKS_MOST = 4, CORNERS_A_CHUNK = 1 << 14 };
 
-/* Less than each cosine: a group has all faces. */
+/* Below every cosine: all faces of a group are averaged. */
 #define LEAST_OF_GROUPS (-4.0f)
 
 struct creasing {
@@ -20,7 +20,7 @@ struct creasing {
     uint32_t vertex_count, corner_count, chunk_count;
     uint32_t *counts; /* vertex_count per chunk; later the slot of the next corner of each vertex */
     uint32_t *slots;
-    uint32_t *groups; /* smoothing group of each corner; or NULL */
+    uint32_t *groups; /* smoothing group of each corner, or NULL */
     float cosine;     /* of the crease angle, with a tolerance */
     zr_vec4 *corners;
 };
@@ -89,7 +89,7 @@ static void expand_groups(void *context, size_t begin, size_t end)
             c->groups[slot] = c->mesh.face_groups[face];
 }
 
-/* True if slot a is before slot b: by groups, then in the order of slots. */
+/* True if slot a precedes slot b: by groups, then in the order of slots. */
 static bool is_before(const struct creasing *c, uint32_t a, uint32_t b)
 {
     return c->groups[a] != c->groups[b] ? c->groups[a] < c->groups[b] : a < b;
@@ -119,7 +119,7 @@ static void sort_by_groups(const struct creasing *c, uint32_t *slots, uint32_t c
     }
 }
 
-/* Averages the corners of each group of one vertex; those of group 0 keep the normals of their faces. */
+/* Averages the corners of each group of one vertex. Corners of group 0 keep the normals of their faces. */
 static void sum_groups(const struct creasing *c, uint32_t *slots, uint32_t count)
 {
     sort_by_groups(c, slots, count);

@@ -20,8 +20,8 @@
 
 /* Returns one unit normal per corner (slot of mesh->indices), with w = 0; 0 if no face of the vertex has an area.
  * `degrees`: 0..180; a face at exactly this angle counts. Takes about 24 bytes per position and 4 per corner of scratch
- * from the arena and gives them back; with smoothing groups, 4 per corner more. Returns NULL if the arena
- * failed. If cancelled, returns early with undefined normals. */
+ * from the arena and gives them back; with smoothing groups, 8 per corner. Returns NULL if the arena failed. If
+ * cancelled, returns early with undefined normals. */
 zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                 const struct zr_mesh *mesh, float degrees);
 

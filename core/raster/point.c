@@ -20,7 +20,7 @@ int32_t zr_point_width(float size, float scale)
     return width > 1 ? width : 1;
 }
 
-/* A regular octagon lacks 1 - 1 / sqrt(2) = 0.293 of its width. */
+/* A regular octagon lacks 1 - 1 / sqrt(2) = 0.293 of its width at each corner. */
 int32_t zr_point_cut(const struct zr_mesh *mesh, int32_t width)
 {
     return mesh->points_are_round ? width * 3 / 10 : 0;

@@ -11,8 +11,8 @@
 /* Returns the side of the square in pixels, an integer of at least 1, for a point size in pixels times `scale`. */
 int32_t zr_point_width(float size, float scale);
 
-/* Returns the legs of the triangles that a round point of this width lacks at its corners, in pixels; 0 for squares.
- * Row i of the point, from either end, lacks cut - i pixels at either side. */
+/* Returns the leg of the triangles that a round point of this width lacks at its corners, in pixels; 0 for squares.
+ * Row i of the point, from either end, lacks cut - i pixels at each side. */
 int32_t zr_point_cut(const struct zr_mesh *mesh, int32_t width);
 
 /* Computes the pixels of a point of the draw, not clipped to the window: min x, min y, max x, max y. */

@@ -8,7 +8,7 @@
 /* Largest thickness of a flat model, as a share of either other extent. */
 static const double thickness_most = 0.04;
 
-/* Least share of a face's area that shows, for the side that it counts for: walls of a sheet show on neither. */
+/* A face counts for a side if more than this share of its area shows there. Walls of a sheet count for neither. */
 static const double shown_least = 0.5;
 
 enum { FACES_A_RANGE = 1 << 14 };
@@ -21,7 +21,7 @@ struct counting {
     const struct zr_mesh *mesh;
     const struct zr_cancel *cancel;
     double axis[3];               /* the flat axis of the world, in object space */
-    atomic_uint_fast64_t *fronts; /* on the positive and on the negative side */
+    atomic_uint_fast64_t *fronts; /* counts for the positive and the negative side */
 };
 
 static void count_range(void *context, size_t begin, size_t end)

@@ -5,7 +5,7 @@
 #include "scene/camera.h"
 #include "scene/face_area.h"
 
-/* Distance of a face from the end of the box in which it lies, as a share of the diagonal. */
+/* Largest distance of a face from the end of the box in which it lies, as a share of the diagonal. */
 static const double tolerance = 1e-3;
 static const double least_support = 0.25, least_gain = 2.0;
 
@@ -64,7 +64,7 @@ enum zr_mesh_up zr_mesh_up_find(const struct zr_scene *scene, enum zr_mesh_up us
                                 const struct zr_cancel *cancel)
 {
     static const enum zr_mesh_up ups[3] = {ZR_MESH_UP_X, ZR_MESH_UP_Y, ZR_MESH_UP_Z};
-    static const int order[3] = {1, 2, 0}; /* of equal supports, y comes before z, and z before x */
+    static const int order[3] = {1, 2, 0}; /* if supports are equal, y is selected before z, and z before x */
     const struct zr_bounds bounds = zr_bounds_of(scene, team, cancel);
     const struct box box = {{(double)bounds.min.x, (double)bounds.min.y, (double)bounds.min.z},
                             {(double)bounds.max.x, (double)bounds.max.y, (double)bounds.max.z},

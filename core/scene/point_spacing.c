@@ -15,7 +15,7 @@ struct grid {
     const struct zr_cancel *cancel;
     zr_vec3 min;
     double per_cell;         /* cells per scene unit */
-    _Atomic uint64_t *words; /* a bit per cell, x fastest */
+    _Atomic uint64_t *words; /* one bit per cell, x fastest */
 };
 
 static uint32_t cell_of(const struct grid *grid, float at, float min)
@@ -65,7 +65,7 @@ static uint64_t count_points(const struct zr_scene *scene)
     return count;
 }
 
-/* Returns the spacing of `points` marked points as a share of a cell of the finest grid. */
+/* Returns the spacing of `points` marked points in cells of the finest grid. */
 static double spacing_of(const struct grid *grid, uint64_t points, uint8_t *blocks)
 {
     for (uint32_t step = 1;; step *= 2) {

@@ -9,8 +9,8 @@
 #include "base/team.h"
 #include "scene/scene.h"
 
-/* Returns a byte per position: 1 if a face, line or point uses it, else 0. NULL if the arena failed, which it may for a
- * mesh without positions. `team` may be NULL. */
+/* Returns one byte per position: 1 if a face, line or point uses it, else 0. NULL if the arena failed, or possibly for
+ * a mesh without positions. `team` may be NULL. */
 const uint8_t *zr_used_positions(struct zr_arena *arena, struct zr_team *team, const struct zr_mesh *mesh);
 
 /* Moves unused `positions` of the mesh to the first used one. Does nothing if none is used. Takes a byte per position

@@ -1,4 +1,4 @@
-/* Bare meshes of points only: the size of the points, and what the looks leave out. */
+/* Bare meshes of points only: the size of the points, and the edges that the looks omit. */
 #include "base/team.h"
 #include "input/cloud.h"
 #include "scene/looks.h"
@@ -52,7 +52,7 @@ static void open_plane(struct cloud *cloud, uint32_t side, float distance)
         cloud->positions[i] = (zr_vec4){distance * (float)(i % side), 7, distance * (float)(i / side), 1};
 }
 
-/* 480 pixels are the diagonal, and points are 1.5 times their distance. */
+/* The diagonal is 480 pixels, and the size of points is 1.5 times their distance. */
 TEST_AROUND(size_follows_the_density, open_arena, close_arena)
 {
     static const struct {

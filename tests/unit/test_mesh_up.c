@@ -1,4 +1,4 @@
-/* Bare meshes: the axis that points up, and the view of flat ones. */
+/* Bare meshes: the axis that points up, and the view of flat meshes. */
 #include "looks_check.h"
 
 #include "support/tests.h"
@@ -7,7 +7,7 @@
     "v 0 0 0\nv " #x " 0 0\nv 0 " #y " 0\nv " #x " " #y " 0\nv 0 0 " #z "\nv " #x " 0 " #z "\nv 0 " #y " " #z          \
     "\nv " #x " " #y " " #z "\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
 
-/* Tents over a rectangle of the sides 4 and 3, with a ridge of the length 3. No other side is flat. */
+/* Tents over a rectangle with the sides 4 and 3, with a ridge of length 3. No other side is flat. */
 #define TENT_ON_Z    "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv .5 1.5 2\nv 3.5 1.5 2\n" TENT
 #define TENT_ON_Y    "v 0 0 0\nv 0 0 4\nv 3 0 4\nv 3 0 0\nv 1.5 2 .5\nv 1.5 2 3.5\n" TENT
 #define TENT_ON_X    "v 0 0 0\nv 0 4 0\nv 0 4 3\nv 0 0 3\nv 2 .5 1.5\nv 2 3.5 1.5\n" TENT

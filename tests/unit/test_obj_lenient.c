@@ -1,5 +1,4 @@
-/* OBJ as people have it: files with faults are drawn as other texts without them, with a warning that strict refuses.
- */
+/* Faulty OBJ is drawn like another text without the faults, with a warning that strict turns into an error. */
 #include "input/input.h"
 #include "input_check.h"
 #include "support/files.h"
@@ -20,7 +19,7 @@ static const struct {
      "OBJ: 2 names end in a backslash, and do not continue on the next line; the first is line 4: "},
     {V "g a # C:\\\n" F, V F, NULL},
     {V "mtllib a.mtl\\\n" F, V F, "OBJ: 1 statement about materials (mtllib, usemtl) is not read in this version"},
-    /* nothing behind a slash */
+    /* slashes without an index */
     {V "f 1// 2// 3//\n", V F, "OBJ: 3 corners have nothing behind a slash; the first is line 4: 'f 1// 2// 3//'"},
     {V "vt 0 0\nf 1/1/ 2/ 3\n", V F, "OBJ: 2 corners have nothing behind a slash; the first is line 5: "},
     {V "vn 0 0 1\nf 1//1 2/7/1 3//\n", V "vn 0 0 1\nf 1//1 2//1 3\n",
@@ -37,12 +36,12 @@ static const struct {
      "OBJ: 3 colours are outside of their range, and clamped; the first is line 1: 'v 0 0 0 1.00001 0.5 0'"},
     {V "v 1 1 0 -0.001 0.5 0\nf 1 2 4\n", V "v 1 1 0 0 0.5 0\nf 1 2 4\n", "OBJ: 1 colour is outside of its range, and"},
     {V "v 1 1 0 255.5 0 0\nf 1 2 4\n", V "v 1 1 0 1 0 0\nf 1 2 4\n", "OBJ: 1 colour is outside of its range, and"},
-    /* words for numbers in what is not read, or is computed instead */
+    /* words instead of numbers in normals and texture coordinates */
     {V "vt nan nan\n" F, V F, "OBJ: 1 texture coordinate is not of numbers; it is line 4: 'vt nan nan'"},
     {V "vt\nvt a\nvt 1e9 1\n" F, V F, "OBJ: 2 texture coordinates are not of numbers; the first is line 4: 'vt'"},
     {V "vn -nan(ind) 0 1\nvn 0 1\nvn 0 0 1\nf 1//1 2//2 3//3\n", V "vn 0 0 0\nvn 0 0 0\nvn 0 0 1\nf 1//1 2//2 3//3\n",
      "OBJ: 2 normals are not of three numbers; they are computed; the first is line 4: 'vn -nan(ind) 0 1'"},
-    /* lines of other kinds */
+    /* unknown and unsupported lines */
     {"$ scanned in 1999\n" V F, V F, "OBJ: 1 line is not known; it is line 1: '$ scanned in 1999'"},
     {V "hello\n" F "v2 \\\nworld\n", V F, "OBJ: 3 lines are not known; the first is line 4: 'hello'"},
     {V F "s wrong\n", V F, "OBJ: 1 line is not known; it is line 5: 's wrong'"},
@@ -59,7 +58,7 @@ static const struct {
     {V F "p 9\np 2\np\n", V F "p 2\n",
      "OBJ: 2 statements of points (p) have wrong indices, and are not drawn; the first"},
     {V "l 1/1 2/2 -1\np 1 2\nl 1 3 # x\n", V "l 1 2\nl 2 3\nl 1 3\np 1\np 2\n", NULL},
-    /* positions without use, near and far */
+    /* unused positions, near and far */
     {V "v 0 30 0\n" F, V F, NULL},
     {"v 0 9e9 0\n" V "f 2 3 4\n", V F, NULL},
 };
@@ -116,11 +115,11 @@ TEST(middle_of_far_meshes_is_their_origin)
     assert_origin(reading, 408205.25, 4080925.5, 2);
     assert_memory_equal(reading->scene->meshes[0].positions, want, sizeof want);
     reading_free(reading);
-    /* A far position that is not drawn does not count. */
+    /* A far position that is not drawn is ignored. */
     reading = read_as("v 2e6 0 0\nv 2000002 0 0\nv 2e6 2 2\nv -1e15 1 1\n" F, "1");
     assert_origin(reading, 2000001, 1, 1);
     reading_free(reading);
-    /* Within the limit, nothing is subtracted. */
+    /* Within the limit, positions are unchanged. */
     reading = read_as("v 1e6 0 0\nv -1e6 0 0\nv 1e6 2 2\n" F, "1");
     assert_read(reading);
     assert_null(reading->scene->origin);
@@ -148,7 +147,7 @@ TEST(far_and_coloured_mesh_is_adjusted_in_both)
 #define L4(n) "f 1//" n " 2//" n " 6//" n " 5//" n "\n"
 #define R4(n) "f 3//" n " 4//" n " 5//" n " 6//" n "\n"
 
-/* Pictures with groups are those with the normals that they mean: of the faces, or downwards at the ridge. */
+/* Groups give the same picture as explicit normals: those of the faces, or downwards at the ridge. */
 TEST(groups_are_smooth_within_and_flat_if_off)
 {
     static const char flat[] = ROOF "vn 0 -1 1.6\nvn 0 -1 -1.6\n" L4("1") R4("2");
@@ -164,7 +163,7 @@ TEST(groups_are_smooth_within_and_flat_if_off)
         {ROOF "s 1\n" LEFT "s 2\n" RIGHT, flat},
         {ROOF LEFT "s 1\n" RIGHT, flat},
         {ROOF "s 7\n" LEFT "s 8\ns 7\n" RIGHT, smooth},
-        /* corners of equal places are one vertex */
+        /* corners with equal positions share a vertex */
         {ROOF "v 0 1.6 1\nv 2 1.6 1\ns 1\n" LEFT "f 3 4 7 8\n", smooth},
         /* given normals override groups */
         {ROOF "s 1\nvn 0 -1 1.6\nvn 0 -1 -1.6\n" L4("1") R4("2"), flat},
@@ -186,7 +185,7 @@ TEST(groups_are_smooth_within_and_flat_if_off)
     }
 }
 
-/* ---- files as they were found ---- */
+/* ---- files from other sources ---- */
 
 static const struct {
     const char *name, *warning; /* a part of one; NULL: there is none */

@@ -1,4 +1,4 @@
-/* Colours of facets in binary STL: which attributes are colours, in which dialect, and what they draw. */
+/* Colours of facets in binary STL: detection of the dialects, and the colours in the picture. */
 #include <stdio.h>
 
 #include "by_teams.h"
@@ -106,7 +106,7 @@ TEST(attributes_are_colours_or_not)
     }
 }
 
-/* Five bits each: all fractions of 31. */
+/* Five bits per component: all fractions of 31. */
 TEST(each_shade_is_a_fraction_of_31)
 {
     for (uint16_t shade = 1; shade < 32; shade++) {
@@ -122,7 +122,7 @@ TEST(each_shade_is_a_fraction_of_31)
     }
 }
 
-/* A single attribute decides about all parts of the file. */
+/* A single attribute determines the dialect of all parts of the file. */
 TEST(colours_are_the_same_for_every_team)
 {
     uint16_t attributes[MANY] = {0};
@@ -144,7 +144,7 @@ TEST(colours_are_the_same_for_every_team)
     }
 }
 
-/* As vertex colours: white instead of the look's base, times the parameter `color`. */
+/* Facet colours replace the look's base colour by white, as vertex colours do. `color` multiplies them. */
 TEST(colours_replace_the_base_of_looks)
 {
     static const char *const looks[] = {"studio", "technical", "clay", "dark", "metal", "outdoor", "textbook"};

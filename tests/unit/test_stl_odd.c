@@ -1,4 +1,4 @@
-/* What many programs draw of STL, although it is odd: drawn with one warning a kind, which `strict` refuses. */
+/* Odd STL that many programs draw is drawn with one warning per kind, which `strict` turns into an error. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -30,7 +30,7 @@ static const struct {
      {"STL: 18 lines that end in CR alone, the first in line 1"}},
     {"solid a\r\n" CR_FACET "endsolid", {3}, {NULL}}, /* any white space */
     {"solid a\r\r\n" FACET "endsolid\r\r\n", {3}, {NULL}},
-    /* words behind keywords */
+    /* extra words after keywords */
     {"solid\n" HEAD VERTICES "endloop x\nendfacet 1\n" FACET "endsolid",
      {3, 3},
      {"STL: 2 lines with words that are ignored, the first in line 7: 'x'"}},
@@ -79,7 +79,7 @@ static const struct {
     {"solid a\n" FACET "endsolid a\n" FACET "endsolid\n" FACET "endsolid\n",
      {3, 3, 3},
      {"STL: 2 solids without 'solid', the first in line 10"}},
-    /* words of a normal are any */
+    /* any words as a normal */
     {"solid\nfacet normal outer loop vertex outer loop\n" VERTICES "endloop endfacet # a\nendsolid",
      {3},
      {"STL: 1 line with words that are ignored, line 6: '# a'"}},
@@ -142,7 +142,7 @@ TEST(facets_of_too_many_corners_are_refused)
     refuses(ZR_FORMAT_STL, text, ZR_BAD_SCENE, "", "line 9: a facet of 1025 corners; 3 to 1024 are allowed");
 }
 
-/* ---- files of other people ---- */
+/* ---- files from other sources ---- */
 
 static struct reading *read_hunted(const char *name, struct zr_request request)
 {

@@ -26,7 +26,7 @@ static const char *const pieces[] = {
     "facet normal 0 0 0 outer loop\nvertex 1 2 3\nvertex 1 -1e30 2\nvertex 0 0 0\nendloop\nendfacet\n"};
 enum { PIECES = sizeof pieces / sizeof *pieces };
 
-/* What many programs draw, although it is no STL. */
+/* Invalid STL that many programs draw. */
 static const char *const odd_pieces[] = {
     "facet normal 0 0 1\n" LOOP "endfacet\n",
     "  FACET Normal nan nan nan\r\n  OUTER\nLOOP\r\n" VERTICES "EndLoop\r\n ENDFACET\r\n",
