@@ -50,7 +50,8 @@ static bool count_lists(struct zr_gltf *file)
         size_t count = 0;
         if (!file->places[key] || key == ZR_GLTF_SCENE) continue;
         struct zr_json there = zr_json_at(&file->root.json, file->places[key]);
-        if (zr_json_count(&there, ZR_JSON_KEY(NULL, zr_gltf_word((enum zr_gltf_key)key)), &count)) file->counts[key] = (uint32_t)count;
+        if (zr_json_count(&there, ZR_JSON_KEY(NULL, zr_gltf_word((enum zr_gltf_key)key)), &count))
+            file->counts[key] = (uint32_t)count;
     }
     return file->root.json.error->count == 0;
 }
