@@ -25,6 +25,11 @@ static bool lights_surfaces(const struct zr_look *look)
     return look->shades_by_mesh || look->material.shading == ZR_SHADING_PBR;
 }
 
+void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material)
+{
+    if (!lights_surfaces(root->scene->look)) material->face_style.shading = ZR_UNSET;
+}
+
 static uint32_t make(struct zr_parsed_scene *root, const struct zr_mesh *mesh, uint32_t number, size_t material,
                      const struct zr_face_style *style)
 {
@@ -60,7 +65,7 @@ void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_
     if (own_count > 0) over = zr_face_style_merge(&own->face_style, &root->face_style);
     for (uint32_t i = 0; i < file->material_count; i++) {
         all[i] = put_query(&file->materials[i], own_count > 0 ? own : NULL);
-        if (!lights_surfaces(scene->look)) all[i].face_style.shading = ZR_UNSET;
+        zr_file_scene_fit_look(root, &all[i]);
     }
     if (own_count > 0) all[file->material_count] = *own;
     root->materials = all;
@@ -110,6 +115,11 @@ static const struct zr_file_camera *find_camera(const struct zr_file_scene *file
         if (strcmp(number, wanted) == 0) return &file->cameras[i];
     }
     return NULL;
+}
+
+bool zr_file_scene_has_camera(const struct zr_file_scene *file, const char *camera)
+{
+    return find_camera(file, camera) != NULL;
 }
 
 /* Removes the scale: makes the axes unit vectors. */

@@ -37,6 +37,12 @@ struct zr_file_scene {
 /* Makes the materials of the builder's meshes from those of the file. The keys of the query override them. */
 void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_file_scene *file);
 
+/* Removes the shading of a file's material if the scene's look does not light surfaces. */
+void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material);
+
+/* True if the file has a camera of this name or number. */
+bool zr_file_scene_has_camera(const struct zr_file_scene *file, const char *camera);
+
 /* Sets the view's pose and projection to those of the file's camera of this name or number. `up` turns the file's
  * space to world space. False, and a fault at `path`, if there is no such camera. `file` may be NULL. */
 bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,

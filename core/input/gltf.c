@@ -111,7 +111,9 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
     struct zr_json *json = &file->root.json;
     json->assets = &file->root.assets;
     zr_json_open(json, text.bytes, text.size);
-    file->root.assets.uses = zr_arena_zero(builder->arena, request->asset_count, sizeof *file->root.assets.uses);
+    file->root.assets.uses = builder->asset_uses
+                                 ? builder->asset_uses
+                                 : zr_arena_zero(builder->arena, request->asset_count, sizeof *file->root.assets.uses);
     uint64_t keys;
     if (file->root.assets.uses && zr_gltf_fields(file, json, NULL, &zr_gltf_root, file->places, &keys) &&
         zr_json_end(json))

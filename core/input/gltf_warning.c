@@ -42,6 +42,6 @@ void zr_gltf_warn(struct zr_gltf *file)
             "primitives lack texture coordinates of their materials, which are 0, 0");
     warn_of(file, colors, &file->no_source, "without a source, and not drawn", "textures are without a source");
     warn_of(file, colors, &file->clamped, "beyond 0 to 1, and clamped", "factors are beyond 0 to 1 and are clamped");
-    for (size_t i = 0; i < file->root.assets.count; i++)
+    for (size_t i = 0; !builder->asset_uses && i < file->root.assets.count; i++)
         if (!file->root.assets.uses[i]) zr_warn_of_unused_asset(builder, &file->root.assets.items[i]);
 }

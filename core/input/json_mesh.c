@@ -1,6 +1,7 @@
 #include <string.h>
 
 #include "input/json_mesh.h"
+#include "input/json_model.h"
 #include "input/json_objects.h"
 #include "input/nearest.h"
 #include "input/text.h"
@@ -23,7 +24,10 @@ enum {
     HEIGHTS,
     TEXCOORDS,
     TEXCOORDS1,
-    TANGENTS
+    TANGENTS,
+    FILE_URI,
+    FILE_ASSET,
+    KEYS
 };
 enum { SQUARE, ROUND, POINT_SHAPES };
 static const char *const point_shapes[] = {"square", "round"};
@@ -55,11 +59,36 @@ static const struct zr_json_field fields[] = {
                     .text = "second [u,v] per position, for textures with texcoord 1"},
     [TANGENTS] = {"tangents", zr_read_mesh_tangents, AT(tangents), .otherwise = "along u",
                   .text = "[x,y,z,w] per position: direction of u, and the sign of the bitangent"},
+    [FILE_URI] = {ZR_BYTES_URI, zr_json_string, AT(file.uri),
+                  .text = "data: URI with a model file, instead of positions"},
+    [FILE_ASSET] = {ZR_BYTES_ASSET, zr_json_string, AT(file.asset),
+                    .text = "name of a part with a model file, or sha256: and its hash, instead of positions"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_mesh, face_style),
     ZR_SCALARS_FIELDS(struct zr_parsed_mesh, scalars),
     ZR_SIDES_FIELD(struct zr_parsed_mesh, face_style),
     {.key = "data"}};
 const struct zr_json_object zr_json_object_mesh = ZR_JSON_OBJECT_OF("mesh", fields);
+
+static bool gives(const struct zr_parsed_mesh *given, int key)
+{
+    return zr_json_gives(given->keys, key);
+}
+
+static bool has_file(const struct zr_parsed_mesh *given)
+{
+    return gives(given, FILE_URI) || gives(given, FILE_ASSET);
+}
+
+/* A file has its own lists. */
+static bool check_file(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given)
+{
+    const char *file = fields[gives(given, FILE_URI) ? FILE_URI : FILE_ASSET].key;
+    const size_t faults = json->error->count;
+    for (int key = POSITIONS; key <= TANGENTS; key++)
+        if (gives(given, key) && key != POINT_SIZE && key != POINT_SHAPE)
+            zr_json_fault(json, path, "two shapes: %s and %s", file, fields[key].key);
+    return json->error->count == faults;
+}
 
 bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
@@ -84,7 +113,10 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
                                        .point_size = 1.0f,
                                        .heights.values.size = sizeof(float),
                                        .scalars = ZR_SCALARS_UNSET};
-        zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &zr_json_object_mesh, &given, &given.keys);
+        const struct zr_json_path *at = ZR_JSON_ITEM(path, list->count);
+        if (zr_json_fields(json, at, &zr_json_object_mesh, &given, &given.keys) && has_file(&given) &&
+            check_file(json, at, &given))
+            given.model = zr_model_read(out, at, &given.file);
         struct zr_parsed_mesh *kept = zr_growing_next(list, json);
         if (!kept) return false;
         *kept = given;
@@ -96,12 +128,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
 
 /* ---- meshes ---- */
 
-static bool gives(const struct zr_parsed_mesh *given, int key)
-{
-    return zr_json_gives(given->keys, key);
-}
-
-/* A mesh has heights, or positions with faces, lines or points. */
+/* A mesh has heights, a file, or positions with faces, lines or points. */
 static void check_shape(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given)
 {
     static const int others[] = {POSITIONS, FACES, LINES, POINTS};
@@ -195,17 +222,23 @@ static void make_texcoords(struct zr_json *json, const struct zr_json_path *path
 }
 
 static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
-                      struct zr_mesh *mesh)
+                      struct zr_mesh *meshes)
 {
+    struct zr_mesh *mesh = &meshes[path->index];
     struct zr_json *json = &root->json;
     struct zr_style style = {.material = root->material_count,
                              .face_style = given->face_style,
-                             .is_open = gives(given, HEIGHTS),
+                             .is_open = gives(given, HEIGHTS) || given->model,
                              .number = (uint32_t)path->index};
     *mesh = (struct zr_mesh){.name = given->name ? given->name : ""};
-    check_shape(json, path, given);
+    if (has_file(given) && !given->model) return; /* refused before */
+    if (!given->model) check_shape(json, path, given);
     if (given->material)
         style.material = zr_parsed_find_material(root, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
+    if (given->model) {
+        zr_model_make(root, path, given, &style, meshes);
+        return;
+    }
     if (gives(given, HEIGHTS)) {
         const bool textured = zr_parsed_has_textures(root, style.material) && !gives(given, TEXCOORDS);
         if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, textured, mesh)) return;
@@ -246,7 +279,7 @@ void zr_parsed_make_meshes(struct zr_parsed_scene *root, const struct zr_json_pa
 {
     const struct zr_parsed_mesh *given = root->meshes.items;
     for (size_t i = 0; i < root->meshes.count && !zr_json_stops(&root->json); i++)
-        make_mesh(root, ZR_JSON_ITEM(path, i), &given[i], &meshes[i]);
+        make_mesh(root, ZR_JSON_ITEM(path, i), &given[i], meshes);
 }
 
 bool zr_parsed_find_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name, uint32_t *out)

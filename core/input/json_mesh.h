@@ -31,6 +31,8 @@ struct zr_parsed_mesh {
     uint64_t keys;               /* bit i: key i is given */
     const char *name, *material; /* NULL: not given */
     struct zr_face_style face_style;
+    struct zr_bytes_name file;
+    struct zr_model *model; /* the file as read (json_model.h); or NULL */
     struct zr_growing positions, normals, colors, face_colors, texcoords, texcoords1, tangents;
     struct zr_parsed_faces faces;
     struct zr_parsed_lines lines;

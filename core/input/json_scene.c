@@ -1,7 +1,9 @@
 /* Reads a scene: the whole root first, in the order of the text, then its references are resolved. */
 #include "input/json_scene.h"
 
+#include "input/file_scene.h"
 #include "input/input.h"
+#include "input/json_model.h"
 #include "input/json_objects.h"
 #include "input/kept.h"
 
@@ -10,44 +12,46 @@ enum { DEPTH_OF_LISTS = 6 };
 
 /* ---- references ---- */
 
-/* Makes the meshes of the list, and one more of all polygons. Returns the length of the list: nodes can place these. */
-static uint32_t make_meshes(struct zr_parsed_scene *root)
+/* Makes the meshes of the list, one more of all polygons, and those of model files beyond the first. */
+static void make_meshes(struct zr_parsed_scene *root)
 {
-    struct zr_scene *scene = root->scene;
-    const uint32_t listed = (uint32_t)root->meshes.count;
-    struct zr_mesh *meshes = zr_scene_builder_meshes(root->builder, (size_t)listed + 1);
-    if (!meshes) return 0;
+    const uint32_t listed = (uint32_t)root->meshes.count, first = listed + zr_parsed_has_polygons(root);
+    const size_t count = (size_t)first + zr_models_number(root, first);
+    struct zr_mesh *meshes = zr_scene_builder_meshes(root->builder, count);
+    if (!meshes) return;
     zr_parsed_make_meshes(root, ZR_SCENE_PATH(ZR_SCENE_MESHES), meshes);
-    scene->mesh_count = listed + zr_parsed_make_polygons(root, ZR_SCENE_PATH(ZR_SCENE_POLYGONS), &meshes[listed]);
-    return listed;
+    if (first > listed) zr_parsed_make_polygons(root, ZR_SCENE_PATH(ZR_SCENE_POLYGONS), &meshes[listed]);
 }
 
-/* Nodes place the `listed` meshes; without nodes each has the identity. The polygons always have the identity. */
-static void place_meshes(struct zr_parsed_scene *root, uint32_t listed)
+/* Nodes place the meshes of the list; without nodes each has the identity. The polygons always have the identity. */
+static void place_meshes(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
+    const uint32_t listed = (uint32_t)root->meshes.count, end = listed + zr_parsed_has_polygons(root);
     uint32_t count = 0, next = root->nodes ? listed : 0;
     const struct zr_keeping *keeping = root->builder->keeping;
     if (!root->nodes && keeping && keeping->poses)
         zr_json_fault(&root->json, ZR_JSON_KEY(NULL, ZR_POSES), "the scene has no nodes");
     struct zr_instance *instances =
         root->nodes ? zr_parsed_read_nodes(root, ZR_SCENE_PATH(ZR_SCENE_NODES), scene->meshes, listed, &count)
-                    : zr_arena_alloc(root->json.arena, scene->mesh_count, sizeof *instances);
+                    : zr_arena_alloc(root->json.arena, end, sizeof *instances);
     if (!instances) return;
-    for (; next < scene->mesh_count; next++)
+    for (; next < end; next++)
         instances[count++] = (struct zr_instance){.mesh = next, .object_to_world = zr_mat4_identity()};
-    zr_scene_builder_place(root->builder, instances, count);
+    if (root->camera && instances)
+        zr_models_use_camera(root, ZR_JSON_KEY(ZR_SCENE_PATH(ZR_SCENE_VIEW), "camera"), instances, count);
+    instances = zr_models_place(root, ZR_SCENE_PATH(root->nodes ? ZR_SCENE_NODES : ZR_SCENE_MESHES), instances, &count);
+    if (instances) zr_scene_builder_place(root->builder, instances, count);
 }
 
-/* `listed`: the number of meshes that nodes can place. */
-static void warn(struct zr_parsed_scene *root, uint32_t listed)
+static void warn(struct zr_parsed_scene *root)
 {
     struct zr_warning_list *warnings = &root->builder->warnings;
     zr_parsed_warn_of_oddities(root);
     zr_parsed_warn_of_materials(root);
     if (root->unplaced_meshes > 0)
         zr_warning_list_add(root->json.arena, warnings, "%u of %u meshes are placed by no node and are not drawn",
-                            root->unplaced_meshes, listed);
+                            root->unplaced_meshes, (uint32_t)root->meshes.count);
     for (size_t i = 0; i < root->assets.count; i++)
         if (!root->assets.uses[i]) zr_warn_of_unused_asset(root->builder, &root->assets.items[i]);
 }
@@ -58,15 +62,16 @@ static void build(struct zr_parsed_scene *root)
     zr_parsed_use_look(root);
     zr_parsed_sort_materials(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
     zr_parsed_find_textures(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
-    const uint32_t listed = make_meshes(root);
+    make_meshes(root);
     if (zr_json_stops(json)) return;
     zr_parsed_check_light(root);
-    place_meshes(root, listed);
+    if (root->model_firsts) zr_file_scene_drop_maps(root);
+    place_meshes(root);
     if (root->base) zr_parsed_read_base(root, ZR_SCENE_PATH(ZR_SCENE_BASE));
     if (root->fit_mesh && zr_arena_ok(json->arena)) zr_parsed_find_fit_mesh(root, ZR_SCENE_PATH(ZR_SCENE_VIEW));
     if (root->color_bar_mesh && zr_arena_ok(json->arena))
         zr_parsed_find_color_bar_mesh(root, ZR_SCENE_PATH(ZR_SCENE_COLOR_BAR));
-    warn(root, listed);
+    warn(root);
 }
 
 /* Keeps the root if the caller wants it. False without memory. */

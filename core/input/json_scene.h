@@ -164,6 +164,7 @@ struct zr_parsed_scene {
     bool view_has_up;
     bool fog_has_color;
     const char *fit_mesh;       /* name of the mesh that the view is fitted to, or NULL */
+    const char *camera;         /* name or number of the model file's camera that is the view, or NULL */
     const char *color_bar_mesh; /* name of the mesh whose scale the colour bar shows, or NULL */
     const char *nodes, *base;   /* places in the text, or NULL */
 
@@ -181,7 +182,8 @@ struct zr_parsed_scene {
     struct zr_growing images; /* decoded images, private to json_image.c */
     uint64_t image_pixels;    /* decoded pixels, all images */
 
-    uint32_t unplaced_meshes; /* meshes that no node places */
+    uint32_t unplaced_meshes;     /* meshes that no node places */
+    const uint32_t *model_firsts; /* json_model.h: by mesh of the list, the number of its file's second mesh; or NULL */
 };
 
 extern const struct zr_json_field zr_scene_fields[]; /* json_scene_fields.c: enum zr_scene_key, then other keys */
@@ -263,10 +265,11 @@ void zr_parsed_warn_of_oddities(struct zr_parsed_scene *root);
 void zr_parsed_warn_of_materials(struct zr_parsed_scene *root);
 
 /* json_mesh.c, json_polygons.c and json_soup.c: read a list; make its meshes once the root is read. Meshes:
- * root->meshes.count of them. Polygons: one mesh, or false if there is none. */
+ * root->meshes.count of them, and those of model files. Polygons: one mesh, if there are any. */
 zr_json_read_fn zr_read_meshes, zr_read_polygons;
 void zr_parsed_make_meshes(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes);
-bool zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh);
+bool zr_parsed_has_polygons(const struct zr_parsed_scene *root);
+void zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh);
 
 /* json_kept.c: keeps the parsed root before references are resolved, or gives the kept meshes to the root (kept.h).
  * False without memory. */

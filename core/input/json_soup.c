@@ -224,20 +224,24 @@ static void note_normals(struct zr_scene_builder *builder, uint32_t mesh, const 
     }
 }
 
-bool zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh)
+bool zr_parsed_has_polygons(const struct zr_parsed_scene *root)
+{
+    return root->soup && root->soup->offsets.count > 0;
+}
+
+void zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh)
 {
     struct zr_json *json = &root->json;
     struct zr_soup *soup = root->soup;
-    if (!soup || soup->offsets.count == 0) return false;
     const size_t faces = soup->offsets.count, vertices = soup->positions.count;
     *mesh = (struct zr_mesh){.name = "polygons"};
-    if (json->error->count > 0 || !zr_arena_ok(json->arena)) return true;
+    if (json->error->count > 0 || !zr_arena_ok(json->arena)) return;
     if (soup->rings.count > 0 && (!zr_growing_add(&soup->rings, json, soup->ring_offsets.count) ||
                                   !zr_growing_add(&soup->ring_offsets, json, vertices)))
-        return true;
+        return;
     note_normals(root->builder, (uint32_t)root->meshes.count, soup);
     find_materials(root, path, soup);
-    if (!zr_growing_add(&soup->offsets, json, vertices)) return true;
+    if (!zr_growing_add(&soup->offsets, json, vertices)) return;
     *mesh = (struct zr_mesh){.name = "polygons",
                              .position_count = (uint32_t)vertices,
                              .positions = soup->positions.items,
@@ -251,5 +255,5 @@ bool zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_
                              .face_colors = soup->face_colors.items,
                              .face_materials = soup->face_styles.items,
                              .material = *(const uint32_t *)soup->face_styles.items};
-    return true;
+    return;
 }

@@ -94,6 +94,17 @@ static void find_planes(struct zr_parsed_view *given)
                       (double)view->zfar, (double)view->znear);
 }
 
+/* A camera of a model file has a pose, a projection and planes. */
+static bool use_camera(struct zr_parsed_scene *root, struct zr_parsed_view *given)
+{
+    for (int key = 0; key < ZR_VIEW_KEYS; key++)
+        if (key != ZR_VIEW_CAMERA && zr_view_gives(given, (enum zr_view_key)key))
+            return zr_json_fault(given->json, given->path, "two views: %s and %s", zr_view_fields[ZR_VIEW_CAMERA].key,
+                                 zr_view_fields[key].key);
+    root->camera = given->camera;
+    return true;
+}
+
 bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
     struct zr_parsed_scene *root = out;
@@ -106,6 +117,7 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
     const size_t faults = json->error->count;
     (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_view, &given, &given.keys)) return false;
+    if (zr_view_gives(&given, ZR_VIEW_CAMERA)) return use_camera(root, &given);
     given.has_faults = json->error->count > faults;
     zr_view_find_pose(&given);
     find_projection(&given);

@@ -1,4 +1,5 @@
 /* The keys of a view. */
+#include <stdio.h>
 #include <string.h>
 
 #include "input/json_matrix.h"
@@ -51,6 +52,24 @@ static bool read_fit(struct zr_json *json, const struct zr_json_path *path, cons
     return true;
 }
 
+/* ---- cameras of model files ---- */
+
+/* const char *: a name, or a number as text. */
+static bool read_camera(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    enum { DIGITS = 12 };
+    const enum zr_json_type type = zr_json_type(json);
+    uint32_t number;
+    if (type == ZR_JSON_STRING) return zr_json_string(json, path, field, out);
+    if (type != ZR_JSON_NUMBER) return zr_json_expect(json, path, "the name or the number of a camera");
+    if (!zr_json_index(json, path, UINT32_MAX, "cameras", &number)) return false;
+    char *text = zr_arena_alloc(json->arena, DIGITS, 1);
+    if (text) snprintf(text, DIGITS, "%u", number);
+    *(const char **)out = text;
+    return text != NULL;
+}
+
 /* ---- keys ---- */
 
 /* enum zr_convention */
@@ -100,6 +119,8 @@ const struct zr_json_field zr_view_fields[] = {
     [ZR_VIEW_ZFAR] = {"zfar", zr_json_length, VIEW(zfar), .unit = "scene units",
                       .otherwise = "just behind the geometry", .text = "distance of the far plane"},
     [ZR_VIEW_FIT] = {"fit", read_fit, 0, .object = &zr_json_object_fit, .text = "fit of the geometry to the window"},
+    [ZR_VIEW_CAMERA] = {"camera", read_camera, AT(camera),
+                        .text = "name or number of a camera of a model file; the only key of its view"},
     {.key = "name"},
     {.key = "window"}};
 const struct zr_json_object zr_json_object_view = ZR_JSON_OBJECT_OF("view", zr_view_fields);

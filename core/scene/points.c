@@ -24,7 +24,8 @@ struct search {
 static bool is_selected(const struct zr_points *points, uint32_t mesh)
 {
     const struct zr_view *view = points->view;
-    return !points->fitted_only || !view->fit_to_mesh || view->fit_mesh == mesh;
+    const uint32_t *owners = points->scene->mesh_owners;
+    return !points->fitted_only || !view->fit_to_mesh || view->fit_mesh == (owners ? owners[mesh] : mesh);
 }
 
 static size_t count_points(const struct zr_points *points)

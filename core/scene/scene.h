@@ -279,7 +279,7 @@ struct zr_view {
     bool has_znear, has_zfar; /* false: taken from the bounds */
     float znear, zfar;        /* distances in front of the camera */
     float fit_padding;        /* share of the window left free on each side */
-    bool fit_to_mesh;         /* the view is fitted to the instances of fit_mesh only */
+    bool fit_to_mesh; /* the view is fitted to the instances of fit_mesh, and of the meshes that it owns, only */
     uint32_t fit_mesh;
 };
 
@@ -327,6 +327,7 @@ struct zr_scene {
     const struct zr_material *materials;
     const struct zr_mesh *meshes;
     const struct zr_instance *instances;
+    const uint32_t *mesh_owners; /* by mesh: the first mesh of its model file, or itself. NULL: each mesh is its own */
     const struct zr_light *lights;
     enum zr_compress compress;   /* of all PNG outputs */
     const char *const *warnings; /* of input/ and scene/ */

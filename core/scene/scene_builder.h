@@ -35,6 +35,7 @@ struct zr_scene_builder {
     struct zr_texture *textures;
     size_t texture_room;
     const struct zr_keeping *keeping; /* the scene is kept, or changes a kept one; or NULL */
+    uint8_t *asset_uses; /* for readers of files: one per asset of the request; NULL: they count their own */
     const struct zr_file_scene *file; /* nodes and materials of a bare mesh's own; or NULL */
 };
 
