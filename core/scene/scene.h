@@ -106,6 +106,12 @@ struct zr_mesh {
 
     const uint32_t *face_materials; /* face_count, or NULL: all faces have `material` */
     uint32_t material;
+
+    /* Named parts of the mesh: groups of an OBJ. face_parts: face_count, the part of each face, below part_count; NULL:
+     * the mesh is one part, and its lines and points belong to that. With parts, lines and points belong to none. */
+    const uint32_t *face_parts;
+    uint32_t part_count;           /* 0 without face_parts; a part may be without faces */
+    const char *const *part_names; /* part_count, UTF-8, never NULL, "" if unnamed, may repeat */
 };
 
 /* True if a given normal is (0, 0, 0): a computed one replaces it. */
