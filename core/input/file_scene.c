@@ -54,6 +54,23 @@ static void note_uses(struct zr_parsed_material *query, const struct zr_parsed_m
     }
 }
 
+/* Makes the materials of a mesh with a material per face: each once, in the order of the faces. */
+static void make_faces(struct zr_parsed_scene *root, struct zr_mesh *mesh, uint32_t number, const uint32_t *materials,
+                       const struct zr_file_scene *file, const struct zr_face_style *style)
+{
+    const size_t count = (size_t)file->material_count + 1;
+    uint32_t *made = zr_arena_alloc(root->json.arena, count, sizeof *made);
+    uint32_t *out = zr_arena_alloc(root->json.arena, mesh->face_count, sizeof *out);
+    if (!made || !out) return;
+    memset(made, 0xFF, count * sizeof *made);
+    for (uint32_t face = 0; face < mesh->face_count && zr_arena_ok(root->json.arena); face++) {
+        const uint32_t of = materials[face] == ZR_FILE_MATERIAL_NONE ? file->material_count : materials[face];
+        if (made[of] == UINT32_MAX) made[of] = make(root, mesh, number, of, style);
+        out[face] = made[of];
+    }
+    mesh->face_materials = out;
+}
+
 void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_file_scene *file)
 {
     struct zr_scene *scene = root->scene;
@@ -74,6 +91,8 @@ void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_
         const uint32_t of = file->mesh_materials[i];
         struct zr_mesh *mesh = &root->builder->meshes[i];
         mesh->material = make(root, mesh, i, of == ZR_FILE_MATERIAL_NONE ? file->material_count : of, &over);
+        if (file->face_materials && file->face_materials[i])
+            make_faces(root, mesh, i, file->face_materials[i], file, &over);
     }
     if (own_count > 0) note_uses(own, all, file->material_count + 1);
     root->materials = own;

@@ -31,7 +31,8 @@ struct zr_file_scene {
     struct zr_parsed_material *materials;
     uint32_t camera_count;
     struct zr_file_camera *cameras;
-    const uint32_t *mesh_materials; /* one per mesh; NONE: the look's material */
+    const uint32_t *mesh_materials;        /* one per mesh; NONE: the look's material */
+    const uint32_t *const *face_materials; /* NULL, or one per mesh: NULL, or the material of each face */
 };
 
 /* Makes the materials of the builder's meshes from those of the file. The keys of the query override them. */

@@ -6,6 +6,7 @@
  * read a third time: with coordinates far from the origin, or with colours of 0 to 255. */
 #include "input/input.h"
 
+#include "input/mtl.h"
 #include "input/obj_file.h"
 #include "input/text.h"
 #include "scene/unused_positions.h"
@@ -97,6 +98,11 @@ static bool allocate(struct zr_obj_file *file, struct zr_arena *arena)
     file->indices = zr_arena_alloc(arena, total->corners, sizeof *file->indices);
     if (total->normals > 0) file->normal_indices = zr_arena_alloc(arena, total->corners, sizeof *file->normal_indices);
     if (file->has_groups) file->groups = allocate_some(arena, total->faces, sizeof *file->groups);
+    file->names = zr_arena_alloc(arena, total->names, sizeof *file->names);
+    if (file->mtl && file->mtl->has_maps && total->texcoords > 0) {
+        file->texcoords = zr_arena_alloc(arena, total->texcoords, sizeof *file->texcoords);
+        file->texcoord_indices = zr_arena_alloc(arena, total->corners, sizeof *file->texcoord_indices);
+    }
     file->lines = allocate_some(arena, total->segments, 2 * sizeof *file->lines);
     file->points = zr_arena_alloc(arena, total->points + 1, sizeof *file->points);
     return zr_arena_ok(arena);
@@ -208,17 +214,22 @@ static enum zr_status adjust(struct parsing *parsing, const struct zr_limits *li
 enum zr_status zr_read_OBJ(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error)
 {
-    struct parsing parsing = {
-        builder, request, error,
-        .file = {.at = request->bytes, .end = request->bytes + request->size, .limits = limits, .color_scale = 1.0f}};
+    struct parsing parsing = {builder, request, error,
+                              .file = {.at = request->bytes,
+                                       .end = request->bytes + request->size,
+                                       .limits = limits,
+                                       .cancel = request->cancel,
+                                       .color_scale = 1.0f}};
     struct zr_obj_file *file = &parsing.file;
     enum zr_status status = count_lines(&parsing);
     if (status != ZR_OK) return status;
     zr_obj_add_up(file);
     const struct zr_obj_counts *total = &file->total;
-    if (total->positions > ZR_OBJ_COUNT_MAX || total->normals > ZR_OBJ_COUNT_MAX || total->corners > ZR_OBJ_COUNT_MAX ||
-        total->segments > ZR_OBJ_COUNT_MAX || total->points > ZR_OBJ_COUNT_MAX)
+    if (total->positions > ZR_OBJ_COUNT_MAX || total->texcoords > ZR_OBJ_COUNT_MAX ||
+        total->normals > ZR_OBJ_COUNT_MAX || total->corners > ZR_OBJ_COUNT_MAX || total->segments > ZR_OBJ_COUNT_MAX ||
+        total->points > ZR_OBJ_COUNT_MAX)
         return zr_error_add(error, ZR_BAD_SCENE, NULL, "more than %d vertices, normals or corners", ZR_OBJ_COUNT_MAX);
+    if ((status = zr_obj_open_materials(file, builder, request, error)) != ZR_OK) return status;
     if (!allocate(file, builder->arena)) return ZR_NO_MEMORY;
     if ((status = read_all(&parsing)) != ZR_OK) return status;
     struct zr_mesh *mesh = zr_scene_builder_meshes(builder, 1);
@@ -227,26 +238,8 @@ enum zr_status zr_read_OBJ(struct zr_scene_builder *builder, const struct zr_req
     if (mesh->face_count == 0 && mesh->line_count == 0 && mesh->point_count == 0) return refuse_empty(&parsing);
     if ((status = adjust(&parsing, limits, mesh)) != ZR_OK) return status;
     if (mesh->normal_count) zr_scene_builder_note_normals(builder, 0, file->normals, total->normals);
+    if ((status = zr_obj_name_faces(file, builder, mesh)) != ZR_OK) return status;
     zr_obj_warn(file, builder);
+    if (file->mtl) zr_mtl_close(file->mtl);
     return zr_arena_ok(builder->arena) ? ZR_OK : ZR_NO_MEMORY;
-}
-
-/* True if the first statement other than a comment begins with a keyword of OBJ. */
-bool zr_looks_so_OBJ(const char *bytes, size_t size)
-{
-    static const char *const words[] = {"v", "vn", "vt", "f", "l", "p", "g", "o", "s", "mtllib", "usemtl"};
-    const char *at = bytes, *const end = bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX);
-    for (;;) {
-        at += zr_count_blanks(at, (size_t)(end - at));
-        if (at == end || *at != '#') break;
-        while (at < end && *at != '\n' && *at != '\r')
-            at++;
-    }
-    size_t length = 0;
-    while (at + length < end && zr_count_blanks(at + length, 1) == 0)
-        length++;
-    if (at + length == end) return false;
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (strlen(words[i]) == length && memcmp(at, words[i], length) == 0) return true;
-    return false;
 }

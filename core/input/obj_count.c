@@ -1,5 +1,6 @@
 /* The first pass over a file of OBJ: counts. */
 #include "input/obj_file.h"
+#include "input/obj_index.h"
 
 /* Words of v with colours. */
 enum { COLORED_WORDS = 6 };
@@ -11,6 +12,24 @@ struct counting {
     bool has_colors, has_groups;
     uint32_t group;
 };
+
+bool zr_obj_read_group(struct zr_obj_statement *statement, uint32_t *group)
+{
+    struct zr_obj_statement rest = *statement;
+    int64_t number;
+    zr_obj_skip_blanks(&rest);
+    const char *behind = zr_obj_read_integer(rest.at, rest.end, &number);
+    if (behind && number >= 0 && zr_obj_ends_word(&rest, behind)) {
+        *group = (uint32_t)number;
+        return true;
+    }
+    const struct zr_obj_statement word = zr_obj_word(&rest);
+    const size_t length = (size_t)(word.end - word.at);
+    const bool is_on = length == 2 && memcmp(word.at, "on", 2) == 0;
+    if (!is_on && !(length == 3 && memcmp(word.at, "off", 3) == 0)) return false;
+    *group = is_on;
+    return true;
+}
 
 /* Notes a name that ends in a backslash. The line is not continued. */
 static void note_name(struct counting *counting, const struct zr_obj_statement *whole, const char *end)
@@ -38,8 +57,18 @@ static void count_rare(struct counting *counting, enum zr_obj_keyword keyword, s
         else
             zr_obj_note(counting->notes, ZR_OBJ_NOTE_UNKNOWN, whole);
         break;
-    case ZR_OBJ_MATERIAL:
-        zr_obj_note(counting->notes, ZR_OBJ_NOTE_MATERIALS, whole);
+    case ZR_OBJ_MAPS:
+        zr_obj_note(counting->notes, ZR_OBJ_NOTE_MAPS, whole);
+        note_name(counting, whole, end);
+        break;
+    case ZR_OBJ_LIBRARY:
+        counting->counts.libraries++;
+        note_name(counting, whole, end);
+        break;
+    case ZR_OBJ_USE:
+    case ZR_OBJ_OBJECT:
+    case ZR_OBJ_GROUP:
+        counting->counts.names++;
         note_name(counting, whole, end);
         break;
     case ZR_OBJ_NAME:
@@ -79,6 +108,9 @@ bool zr_obj_count_part(void *context, size_t index)
         case ZR_OBJ_VN:
             counts->normals++;
             break;
+        case ZR_OBJ_VT:
+            counts->texcoords++;
+            break;
         case ZR_OBJ_F:
             counts->faces++;
             counts->corners += zr_obj_count_words(&statement, file->end);
@@ -100,9 +132,10 @@ bool zr_obj_count_part(void *context, size_t index)
 
 static struct zr_obj_counts sum(struct zr_obj_counts a, struct zr_obj_counts b)
 {
-    return (struct zr_obj_counts){a.lines + b.lines,  a.positions + b.positions, a.normals + b.normals,
-                                  a.faces + b.faces,  a.corners + b.corners,     a.segments + b.segments,
-                                  a.points + b.points};
+    return (struct zr_obj_counts){a.lines + b.lines,   a.positions + b.positions, a.normals + b.normals,
+                                  a.faces + b.faces,   a.corners + b.corners,     a.segments + b.segments,
+                                  a.points + b.points, a.texcoords + b.texcoords, a.libraries + b.libraries,
+                                  a.names + b.names};
 }
 
 void zr_obj_add_up(struct zr_obj_file *file)

@@ -9,13 +9,14 @@
 
 enum { ZR_OBJ_COUNT_MAX = 1 << 30 };
 
-/* Replaces the index of a missing normal until the zero normal has its index. */
-#define ZR_OBJ_NO_NORMAL UINT32_MAX
+/* Replaces the index of a missing normal until the zero normal has its index. Likewise for texture coordinates. */
+#define ZR_OBJ_NO_NORMAL   UINT32_MAX
+#define ZR_OBJ_NO_TEXCOORD UINT32_MAX
 
 /* Kinds of faults that do not stop reading. Each causes one warning (obj_notes.c). */
 enum zr_obj_note {
     /* found by the first pass */
-    ZR_OBJ_NOTE_MATERIALS,
+    ZR_OBJ_NOTE_MAPS,
     ZR_OBJ_NOTE_CALLS,
     ZR_OBJ_NOTE_CURVES,
     ZR_OBJ_NOTE_UNKNOWN,
@@ -24,6 +25,7 @@ enum zr_obj_note {
     /* found by the second pass */
     ZR_OBJ_NOTE_EMPTY_INDICES,
     ZR_OBJ_NOTE_WRONG_NORMALS,
+    ZR_OBJ_NOTE_WRONG_TEXCOORDS,
     ZR_OBJ_NOTE_BAD_NORMALS,
     ZR_OBJ_NOTE_BAD_TEXCOORDS,
     ZR_OBJ_NOTE_CLAMPED,
@@ -41,6 +43,13 @@ struct zr_obj_noted {
 
 struct zr_obj_counts {
     size_t lines, positions, normals, faces, corners, segments, points; /* segments of l, points of p */
+    size_t texcoords, libraries, names;                                 /* vt; mtllib; o, g and usemtl */
+};
+
+/* A statement o, g or usemtl, and the number of faces before it. */
+struct zr_obj_name {
+    const char *at;
+    uint32_t length, face;
 };
 
 /* One part of the text: complete statements. */
@@ -62,6 +71,7 @@ struct zr_obj_part {
 struct zr_obj_file {
     const char *at, *end;
     const struct zr_limits *limits;
+    const struct zr_cancel *cancel;
     size_t part_count;
     const struct zr_part *texts;
     struct zr_obj_part *parts;
@@ -72,9 +82,14 @@ struct zr_obj_file {
     uint32_t *face_offsets, *indices, *normal_indices; /* NULL: the file has no normals */
     uint32_t *groups;                                  /* per face; NULL: the file has no smoothing groups */
     uint32_t *lines, *points;
-    float color_scale;    /* colours are divided by it */
-    const double *origin; /* subtracted from positions; NULL: 0 */
-    const uint8_t *used;  /* per position: 1 if it is drawn; NULL: all are */
+    struct zr_obj_name *names;
+    struct zr_mtl *mtl;                                                   /* NULL: no file of materials is read */
+    struct zr_obj_noted missing_libraries, missing_materials, untextured; /* the last: faces without vt */
+    zr_vec4 *texcoords;         /* u, 1 - v: v is 0 at the bottom of an image here, and at its top in a scene */
+    uint32_t *texcoord_indices; /* NULL: texture coordinates are not read */
+    float color_scale;          /* colours are divided by it */
+    const double *origin;       /* subtracted from positions; NULL: 0 */
+    const uint8_t *used;        /* per position: 1 if it is drawn; NULL: all are */
 };
 
 /* Adds a statement to a note. */
@@ -87,17 +102,28 @@ static inline void zr_obj_note(struct zr_obj_noted notes[ZR_OBJ_NOTES], enum zr_
 /* obj_count.c: the first pass over a part. A zr_part_fn of a struct zr_obj_file. */
 bool zr_obj_count_part(void *file, size_t index);
 
+/* Sets *group to the number of s, or to 0 for "off". False for other words. */
+bool zr_obj_read_group(struct zr_obj_statement *statement, uint32_t *group);
+
 /* Adds up the parts. */
 void zr_obj_add_up(struct zr_obj_file *file);
 
 /* obj_read.c: reads a part. Stops and returns false at `faults` faults or a syntax error. */
 bool zr_obj_read_part(const struct zr_obj_file *file, size_t index, size_t faults, struct zr_error *error);
 
-/* Sets *group to the number of s, or to 0 for "off". False for other words. */
-bool zr_obj_read_group(struct zr_obj_statement *statement, uint32_t *group);
-
 /* obj_notes.c: adds the warnings. */
 void zr_obj_warn(const struct zr_obj_file *file, struct zr_scene_builder *builder);
+
+/* obj_names.c: opens the files that mtllib names; NULL if there is none, or after a failure. Then sets the parts and
+ * the materials of the mesh's faces, once the text is read. */
+enum zr_status zr_obj_open_materials(struct zr_obj_file *file, struct zr_scene_builder *builder,
+                                     const struct zr_request *request, struct zr_error *error);
+enum zr_status zr_obj_name_faces(struct zr_obj_file *file, struct zr_scene_builder *builder, struct zr_mesh *mesh);
+
+/* obj_texcoords.c: gives each pair of a position and a texture coordinate a position of its own, if the material of a
+ * face has a texture. `materials`: per face; NULL: `material` for all. */
+enum zr_status zr_obj_put_texcoords(struct zr_obj_file *file, struct zr_arena *arena, struct zr_mesh *mesh,
+                                    const uint32_t *materials, uint32_t material);
 
 /* Returns the first unknown statement, or NULL. */
 const struct zr_obj_statement *zr_obj_first_unknown(const struct zr_obj_file *file);

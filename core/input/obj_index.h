@@ -34,8 +34,8 @@ ZR_INLINED bool zr_obj_resolve_index(int64_t index, size_t so_far, size_t total,
 
 /* The indices of a corner. */
 struct zr_obj_corner {
-    int64_t position, normal;
-    bool has_normal;
+    int64_t position, texcoord, normal;
+    bool has_texcoord, has_normal;
     bool has_gap; /* a slash without an index, other than in v//vn */
 };
 
@@ -43,17 +43,16 @@ struct zr_obj_corner {
 ZR_INLINED bool zr_obj_read_indices(struct zr_obj_statement *statement, struct zr_obj_corner *corner)
 {
     const char *end = statement->end, *at = zr_obj_read_integer(statement->at, end, &corner->position), *behind;
-    corner->has_normal = corner->has_gap = false;
+    corner->has_texcoord = corner->has_normal = corner->has_gap = false;
     if (at && at < end && *at == '/') {
-        int64_t texcoord;
-        const bool has_texcoord = (behind = zr_obj_read_integer(++at, end, &texcoord)) != NULL;
-        if (has_texcoord) at = behind;
+        corner->has_texcoord = (behind = zr_obj_read_integer(++at, end, &corner->texcoord)) != NULL;
+        if (corner->has_texcoord) at = behind;
         if (at < end && *at == '/') {
             corner->has_normal = (behind = zr_obj_read_integer(++at, end, &corner->normal)) != NULL;
             corner->has_gap = !corner->has_normal;
             if (corner->has_normal) at = behind;
         } else {
-            corner->has_gap = !has_texcoord;
+            corner->has_gap = !corner->has_texcoord;
         }
     }
     if (!at || !zr_obj_ends_word(statement, at)) return false;

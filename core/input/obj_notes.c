@@ -7,8 +7,8 @@ struct words {
 };
 
 static const struct words all_words[ZR_OBJ_NOTES] = {
-    [ZR_OBJ_NOTE_MATERIALS] = {"statement about materials (mtllib, usemtl) is not read in this version",
-                               "statements about materials (mtllib, usemtl) are not read in this version", false},
+    [ZR_OBJ_NOTE_MAPS] = {"statement of maps without a material (maplib, usemap) is not drawn",
+                          "statements of maps without a material (maplib, usemap) are not drawn", true},
     [ZR_OBJ_NOTE_CALLS] = {"other file (call, csh) is not read", "other files (call, csh) are not read", true},
     [ZR_OBJ_NOTE_CURVES] = {"statement of curves and surfaces is not drawn",
                             "statements of curves and surfaces are not drawn", true},
@@ -19,6 +19,8 @@ static const struct words all_words[ZR_OBJ_NOTES] = {
     [ZR_OBJ_NOTE_EMPTY_INDICES] = {"corner has nothing behind a slash", "corners have nothing behind a slash", true},
     [ZR_OBJ_NOTE_WRONG_NORMALS] = {"corner names a normal that does not exist; it is computed",
                                    "corners name normals that do not exist; they are computed", true},
+    [ZR_OBJ_NOTE_WRONG_TEXCOORDS] = {"corner names a texture coordinate that does not exist; it is 0, 0",
+                                     "corners name texture coordinates that do not exist; they are 0, 0", true},
     [ZR_OBJ_NOTE_BAD_NORMALS] = {"normal is not of three numbers; it is computed",
                                  "normals are not of three numbers; they are computed", true},
     [ZR_OBJ_NOTE_BAD_TEXCOORDS] = {"texture coordinate is not of numbers", "texture coordinates are not of numbers",
@@ -32,6 +34,17 @@ static const struct words all_words[ZR_OBJ_NOTES] = {
     [ZR_OBJ_NOTE_BAD_POINTS] = {"statement of points (p) has wrong indices, and is not drawn",
                                 "statements of points (p) have wrong indices, and are not drawn", true},
 };
+
+/* About names, found once the whole text is read. */
+static const struct words missing_libraries = {"file of materials (mtllib) is no part of the request",
+                                               "files of materials (mtllib) are no parts of the request", true},
+                          missing_materials =
+                              {"material (usemtl) is in no file of materials; its faces have the look's",
+                               "materials (usemtl) are in no file of materials; their faces have the "
+                               "look's",
+                               true},
+                          untextured = {"face has a texture but no texture coordinates: they are 0, 0",
+                                        "faces have a texture but no texture coordinates: they are 0, 0", false};
 
 /* Sums the notes of all parts. */
 static struct zr_obj_noted noted(const struct zr_obj_file *file, enum zr_obj_note note)
@@ -64,6 +77,9 @@ void zr_obj_warn(const struct zr_obj_file *file, struct zr_scene_builder *builde
         const struct zr_obj_noted all = noted(file, (enum zr_obj_note)note);
         warn_of(builder, &all, &all_words[note]);
     }
+    warn_of(builder, &file->missing_libraries, &missing_libraries);
+    warn_of(builder, &file->missing_materials, &missing_materials);
+    warn_of(builder, &file->untextured, &untextured);
     if (file->color_scale > 1.0f)
         zr_warning_list_add(builder->arena, &builder->warnings,
                             "OBJ: the colours of vertices are taken as 0 to %g, not 0 to 1", (double)file->color_scale);

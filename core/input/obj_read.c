@@ -163,11 +163,25 @@ static bool read_normal(struct reader *reader, struct zr_obj_statement *statemen
     return true;
 }
 
-static void check_texcoord(struct reader *reader, struct zr_obj_statement *statement)
+static bool is_texcoord(double number)
 {
-    double v[3];
+    return number >= -(double)ZR_TEXCOORD_MAX && number <= (double)ZR_TEXCOORD_MAX;
+}
+
+/* Reads u, and v if it is given. Other words than numbers count as zero, and so do numbers beyond the limit if textures
+ * use them. */
+static void read_texcoord(struct reader *reader, struct zr_obj_statement *statement)
+{
+    zr_vec4 *const texcoords = reader->file->texcoords;
+    double v[3] = {0, 0, 0};
     int count;
-    if (!read_numbers(reader, statement, 3, v, &count) || count == 0) note(reader, ZR_OBJ_NOTE_BAD_TEXCOORDS);
+    bool is_good = read_numbers(reader, statement, 3, v, &count) && count > 0;
+    if (count < 2) v[1] = 0;
+    if (texcoords) is_good = is_good && is_texcoord(v[0]) && is_texcoord(v[1]);
+    if (!is_good) note(reader, ZR_OBJ_NOTE_BAD_TEXCOORDS);
+    if (texcoords)
+        texcoords[reader->count.texcoords] =
+            is_good ? (zr_vec4){(float)v[0], (float)(1.0 - v[1]), 0, 0} : (zr_vec4){0, 1, 0, 0};
 }
 
 /* ---- indices ---- */
@@ -186,6 +200,17 @@ static bool index_fault(struct reader *reader, const struct zr_obj_statement *st
 
 /* ---- faces ---- */
 
+static void set_texcoord(struct reader *reader, const struct zr_obj_corner *corner, size_t slot)
+{
+    const struct zr_obj_file *file = reader->file;
+    uint32_t *out = &file->texcoord_indices[slot];
+    if (corner->has_texcoord &&
+        zr_obj_resolve_index(corner->texcoord, reader->count.texcoords, file->total.texcoords, out))
+        return;
+    if (corner->has_texcoord) note(reader, ZR_OBJ_NOTE_WRONG_TEXCOORDS);
+    *out = ZR_OBJ_NO_TEXCOORD;
+}
+
 static bool read_corner(struct reader *reader, struct zr_obj_statement *statement, size_t slot)
 {
     const struct zr_obj_file *file = reader->file;
@@ -195,6 +220,7 @@ static bool read_corner(struct reader *reader, struct zr_obj_statement *statemen
     if (!zr_obj_resolve_index(corner.position, reader->count.positions, file->total.positions, &file->indices[slot]))
         return index_fault(reader, statement, corner.position);
     if (corner.has_gap) note(reader, ZR_OBJ_NOTE_EMPTY_INDICES);
+    if (file->texcoord_indices) set_texcoord(reader, &corner, slot);
     if (corner.has_normal) {
         uint32_t normal;
         if (zr_obj_resolve_index(corner.normal, reader->count.normals, file->total.normals, &normal)) {
@@ -224,6 +250,8 @@ ZR_INLINED bool read_plain_face(struct reader *reader, const struct zr_obj_state
     reader->normal_missing = true;
     for (size_t i = 0; file->normal_indices && i < corners; i++)
         file->normal_indices[first + i] = ZR_OBJ_NO_NORMAL;
+    for (size_t i = 0; file->texcoord_indices && i < corners; i++)
+        file->texcoord_indices[first + i] = ZR_OBJ_NO_TEXCOORD;
     reader->count.corners = first + corners;
     return true;
 }
@@ -245,24 +273,6 @@ static bool read_face(struct reader *reader, struct zr_obj_statement *statement)
     zr_error_add(reader->error, ZR_BAD_SCENE, NULL, "line %zu: a face of %zu corners; 3 to %u are allowed",
                  statement->line, corners, reader->file->limits->polygon_vertices_max);
     return false;
-}
-
-bool zr_obj_read_group(struct zr_obj_statement *statement, uint32_t *group)
-{
-    struct zr_obj_statement rest = *statement;
-    int64_t number;
-    zr_obj_skip_blanks(&rest);
-    const char *behind = zr_obj_read_integer(rest.at, rest.end, &number);
-    if (behind && number >= 0 && zr_obj_ends_word(&rest, behind)) {
-        *group = (uint32_t)number;
-        return true;
-    }
-    const struct zr_obj_statement word = zr_obj_word(&rest);
-    const size_t length = (size_t)(word.end - word.at);
-    const bool is_on = length == 2 && memcmp(word.at, "on", 2) == 0;
-    if (!is_on && !(length == 3 && memcmp(word.at, "off", 3) == 0)) return false;
-    *group = is_on;
-    return true;
 }
 
 /* ---- lines and points ---- */
@@ -311,6 +321,14 @@ static void read_points(struct reader *reader, struct zr_obj_statement *statemen
 
 /* ---- the whole part ---- */
 
+static void read_name(struct reader *reader)
+{
+    const struct zr_obj_statement *whole = &reader->whole;
+    const size_t length = (size_t)(whole->end - whole->at);
+    reader->file->names[reader->count.names++] = (struct zr_obj_name){
+        whole->at, length < UINT32_MAX ? (uint32_t)length : UINT32_MAX, (uint32_t)reader->count.faces};
+}
+
 static void read_statement(struct reader *reader, struct zr_obj_statement *statement)
 {
     struct zr_obj_statement word;
@@ -325,7 +343,8 @@ static void read_statement(struct reader *reader, struct zr_obj_statement *state
         reader->count.normals++;
         break;
     case ZR_OBJ_VT:
-        check_texcoord(reader, statement);
+        read_texcoord(reader, statement);
+        reader->count.texcoords++;
         break;
     case ZR_OBJ_F:
         read_face(reader, statement);
@@ -339,6 +358,11 @@ static void read_statement(struct reader *reader, struct zr_obj_statement *state
         break;
     case ZR_OBJ_SMOOTH:
         zr_obj_read_group(statement, &reader->group);
+        break;
+    case ZR_OBJ_USE:
+    case ZR_OBJ_OBJECT:
+    case ZR_OBJ_GROUP:
+        read_name(reader);
         break;
     default:
         break;

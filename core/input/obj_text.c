@@ -86,14 +86,14 @@ enum zr_obj_keyword zr_obj_rare_keyword(const struct zr_obj_statement *word)
         {"cdc", ZR_OBJ_CURVED},      {"cdp", ZR_OBJ_CURVED},       {"con", ZR_OBJ_IGNORED},
         {"csh", ZR_OBJ_CALL},        {"cstype", ZR_OBJ_IGNORED},   {"ctech", ZR_OBJ_IGNORED},
         {"curv", ZR_OBJ_CURVED},     {"curv2", ZR_OBJ_IGNORED},    {"d_interp", ZR_OBJ_IGNORED},
-        {"deg", ZR_OBJ_IGNORED},     {"end", ZR_OBJ_IGNORED},      {"g", ZR_OBJ_NAME},
+        {"deg", ZR_OBJ_IGNORED},     {"end", ZR_OBJ_IGNORED},      {"g", ZR_OBJ_GROUP},
         {"hole", ZR_OBJ_IGNORED},    {"l", ZR_OBJ_LINE},           {"lod", ZR_OBJ_IGNORED},
-        {"maplib", ZR_OBJ_MATERIAL}, {"mg", ZR_OBJ_IGNORED},       {"mtllib", ZR_OBJ_MATERIAL},
-        {"o", ZR_OBJ_NAME},          {"p", ZR_OBJ_POINT},          {"parm", ZR_OBJ_IGNORED},
+        {"maplib", ZR_OBJ_MAPS},     {"mg", ZR_OBJ_IGNORED},       {"mtllib", ZR_OBJ_LIBRARY},
+        {"o", ZR_OBJ_OBJECT},        {"p", ZR_OBJ_POINT},          {"parm", ZR_OBJ_IGNORED},
         {"res", ZR_OBJ_IGNORED},     {"s", ZR_OBJ_SMOOTH},         {"scrv", ZR_OBJ_IGNORED},
         {"shadow_obj", ZR_OBJ_NAME}, {"sp", ZR_OBJ_IGNORED},       {"stech", ZR_OBJ_IGNORED},
         {"step", ZR_OBJ_IGNORED},    {"surf", ZR_OBJ_CURVED},      {"trace_obj", ZR_OBJ_NAME},
-        {"trim", ZR_OBJ_IGNORED},    {"usemap", ZR_OBJ_MATERIAL},  {"usemtl", ZR_OBJ_MATERIAL},
+        {"trim", ZR_OBJ_IGNORED},    {"usemap", ZR_OBJ_MAPS},      {"usemtl", ZR_OBJ_USE},
         {"vp", ZR_OBJ_CURVED}};
     size_t length = (size_t)(word->end - word->at);
     if (length == 2 && word->at[0] == 'v' && word->at[1] == 'n') return ZR_OBJ_VN; /* frequent */
@@ -117,7 +117,11 @@ bool zr_obj_ends_with_line(const char *at, const char *line_end)
     zr_obj_skip_blanks(&statement);
     if (zr_obj_at_end(&statement)) return false;
     switch (zr_obj_next_keyword(&statement, &word)) {
-    case ZR_OBJ_MATERIAL:
+    case ZR_OBJ_LIBRARY:
+    case ZR_OBJ_USE:
+    case ZR_OBJ_OBJECT:
+    case ZR_OBJ_GROUP:
+    case ZR_OBJ_MAPS:
     case ZR_OBJ_NAME:
     case ZR_OBJ_CALL:
     case ZR_OBJ_UNKNOWN:

@@ -9,6 +9,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "base/inlined.h"
@@ -37,14 +38,18 @@ enum zr_obj_keyword {
     ZR_OBJ_VN,
     ZR_OBJ_VT,
     ZR_OBJ_F,
-    ZR_OBJ_LINE,     /* l */
-    ZR_OBJ_POINT,    /* p */
-    ZR_OBJ_SMOOTH,   /* s */
-    ZR_OBJ_MATERIAL, /* mtllib, usemtl and other material statements; the rest of the line is a name */
-    ZR_OBJ_NAME,     /* o, g and others without effect on the picture; the rest of the line is a name */
-    ZR_OBJ_CALL,     /* includes another file */
-    ZR_OBJ_CURVED,   /* curves, surfaces and their vertices */
-    ZR_OBJ_IGNORED,  /* without effect on the picture: parameters of curves, levels of detail */
+    ZR_OBJ_LINE,    /* l */
+    ZR_OBJ_POINT,   /* p */
+    ZR_OBJ_SMOOTH,  /* s */
+    ZR_OBJ_LIBRARY, /* mtllib; here and below up to ZR_OBJ_CALL, the rest of the line is a name */
+    ZR_OBJ_USE,     /* usemtl */
+    ZR_OBJ_OBJECT,  /* o */
+    ZR_OBJ_GROUP,   /* g */
+    ZR_OBJ_MAPS,    /* maps without a material: maplib, usemap */
+    ZR_OBJ_NAME,    /* without effect on the picture */
+    ZR_OBJ_CALL,    /* includes another file */
+    ZR_OBJ_CURVED,  /* curves, surfaces and their vertices */
+    ZR_OBJ_IGNORED, /* without effect on the picture: parameters of curves, levels of detail */
     ZR_OBJ_UNKNOWN
 };
 

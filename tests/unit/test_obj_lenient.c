@@ -18,7 +18,8 @@ static const struct {
     {V "o a\\\r\n" F "g b\\\n" F, V F F,
      "OBJ: 2 names end in a backslash, and do not continue on the next line; the first is line 4: "},
     {V "g a # C:\\\n" F, V F, NULL},
-    {V "mtllib a.mtl\\\n" F, V F, "OBJ: 1 statement about materials (mtllib, usemtl) is not read in this version"},
+    {V "mtllib a.mtl\\\n" F, V F,
+     "OBJ: 1 name ends in a backslash, and does not continue on the next line; it is line 4: 'mtllib a.mtl"},
     /* slashes without an index */
     {V "f 1// 2// 3//\n", V F, "OBJ: 3 corners have nothing behind a slash; the first is line 4: 'f 1// 2// 3//'"},
     {V "vt 0 0\nf 1/1/ 2/ 3\n", V F, "OBJ: 2 corners have nothing behind a slash; the first is line 5: "},
