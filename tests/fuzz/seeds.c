@@ -22,7 +22,7 @@
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json", "obj", "stl",   "ply",  "gltf",      "3mf",       "zip",
+static const char *const targets[] = {"json", "obj", "mtl",   "stl",  "ply",       "gltf",      "3mf", "zip",
                                       "png",  "npy", "array", "gzip", "multipart", "image_png", "jpeg"};
 
 static void fail(const char *what)
@@ -146,7 +146,17 @@ static void write_meshes(void)
         {"returns", "solid t\rfacet normal 0 0 1\router loop\rvertex 0 0 0\rvertex 1 0 0\rvertex 0 1 0\rendloop\r"
                     "endfacet\rendsolid t\r"},
     };
+    static const struct text mtls[] = {
+        {"values", "newmtl a\nKa 1 1 1\nKd 0.8 0.1 0.1\nKs 0.5\nNs 250\nNi 1.5\nd 0.5\nillum 2\nKe 0 1 2\n"
+                   "newmtl b c\nPr 0.5\nPm 1\nTr 0.25\nTf 1 0 0\nnewmtl\nKd 1 0 0\n"},
+        {"maps",
+         "\xEF\xBB\xBF# x\r\nNewMtl a\r\nmap_Kd -s 2 2 1 -o 0.5 0 0 -clamp on ./t\\p.png\r\nmap_d p.png\rnorm p.png\n"
+         "newmtl b c\nKd 0 0 0\nmap_Kd p.png\nmap_d p.png\nmap_Pr p.png\nmap_Pm p.png\nmap_Ke p.png\n"
+         "map_Bump -bm 2 -mm 0 1 p.png\nbump q r.png\n"},
+        {"odd", "Kd 1 1 1\nnewmtl a\nKd 2 -1\nd -halo x\nmap_Kd\nmap_Kd -s 1 2\nwho\ndisp p.png\nnewmtl a\nTr 1\n"},
+    };
     WRITE_TEXTS("obj", objs);
+    WRITE_TEXTS("mtl", mtls);
     WRITE_TEXTS("stl", stls);
     static const float corners[2][12] = {{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1, 2}};
     unsigned char binary[84 + 2 * 50] = "binary";
