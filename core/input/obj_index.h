@@ -39,13 +39,16 @@ struct zr_obj_corner {
     bool has_gap; /* a slash without an index, other than in v//vn */
 };
 
-/* Reads v, v/vt, v//vn or v/vt/vn, also if an index after a slash is missing. False for any other word. */
-ZR_INLINED bool zr_obj_read_indices(struct zr_obj_statement *statement, struct zr_obj_corner *corner)
+/* Reads v, v/vt, v//vn or v/vt/vn, also if an index after a slash is missing. False for any other word. Sets texcoord
+ * only if `is_textured`, a constant: without it the compiler omits the digits. */
+ZR_INLINED bool zr_obj_read_indices(struct zr_obj_statement *statement, bool is_textured, struct zr_obj_corner *corner)
 {
+    int64_t unused;
     const char *end = statement->end, *at = zr_obj_read_integer(statement->at, end, &corner->position), *behind;
     corner->has_texcoord = corner->has_normal = corner->has_gap = false;
     if (at && at < end && *at == '/') {
-        corner->has_texcoord = (behind = zr_obj_read_integer(++at, end, &corner->texcoord)) != NULL;
+        corner->has_texcoord =
+            (behind = zr_obj_read_integer(++at, end, is_textured ? &corner->texcoord : &unused)) != NULL;
         if (corner->has_texcoord) at = behind;
         if (at < end && *at == '/') {
             corner->has_normal = (behind = zr_obj_read_integer(++at, end, &corner->normal)) != NULL;

@@ -1,7 +1,8 @@
 /* The second pass over a file of OBJ: reads its statements. */
-#include "input/obj_file.h"
+#include <math.h>
 
 #include "input/number.h"
+#include "input/obj_file.h"
 #include "input/obj_index.h"
 #include "input/text.h"
 
@@ -163,21 +164,17 @@ static bool read_normal(struct reader *reader, struct zr_obj_statement *statemen
     return true;
 }
 
-static bool is_texcoord(double number)
-{
-    return number >= -(double)ZR_TEXCOORD_MAX && number <= (double)ZR_TEXCOORD_MAX;
-}
-
 /* Reads u, and v if it is given. Other words than numbers count as zero, and so do numbers beyond the limit if textures
  * use them. */
 static void read_texcoord(struct reader *reader, struct zr_obj_statement *statement)
 {
+    const double most = (double)ZR_TEXCOORD_MAX;
     zr_vec4 *const texcoords = reader->file->texcoords;
     double v[3] = {0, 0, 0};
     int count;
     bool is_good = read_numbers(reader, statement, 3, v, &count) && count > 0;
     if (count < 2) v[1] = 0;
-    if (texcoords) is_good = is_good && is_texcoord(v[0]) && is_texcoord(v[1]);
+    if (texcoords) is_good = is_good && fabs(v[0]) <= most && fabs(v[1]) <= most;
     if (!is_good) note(reader, ZR_OBJ_NOTE_BAD_TEXCOORDS);
     if (texcoords)
         texcoords[reader->count.texcoords] =
@@ -211,16 +208,16 @@ static void set_texcoord(struct reader *reader, const struct zr_obj_corner *corn
     *out = ZR_OBJ_NO_TEXCOORD;
 }
 
-static bool read_corner(struct reader *reader, struct zr_obj_statement *statement, size_t slot)
+ZR_INLINED bool read_corner(struct reader *reader, struct zr_obj_statement *statement, size_t slot, bool is_textured)
 {
     const struct zr_obj_file *file = reader->file;
-    struct zr_obj_corner corner = {0};
-    if (!zr_obj_read_indices(statement, &corner))
+    struct zr_obj_corner corner;
+    if (!zr_obj_read_indices(statement, is_textured, &corner))
         return word_fault(reader, statement, "a corner: v, v/vt, v//vn or v/vt/vn");
     if (!zr_obj_resolve_index(corner.position, reader->count.positions, file->total.positions, &file->indices[slot]))
         return index_fault(reader, statement, corner.position);
     if (corner.has_gap) note(reader, ZR_OBJ_NOTE_EMPTY_INDICES);
-    if (file->texcoord_indices) set_texcoord(reader, &corner, slot);
+    if (is_textured) set_texcoord(reader, &corner, slot);
     if (corner.has_normal) {
         uint32_t normal;
         if (zr_obj_resolve_index(corner.normal, reader->count.normals, file->total.normals, &normal)) {
@@ -233,6 +230,11 @@ static bool read_corner(struct reader *reader, struct zr_obj_statement *statemen
     reader->normal_missing = true;
     if (file->normal_indices) file->normal_indices[slot] = ZR_OBJ_NO_NORMAL;
     return true;
+}
+
+static bool read_textured_corner(struct reader *reader, struct zr_obj_statement *statement, size_t slot)
+{
+    return read_corner(reader, statement, slot, true);
 }
 
 #ifdef __SSE2__
@@ -266,7 +268,9 @@ static bool read_face(struct reader *reader, struct zr_obj_statement *statement)
     if (read_plain_face(reader, statement)) return true;
 #endif
     for (zr_obj_skip_blanks(statement); !zr_obj_at_end(statement); zr_obj_skip_blanks(statement))
-        if (!read_corner(reader, statement, corner++)) return false;
+        if (!(reader->file->texcoord_indices ? read_textured_corner(reader, statement, corner++)
+                                             : read_corner(reader, statement, corner++, false)))
+            return false;
     reader->count.corners = corner;
     size_t corners = corner - first;
     if (corners >= 3 && corners <= reader->file->limits->polygon_vertices_max) return true;
@@ -283,7 +287,7 @@ static bool next_index(const struct reader *reader, struct zr_obj_statement *sta
     struct zr_obj_corner corner;
     zr_obj_skip_blanks(statement);
     if (zr_obj_at_end(statement)) return false;
-    *is_bad = !zr_obj_read_indices(statement, &corner) ||
+    *is_bad = !zr_obj_read_indices(statement, false, &corner) ||
               !zr_obj_resolve_index(corner.position, reader->count.positions, reader->file->total.positions, out);
     return !*is_bad;
 }
