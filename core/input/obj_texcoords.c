@@ -21,7 +21,7 @@ struct placing {
     uint32_t *from;     /* per copy: the position that it repeats */
 };
 
-enum { NONE = UINT32_MAX };
+#define NONE UINT32_MAX /* no texture coordinate yet */
 
 static bool is_textured(const struct placing *placing, uint32_t face)
 {
