@@ -2,12 +2,10 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/file_parts.h"
 #include "input/mtl.h"
 #include "input/quick.h"
 
 enum {
-    NAME_MAX = 4096,
     MADE_MAX = 1024, /* each is compared with all others */
     MADE_AT_FIRST = 4,
     GREY_TOLERANCE = 16 << 8 /* of 16 bits: JPEG adds a little colour */
@@ -34,16 +32,9 @@ static void note_bad(struct zr_mtl *mtl, const struct zr_mtl_text *whole)
 
 bool zr_mtl_find_image(struct zr_mtl *mtl, const struct zr_mtl_given_map *map, uint32_t *number)
 {
-    const size_t length = (size_t)(map->name.end - map->name.at);
-    char name[NAME_MAX + 1];
-    const struct zr_asset *asset = NULL;
     if (!map->is_given || mtl->status != ZR_OK) return false;
-    if (length <= NAME_MAX && !memchr(map->name.at, '\0', length)) {
-        memcpy(name, map->name.at, length);
-        name[length] = '\0';
-        asset = zr_file_part_find(&mtl->root.assets, mtl->root.json.arena, name);
-    }
-    if (!asset || asset->array.type != ZR_BYTES) {
+    const struct zr_asset *asset = zr_mtl_find_file(mtl, &map->name);
+    if (!asset) {
         zr_mtl_note(mtl, ZR_MTL_NOTE_MISSING, &map->whole);
         return false;
     }

@@ -3,11 +3,11 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/file_parts.h"
+#include "input/input.h"
 #include "input/mtl.h"
 #include "input/text.h"
 
-enum { ENTRIES_AT_FIRST = 16, LINES_A_POLL = 1024, NAME_MAX = 4096, REPORT_MAX = 64 };
+enum { ENTRIES_AT_FIRST = 16, LINES_A_POLL = 1024, REPORT_MAX = 64 };
 
 struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error)
@@ -84,12 +84,8 @@ static void index_lines(struct zr_mtl *mtl, struct zr_mtl_text rest)
 
 bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length)
 {
-    char text[NAME_MAX + 1];
-    if (length == 0 || length > NAME_MAX || memchr(name, '\0', length)) return false;
-    memcpy(text, name, length);
-    text[length] = '\0';
-    const struct zr_asset *asset = zr_file_part_find(&mtl->root.assets, mtl->root.json.arena, text);
-    if (!asset || asset->array.type != ZR_BYTES) return false;
+    const struct zr_asset *asset = zr_mtl_find_file(mtl, &(const struct zr_mtl_text){name, name + length, 0});
+    if (!asset) return false;
     const char *bytes = asset->bytes;
     const size_t mark = zr_byte_order_mark(bytes, asset->size);
     index_lines(mtl, (struct zr_mtl_text){bytes + mark, bytes + asset->size, 1});
@@ -190,4 +186,38 @@ uint32_t zr_mtl_use(struct zr_mtl *mtl, const char *name, size_t length)
     zr_mtl_read_values(mtl, entry, &values);
     zr_mtl_convert(mtl, &values, out);
     return entry->number;
+}
+
+/* ---- unused materials ---- */
+
+static void use_files(struct zr_mtl *mtl, const struct zr_mtl_entry *entry)
+{
+    struct zr_mtl_text rest = entry->lines, line;
+    while (zr_mtl_next(&rest, &line) && !zr_is_cancelled(mtl->root.json.cancel)) {
+        const struct zr_mtl_text whole = line, key = zr_mtl_word(&line);
+        struct zr_mtl_given_map map = {.is_given = false};
+        if (is_map(&key)) zr_mtl_read_map(mtl, &whole, line, &map);
+        if (map.is_given) zr_mtl_find_file(mtl, &map.name);
+    }
+}
+
+/* Counts the files of materials that no face uses as used. */
+static void use_all_files(struct zr_mtl *mtl)
+{
+    struct zr_mtl_noted *kept = zr_arena_copy(mtl->root.json.arena, mtl->notes, sizeof mtl->notes);
+    size_t unused = 0;
+    for (size_t i = 0; i < mtl->root.assets.count; i++)
+        unused += !mtl->root.assets.uses[i];
+    if (!kept || unused == 0) return;
+    for (uint32_t i = 0; i < mtl->count; i++)
+        if (mtl->entries[i].number == ZR_FILE_MATERIAL_NONE) use_files(mtl, &mtl->entries[i]);
+    memcpy(mtl->notes, kept, sizeof mtl->notes);
+}
+
+void zr_mtl_close(struct zr_mtl *mtl)
+{
+    use_all_files(mtl);
+    zr_mtl_warn(mtl);
+    for (size_t i = 0; i < mtl->root.assets.count; i++)
+        if (!mtl->root.assets.uses[i]) zr_warn_of_unused_asset(mtl->root.builder, &mtl->root.assets.items[i]);
 }

@@ -1,6 +1,7 @@
 /* Reads the options and the name of a map: map_Kd -s 2 2 1 -o 0.5 0 0 oak planks.png */
 #include <string.h>
 
+#include "input/file_parts.h"
 #include "input/mtl.h"
 #include "input/number.h"
 #include "scene/texture.h"
@@ -13,7 +14,7 @@ struct option {
     int words;     /* words behind it; NUMBERS: up to three numbers */
     bool is_noted; /* not drawn */
 };
-enum { NUMBERS = -1 };
+enum { NUMBERS = -1, NAME_MAX_BYTES = 4096 };
 
 static const struct option options[] = {{"-s", NUMBERS, false}, {"-o", NUMBERS, false},  {"-bm", 1, false},
                                         {"-clamp", 1, false},   {"-blendu", 1, false},   {"-blendv", 1, false},
@@ -78,6 +79,17 @@ static bool read_option(struct zr_mtl_text *line, const struct option *option, s
         if (option == &options[STRENGTH]) out->strength = v[0];
     }
     return true;
+}
+
+const struct zr_asset *zr_mtl_find_file(struct zr_mtl *mtl, const struct zr_mtl_text *name)
+{
+    const size_t length = (size_t)(name->end - name->at);
+    char text[NAME_MAX_BYTES + 1];
+    if (length == 0 || length > NAME_MAX_BYTES || memchr(name->at, '\0', length)) return NULL;
+    memcpy(text, name->at, length);
+    text[length] = '\0';
+    const struct zr_asset *asset = zr_file_part_find(&mtl->root.assets, mtl->root.json.arena, text);
+    return asset && asset->array.type == ZR_BYTES ? asset : NULL;
 }
 
 void zr_mtl_read_map(struct zr_mtl *mtl, const struct zr_mtl_text *whole, struct zr_mtl_text line,

@@ -1,4 +1,3 @@
-#include "input/input.h"
 #include "input/mtl.h"
 #include "input/text.h"
 
@@ -52,11 +51,4 @@ void zr_mtl_warn(struct zr_mtl *mtl)
                             zr_quote(all->first.at, (size_t)(all->first.end - all->first.at)).text,
                             has_reason ? " (" : "", all->reason.text, has_reason ? ")" : "");
     }
-}
-
-void zr_mtl_close(struct zr_mtl *mtl)
-{
-    zr_mtl_warn(mtl);
-    for (size_t i = 0; i < mtl->root.assets.count; i++)
-        if (!mtl->root.assets.uses[i]) zr_warn_of_unused_asset(mtl->root.builder, &mtl->root.assets.items[i]);
 }

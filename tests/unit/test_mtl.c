@@ -365,6 +365,17 @@ TEST(objects_and_groups_are_parts)
     }
 }
 
+TEST(textures_of_unused_materials_are_no_unused_parts)
+{
+    struct reading *reading = read_with("mtllib m.mtl\n" V "usemtl a\nf 1/1 2/2 3/3\n",
+                                        "newmtl a\nmap_Kd c.png\nnewmtl b\nKd x\nmap_Kd g.png\nnorm -s 2 a b.png\n"
+                                        "map_d broken.png\n",
+                                        "1");
+    assert_read(reading);
+    assert_int_equal(reading->scene->image_count, 1);
+    reading_free(reading);
+}
+
 /* ---- hostile files ---- */
 
 TEST(many_materials_and_long_lines_take_bounded_memory_and_time)
