@@ -151,6 +151,7 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
                                     TIMES[scene->algorithm].triangle;
         const enum zr_shading shading = scene->materials[mesh->material].shading;
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
+        if (zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO)) counts[ZR_COST_FACT] += triangles;
         if (passes->makes_normals || (is_smooth && mesh->normal_count == 0)) counts[ZR_COST_NORMAL] += triangles;
     }
 }

@@ -29,6 +29,17 @@ static void keep_meshes(struct zr_arena *arena, const struct zr_scene *from, str
     scene->instances = instances;
 }
 
+/* Copies the names of parts. Only encoding reads the list, which needs no hash table. */
+static void keep_parts(struct zr_arena *arena, struct zr_part_list *list)
+{
+    struct zr_part *parts = zr_arena_copy(arena, list->at, list->count * sizeof *parts);
+    for (uint32_t i = 0; parts && i < list->count; i++)
+        parts[i].name = copy_text(arena, parts[i].name);
+    list->at = parts;
+    list->slots = NULL;
+    list->slot_count = 0;
+}
+
 static void keep_outputs(struct zr_arena *arena, const struct zr_view *from, struct zr_view *view)
 {
     *view = *from;
@@ -53,6 +64,7 @@ struct zr_remains *zr_remains_make(struct zr_arena *arena, const struct zr_scene
     made->warnings = zr_drawing_warnings_make(arena, scene, frame);
     made->frame = *frame;
     made->frame.view = &made->scene.views[0];
+    keep_parts(arena, &made->frame.parts.list);
     if (frame->base) {
         made->base.first_face_id = frame->base->first_face_id;
         made->base.clamped_depths = frame->base->clamped_depths;

@@ -1,5 +1,7 @@
 #include "output/info.h"
 
+#include <stdio.h>
+
 #include "output/json_print.h"
 #include "output/palette.h"
 #include "scene/camera.h"
@@ -193,6 +195,58 @@ static void print_meshes(struct zr_print *print, const struct zr_scene *scene, c
     zr_print_end(print, ']');
 }
 
+static void print_color(struct zr_print *print, zr_vec3 color)
+{
+    char text[8];
+    const double steps[3] = {(double)color.x * 255.0, (double)color.y * 255.0, (double)color.z * 255.0};
+    snprintf(text, sizeof text, "#%02x%02x%02x", (unsigned)(steps[0] + 0.5), (unsigned)(steps[1] + 0.5),
+             (unsigned)(steps[2] + 0.5));
+    zr_print_string(print, "color", text);
+}
+
+static void print_box(struct zr_print *print, const char *key, zr_vec3 min, zr_vec3 max)
+{
+    zr_print_begin(print, key, '{');
+    zr_print_vec3(print, "min", min);
+    zr_print_vec3(print, "max", max);
+    zr_print_end(print, '}');
+}
+
+/* The id equals that of the channel instanceId as long as all meshes before it are one part. */
+static void print_part(struct zr_print *print, const struct zr_frame_parts *parts, uint32_t number)
+{
+    const struct zr_part_facts *facts = &parts->facts[number];
+    const uint32_t instance = parts->list.at[number].instance;
+    zr_print_begin(print, NULL, '{');
+    zr_print_string(print, "name", parts->list.at[number].name);
+    zr_print_count(print, "id", (uint64_t)number + 1);
+    if (instance != number) zr_print_count(print, "instanceId", (uint64_t)instance + 1);
+    if (facts->has_box)
+        print_box(print, "box", facts->min, facts->max);
+    else
+        zr_print_null(print, "box");
+    zr_print_count(print, "triangles", facts->triangles);
+    zr_print_double(print, "area", facts->area);
+    if (facts->is_closed)
+        zr_print_double(print, "volume", facts->volume);
+    else
+        zr_print_null(print, "volume");
+    zr_print_bool(print, "closed", facts->is_closed);
+    if (parts->pixels) zr_print_count(print, "pixels", parts->pixels[number]);
+    print_color(print, facts->color);
+    zr_print_end(print, '}');
+}
+
+static void print_parts(struct zr_print *print, const struct zr_frame_parts *parts)
+{
+    const uint32_t count = parts->list.count;
+    zr_print_begin(print, "parts", '[');
+    for (uint32_t i = 0; i < count; i++)
+        print_part(print, parts, i);
+    zr_print_end(print, ']');
+    if (parts->list.total > count) zr_print_count(print, "partsOmitted", parts->list.total - count);
+}
+
 static void print_view(struct zr_print *print, const struct zr_scene *scene, const struct zr_frame *frame)
 {
     zr_print_count(print, "rules", ZR_RULES);
@@ -203,10 +257,7 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
     print_camera(print, frame, scene->picture.z_is_up);
     if (scene->origin) zr_print_doubles(print, "origin", scene->origin, 3);
     if (!frame->bounds.valid) return;
-    zr_print_begin(print, "bounds", '{');
-    zr_print_vec3(print, "min", frame->bounds.min);
-    zr_print_vec3(print, "max", frame->bounds.max);
-    zr_print_end(print, '}');
+    print_box(print, "bounds", frame->bounds.min, frame->bounds.max);
 }
 
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
@@ -233,6 +284,7 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     }
     zr_print_count(print, "instances", scene->instance_count);
     print_meshes(print, scene, patches, first);
+    print_parts(print, &frame->parts);
     if (face_count <= ZR_INFO_FACES_MAX) print_faces(print, patches, face_count, first);
     zr_print_begin(print, "warnings", '[');
     for (size_t i = 0; i < warnings->count; i++)

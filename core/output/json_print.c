@@ -69,6 +69,12 @@ void zr_print_bool(struct zr_print *print, const char *key, bool value)
     put(print, value ? "true" : "false");
 }
 
+void zr_print_null(struct zr_print *print, const char *key)
+{
+    begin_value(print, key);
+    put(print, "null");
+}
+
 void zr_print_count(struct zr_print *print, const char *key, uint64_t count)
 {
     char text[24];
@@ -106,19 +112,23 @@ void zr_print_floats(struct zr_print *print, const char *key, const float *value
     zr_print_end(print, ']');
 }
 
+void zr_print_double(struct zr_print *print, const char *key, double value)
+{
+    char text[40];
+    for (int digits = 6; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, value);
+        if (strtod(text, NULL) == value) break; /* reads the separator that it printed */
+    }
+    put_point(text);
+    begin_value(print, key);
+    put(print, text);
+}
+
 void zr_print_doubles(struct zr_print *print, const char *key, const double *values, int count)
 {
     zr_print_begin(print, key, '[');
-    for (int i = 0; i < count; i++) {
-        char text[40];
-        for (int digits = 6; digits <= 17; digits++) {
-            snprintf(text, sizeof text, "%.*g", digits, values[i]);
-            if (strtod(text, NULL) == values[i]) break; /* reads the separator that it printed */
-        }
-        put_point(text);
-        begin_value(print, NULL);
-        put(print, text);
-    }
+    for (int i = 0; i < count; i++)
+        zr_print_double(print, NULL, values[i]);
     zr_print_end(print, ']');
 }
 

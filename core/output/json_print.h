@@ -34,10 +34,14 @@ void zr_print_count(struct zr_print *print, const char *key, uint64_t count);
  * value is finite. */
 void zr_print_float(struct zr_print *print, const char *key, float value);
 
-/* Prints a list of doubles, each the shortest of the decimals with 6 to 17 digits that reads back as the same. */
-void zr_print_doubles(struct zr_print *print, const char *key, const double *values, int count);
+/* The same for a double, with 6 to 17 digits. */
+void zr_print_double(struct zr_print *print, const char *key, double value);
 
-/* Print a list of floats. */
+/* Prints null. */
+void zr_print_null(struct zr_print *print, const char *key);
+
+/* Print lists of numbers. */
+void zr_print_doubles(struct zr_print *print, const char *key, const double *values, int count);
 void zr_print_floats(struct zr_print *print, const char *key, const float *values, int count);
 void zr_print_vec3(struct zr_print *print, const char *key, zr_vec3 v);
 

@@ -7,6 +7,7 @@
 #include "base/cancel.h"
 #include "overlay/color_bar.h"
 #include "raster/textbook/algorithms.h"
+#include "render/frame_parts.h"
 #include "render/layer_channels.h"
 #include "render/pass.h"
 #include "render/picture.h"
@@ -84,6 +85,8 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_arena *scra
     STAGE(zr_frame_make(arena, resolved, frame));
     STAGE(zr_base_place(arena, scene, frame->view, &frame->camera, &frame->base, error));
     STAGE(draw_frame(arena, scratch, team, scene, cancel, frame));
+    if (zr_view_wants(frame->view, ZR_CHANNEL_INFO))
+        STAGE(zr_frame_parts_find(arena, scratch, team, scene, cancel, frame));
     return status;
 }
 

@@ -3,15 +3,21 @@
 #include "raster/tile.h"
 #include "scene/resolved_view.h"
 
-enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_view *resolved, struct zr_frame *frame)
+void zr_frame_open(const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {
     const struct zr_view *view = resolved->view;
-    const size_t pixels = (size_t)view->width * view->height;
     frame->view = view;
     frame->width = view->width;
     frame->height = view->height;
     frame->bounds = resolved->bounds;
     frame->camera = resolved->camera;
+}
+
+enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_view *resolved, struct zr_frame *frame)
+{
+    const struct zr_view *view = resolved->view;
+    const size_t pixels = (size_t)view->width * view->height;
+    zr_frame_open(resolved, frame);
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
         const size_t words = zr_channel_rows[c].words;
         if (words > 0 && zr_view_needs(view, (enum zr_channel)c))

@@ -10,6 +10,7 @@
 #include "base/column_span.h"
 #include "core.h"
 #include "geometry/counts.h"
+#include "mesh/part_facts.h"
 #include "scene/camera.h"
 #include "scene/channels.h"
 #include "scene/scene.h"
@@ -32,6 +33,13 @@ struct zr_pixel_fragments {
     const struct zr_pixel_fragment *at;
 };
 
+/* The parts of the scene, for the channel info. */
+struct zr_frame_parts {
+    struct zr_part_list list;
+    const struct zr_part_facts *facts; /* per listed part */
+    const uint64_t *pixels;            /* per listed part: pixel centres at which it is visible; NULL: nothing is drawn */
+};
+
 struct zr_frame {
     const struct zr_view *view; /* view of the rendered scene; NULL: this is a depth map */
     uint32_t width, height;
@@ -45,6 +53,7 @@ struct zr_frame {
         };
     };
     struct zr_pixel_fragments fragments; /* only if wanted */
+    struct zr_frame_parts parts;         /* only if info is wanted */
     const struct zr_base *base;          /* background pixels, with window_depth filled in; NULL: none */
     struct zr_camera camera;
     struct zr_bounds bounds; /* bounds of the scene; invalid unless the view or the info needs them */
@@ -59,7 +68,10 @@ struct zr_frame {
 
 struct zr_resolved_view;
 
-/* Allocates the channels that the outputs need and copies the view's data. Returns ZR_OK or ZR_NO_MEMORY. */
+/* Copies the view's data. The frame has no channels, and no spans. */
+void zr_frame_open(const struct zr_resolved_view *resolved, struct zr_frame *frame);
+
+/* The same, and allocates the channels that the outputs need. Returns ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_view *resolved, struct zr_frame *frame);
 
 /* Returns the space of a channel, as set in the view. */

@@ -43,7 +43,16 @@ TEST(sizes_are_counted)
     assert_near(cost.counts[ZR_COST_FRAGMENT], PIXELS / 2);
     assert_near(cost.counts[ZR_COST_PNG_PIXEL], PIXELS);
     assert_near(cost.counts[ZR_COST_WINDOW_SAMPLE] + cost.counts[ZR_COST_LAYER] + cost.counts[ZR_COST_LIT_SAMPLE], 0);
+    assert_near(cost.counts[ZR_COST_FACT], 0);
     assert_true(zr_cost_most(&cost).ms <= cost.ms);
+}
+
+TEST(info_measures_all_triangles)
+{
+    static const struct zr_output info = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
+    half_a_window();
+    test.scene.views[0].outputs = &info;
+    assert_near(count(ZR_COST_FACT), 2);
 }
 
 TEST(only_what_is_seen_in_the_window_has_fragments)

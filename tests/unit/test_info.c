@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "output/info.h"
+#include "render/frame_parts.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
@@ -172,7 +173,53 @@ TEST_AROUND(info_lists_the_first_thousand_instances, open_arena, close_arena)
     const cJSON *last = cJSON_GetArrayItem(meshes, ZR_INFO_MESHES_MAX - 1);
     assert_true(cJSON_GetObjectItem(last, "firstFaceId")->valuedouble == ZR_INFO_MESHES_MAX);
     assert_true(cJSON_GetObjectItem(meshes->child, "pixels")->valuedouble == 28); /* the first of all is seen */
+    const cJSON *parts = cJSON_GetObjectItem(info, "parts");
+    assert_int_equal(cJSON_GetArraySize(parts), ZR_FRAME_PARTS_MAX);
+    assert_true(cJSON_GetObjectItem(info, "partsOmitted")->valuedouble == PLACED - ZR_FRAME_PARTS_MAX);
+    assert_string_equal(cJSON_GetObjectItem(parts->child->next, "name")->valuestring, "test.2");
     cJSON_Delete(info);
+}
+
+/* ---- parts ---- */
+
+/* A part of no faces, the left triangle and a line, the right triangle; and the same again above. */
+TEST_AROUND(pixels_are_counted_for_each_part, open_arena, close_arena)
+{
+    static const char want[] =
+        "\"parts\":["
+        "{\"name\":\"none\",\"id\":1,\"box\":null,\"triangles\":0,\"area\":0,\"volume\":null,\"closed\":false,"
+        "\"pixels\":0,\"color\":\"#000000\"},"
+        "{\"name\":\"left\",\"id\":2,\"instanceId\":1,\"box\":{\"min\":[-1,-1,0],\"max\":[0,0,0]},\"triangles\":1,"
+        "\"area\":0.5,\"volume\":null,\"closed\":false,\"pixels\":28,\"color\":\"#ff8000\"},"
+        "{\"name\":\"right\",\"id\":3,\"instanceId\":1,\"box\":{\"min\":[0,-1,0],\"max\":[1,0,0]},\"triangles\":1,"
+        "\"area\":0.5,\"volume\":null,\"closed\":false,\"pixels\":28,\"color\":\"#ff8000\"},"
+        "{\"name\":\"above\",\"id\":4,\"instanceId\":2,\"box\":{\"min\":[-1,0,0],\"max\":[1,1,0]},\"triangles\":2,"
+        "\"area\":1,\"volume\":null,\"closed\":false,\"pixels\":64,\"color\":\"#ff8000\"}],";
+    const zr_vec4 p[] = {{-1, -1, 0, 1}, {0, -1, 0, 1}, {-1, 0, 0, 1}, {0, -1, 0, 1}, {1, -1, 0, 1}, {0, 0, 0, 1}};
+    static const uint32_t face_parts[2] = {1, 2}, line[2] = {2, 5};
+    static const char *const names[3] = {"none", "left", "right"};
+    static struct test_scene test;
+    struct zr_mesh meshes[2];
+    struct zr_instance instances[2];
+    scene_of_triangles(&test, 16, 16, p, 2);
+    test.material.base_color = (zr_vec4){1, 0.5f, 0, 1};
+    test.mesh.lines = line;
+    test.mesh.line_count = 1;
+    meshes[0] = meshes[1] = test.mesh;
+    meshes[0].face_parts = face_parts;
+    meshes[0].part_count = 3;
+    meshes[0].part_names = names;
+    instances[0] = instances[1] = test.instance;
+    instances[1] = (struct zr_instance){
+        .mesh = 1, .node = "above", .object_to_world = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 1}}};
+    test.scene.meshes = meshes;
+    test.scene.mesh_count = 2;
+    test.scene.instances = instances;
+    test.scene.instance_count = 2;
+    const struct zr_answer answer = info_of(&test);
+    const char *parts = strstr(answer.bytes, "\"parts\"");
+    assert_non_null(parts);
+    if (strncmp(parts, want, strlen(want)) != 0) fail_msg("%.*s", (int)strlen(want) + 100, parts);
 }
 
 /* ---- what tells a useless picture from others ---- */

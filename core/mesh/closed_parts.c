@@ -1,0 +1,233 @@
+#include "mesh/closed_parts.h"
+
+#include <stdatomic.h>
+
+#include "base/cancel.h"
+#include "mesh/weld.h"
+
+enum { FACES_A_CANCEL_CHECK = 1 << 14, VERTICES_A_RANGE = 1 << 12 };
+
+/* A use of an edge, in the list of its lower vertex: the higher vertex, the part, and the direction in bit 0. */
+typedef uint64_t use;
+
+struct finding {
+    const struct zr_cancel *cancel;
+    const struct zr_mesh *mesh;
+    const uint32_t *vertices; /* per position */
+    uint32_t vertex_count;
+    uint32_t *ends; /* per vertex: end of its list in `uses` */
+    use *uses;
+    atomic_uchar *closed;
+};
+
+/* ---- edges ---- */
+
+typedef void visit_fn(struct finding *f, uint32_t from, uint32_t to, uint32_t part);
+
+static void count_edge(struct finding *f, uint32_t from, uint32_t to, uint32_t part)
+{
+    f->ends[from < to ? from : to]++;
+    atomic_store_explicit(&f->closed[part], 1, memory_order_relaxed);
+}
+
+/* Fills each list from its end, which becomes its begin. */
+static void put_edge(struct finding *f, uint32_t from, uint32_t to, uint32_t part)
+{
+    const uint32_t low = from < to ? from : to, high = from < to ? to : from;
+    f->uses[--f->ends[low]] = (use)high << 32 | (use)part << 1 | (from < to);
+}
+
+struct place {
+    double x, y, z;
+};
+
+static struct place place_of(const struct zr_mesh *mesh, uint32_t slot)
+{
+    const zr_vec3 at = zr_vec4_over_w(mesh->positions[mesh->indices[slot]]);
+    return (struct place){(double)at.x, (double)at.y, (double)at.z};
+}
+
+/* Twice the area, as a vector. */
+static struct place area_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end)
+{
+    const struct place o = place_of(mesh, begin);
+    struct place sum = {0, 0, 0};
+    for (uint32_t i = begin + 1; i + 1 < end; i++) {
+        const struct place p = place_of(mesh, i), q = place_of(mesh, i + 1);
+        const double a[3] = {p.x - o.x, p.y - o.y, p.z - o.z}, b[3] = {q.x - o.x, q.y - o.y, q.z - o.z};
+        sum.x += a[1] * b[2] - a[2] * b[1];
+        sum.y += a[2] * b[0] - a[0] * b[2];
+        sum.z += a[0] * b[1] - a[1] * b[0];
+    }
+    return sum;
+}
+
+bool zr_ring_turns_as_first(const struct zr_mesh *mesh, const struct zr_rings *rings, uint32_t ring)
+{
+    const struct place first = area_of(mesh, rings->offsets[0], rings->offsets[1]),
+                       own = area_of(mesh, rings->offsets[ring], rings->offsets[ring + 1]);
+    return (first.x * own.x + first.y * own.y) + first.z * own.z > 0.0;
+}
+
+/* True if the ring has three different vertices. */
+static bool has_area(const struct finding *f, const uint32_t *corners, uint32_t count)
+{
+    const uint32_t first = f->vertices[corners[0]];
+    uint32_t second = first;
+    for (uint32_t i = 1; i < count; i++) {
+        const uint32_t vertex = f->vertices[corners[i]];
+        if (second == first)
+            second = vertex;
+        else if (vertex != first && vertex != second)
+            return true;
+    }
+    return false;
+}
+
+static void visit_face(struct finding *f, uint32_t face, visit_fn *visit)
+{
+    const struct zr_mesh *mesh = f->mesh;
+    const struct zr_rings rings = zr_mesh_rings(mesh, face);
+    const uint32_t part = mesh->face_parts ? mesh->face_parts[face] : 0;
+    for (uint32_t r = 0; r < rings.count; r++) {
+        const uint32_t *corners = mesh->indices + rings.offsets[r], count = rings.offsets[r + 1] - rings.offsets[r];
+        const bool is_reversed = r > 0 && zr_ring_turns_as_first(mesh, &rings, r);
+        if (!has_area(f, corners, count)) continue;
+        uint32_t from = f->vertices[corners[count - 1]];
+        for (uint32_t i = 0; i < count; i++) {
+            const uint32_t to = f->vertices[corners[i]];
+            if (from != to) visit(f, is_reversed ? to : from, is_reversed ? from : to, part);
+            from = to;
+        }
+    }
+}
+
+static void visit_faces(struct finding *f, visit_fn *visit)
+{
+    for (uint32_t face = 0; face < f->mesh->face_count; face++) {
+        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(f->cancel)) return;
+        visit_face(f, face, visit);
+    }
+}
+
+/* ---- lists of vertices ---- */
+
+static void sift(use *uses, uint32_t at, uint32_t count)
+{
+    const use value = uses[at];
+    for (uint32_t child; (child = 2 * at + 1) < count; at = child) {
+        if (child + 1 < count && uses[child + 1] > uses[child]) child++;
+        if (uses[child] <= value) break;
+        uses[at] = uses[child];
+    }
+    uses[at] = value;
+}
+
+/* Vertices have few edges, but a file may have one with all of them. */
+static void sort(use *uses, uint32_t count)
+{
+    enum { FEW = 24 };
+    if (count <= FEW) {
+        for (uint32_t i = 1; i < count; i++) {
+            const use value = uses[i];
+            uint32_t at = i;
+            for (; at > 0 && uses[at - 1] > value; at--)
+                uses[at] = uses[at - 1];
+            uses[at] = value;
+        }
+        return;
+    }
+    for (uint32_t i = count / 2; i-- > 0;)
+        sift(uses, i, count);
+    for (uint32_t i = count - 1; i > 0; i--) {
+        const use most = uses[0];
+        uses[0] = uses[i];
+        uses[i] = most;
+        sift(uses, 0, i);
+    }
+}
+
+/* Marks the parts that do not use an edge of the list once in each direction. */
+static void check_list(const struct finding *f, use *uses, uint32_t count)
+{
+    sort(uses, count);
+    for (uint32_t i = 0, next; i < count; i = next) {
+        for (next = i + 1; next < count && uses[next] >> 1 == uses[i] >> 1; next++)
+            ;
+        if (next - i != 2 || uses[i] == uses[i + 1])
+            atomic_store_explicit(&f->closed[(uint32_t)uses[i] >> 1], 0, memory_order_relaxed);
+    }
+}
+
+static void check_range(void *context, size_t begin, size_t end)
+{
+    const struct finding *f = context;
+    if (zr_is_cancelled(f->cancel)) return;
+    for (size_t v = begin; v < end; v++)
+        check_list(f, f->uses + f->ends[v], f->ends[v + 1] - f->ends[v]);
+}
+
+/* ---- the whole ---- */
+
+static void find(struct zr_team *team, struct finding *f)
+{
+    memset(f->ends, 0, ((size_t)f->vertex_count + 1) * sizeof *f->ends);
+    visit_faces(f, count_edge);
+    if (zr_is_cancelled(f->cancel)) return;
+    for (uint32_t v = 0, sum = 0; v <= f->vertex_count; v++)
+        f->ends[v] = sum += f->ends[v];
+    visit_faces(f, put_edge);
+    if (zr_is_cancelled(f->cancel)) return;
+    zr_team_ranges(team, f->vertex_count, VERTICES_A_RANGE, check_range, f);
+}
+
+/* One allocation, so that it can be trimmed as the newest one. Welding and the lists of edges share `rest`. */
+struct rooms {
+    char *all;
+    size_t size;
+    zr_vec4 *positions;
+    uint64_t *rest;
+    uint32_t *vertices, *ends;
+    atomic_uchar *closed;
+};
+
+static bool make_rooms(struct zr_arena *arena, const struct zr_mesh *mesh, uint32_t parts,
+                       const struct zr_mesh_extent *extent, struct rooms *rooms)
+{
+    const size_t positions = mesh->position_count, corners = mesh->face_offsets[mesh->face_count];
+    const size_t welding = zr_weld_room(mesh->position_count), copied = extent->needs_copy ? positions : 0;
+    const size_t rest = welding > corners ? welding : corners;
+    rooms->size = copied * sizeof *rooms->positions + rest * sizeof *rooms->rest + positions * sizeof *rooms->vertices +
+                  (positions + 1) * sizeof *rooms->ends + parts * sizeof *rooms->closed;
+    rooms->all = zr_arena_alloc(arena, rooms->size, 1);
+    if (!rooms->all) return false;
+    rooms->positions = (zr_vec4 *)(void *)rooms->all;
+    rooms->rest = (uint64_t *)(void *)(rooms->positions + copied);
+    rooms->vertices = (uint32_t *)(void *)(rooms->rest + rest);
+    rooms->ends = rooms->vertices + positions;
+    rooms->closed = (atomic_uchar *)(void *)(rooms->ends + positions + 1);
+    for (uint32_t p = 0; p < parts; p++)
+        atomic_init(&rooms->closed[p], 0);
+    return true;
+}
+
+bool zr_closed_parts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                          const struct zr_mesh *mesh, uint8_t *closed)
+{
+    const uint32_t parts = mesh->face_parts ? mesh->part_count : 1;
+    memset(closed, 0, parts);
+    if (mesh->face_count == 0 || parts > INT32_MAX) return true;
+    const struct zr_mesh_extent extent = zr_mesh_extent_of(team, mesh);
+    struct rooms rooms;
+    if (!make_rooms(arena, mesh, parts, &extent, &rooms)) return false;
+    const struct zr_weld_input input = zr_weld_input_make(team, mesh, &extent, rooms.positions);
+    struct finding f = {
+        .cancel = cancel, .mesh = mesh, .vertices = rooms.vertices, .ends = rooms.ends, .closed = rooms.closed};
+    f.vertex_count = zr_weld_make(team, cancel, &input, rooms.rest, rooms.vertices);
+    f.uses = rooms.rest;
+    if (f.vertex_count > 0) find(team, &f);
+    for (uint32_t p = 0; p < parts; p++)
+        closed[p] = atomic_load_explicit(&rooms.closed[p], memory_order_relaxed);
+    zr_arena_trim(arena, rooms.all, rooms.size, 0, 1);
+    return true;
+}

@@ -1,0 +1,26 @@
+/* closed_parts.h - mesh: which parts of a mesh are closed surfaces.
+ *
+ * Rule:   a part is closed if each of its edges is used once in each direction. Corners are welded first (weld.h).
+ * Edges without length, and rings with fewer than three vertices, do not count. Edges between two parts are open in
+ *         both. A part without a counted edge is not closed.
+ * Holes:  the rings of a face after its first one are holes. Each counts in the direction opposite to the first ring.
+ * Exact:  the same for all instruction sets and numbers of threads.
+ */
+#ifndef ZR_CLOSED_PARTS_H
+#define ZR_CLOSED_PARTS_H
+
+#include "base/arena.h"
+#include "base/team.h"
+#include "core.h"
+#include "scene/scene.h"
+
+/* Sets closed[p] to 1 or 0 for each part; a mesh without face_parts has one. Takes about 28 bytes per position of
+ * scratch from the arena, or 8 per corner and 8 per position, and gives them back. False without memory. If cancelled,
+ * returns early with undefined values. */
+bool zr_closed_parts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                          const struct zr_mesh *mesh, uint8_t *closed);
+
+/* Returns true if a hole runs in the same direction as the first ring. Ring 0 is the first one. */
+bool zr_ring_turns_as_first(const struct zr_mesh *mesh, const struct zr_rings *rings, uint32_t ring);
+
+#endif

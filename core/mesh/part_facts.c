@@ -1,0 +1,370 @@
+#include "mesh/part_facts.h"
+
+#include "base/cancel.h"
+#include "mesh/closed_parts.h"
+
+struct place {
+    double x, y, z;
+};
+
+/* Faces by part, and closed parts; made once per mesh. */
+struct sorted_mesh {
+    const uint32_t *faces; /* NULL: all faces in order */
+    const uint32_t *ends;  /* per part: end of its faces; NULL: one part */
+    uint8_t *closed;       /* per part; NULL: not made yet */
+};
+
+/* Sums over the faces of a task. */
+struct sums {
+    double area, volume, color[3], plain_color[3]; /* color: times the area */
+    double min[3], max[3];
+    uint64_t triangles, faces;
+    bool is_lost; /* a face has no place */
+};
+
+struct task {
+    uint32_t part; /* listed */
+    uint32_t begin, end;
+    struct sums sums;
+};
+
+struct measuring {
+    const struct zr_scene *scene;
+    const struct zr_part_list *parts;
+    const struct zr_cancel *cancel;
+    const struct sorted_mesh *meshes;
+    struct task *tasks;
+};
+
+/* ---- places ---- */
+
+/* Transforms a position to world space. False if it is infinite there, or beyond the range of float. */
+static bool place_of(const zr_mat4 *m, zr_vec4 p, struct place *out)
+{
+    const double x = (double)p.x, y = (double)p.y, z = (double)p.z, w = (double)p.w;
+    double at[4];
+    for (int row = 0; row < 4; row++)
+        at[row] = (((double)m->m[row] * x + (double)m->m[4 + row] * y) + (double)m->m[8 + row] * z) +
+                  (double)m->m[12 + row] * w;
+    if (at[3] != 1.0)
+        for (int k = 0; k < 3; k++)
+            at[k] /= at[3];
+    *out = (struct place){at[0], at[1], at[2]};
+    return at[3] != 0.0 && fabs(at[0]) <= (double)FLT_MAX && fabs(at[1]) <= (double)FLT_MAX &&
+           fabs(at[2]) <= (double)FLT_MAX;
+}
+
+static struct place minus(struct place a, struct place b)
+{
+    return (struct place){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static struct place cross(struct place a, struct place b)
+{
+    return (struct place){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static double dot(struct place a, struct place b)
+{
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+static void extend(struct sums *sums, struct place p)
+{
+    const double at[3] = {p.x, p.y, p.z};
+    for (int k = 0; k < 3; k++) {
+        if (at[k] < sums->min[k]) sums->min[k] = at[k];
+        if (at[k] > sums->max[k]) sums->max[k] = at[k];
+    }
+}
+
+/* ---- faces ---- */
+
+/* Sums of one ring: twice its area as a vector, twice the sum of its triangles' areas, and six times the volume of its
+ * pyramid. */
+struct fan {
+    struct place area;
+    double areas, volume;
+    bool turns_both_ways;
+};
+
+/* False if a corner has no place. */
+static bool sum_fan(const zr_mat4 *m, const struct zr_mesh *mesh, uint32_t begin, uint32_t end, struct place apex,
+                    struct sums *sums, struct fan *fan)
+{
+    const uint32_t *corners = mesh->indices;
+    struct place first, last, next;
+    *fan = (struct fan){.areas = 0.0};
+    if (!place_of(m, mesh->positions[corners[begin]], &first)) return false;
+    if (!place_of(m, mesh->positions[corners[begin + 1]], &last)) return false;
+    extend(sums, first);
+    extend(sums, last);
+    for (uint32_t i = begin + 2; i < end; i++, last = next) {
+        if (!place_of(m, mesh->positions[corners[i]], &next)) return false;
+        extend(sums, next);
+        const struct place area = cross(minus(last, first), minus(next, first));
+        fan->turns_both_ways = fan->turns_both_ways || dot(area, fan->area) < 0.0;
+        fan->area = (struct place){fan->area.x + area.x, fan->area.y + area.y, fan->area.z + area.z};
+        fan->areas += sqrt(dot(area, area));
+        fan->volume += dot(minus(first, apex), area);
+    }
+    if (fan->turns_both_ways) fan->areas = sqrt(dot(fan->area, fan->area));
+    return true;
+}
+
+/* Returns the product of the colours of the face's material, the face, and the mean of its corners. */
+static void color_of(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face, double color[3])
+{
+    const struct zr_material *material = zr_material_of_face(scene, mesh, face);
+    const zr_vec4 *own = mesh->face_colors ? &mesh->face_colors[face] : NULL;
+    const uint32_t begin = mesh->face_offsets[face], end = mesh->face_offsets[face + 1];
+    double sum[3] = {0, 0, 0};
+    color[0] = (double)material->base_color.x * (own ? (double)own->x : 1.0);
+    color[1] = (double)material->base_color.y * (own ? (double)own->y : 1.0);
+    color[2] = (double)material->base_color.z * (own ? (double)own->z : 1.0);
+    if (!mesh->colors || material->uniform_color) return;
+    for (uint32_t i = begin; i < end; i++) {
+        const zr_vec4 *at = &mesh->colors[mesh->indices[i]];
+        sum[0] += (double)at->x;
+        sum[1] += (double)at->y;
+        sum[2] += (double)at->z;
+    }
+    for (int k = 0; k < 3; k++)
+        color[k] *= sum[k] / (double)(end - begin);
+}
+
+static void add_face(const struct measuring *m, const zr_mat4 *matrix, const struct zr_mesh *mesh, uint32_t face,
+                     struct place apex, struct sums *sums)
+{
+    const struct zr_rings rings = zr_mesh_rings(mesh, face);
+    double area = 0.0, volume = 0.0, color[3];
+    color_of(m->scene, mesh, face, color);
+    sums->faces++;
+    sums->triangles += rings.offsets[rings.count] - rings.offsets[0] + 2 * (uint64_t)(rings.count - 1) - 2;
+    for (int k = 0; k < 3; k++)
+        sums->plain_color[k] += color[k];
+    for (uint32_t r = 0; r < rings.count; r++) {
+        struct fan fan;
+        if (!sum_fan(matrix, mesh, rings.offsets[r], rings.offsets[r + 1], apex, sums, &fan)) {
+            sums->is_lost = true;
+            return;
+        }
+        area += r > 0 ? -fan.areas : fan.areas;
+        volume += r > 0 && zr_ring_turns_as_first(mesh, &rings, r) ? -fan.volume : fan.volume;
+    }
+    area = area > 0.0 ? 0.5 * area : 0.0;
+    sums->area += area;
+    sums->volume += volume / 6.0;
+    for (int k = 0; k < 3; k++)
+        sums->color[k] += area * color[k];
+}
+
+/* ---- tasks ---- */
+
+static uint32_t face_of(const struct sorted_mesh *sorted, uint32_t number)
+{
+    return sorted->faces ? sorted->faces[number] : number;
+}
+
+/* Returns the first face of a part in the sorted order. */
+static uint32_t begin_of(const struct sorted_mesh *sorted, uint32_t part)
+{
+    return sorted->ends && part > 0 ? sorted->ends[part - 1] : 0;
+}
+
+static uint32_t end_of(const struct sorted_mesh *sorted, const struct zr_mesh *mesh, uint32_t part)
+{
+    return sorted->ends ? sorted->ends[part] : mesh->face_count;
+}
+
+static void clear(struct sums *sums)
+{
+    *sums = (struct sums){.area = 0.0};
+    for (int k = 0; k < 3; k++) {
+        sums->min[k] = HUGE_VAL;
+        sums->max[k] = -HUGE_VAL;
+    }
+}
+
+static void run_task(const struct measuring *m, struct task *task)
+{
+    const struct zr_part *part = &m->parts->at[task->part];
+    const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
+    const struct sorted_mesh *sorted = &m->meshes[part->mesh];
+    const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
+    const uint32_t first = face_of(sorted, begin_of(sorted, part->number));
+    struct place apex;
+    clear(&task->sums);
+    if (!place_of(matrix, mesh->positions[mesh->indices[mesh->face_offsets[first]]], &apex))
+        apex = (struct place){0, 0, 0};
+    for (uint32_t i = task->begin; i < task->end; i++)
+        add_face(m, matrix, mesh, face_of(sorted, i), apex, &task->sums);
+}
+
+static void run_range(void *context, size_t begin, size_t end)
+{
+    const struct measuring *m = context;
+    for (size_t i = begin; i < end && !zr_is_cancelled(m->cancel); i++)
+        run_task(m, &m->tasks[i]);
+}
+
+/* Lists the tasks of all parts; with `tasks` NULL, counts them. */
+static size_t list_tasks(const struct measuring *m, struct task *tasks)
+{
+    size_t count = 0;
+    for (uint32_t p = 0; p < m->parts->count; p++) {
+        const struct zr_part *part = &m->parts->at[p];
+        const struct sorted_mesh *sorted = &m->meshes[part->mesh];
+        const uint32_t end = end_of(sorted, &m->scene->meshes[part->mesh], part->number);
+        for (uint32_t at = begin_of(sorted, part->number), left; at < end; at += left, count++) {
+            left = end - at < ZR_FACES_A_TASK ? end - at : ZR_FACES_A_TASK;
+            if (tasks) tasks[count] = (struct task){.part = p, .begin = at, .end = at + left};
+        }
+    }
+    return count;
+}
+
+/* ---- meshes ---- */
+
+/* Sorts the faces by part, in the order of faces. */
+static void sort_faces(struct zr_arena *arena, const struct zr_mesh *mesh, struct sorted_mesh *out)
+{
+    uint32_t *ends = zr_arena_zero(arena, mesh->part_count, sizeof *ends);
+    uint32_t *faces = zr_arena_alloc(arena, mesh->face_count, sizeof *faces);
+    if (!ends || !faces) return;
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        ends[mesh->face_parts[f]]++;
+    for (uint32_t p = 1; p < mesh->part_count; p++)
+        ends[p] += ends[p - 1];
+    for (uint32_t f = mesh->face_count; f-- > 0;)
+        faces[--ends[mesh->face_parts[f]]] = f;
+    for (uint32_t p = 0; p + 1 < mesh->part_count; p++) /* begins to ends */
+        ends[p] = ends[p + 1];
+    if (mesh->part_count > 0) ends[mesh->part_count - 1] = mesh->face_count;
+    out->ends = ends;
+    out->faces = faces;
+}
+
+static enum zr_status sort_meshes(struct zr_arena *arena, struct zr_team *team, const struct measuring *m,
+                                  struct sorted_mesh *meshes)
+{
+    for (uint32_t p = 0; p < m->parts->count; p++) {
+        const uint32_t number = m->parts->at[p].mesh;
+        const struct zr_mesh *mesh = &m->scene->meshes[number];
+        struct sorted_mesh *sorted = &meshes[number];
+        if (sorted->closed) continue;
+        sorted->closed = zr_arena_alloc(arena, zr_mesh_part_count(mesh), 1);
+        if (mesh->face_parts) sort_faces(arena, mesh, sorted);
+        if (!zr_arena_ok(arena) || !zr_closed_parts_find(arena, team, m->cancel, mesh, sorted->closed))
+            return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
+        if (zr_is_cancelled(m->cancel)) return ZR_CANCELLED;
+    }
+    return ZR_OK;
+}
+
+/* ---- results ---- */
+
+static void add_sums(struct sums *sum, const struct sums *more)
+{
+    sum->area += more->area;
+    sum->volume += more->volume;
+    sum->triangles += more->triangles;
+    sum->faces += more->faces;
+    sum->is_lost = sum->is_lost || more->is_lost;
+    for (int k = 0; k < 3; k++) {
+        sum->color[k] += more->color[k];
+        sum->plain_color[k] += more->plain_color[k];
+        if (more->min[k] < sum->min[k]) sum->min[k] = more->min[k];
+        if (more->max[k] > sum->max[k]) sum->max[k] = more->max[k];
+    }
+}
+
+/* Adds an end of a line, or a point. */
+static void add_vertex(const struct zr_material *material, const zr_mat4 *matrix, const struct zr_mesh *mesh,
+                       uint32_t vertex, struct sums *sums, uint64_t *count)
+{
+    const zr_vec4 white = {1, 1, 1, 1}, *own = mesh->colors ? &mesh->colors[vertex] : &white,
+                  *base = &material->base_color;
+    struct place place;
+    if (place_of(matrix, mesh->positions[vertex], &place)) extend(sums, place);
+    if (sums->faces > 0) return;
+    (*count)++;
+    sums->plain_color[0] += (double)own->x * (double)base->x;
+    sums->plain_color[1] += (double)own->y * (double)base->y;
+    sums->plain_color[2] += (double)own->z * (double)base->z;
+}
+
+/* Adds the lines and points of a mesh that is one part. Returns the number of colours in sums->plain_color. */
+static uint64_t add_vertices(const struct measuring *m, const struct zr_part *part, struct sums *sums)
+{
+    enum { VERTICES_A_CANCEL_CHECK = 1 << 14 };
+    const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
+    const struct zr_material *material = &m->scene->materials[mesh->material];
+    const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
+    uint64_t count = 0;
+    if (mesh->face_parts) return sums->faces;
+    for (uint32_t i = 0; i < 2 * mesh->line_count; i++) {
+        if (i % VERTICES_A_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel)) return 1;
+        add_vertex(material, matrix, mesh, mesh->lines[i], sums, &count);
+    }
+    for (uint32_t i = 0; i < mesh->point_count; i++) {
+        if (i % VERTICES_A_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel)) return 1;
+        add_vertex(material, matrix, mesh, mesh->points[i], sums, &count);
+    }
+    return sums->faces + count;
+}
+
+static float clamped(double value)
+{
+    return value > 0.0 ? value < 1.0 ? (float)value : 1.0f : 0.0f;
+}
+
+static struct zr_part_facts facts_of(const struct measuring *m, const struct zr_part *part, struct sums *sums)
+{
+    const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
+    const uint64_t colors = add_vertices(m, part, sums);
+    const double weight = sums->area > 0.0 ? sums->area : colors > 0 ? (double)colors : 1.0;
+    const double *color = sums->area > 0.0 ? sums->color : sums->plain_color;
+    struct zr_part_facts facts = {.has_box = sums->min[0] <= sums->max[0],
+                                  .triangles = sums->triangles,
+                                  .area = sums->area,
+                                  .is_closed = m->meshes[part->mesh].closed[part->number] && !sums->is_lost};
+    facts.color = (zr_vec3){clamped(color[0] / weight), clamped(color[1] / weight), clamped(color[2] / weight)};
+    if (facts.is_closed) facts.volume = zr_mat4_is_mirror(matrix) ? 0.0 - sums->volume : sums->volume + 0.0;
+    if (!facts.has_box) return facts;
+    facts.min = (zr_vec3){(float)(sums->min[0] + 0.0), (float)(sums->min[1] + 0.0), (float)(sums->min[2] + 0.0)};
+    facts.max = (zr_vec3){(float)(sums->max[0] + 0.0), (float)(sums->max[1] + 0.0), (float)(sums->max[2] + 0.0)};
+    return facts;
+}
+
+static enum zr_status find(struct zr_arena *arena, struct zr_team *team, struct measuring *m,
+                           struct zr_part_facts *facts)
+{
+    struct sorted_mesh *meshes = zr_arena_zero(arena, m->scene->mesh_count, sizeof *meshes);
+    if (!meshes) return ZR_NO_MEMORY;
+    m->meshes = meshes;
+    const enum zr_status status = sort_meshes(arena, team, m, meshes);
+    if (status != ZR_OK) return status;
+    const size_t count = list_tasks(m, NULL);
+    m->tasks = zr_arena_alloc(arena, count, sizeof *m->tasks);
+    if (!m->tasks) return ZR_NO_MEMORY;
+    list_tasks(m, m->tasks);
+    zr_team_ranges(team, count, 1, run_range, m);
+    size_t task = 0;
+    for (uint32_t p = 0; p < m->parts->count && !zr_is_cancelled(m->cancel); p++) {
+        struct sums sums;
+        clear(&sums);
+        for (; task < count && m->tasks[task].part == p; task++)
+            add_sums(&sums, &m->tasks[task].sums);
+        facts[p] = facts_of(m, &m->parts->at[p], &sums);
+    }
+    return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : ZR_OK;
+}
+
+enum zr_status zr_part_facts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                                  const struct zr_scene *scene, const struct zr_part_list *parts,
+                                  struct zr_part_facts *facts)
+{
+    struct measuring m = {.scene = scene, .parts = parts, .cancel = cancel};
+    return find(arena, team, &m, facts);
+}

@@ -1,0 +1,86 @@
+#include "render/frame_parts.h"
+
+#include "base/cancel.h"
+
+/* Owner ids of an instance, and its first part. */
+struct owner {
+    uint32_t begin, end; /* numbers of faces, lines and points, over all instances in order */
+    uint64_t first_part;
+};
+
+static struct owner *list_owners(struct zr_arena *arena, const struct zr_scene *scene)
+{
+    struct owner *owners = zr_arena_alloc(arena, scene->instance_count, sizeof *owners);
+    uint64_t part = 0;
+    uint32_t id = 0;
+    for (uint32_t i = 0; owners && i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        owners[i] = (struct owner){id, id + (uint32_t)zr_mesh_ids(mesh), part};
+        id = owners[i].end;
+        part += zr_mesh_part_count(mesh);
+    }
+    return owners;
+}
+
+/* Returns the instance of an owner id; `count` if it has none, as pixels of a base. */
+static uint32_t instance_of(const struct owner *owners, uint32_t count, uint32_t number)
+{
+    uint32_t low = 0, high = count;
+    if (count == 0 || number >= owners[count - 1].end) return count;
+    while (high - low > 1) {
+        const uint32_t middle = low + (high - low) / 2;
+        if (owners[middle].begin <= number)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Returns the number of the part that has an element of an instance; UINT64_MAX: none. */
+static uint64_t part_of(const struct zr_mesh *mesh, const struct owner *owner, uint32_t number)
+{
+    const uint32_t face = number - owner->begin;
+    if (!mesh->face_parts) return owner->first_part;
+    return face < mesh->face_count ? owner->first_part + mesh->face_parts[face] : UINT64_MAX;
+}
+
+/* Returns false if cancelled. */
+static bool count_pixels(const struct zr_scene *scene, const struct zr_frame *frame, const struct owner *owners,
+                         const struct zr_cancel *cancel, uint64_t *pixels)
+{
+    const uint32_t first = frame->base ? frame->base->first_face_id : 1, count = scene->instance_count;
+    const uint32_t *id = frame->face_id;
+    uint32_t instance = 0;
+    for (uint32_t y = 0; y < frame->height; y++) {
+        if (zr_is_cancelled(cancel)) return false;
+        for (uint32_t x = 0; x < frame->width; x++, id++) {
+            const uint32_t number = *id - first; /* the base's smaller ids wrap to large numbers */
+            if (*id == 0) continue;
+            if (instance == count || number < owners[instance].begin || number >= owners[instance].end)
+                instance = instance_of(owners, count, number);
+            if (instance == count) continue;
+            const struct zr_mesh *mesh = &scene->meshes[scene->instances[instance].mesh];
+            const uint64_t part = part_of(mesh, &owners[instance], number);
+            if (part < frame->parts.list.count) pixels[part]++;
+        }
+    }
+    return true;
+}
+
+enum zr_status zr_frame_parts_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                   const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    struct zr_frame_parts *parts = &frame->parts;
+    parts->list = zr_part_list_make(arena, scene, ZR_FRAME_PARTS_MAX);
+    struct zr_part_facts *facts = zr_arena_alloc(arena, parts->list.count, sizeof *facts);
+    uint64_t *pixels = zr_arena_zero(arena, parts->list.count, sizeof *pixels);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    parts->facts = facts;
+    const enum zr_status status = zr_part_facts_find(scratch, team, cancel, scene, &parts->list, facts);
+    if (status != ZR_OK || !frame->face_id) return status;
+    const struct owner *owners = list_owners(scratch, scene);
+    parts->pixels = pixels;
+    if (!owners) return ZR_NO_MEMORY;
+    return count_pixels(scene, frame, owners, cancel, pixels) ? ZR_OK : ZR_CANCELLED;
+}

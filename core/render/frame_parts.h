@@ -1,0 +1,17 @@
+/* frame_parts.h - render: the parts of a scene with their facts and visible pixels, for the channel info. */
+#ifndef ZR_FRAME_PARTS_H
+#define ZR_FRAME_PARTS_H
+
+#include "base/team.h"
+#include "shade/frame.h"
+
+/* Maximum number of listed parts, the first ones. */
+enum { ZR_FRAME_PARTS_MAX = 1000 };
+
+/* Fills in frame->parts; the list lies in `arena`. Pixels are counted in frame->face_id, if there is one. Fails with
+ * ZR_NO_MEMORY or ZR_CANCELLED. */
+enum zr_status zr_frame_parts_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                   const struct zr_scene *scene, const struct zr_cancel *cancel,
+                                   struct zr_frame *frame);
+
+#endif
