@@ -50,13 +50,17 @@ enum zr_format {
     ZR_FORMAT_UNKNOWN = ZR_FORMAT_COUNT /* detected from the bytes */
 };
 
+struct zr_packed; /* input/zip_part.h */
+
 /* A file or an array sent with the scene; the scene refers to it by {"asset": name}. */
 struct zr_asset {
     const char *name;
     const void *bytes; /* of a file, or of the array */
     size_t size;
-    struct zr_array array; /* type ZR_BYTES: a file; the rest is not set */
-    bool is_lent;          /* both stay unchanged as long as the scene lives: numbers need not be copied */
+    struct zr_array array;    /* type ZR_BYTES: a file; the rest is not set */
+    bool is_lent;             /* both stay unchanged as long as the scene lives: numbers need not be copied */
+    bool is_optional;         /* no warning if the scene does not use it */
+    struct zr_packed *packed; /* core/read.c: a member of a ZIP body that is not unpacked yet; callers: NULL */
 };
 
 /* Store of assets by their SHA-256; the scene refers to one by {"asset": "sha256:..."}. `read` takes 64 lower-case
@@ -91,6 +95,14 @@ struct zr_request {
     const struct zr_cancel *cancel; /* cancels reading; NULL: never */
     struct zr_quick *quick;         /* NULL: no limit of time */
 };
+
+/* Lists the files that a model file refers to: buffers and images of glTF, material libraries of OBJ, images of MTL,
+ * and assets of scenes. Writes their names in the order of the file, each with a final zero; they may occur again. A
+ * line "mtllib a b" gives "a b", "a" and "b", since names may have blanks. URIs with a scheme and stored assets are
+ * left out. `type`: a media type or the ending of the file's name; NULL: detected; "mtl" or "model/mtl" for MTL.
+ * Returns the bytes of all names; if they exceed `room`, some names are not written, and the caller calls again.
+ * `names` may be NULL if `room` is 0. Wrong or hostile bytes give other names, or none. */
+size_t zr_references_list(const char *bytes, size_t size, const char *type, char *names, size_t room);
 
 /* ---- the four steps, and the cost of the last two ---- */
 

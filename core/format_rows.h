@@ -9,6 +9,7 @@
     ROW(JSON, "json", "application/json", true, false, false, false)                                                   \
     ROW(OBJ, "obj", "model/obj", false, false, false, false)                                                           \
     ROW(3MF, "3mf", "model/3mf application/vnd.ms-package.3dmanufacturing-3dmodel+xml", false, true, false, true)      \
+    ROW(ZIP, "zip", "application/zip application/x-zip-compressed", false, true, false, false)                         \
     ROW(STL, "stl", "model/stl application/sla application/vnd.ms-pki.stl model/x.stl-binary model/x.stl-ascii",       \
         false, true, true, true)                                                                                       \
     ROW(PLY, "ply", "model/ply application/ply application/x-ply model/x-ply", false, true, false, false)              \

@@ -6,6 +6,7 @@
 #include "input/parameters.h"
 #include "input/sniff.h"
 #include "input/text.h"
+#include "input/zip_body.h"
 #include "overlay/color_bar.h"
 #include "scene/camera.h"
 #include "scene/defaults.h"
@@ -107,12 +108,36 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     if (status != ZR_OK) return status;
     zr_color_bar_warn(arena, scene, &scene->views[0], &builder.warnings);
     zr_view_matrices_warn(arena, &scene->views[0], &builder.warnings);
+    zr_zip_body_warn(&builder, request);
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     zr_query_orient(&query);
     status = validate(request, scene, limits, error);
     if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, error);
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
+}
+
+/* Finds the format, and the model in a ZIP archive. */
+static enum zr_status open_body(struct zr_arena *arena, struct zr_request *body, const char **model,
+                                struct zr_error *error)
+{
+    if (body->size == 0) body->bytes = ""; /* no arithmetic on a null pointer */
+    enum zr_status status = find_format(body, error);
+    if (status == ZR_OK) status = refuse_utf16(body, error);
+    if (status == ZR_OK) status = zr_zip_body_open(arena, body, model, error);
+    if (status == ZR_OK && *model) status = refuse_utf16(body, error);
+    if (status == ZR_OK) skip_byte_order_mark(body);
+    return status;
+}
+
+/* Notes what a change needs: the format of the body, and the members of a ZIP archive. */
+static bool keep_body(struct zr_arena *arena, const struct zr_request *body, struct zr_kept *kept)
+{
+    kept->request.format = body->format;
+    kept->request.member = NULL;
+    kept->request.assets = body->assets;
+    kept->request.asset_count = body->asset_count;
+    return zr_zip_body_keep(arena, body);
 }
 
 /* Reads a scene; `keeping` is NULL unless it is kept or changed. */
@@ -122,12 +147,14 @@ static enum zr_status read_request(struct zr_arena *arena, struct zr_team *team,
 {
     struct zr_scene *made = zr_arena_alloc(arena, 1, sizeof *made);
     struct zr_request body = *request;
-    if (body.size == 0) body.bytes = ""; /* no arithmetic on a null pointer */
-    enum zr_status status = made ? find_format(&body, error) : ZR_NO_MEMORY;
-    if (status == ZR_OK) status = refuse_utf16(&body, error);
-    if (status == ZR_OK) skip_byte_order_mark(&body);
+    const char *model = NULL;
     arena->cancel = request->cancel;
-    if (status == ZR_OK) status = read_scene(arena, team, &body, limits, keeping, made, error);
+    enum zr_status status = made ? open_body(arena, &body, &model, error) : ZR_NO_MEMORY;
+    if (status == ZR_OK) {
+        status = read_scene(arena, team, &body, limits, keeping, made, error);
+        status = zr_zip_body_check(&body, model, status, error);
+    }
+    if (status == ZR_OK && keeping && keeping->into && !keep_body(arena, &body, keeping->into)) status = ZR_NO_MEMORY;
     arena->cancel = NULL;
     if (zr_is_cancelled(request->cancel)) {
         *error = (struct zr_error){0}; /* faults of a partly read body */
@@ -139,7 +166,6 @@ static enum zr_status read_request(struct zr_arena *arena, struct zr_team *team,
                          "the scene needs more memory than the %zu bytes that one request may have", arena->ceiling);
     if (status != ZR_OK) return status;
     *scene = made;
-    if (keeping && keeping->into) keeping->into->request.format = body.format;
     return ZR_OK;
 }
 

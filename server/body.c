@@ -81,8 +81,8 @@ static bool unpack_parts(const struct request *request, struct zr_arena *arena, 
     render->asset_count = 0;
     for (const struct multipart_part *part = parts->parts; part < parts->parts + parts->count; part++)
         if (part != scene)
-            assets[render->asset_count++] =
-                (struct zr_asset){.name = part->name, .bytes = part->bytes, .size = part->size};
+            assets[render->asset_count++] = (struct zr_asset){
+                .name = part->name, .bytes = part->bytes, .size = part->size, .is_optional = part->is_optional};
     render->assets = assets;
     render->bytes = scene->bytes;
     render->size = scene->size;

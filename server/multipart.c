@@ -161,6 +161,7 @@ static bool read_header(struct text line, struct multipart_part *part, const cha
     if (is_word(name, "Content-Transfer-Encoding") && !is_word(line, "binary") && !is_word(line, "8bit") &&
         !is_word(line, "7bit"))
         return fail(fault, "a part has a Content-Transfer-Encoding; send its bytes as they are");
+    if (is_word(name, "Zraster-Use")) part->is_optional = is_word(line, "optional");
     if (is_word(name, "Content-Type")) {
         if (part->type) return fail(fault, "a part has two Content-Type headers");
         part->type = line.at;
@@ -218,7 +219,7 @@ static bool skip_preamble(struct text *body, const char *mark, size_t mark_size)
 
 static bool read_part(struct text *body, const char *mark, size_t mark_size, struct multipart *out, const char **fault)
 {
-    if (out->count == MULTIPART_PARTS_MAX) return fail(fault, "the body has more than 32 parts");
+    if (out->count == MULTIPART_PARTS_MAX) return fail(fault, "the body has more than 256 parts");
     struct multipart_part *part = &out->parts[out->count];
     *part = (struct multipart_part){.type = NULL};
     if (!read_headers(body, part, fault)) return false;

@@ -12,7 +12,7 @@
 #include <stddef.h>
 
 enum {
-    MULTIPART_PARTS_MAX = 32,
+    MULTIPART_PARTS_MAX = 256,
     MULTIPART_HEADER_MAX = 4096,                         /* bytes of one part's headers */
     MULTIPART_NAME_MAX = 128,                            /* bytes */
     MULTIPART_BOUNDARY_MAX = 70,                         /* characters */
@@ -23,6 +23,7 @@ struct multipart_part {
     char name[MULTIPART_NAME_MAX + 1];
     const char *type; /* Content-Type as sent, not zero-terminated; NULL: none */
     size_t type_size;
+    bool is_optional; /* Zraster-Use: optional */
     const char *bytes;
     size_t size;
 };

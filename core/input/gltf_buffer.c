@@ -5,6 +5,7 @@
 #include <strings.h>
 
 #include "input/base64.h"
+#include "input/file_parts.h"
 #include "input/text.h"
 
 /* ---- lists ---- */
@@ -60,28 +61,13 @@ bool zr_gltf_read_buffers(struct zr_gltf *file)
 
 /* ---- URIs ---- */
 
-/* Resolves %20 and other escapes; invalid ones stay. Source: RFC 3986, section 2.1. */
-static const char *unescape(struct zr_arena *arena, const char *uri)
+static bool refuse_missing(struct zr_json *json, const struct zr_json_path *path, const char *uri)
 {
-    char *text = zr_arena_copy(arena, uri, strlen(uri) + 1), *out = text;
-    for (const char *at = uri; text && *at; at++) {
-        const int high = *at == '%' ? zr_hex_digit(at[1]) : -1, low = high >= 0 ? zr_hex_digit(at[2]) : -1;
-        *out++ = low >= 0 ? (char)(16 * high + low) : *at;
-        if (low >= 0) at += 2;
-    }
-    if (text) *out = '\0';
-    return text;
-}
-
-static const struct zr_asset *find_part(struct zr_gltf *file, const char *name)
-{
-    struct zr_parsed_assets *assets = &file->root.assets;
-    for (size_t i = 0; i < assets->count; i++)
-        if (strcmp(assets->items[i].name, name) == 0) {
-            assets->uses[i] |= ZR_USED_BY_GEOMETRY;
-            return &assets->items[i];
-        }
-    return NULL;
+    char *plain = zr_arena_alloc(json->arena, strlen(uri) + 1, 1);
+    if (!plain) return false;
+    const size_t length = zr_file_path_clean(uri, strlen(uri), plain);
+    return zr_json_fault(json, path, "no part of the request has the name %s, and nothing is fetched",
+                         zr_quote(plain, length).text);
 }
 
 bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const char *uri,
@@ -93,17 +79,12 @@ bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, con
         const enum zr_status status = zr_data_uri_read(json->arena, uri, &out->bytes, &out->size, &reason);
         return status == ZR_OK || (status == ZR_BAD_SCENE && zr_json_fault(json, path, "%s", reason.text));
     }
-    const char *plain = unescape(json->arena, uri);
-    if (!plain) return false;
-    const struct zr_asset *part = find_part(file, uri);
-    if (!part) part = find_part(file, plain);
-    if (!part && strncmp(plain, "./", 2) == 0) part = find_part(file, plain + 2);
-    if (!part)
-        return zr_json_fault(json, path, "no part of the request has the name %s, and nothing is fetched",
-                             zr_quote(plain, strlen(plain)).text);
+    const struct zr_asset *part = zr_file_part_find(&file->root.assets, json->arena, uri);
+    if (!part && !zr_arena_ok(json->arena)) return false;
+    if (!part) return refuse_missing(json, path, uri);
     if (part->array.type != ZR_BYTES)
         return zr_json_fault(json, path, "the part %s is an array; the bytes of a file are needed",
-                             zr_quote(plain, strlen(plain)).text);
+                             zr_quote(part->name, strlen(part->name)).text);
     *out = (struct zr_parsed_bytes){part->bytes, part->size};
     return true;
 }

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "input/base64.h"
+#include "input/file_parts.h"
 #include "input/input.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"
@@ -49,17 +50,15 @@ static bool read_asset(struct zr_json *json, const struct zr_json_path *path, co
     static const char STORED[] = "sha256:";
     if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(json, path, name + sizeof STORED - 1, out);
     struct zr_parsed_assets *assets = json->assets;
-    for (size_t i = 0; i < assets->count; i++)
-        if (strcmp(assets->items[i].name, name) == 0) {
-            assets->uses[i] |= assets->use;
-            *out = assets->items[i];
-            return true;
-        }
+    const struct zr_asset *asset = zr_file_part_named(assets, json->arena, name, assets->use);
+    if (asset) *out = *asset;
+    if (asset || !zr_arena_ok(json->arena)) return asset != NULL;
     return zr_json_fault(json, path, "no part of the request has the name %s", zr_quote(name, strlen(name)).text);
 }
 
 void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset)
 {
+    if (asset->packed || asset->is_optional) return; /* zr_zip_body_warn */
     zr_warning_list_add(builder->arena, &builder->warnings, "the asset %s is not used by the scene",
                         zr_quote(asset->name, strlen(asset->name)).text);
 }

@@ -135,9 +135,12 @@ enum { ZR_SCENE_KEYS_MAX = 64 };
 /* The assets of a request. A kept scene also notes which of them its meshes and polygons use. */
 enum { ZR_USED = 1, ZR_USED_BY_GEOMETRY = 2 };
 
+struct zr_file_names; /* private to file_parts.c */
+
 struct zr_parsed_assets {
     size_t count;
     const struct zr_asset *items;
+    struct zr_file_names *names; /* NULL before the first search */
     uint8_t *uses; /* one per asset: a sum of the above */
     uint8_t use;   /* the sum for the part of the scene that is read now */
     struct zr_stored stored;

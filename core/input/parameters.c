@@ -53,6 +53,7 @@ static const struct zr_names projection_names = ZR_NAMES(2, projections);
 static const struct zr_json_field query_fields[] = {
     {"compress", zr_json_choice, AT(compress), .words = &zr_compress_names, .text = "compression of PNGs"},
     {"strict", zr_json_bool, AT(is_strict), .text = "errors instead of warnings"},
+    {"member", zr_json_string, AT(member), .text = "model of a ZIP archive"},
     {"up", zr_json_choice, AT(up), .words = &zr_mesh_up_names, .text = "axis of the mesh that points up"},
     {"camera", zr_json_string, AT(camera), .text = "camera of the file, by name or number"},
     {"projection", zr_json_choice, AT(projection), .words = &projection_names,

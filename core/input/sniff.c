@@ -18,7 +18,6 @@ static const struct {
     {"\x1F\x8B", 2, "gzip (Content-Encoding: gzip is missing)"},
     {"\x89PNG", 4, "a PNG picture"},
     {"\xFF\xD8\xFF", 3, "a JPEG picture"},
-    {"PK\x03\x04", 4, "a ZIP archive without a 3D model"},
     {"\xFF\xFE", 2, "UTF-16 text (UTF-8 is needed)"},
     {"\xFE\xFF", 2, "UTF-16 text (UTF-8 is needed)"},
     {"\x93NUMPY", 6, "an NPY array"},

@@ -51,7 +51,7 @@ static enum zr_status check_part(const struct zraster_request *given, size_t i, 
     if (array->ndim < 1 || array->ndim > ZR_ARRAY_SIDES_MAX) return refuse(error, part->name, "its ndim is not 1 to 4");
     if (!zr_array_bytes(&numbers, &bytes)) return refuse(error, part->name, "its shape is too large");
     if (!array->data && bytes > 0) return refuse(error, part->name, "its data is NULL");
-    if (part->flags & ~(uint32_t)ZRASTER_LEND) return refuse(error, part->name, "unknown flags");
+    if (part->flags & ~(uint32_t)(ZRASTER_LEND | ZRASTER_OPTIONAL)) return refuse(error, part->name, "unknown flags");
     for (size_t k = 0; k < i; k++)
         if (strcmp(given->parts[k].name, part->name) == 0) return refuse(error, part->name, "given twice");
     return ZR_OK;
@@ -70,6 +70,7 @@ static enum zr_status take_parts(struct zr_arena *arena, const struct zraster_re
         *asset = (struct zr_asset){.name = part->name, .bytes = part->array.data, .array = array_of(&part->array)};
         zr_array_bytes(&asset->array, &asset->size);
         asset->is_lent = part->flags & ZRASTER_LEND;
+        asset->is_optional = part->flags & ZRASTER_OPTIONAL;
         if (!is_kept) continue;
         asset->name = zr_arena_copy(arena, part->name, strlen(part->name) + 1);
         if (asset->is_lent) continue;

@@ -128,13 +128,15 @@ struct zraster_array { /* numbers in C order and the machine's byte order, or by
  *
  * ZRASTER_LEND: the caller keeps the data unchanged until the scene and all its pictures are freed. Then neither
  * zraster_scene_read nor the scene copies them if they are u4 or i4 indices, or f4 of the needed columns other than
- * positions. This saves some 0.1 ms per megabyte. Indices that change meanwhile crash the process. */
-enum { ZRASTER_LEND = 1 };
+ * positions. This saves some 0.1 ms per megabyte. Indices that change meanwhile crash the process.
+ *
+ * ZRASTER_OPTIONAL: no warning if the scene does not use the part. For files that zraster_references lists. */
+enum { ZRASTER_LEND = 1, ZRASTER_OPTIONAL = 2 };
 
 struct zraster_part {
     const char *name;
     struct zraster_array array;
-    uint32_t flags; /* 0, or ZRASTER_LEND */
+    uint32_t flags; /* a sum of the above */
 };
 
 struct zraster_request {
@@ -195,6 +197,15 @@ ZRASTER_API const char *zraster_picture_look(const zraster_picture *picture); /*
 ZRASTER_API const char *zraster_picture_warning(const zraster_picture *picture, size_t i);
 ZRASTER_API size_t zraster_picture_memory(const zraster_picture *picture); /* bytes, without its scene's */
 ZRASTER_API void zraster_picture_free(zraster_picture *picture);
+
+/* ---- files that a file refers to ----
+ * glTF, OBJ, MTL and scenes refer to other files, which a request needs as parts. Their names are paths from the folder
+ * of the file that refers to them. Parts have their paths from the folder of the body as names.
+ *
+ * Writes the names in a file, each with a final zero; they may repeat. Returns the bytes of all names. If these exceed
+ * `room`, names are missing, and the caller calls again with more room; `names` may be NULL if `room` is 0. "mtllib a
+ * b" gives "a b", "a" and "b". `type`: as for a request, "mtl" too; NULL: detected. */
+ZRASTER_API size_t zraster_references(const void *body, size_t body_size, const char *type, char *names, size_t room);
 
 /* ---- the library itself ---- */
 

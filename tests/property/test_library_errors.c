@@ -58,7 +58,7 @@ TEST(errors_have_a_place_and_a_reason)
         {{"x", ZRASTER_BYTES, 2, {1, 1}}, 0, "bytes need ndim 1"},
         {{"x", ZRASTER_U8, 2, {SIZE_MAX / 2, 3}}, 0, "its shape is too large"},
         {{NULL, ZRASTER_U1, 1, {1}}, 0, "its data is NULL"},
-        {{"x", ZRASTER_U1, 1, {1}}, 2, "unknown flags"},
+        {{"x", ZRASTER_U1, 1, {1}}, 4, "unknown flags"},
     };
     request = request_of(triangle);
     request.part_count = 1;

@@ -1,0 +1,17 @@
+/* Detects ZIP archives. core/read.c replaces them by the model in them (zip_body.h); only an archive within one comes
+ * to the reader here. */
+#include <string.h>
+
+#include "input/input.h"
+
+bool zr_looks_so_ZIP(const char *bytes, size_t size)
+{
+    return size >= 4 && memcmp(bytes, "PK\3\4", 4) == 0;
+}
+
+enum zr_status zr_read_ZIP(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
+{
+    (void)builder, (void)request, (void)limits;
+    return zr_error_add(error, ZR_BAD_SCENE, NULL, "a ZIP archive within a ZIP archive is not read");
+}
