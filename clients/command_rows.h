@@ -31,6 +31,8 @@
     ROW(TYPE, "type", 0, "TYPE", DRAWING_COMMANDS,                                                                     \
         "format of FILE:" OPTIONS_TYPES " (default: by its ending, else by its bytes)")                                \
     ROW(PART, "part", 0, "NAME=FILE", DRAWING_COMMANDS, "file for {\"asset\": \"NAME\"} in a scene; repeatable")       \
+    ROW(ROOT, "root", 0, "DIR", DRAWING_COMMANDS,                                                                      \
+        "folder of the files that FILE may refer to, such as textures (default: its own)")                             \
     ROW(SERVER, "server", 0, "URL", DRAWING_COMMANDS,                                                                  \
         "daemon that draws instead of this process (default: $ZRASTER_SERVER, else none)")                             \
     ROW(TOKEN_FILE, "token-file", 0, "FILE", DRAWING_COMMANDS,                                                         \

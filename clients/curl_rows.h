@@ -30,6 +30,7 @@
     ROW(mime_data)                                                                                                     \
     ROW(mime_type)                                                                                                     \
     ROW(mime_filename)                                                                                                 \
+    ROW(mime_headers)                                                                                                  \
     ROW(mime_free)
 
 struct curl_functions {

@@ -47,7 +47,7 @@ static void take_picture(struct answer *answer)
 
 static void draw_here(const struct engine *engine, const struct input *input, const char *query, struct answer *answer)
 {
-    struct zraster_part parts[PARTS_MAX];
+    struct zraster_part parts[INPUT_PARTS_MAX];
     const struct zraster_request request = {.struct_size = sizeof request,
                                             .body = input->body.data,
                                             .body_size = input->body.size,
@@ -82,6 +82,9 @@ void engine_draw(const struct engine *engine, const struct input *input, const s
     else
         draw_here(engine, input, query, answer);
     free(query);
+    if (answer->status == STATUS_DONE)
+        bytes_add(&answer->warnings, bytes_text(&input->warnings), input->warnings.size + 1);
+    if (answer->status == STATUS_DONE) answer->warnings.size--;
     wording_translate(&answer->faults, options);
     if (answer->status != STATUS_DONE || !options_strict(options) || answer->warnings.size == 0) return;
     bytes_add(&answer->faults, bytes_text(&answer->warnings), answer->warnings.size + 1);

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
@@ -114,10 +115,10 @@ static bool read_parts(struct input *input, const struct options *options, struc
 {
     for (size_t i = 0; i < options->part_count; i++) {
         const char *equals = strchr(options->parts[i], '=');
-        snprintf(input->part_names[i], sizeof input->part_names[i], "%.*s", (int)(equals - options->parts[i]),
-                 options->parts[i]);
+        struct input_part *part = &input->parts[i];
+        part->name = strndup(options->parts[i], (size_t)(equals - options->parts[i]));
         input->part_count = i + 1;
-        if (bytes_read(&input->part_bytes[i], equals + 1)) continue;
+        if (part->name && bytes_read(&part->bytes, equals + 1)) continue;
         bytes_print(faults, "--part %s: %s", options->parts[i], strerror(errno));
         return false;
     }
@@ -150,12 +151,14 @@ bool input_read(struct input *input, const char *path, const struct options *opt
     return false;
 }
 
-size_t input_parts(const struct input *input, struct zraster_part parts[PARTS_MAX])
+size_t input_parts(const struct input *input, struct zraster_part parts[INPUT_PARTS_MAX])
 {
     for (size_t i = 0; i < input->part_count; i++) {
-        const struct bytes *bytes = &input->part_bytes[i];
-        parts[i] = (struct zraster_part){.name = input->part_names[i],
-                                         .array = {.data = bytes_text(bytes), .ndim = 1, .shape = {bytes->size}}};
+        const struct input_part *part = &input->parts[i];
+        parts[i] =
+            (struct zraster_part){.name = part->name,
+                                  .array = {.data = bytes_text(&part->bytes), .ndim = 1, .shape = {part->bytes.size}},
+                                  .flags = part->is_neighbour ? ZRASTER_OPTIONAL : 0};
     }
     return input->part_count;
 }
@@ -163,6 +166,9 @@ size_t input_parts(const struct input *input, struct zraster_part parts[PARTS_MA
 void input_free(struct input *input)
 {
     bytes_free(&input->body);
-    for (size_t i = 0; i < input->part_count; i++)
-        bytes_free(&input->part_bytes[i]);
+    bytes_free(&input->warnings);
+    for (size_t i = 0; i < input->part_count; i++) {
+        bytes_free(&input->parts[i].bytes);
+        free(input->parts[i].name);
+    }
 }

@@ -1,4 +1,4 @@
-/* input.h - client: a file to draw, and the parts of its scene. */
+/* input.h - client: a file to draw, and the files that it needs. */
 #ifndef INPUT_H
 #define INPUT_H
 
@@ -7,6 +7,14 @@
 #include "bytes.h"
 #include "options.h"
 
+enum { INPUT_PARTS_MAX = 255 }; /* and the scene: as many parts as a server reads */
+
+struct input_part {
+    char *name;
+    struct bytes bytes;
+    bool is_neighbour; /* read because the file refers to it (neighbours.h); else --part */
+};
+
 struct input {
     const char *path; /* "-": standard input */
     struct bytes body;
@@ -14,18 +22,18 @@ struct input {
     bool is_known; /* otherwise it is detected from the bytes */
     bool is_scene; /* by the type; a scene has keys instead of parameters for meshes */
     bool is_usage; /* the failure is a wrong command line */
-    struct bytes part_bytes[PARTS_MAX];
-    char part_names[PARTS_MAX][128];
     size_t part_count;
+    struct input_part parts[INPUT_PARTS_MAX];
+    struct bytes warnings; /* lines */
 };
 
-/* Reads the file and its parts. On failure, returns false and adds lines with advice to *faults. The caller calls
- * input_free in both cases. */
+/* Reads the file and its parts. On failure, returns false and adds lines with advice to *faults. The
+ * caller calls input_free in both cases. */
 bool input_read(struct input *input, const char *path, const struct options *options, struct bytes *faults);
 void input_free(struct input *input);
 
 /* Fills the parts for the library or the server; returns their count. Names and bytes belong to the input. */
-size_t input_parts(const struct input *input, struct zraster_part parts[PARTS_MAX]);
+size_t input_parts(const struct input *input, struct zraster_part parts[INPUT_PARTS_MAX]);
 
 /* Returns true if a name has the ending of an input format. */
 bool input_has_ending(const char *path);

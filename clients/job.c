@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "interruption.h"
+#include "neighbours.h"
 
 double job_clock(void)
 {
@@ -41,7 +42,8 @@ void job_draw(const struct engine *engine, struct job *job, struct answer *answe
     struct input input;
     const double begin = job_clock();
     *answer = (struct answer){.status = STATUS_FAILED};
-    const bool is_read = input_read(&input, job->target.file, job->options, &job->faults);
+    const bool is_read = input_read(&input, job->target.file, job->options, &job->faults) &&
+                         neighbours_read(&input, job->options->own[OPTION_ROOT], &job->faults);
     const double middle = job_clock();
     job->read_ms = middle - begin;
     if (is_read) {

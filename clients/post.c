@@ -132,21 +132,33 @@ static struct curl_slist *make_headers(const char *content_type, const struct to
     return both;
 }
 
-static bool add_part(curl_mime *form, const char *name, const char *type, const void *data, size_t size)
+static curl_mimepart *add_part(curl_mime *form, const char *name, const char *type, const struct bytes *bytes)
 {
     curl_mimepart *part = curl.mime_addpart(form);
-    return part && curl.mime_name(part, name) == CURLE_OK && curl.mime_data(part, data, size) == CURLE_OK &&
-           curl.mime_type(part, type) == CURLE_OK;
+    const bool ok = part && curl.mime_name(part, name) == CURLE_OK &&
+                    curl.mime_data(part, bytes_text(bytes), bytes->size) == CURLE_OK &&
+                    curl.mime_type(part, type) == CURLE_OK;
+    return ok ? part : NULL;
+}
+
+/* Asks for no warning if the scene does not use the part. */
+static bool make_optional(curl_mimepart *part)
+{
+    struct curl_slist *headers = curl.slist_append(NULL, "Zraster-Use: optional");
+    if (!headers) return false;
+    return curl.mime_headers(part, headers, 1) == CURLE_OK;
 }
 
 /* Makes a form of the scene and its parts. */
 static curl_mime *make_form(CURL *handle, const struct input *input)
 {
     curl_mime *form = curl.mime_init(handle);
-    bool ok = form && add_part(form, "scene", input->type, bytes_text(&input->body), input->body.size);
-    for (size_t i = 0; ok && i < input->part_count; i++)
-        ok = add_part(form, input->part_names[i], "application/octet-stream", bytes_text(&input->part_bytes[i]),
-                      input->part_bytes[i].size);
+    bool ok = form && add_part(form, "scene", input->type, &input->body);
+    for (size_t i = 0; ok && i < input->part_count; i++) {
+        const struct input_part *given = &input->parts[i];
+        curl_mimepart *part = add_part(form, given->name, "application/octet-stream", &given->bytes);
+        ok = part && (!given->is_neighbour || make_optional(part));
+    }
     if (!ok && form) curl.mime_free(form);
     return ok ? form : NULL;
 }

@@ -56,6 +56,35 @@ rm -f away.png
 check "with --strict, a warning ends with 3" 3 "$zraster" away.json --strict
 verdict "and nothing is saved" [ ! -e away.png ]
 
+# files that a file refers to
+z3='\000\000\000\000\000\000\000\000\000\000\000\000' one='\000\000\200\077'
+gltf() { # URI
+    printf '{"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"%s"}]}' "$1"
+}
+mkdir -p models/one/maps models/two elsewhere
+printf "$z3$one$z3$one\\000\\000\\000\\000" >"models/one/maps/Tri 1.bin"
+cp "models/one/maps/Tri 1.bin" elsewhere/far.bin
+ln -s ../../elsewhere/far.bin models/one/link.bin
+for case in exact:maps/Tri%201.bin case:MAPS/tri%201.BIN windows:C:\\\\\\\\art\\\\\\\\maps\\\\\\\\gone.bin up:../one/maps/Tri%201.bin outside:../../elsewhere/far.bin link:link.bin missing:none.bin; do
+    gltf "${case#*:}" >"models/one/${case%%:*}.gltf"
+done
+cp "models/one/maps/Tri 1.bin" models/one/gone.bin
+for case in exact case windows up; do
+    check "a buffer beside a model is read: $case" 0 "$zraster" models/one/$case.gltf -o $case.png -s 8 --strict
+done
+check "from another folder" 1 "$zraster" models/one/outside.gltf -o out.png -s 8
+verdict "the renderer lacks it" grep -q "no part of the request has the name '../../elsewhere/far.bin'" "$complained"
+check "a link out of the folder is not followed" 1 "$zraster" models/one/link.gltf -o out.png -s 8
+check "--root allows it" 0 "$zraster" models/one/link.gltf -o out.png -s 8 --root . --strict
+check "and a file above" 0 "$zraster" models/one/outside.gltf -o out.png -s 8 --root . --strict
+check "a file that is missing is refused" 1 "$zraster" models/one/missing.gltf -o out.png -s 8
+check "unless --part has it" 0 "$zraster" models/one/missing.gltf -o out.png -s 8 --part none.bin=elsewhere/far.bin --strict
+check "--root names a folder" 1 "$zraster" models/one/exact.gltf -o out.png -s 8 --root nowhere
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nmtllib /etc/none.mtl\n' >models/two/far.obj
+"$zraster" models/two/far.obj -o far.png -s 8 2>"$complained"
+verdict "an absolute path is not read, with a warning" grep -q "^warning: a file that is referred to is not read, since it is not below the folder of the file or --root: /etc/none.mtl" "$complained"
+check "which --strict refuses" 3 "$zraster" models/two/far.obj -o far.png -s 8 --strict
+
 # parts
 printf '{"window": {"width": 8, "height": 8}, "view": {"preset": "front", "znear": 1, "zfar": 9}, "base": {"color": {"asset": "color"}, "windowDepth": {"asset": "z"}}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >over.json
 "$zraster" scene.json -c color,windowDepth -o base/

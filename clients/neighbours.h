@@ -1,0 +1,18 @@
+/* neighbours.h - client: files that the file to draw refers to, such as the textures of glTF, read from its folder.
+ *
+ * Found:  by its path from the folder of the file that refers to it; else without regard to case; else by the last part
+ *         of the path alone.
+ * Safe:   only regular files below the root folder are read, after all links are resolved. Paths that lead out of it,
+ *         absolute ones too, cause a warning. A file that is missing is left to the renderer, which warns or refuses.
+ */
+#ifndef NEIGHBOURS_H
+#define NEIGHBOURS_H
+
+#include "input.h"
+
+/* Adds the files that the body refers to, and those that these refer to, to the parts of the input, and warnings to
+ * input->warnings. `root`: the option --root, or NULL for the folder of the file; standard input has none. Returns
+ * false and adds a line to *faults if the root is no folder or memory is lacking. */
+bool neighbours_read(struct input *input, const char *root, struct bytes *faults);
+
+#endif
