@@ -88,6 +88,8 @@ static enum zr_status read_element(struct zr_ply_file *file, const struct zr_ply
     if (element->property_count == 0 || element->count == 0) return ZR_OK;
     switch (plan.kind) {
     case ZR_PLY_VERTEX:
+        file->vertices = element;
+        file->vertices_at = (struct zr_ply_place){file->at, file->line, file->last_line};
         if (!zr_ply_make_vertices(file, &plan)) return ZR_NO_MEMORY;
         if (is_fixed) return zr_ply_read_vertices(file, &plan);
         break;
@@ -153,5 +155,6 @@ enum zr_status zr_read_PLY(struct zr_scene_builder *builder, const struct zr_req
     if (!check_counts(&file)) return error->status;
     status = read_elements(&file);
     if (zr_is_cancelled(request->cancel)) return ZR_CANCELLED;
+    if (status == ZR_OK) status = zr_ply_adjust(&file, builder);
     return status == ZR_OK ? zr_ply_finish(&file, builder) : status;
 }

@@ -9,6 +9,7 @@
 #include <stdatomic.h>
 
 #include "core.h"
+#include "input/far.h"
 #include "input/ply_header.h"
 #include "scene/scene_builder.h"
 
@@ -62,6 +63,12 @@ struct zr_ply_oddities {
     size_t trailing_bytes;
 };
 
+/* A place in the file, and the lines there. */
+struct zr_ply_place {
+    const char *at;
+    size_t line, last_line;
+};
+
 struct zr_ply_file {
     struct zr_arena *arena;
     struct zr_team *team;
@@ -77,6 +84,13 @@ struct zr_ply_file {
     zr_vec4 *colors, *texcoords;
     zr_vec3 *normals;
     atomic_bool has_holes, has_odd_colors;
+    atomic_bool is_far; /* a coordinate is beyond the limit (far.h) */
+    struct zr_ply_place vertices_at;
+    const struct zr_ply_element *vertices;
+    const double *origin; /* subtracted from positions; NULL: none */
+    bool finds_box;       /* vertices are read for their bounds: one thread */
+    const uint8_t *used;  /* if so: one per vertex, 1 if it counts; NULL: all count */
+    struct zr_box box;
     bool faces_have_colors;
     struct zr_ply_faces faces;
     size_t line_count;
@@ -116,6 +130,9 @@ size_t zr_ply_read_triangles(struct zr_ply_file *file, const struct zr_ply_plan 
 
 /* Reads the records of any element from number `first` on. */
 enum zr_status zr_ply_read_records(struct zr_ply_file *file, const struct zr_ply_plan *plan, size_t first);
+
+/* ply_far.c: if a coordinate is beyond the limit, subtracts the middle of the drawn positions from all. */
+enum zr_status zr_ply_adjust(struct zr_ply_file *file, struct zr_scene_builder *builder);
 
 /* ply_finish.c: makes the mesh and the warnings. */
 enum zr_status zr_ply_finish(struct zr_ply_file *file, struct zr_scene_builder *builder);

@@ -42,20 +42,25 @@ static void store_odd(struct zr_ply_file *file, size_t vertex, const double v[3]
         return;
     }
     zr_error_add(error, ZR_BAD_SCENE, NULL, "vertex %zu: (%.9g, %.9g, %.9g) is beyond the limit of %.9g", vertex, v[0],
-                 v[1], v[2], (double)file->limits->coordinate_max);
+                 v[1], v[2], zr_far_limit(file->limits));
 }
 
 static void store_positions(struct zr_ply_file *file, const struct zr_ply_columns *columns, size_t first, size_t count,
                             size_t faults, struct zr_error *error)
 {
-    const double limit = (double)file->limits->coordinate_max;
+    const double near = (double)file->limits->coordinate_max, limit = zr_far_limit(file->limits);
+    bool is_far = false;
     for (size_t i = 0; i < count && error->count < faults; i++) {
         const double v[3] = {columns->values[ZR_PLY_X][i], columns->values[ZR_PLY_Y][i], columns->values[ZR_PLY_Z][i]};
-        if (is_within(v[0], limit) && is_within(v[1], limit) && is_within(v[2], limit))
-            file->positions[first + i] = (zr_vec4){(float)v[0], (float)v[1], (float)v[2], 1};
-        else
+        if (!(is_within(v[0], limit) && is_within(v[1], limit) && is_within(v[2], limit))) {
             store_odd(file, first + i, v, error);
+            continue;
+        }
+        is_far |= !(is_within(v[0], near) && is_within(v[1], near) && is_within(v[2], near));
+        if (file->finds_box && (!file->used || file->used[first + i])) zr_box_include(&file->box, v);
+        file->positions[first + i] = zr_far_position(v, file->origin);
     }
+    if (is_far) atomic_store_explicit(&file->is_far, true, memory_order_relaxed);
 }
 
 /* Stores an invalid normal as zero, which a computed normal later replaces. */
@@ -126,7 +131,7 @@ struct reading {
     bool is_plain; /* x, y and z are three floats side by side, in the machine's byte order */
 };
 
-/* Stores plain positions up to the first beyond the limit; returns their number. */
+/* Stores plain positions up to the first beyond the limit of meshes near the origin; returns their number. */
 static size_t read_plain(const struct reading *reading, const char *at, size_t first, size_t count)
 {
     const float limit = reading->file->limits->coordinate_max;
@@ -183,10 +188,11 @@ enum zr_status zr_ply_read_vertices(struct zr_ply_file *file, const struct zr_pl
     struct reading reading = {.file = file, .plan = plan, .is_swapped = zr_ply_is_swapped(file->header.form)};
     const struct zr_ply_property *const *slots = plan->slots;
     const size_t count = file->vertex_count, parts = (count + ZR_PLY_PART_VERTICES - 1) / ZR_PLY_PART_VERTICES;
-    reading.is_plain = !reading.is_swapped;
+    reading.is_plain = !reading.is_swapped && !file->finds_box && !file->origin;
     for (size_t k = 0; k < 3; k++)
         reading.is_plain &= slots[k]->type == ZR_PLY_F32 && slots[k]->offset == slots[0]->offset + 4 * k;
-    const size_t failed = zr_parts_read(file->team, file->cancel, 0, parts, read_part, &reading);
+    const size_t failed =
+        file->finds_box ? 0 : zr_parts_read(file->team, file->cancel, 0, parts, read_part, &reading);
     for (size_t part = failed; part < parts && !zr_is_cancelled(file->cancel); part++) {
         const size_t begin = part * ZR_PLY_PART_VERTICES, left = count - begin;
         read_range(&reading, begin, begin + (left < ZR_PLY_PART_VERTICES ? left : ZR_PLY_PART_VERTICES), ZR_ERROR_ITEMS,

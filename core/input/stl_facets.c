@@ -17,23 +17,23 @@ static inline bool expect(struct zr_stl_reader *reader, const char *wanted)
 
 static inline bool read_vertex(struct zr_stl_reader *reader, zr_vec4 *out)
 {
-    const double limit = (double)reader->limits->coordinate_max;
-    float v[3] = {0, 0, 0};
+    const double near = (double)reader->limits->coordinate_max, limit = zr_far_limit(reader->limits);
+    double v[3];
     for (int axis = 0; axis < 3; axis++) {
-        double value;
         zr_stl_skip_spaces(reader);
-        const char *at = reader->at, *behind = zr_number_next(at, reader->end, &value);
+        const char *at = reader->at, *behind = zr_number_next(at, reader->end, &v[axis]);
         if (!behind || (behind < reader->end && !zr_stl_is_space(*behind)))
             return zr_stl_fault(reader, zr_stl_next(reader), "", "a number");
         reader->at = behind;
-        if (value >= -limit && value <= limit)
-            v[axis] = (float)value;
-        else
+        if (v[axis] >= -near && v[axis] <= near) continue;
+        reader->is_far = true;
+        if (!(v[axis] >= -limit && v[axis] <= limit))
             zr_error_add(reader->error, ZR_BAD_SCENE, NULL, "line %zu: %s in triangle %zu is beyond the limit of %.9g",
                          reader->line, zr_quote(at, (size_t)(behind - at)).text, reader->before + reader->facets + 1,
                          limit);
     }
-    *out = (zr_vec4){v[0], v[1], v[2], 1};
+    if (reader->finds_box) zr_box_include(&reader->box, v);
+    *out = zr_far_position(v, reader->origin);
     return true;
 }
 

@@ -21,6 +21,8 @@ struct part {
     size_t room;      /* upper bound of its vertices */
     size_t facets;    /* triangles read */
     size_t line_ends; /* line ends read */
+    bool is_far;      /* a coordinate is beyond the limit */
+    struct zr_box box;
 };
 
 /* Data of a file, shared by all threads. */
@@ -29,9 +31,14 @@ struct file {
     const struct zr_cancel *cancel;
     char line_end;
     size_t part_count;
+    size_t room; /* vertices that the positions hold */
     const struct zr_part *texts;
     struct part *parts;
     zr_vec4 *positions;
+    const double *origin; /* subtracted from positions; NULL: none */
+    bool finds_box;
+    struct part rest; /* read by one thread */
+    struct zr_stl_notes notes;
 };
 
 /* ---- parts ---- */
@@ -117,6 +124,9 @@ static struct zr_stl_reader reader_of(const struct file *file, size_t index, str
                                   .line = 1,
                                   .inside = index > 0,
                                   .positions = file->positions + file->parts[index].first,
+                                  .origin = file->origin,
+                                  .finds_box = file->finds_box,
+                                  .box = zr_box_empty(),
                                   .error = error};
 }
 
@@ -130,6 +140,8 @@ static bool read_part(void *context, size_t index)
     zr_stl_read_solids(&reader);
     file->parts[index].facets = reader.facets;
     file->parts[index].line_ends = reader.line - 1;
+    file->parts[index].is_far = reader.is_far;
+    file->parts[index].box = reader.box;
     return error.count == 0;
 }
 
@@ -148,10 +160,8 @@ static size_t close_gaps(struct file *file, size_t parts)
 }
 
 /* Reads leniently from the part `index` on, up to the end of the text or ZR_ERROR_ITEMS faults. */
-static void read_on(struct file *file, size_t index, size_t room, struct zr_scene_builder *builder, struct zr_stl *out,
-                    struct zr_error *error)
+static void read_on(struct file *file, size_t index, struct zr_arena *arena, struct zr_stl *out, struct zr_error *error)
 {
-    struct zr_stl_notes notes = {0};
     struct zr_stl_reader reader = reader_of(file, index, error);
     reader.end = file->texts[file->part_count - 1].end;
     for (size_t i = 0; i < index; i++)
@@ -159,16 +169,56 @@ static void read_on(struct file *file, size_t index, size_t room, struct zr_scen
     reader.before = close_gaps(file, index);
     reader.vertices_before = 3 * reader.before;
     reader.positions = file->positions + reader.vertices_before;
-    reader.facets_most = room / 3;
-    reader.arena = builder->arena;
+    reader.facets_most = file->room / 3;
+    reader.arena = arena;
     reader.faults = ZR_ERROR_ITEMS;
-    reader.notes = &notes;
+    reader.notes = &file->notes;
     zr_stl_read_leniently(&reader);
-    if (file->line_end == '\r') notes.of[ZR_STL_CR] = (struct zr_stl_note){.count = reader.line - 1, .line = 1};
-    zr_stl_notes_warn(&notes, builder);
+    if (file->line_end == '\r') file->notes.of[ZR_STL_CR] = (struct zr_stl_note){.count = reader.line - 1, .line = 1};
+    file->rest = (struct part){.is_far = reader.is_far, .box = reader.box};
     out->vertices = reader.vertices_before + reader.vertices;
     out->facets = reader.before + reader.facets;
     out->offsets = reader.offsets;
+}
+
+/* Reads all parts, then the rest leniently. *failed: the number of parts before the rest. */
+static enum zr_status read_all(struct file *file, struct zr_scene_builder *builder, struct zr_stl *out, size_t *failed,
+                               struct zr_error *error)
+{
+    *failed = file->line_end == '\r' ? 0
+                                     : zr_parts_read(builder->team, file->cancel, 0, file->part_count, read_part, file);
+    *out = (struct zr_stl){.positions = file->positions};
+    file->notes = (struct zr_stl_notes){0};
+    file->rest = (struct part){.box = zr_box_empty()};
+    if (*failed < file->part_count) {
+        read_on(file, *failed, builder->arena, out, error);
+    } else {
+        out->facets = close_gaps(file, *failed);
+        out->vertices = 3 * out->facets;
+    }
+    if (zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
+    if (error->count > 0) return error->status;
+    return zr_arena_ok(builder->arena) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+/* If a coordinate is far from 0, reads twice more: for the bounds, and with their middle subtracted. */
+static enum zr_status adjust(struct file *file, struct zr_scene_builder *builder, struct zr_stl *out, size_t failed,
+                             struct zr_error *error)
+{
+    bool is_far = file->rest.is_far;
+    for (size_t i = 0; i < failed; i++)
+        is_far = is_far || file->parts[i].is_far;
+    if (!is_far) return ZR_OK;
+    file->finds_box = true;
+    enum zr_status status = read_all(file, builder, out, &failed, error);
+    struct zr_box box = file->rest.box;
+    for (size_t i = 0; i < failed; i++)
+        zr_box_join(&box, &file->parts[i].box);
+    file->finds_box = false;
+    if (status == ZR_OK) status = zr_far_origin(builder->arena, &box, file->limits, &file->origin, error);
+    if (status == ZR_OK) status = read_all(file, builder, out, &failed, error);
+    builder->scene->origin = file->origin;
+    return status;
 }
 
 /* ---- the whole ---- */
@@ -213,22 +263,15 @@ enum zr_status zr_stl_text_read(struct zr_scene_builder *builder, const struct z
     file.parts = zr_arena_zero(arena, file.part_count, sizeof *file.parts);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     if (zr_parts_read(team, file.cancel, 0, file.part_count, make_room, &file) < file.part_count) return ZR_CANCELLED;
-    const size_t room = add_up(&file);
-    if (room / 3 > ZR_STL_TRIANGLES_MAX)
-        return zr_error_add(error, ZR_BAD_SCENE, NULL, "%zu triangles, more than the limit of %d", room / 3,
+    file.room = add_up(&file);
+    if (file.room / 3 > ZR_STL_TRIANGLES_MAX)
+        return zr_error_add(error, ZR_BAD_SCENE, NULL, "%zu triangles, more than the limit of %d", file.room / 3,
                             ZR_STL_TRIANGLES_MAX);
-    file.positions = zr_arena_alloc(arena, room, sizeof *file.positions);
+    file.positions = zr_arena_alloc(arena, file.room, sizeof *file.positions);
     if (!file.positions) return ZR_NO_MEMORY;
-    const size_t failed =
-        file.line_end == '\r' ? 0 : zr_parts_read(team, file.cancel, 0, file.part_count, read_part, &file);
-    *out = (struct zr_stl){.positions = file.positions};
-    if (failed < file.part_count) {
-        read_on(&file, failed, room, builder, out, error);
-    } else {
-        out->facets = close_gaps(&file, failed);
-        out->vertices = 3 * out->facets;
-    }
-    if (zr_is_cancelled(file.cancel)) return ZR_CANCELLED;
-    if (error->count > 0) return error->status;
-    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+    size_t failed;
+    enum zr_status status = read_all(&file, builder, out, &failed, error);
+    if (status == ZR_OK) status = adjust(&file, builder, out, failed, error);
+    zr_stl_notes_warn(&file.notes, builder);
+    return status;
 }

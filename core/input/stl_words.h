@@ -10,6 +10,7 @@
 
 #include "core.h"
 #include "input/chunk.h"
+#include "input/far.h"
 #include "input/stl_notes.h"
 #include "scene/scene.h"
 
@@ -28,6 +29,10 @@ struct zr_stl_reader {
     size_t facets;              /* read here */
     size_t vertices;            /* read here: three per facet if notes is NULL */
     zr_vec4 *positions;         /* of the vertices read here */
+    const double *origin;       /* subtracted from positions; NULL: none */
+    bool is_far;                /* a coordinate is beyond the limit (far.h) */
+    bool finds_box;             /* bounds are computed, too */
+    struct zr_box box;          /* if so: of the vertices read here */
     size_t vertices_before;     /* before this text */
     size_t facets_most;         /* upper bound of the facets before and here */
     uint32_t *offsets;          /* vertices before each facet of the file; NULL: all facets are triangles */

@@ -406,6 +406,43 @@ TEST(what_is_not_drawn_or_odd_is_warned_of)
 
 /* ---- bounds ---- */
 
+/* The middle of far meshes is subtracted in double precision; vertices that no face uses do not count. */
+TEST(middle_of_far_meshes_is_their_origin)
+{
+    static const double v[][3] = {{408200.25, 4080920.5, 0}, {408210.25, 4080920.5, 0}, {408200.25, 4080930.5, 4}};
+    static const zr_vec4 want[] = {{-5, -5, -2, 1}, {5, -5, -2, 1}, {-5, 5, 2, 1}};
+    const double all_three[] = {0, 1, 2};
+    for (int form = 0; form < 3; form++)
+        for (int kind = 0; kind < 4; kind++) { /* a face, a face beside an unused vertex, points, a list before x */
+            const bool has_list = kind == 3, has_face = kind != 2;
+            struct text text = {0};
+            add(&text, "ply\nformat %s 1.0\nelement vertex %d\n", forms[form], kind == 1 ? 4 : 3);
+            if (has_list) add(&text, "property list uchar int some\n");
+            add(&text, "property double x\nproperty double y\nproperty double z\nelement face %d\n", has_face);
+            add(&text, "property list uchar int vertex_indices\nend_header\n");
+            for (int i = 0; i < (kind == 1 ? 4 : 3); i++) {
+                if (has_list) put_list(&text, form, ZR_PLY_U8, ZR_PLY_I32, all_three, 2);
+                for (int k = 0; k < 3; k++) {
+                    if (form == ZR_PLY_ASCII)
+                        add(&text, "%.17g ", i < 3 ? v[i][k] : -1e15);
+                    else
+                        put_value(&text, form, ZR_PLY_F64, i < 3 ? v[i][k] : -1e15);
+                }
+                end_line(&text, form);
+            }
+            if (has_face) put_list(&text, form, ZR_PLY_U8, ZR_PLY_I32, all_three, 3);
+            if (has_face) end_line(&text, form);
+            struct reading *reading = read_bytes(ZR_FORMAT_PLY, text.bytes, text.size);
+            assert_read(reading);
+            const double *origin = reading->scene->origin;
+            assert_true(origin && origin[0] == 408205.25 && origin[1] == 4080925.5 && origin[2] == 2);
+            assert_memory_equal(reading->scene->meshes[0].positions, want, sizeof want);
+            assert_int_equal(reading->scene->warning_count, 0);
+            reading_free(reading);
+            free(text.bytes);
+        }
+}
+
 TEST(counts_beyond_the_bytes_are_refused_before_allocating)
 {
     static const char *const texts[] = {

@@ -256,9 +256,9 @@ TEST(ascii_out_of_range_gives_bad_scene_with_triangle)
 {
     refuses(ZR_FORMAT_STL,
             "solid\n" FACET
-            "facet normal 0 0 1 outer loop\nvertex 0 1e7 0\nvertex 0 0 0 vertex 1 1 1 endloop endfacet "
+            "facet normal 0 0 1 outer loop\nvertex 0 1e16 0\nvertex 0 0 0 vertex 1 1 1 endloop endfacet "
             "endsolid",
-            ZR_BAD_SCENE, "", "line 10: '1e7' in triangle 2 is beyond the limit of 1000000");
+            ZR_BAD_SCENE, "", "line 10: '1e16' in triangle 2 is beyond the limit of 1e+15");
     refuses(ZR_FORMAT_STL, "solid nothing\nendsolid", ZR_BAD_SCENE, "", "no geometry");
 }
 

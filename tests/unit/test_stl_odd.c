@@ -144,6 +144,33 @@ TEST(facets_of_too_many_corners_are_refused)
 
 /* ---- files from other sources ---- */
 
+/* The middle of far meshes is subtracted in double precision, in strict and in odd text, and in several parts. */
+TEST(middle_of_far_meshes_is_their_origin)
+{
+    static const char facet[] =
+        HEAD "vertex 408200.25 4080920.5 0\nvertex 408210.25 4080920.5 0\nvertex 408200.25 4080930.5 4\n";
+    static const char *const ends[] = {"endloop\nendfacet\n", "end loop\nendfacet\n"};
+    static const zr_vec4 want[] = {{-5, -5, -2, 1}, {5, -5, -2, 1}, {-5, 5, 2, 1}};
+    for (size_t i = 0; i < 4; i++) {
+        const size_t count = i < 2 ? 1 : 3000;
+        char *text = calloc(count + 1, sizeof facet + 32), *at = text;
+        assert_non_null(text);
+        at += sprintf(at, "solid far\n");
+        for (size_t k = 0; k < count; k++)
+            at += sprintf(at, "%s%s", facet, ends[k + 1 == count ? i % 2 : 0]);
+        sprintf(at, "endsolid\n");
+        struct reading *reading = read_text(ZR_FORMAT_STL, text);
+        assert_read(reading);
+        const double *origin = reading->scene->origin;
+        assert_true(origin && origin[0] == 408205.25 && origin[1] == 4080925.5 && origin[2] == 2);
+        assert_int_equal(reading->scene->meshes[0].face_count, count);
+        assert_memory_equal(reading->scene->meshes[0].positions + 3 * (count - 1), want, sizeof want);
+        assert_int_equal(reading->scene->warning_count, i % 2);
+        reading_free(reading);
+        free(text);
+    }
+}
+
 static struct reading *read_hunted(const char *name, struct zr_request request)
 {
     const char *data = getenv("ZRASTER_DATA");
