@@ -9,6 +9,7 @@
 #ifndef ZR_GLTF_H
 #define ZR_GLTF_H
 
+#include "input/far_scene.h"
 #include "input/file_scene.h"
 #include "input/json_scene.h"
 
@@ -154,6 +155,7 @@ struct zr_gltf {
     struct zr_file_camera *cameras; /* one per camera of the file */
     bool *placed_cameras;           /* one per camera: a node of the scene places it */
     uint32_t *mesh_materials;
+    const struct zr_far_move **moves; /* one per mesh of the scene, or NULL */
     struct zr_file_scene *made;
     size_t made_bytes; /* bytes of the meshes' arrays so far */
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty;

@@ -141,7 +141,9 @@ bool zr_gltf_read_meshes(struct zr_gltf *file)
                              "%llu primitives are drawn; %u are allowed", (unsigned long long)file->primitives,
                              json->limits->instances_max);
     file->mesh_materials = zr_arena_alloc(json->arena, (size_t)file->primitives, sizeof *file->mesh_materials);
-    if (!zr_scene_builder_meshes(file->root.builder, (size_t)file->primitives + 1) || !file->mesh_materials)
+    file->moves = zr_arena_zero(json->arena, (size_t)file->primitives + 1, sizeof *file->moves);
+    if (!zr_scene_builder_meshes(file->root.builder, (size_t)file->primitives + 1) || !file->mesh_materials ||
+        !file->moves)
         return false;
     file->made->mesh_materials = file->mesh_materials;
     zr_gltf_read_list(file, ZR_GLTF_MESHES, read_mesh);

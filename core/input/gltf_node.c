@@ -19,6 +19,7 @@ struct zr_gltf_nodes {
     const char **names;
     const char **weights, **instancing;
     zr_mat4 *worlds;
+    double (*exact)[3]; /* translations of the local matrices */
     uint32_t *stack; /* numbers of nodes to visit */
     size_t stacked;
 };
@@ -31,7 +32,37 @@ struct given_node {
     zr_mat4 matrix;
     zr_vec3 translation, scale;
     zr_vec4 rotation;
+    double exact[3]; /* the translation, or that of the matrix */
 };
+
+/* Reads the translation of a node, also in double. `out`: the node. */
+static bool read_translation(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                             void *out)
+{
+    struct given_node *node = out;
+    const double limit = zr_far_limit(json->limits);
+    size_t count;
+    (void)field;
+    if (!zr_json_numbers(json, path, 3, 3, -limit, limit, node->exact, &count)) return false;
+    node->translation = (zr_vec3){(float)node->exact[0], (float)node->exact[1], (float)node->exact[2]};
+    return true;
+}
+
+/* Reads the matrix of a node, its translation also in double. `out`: the node. */
+static bool read_matrix(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    struct given_node *node = out;
+    struct zr_json again = *json;
+    double m[16];
+    bool rows;
+    if (!zr_json_affine(json, path, field, &node->matrix) ||
+        !zr_json_square(&again, path, 4, (double)ZR_MATRIX_MAX, m, &rows))
+        return false;
+    for (int axis = 0; axis < 3; axis++)
+        node->exact[axis] = m[rows ? 4 * axis + 3 : 12 + axis];
+    return true;
+}
 
 enum { NAME, CHILDREN, MESH, SKIN, MATRIX, TRANSLATION, ROTATION, SCALE, CAMERA };
 #define AT(member) offsetof(struct given_node, member)
@@ -40,8 +71,8 @@ static const struct zr_json_field fields[] = {
     [CHILDREN] = {.key = "children", .read = zr_json_place, .offset = AT(children)},
     [MESH] = {.key = "mesh", .read = zr_gltf_index, .offset = AT(mesh)},
     [SKIN] = {.key = "skin", .read = zr_gltf_index, .offset = AT(skin)},
-    [MATRIX] = {.key = "matrix", .read = zr_json_affine, .offset = AT(matrix)},
-    [TRANSLATION] = {.key = "translation", .read = zr_json_vec3, .offset = AT(translation)},
+    [MATRIX] = {.key = "matrix", .read = read_matrix},
+    [TRANSLATION] = {.key = "translation", .read = read_translation},
     [ROTATION] = {.key = "rotation", .read = zr_json_vec4, .offset = AT(rotation)},
     [SCALE] = {.key = "scale", .read = zr_json_vec3, .offset = AT(scale)},
     [CAMERA] = {.key = "camera", .read = zr_gltf_index, .offset = AT(camera)},
@@ -88,6 +119,7 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
         node->mesh = given.mesh;
         if (given.name && *given.name) node->name = given.name;
     }
+    memcpy(all->exact[number], given.exact, sizeof given.exact);
     all->skins[number] = given.skin;
     all->names[number] = given.name;
     all->cameras[number] = given.camera;
@@ -287,6 +319,7 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     all->weights = zr_arena_alloc(arena, count, sizeof *all->weights);
     all->instancing = zr_arena_alloc(arena, count, sizeof *all->instancing);
     all->worlds = zr_arena_alloc(arena, count, sizeof *all->worlds);
+    all->exact = zr_arena_alloc(arena, count, sizeof *all->exact);
     all->count = count;
     all->nodes = zr_arena_zero(arena, count, sizeof *all->nodes);
     all->places = zr_arena_zero(arena, count, sizeof *all->places);
@@ -308,8 +341,10 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
 /* ---- instances ---- */
 
 /* Makes one instance per primitive of the mesh and per pose of its instancing. */
-static void put_instances(const struct zr_gltf_use *use, const struct zr_instance *placed, struct zr_instance **next)
+static void put_instances(const struct zr_gltf_use *use, const struct zr_instance *placed,
+                          const struct zr_matrix *exact, struct zr_instance **next, struct zr_matrix **next_exact)
 {
+    const zr_mat4 identity = zr_mat4_identity();
     for (uint32_t pose = 0; pose < (use->poses ? use->pose_count : 1); pose++)
         for (uint32_t k = 0; k < use->count; k++, ++*next) {
             **next = *placed;
@@ -318,10 +353,14 @@ static void put_instances(const struct zr_gltf_use *use, const struct zr_instanc
                 (*next)->object_to_world = zr_mat4_identity(); /* its vertices are in world space */
             else if (use->poses)
                 (*next)->object_to_world = zr_mat4_mul(&placed->object_to_world, &use->poses[pose]);
+            if (!exact) continue;
+            const zr_mat4 *local = use->skin == ZR_GLTF_NONE && use->poses ? &use->poses[pose] : &identity;
+            const struct zr_matrix of_pose = zr_matrix_of(local);
+            *(*next_exact)++ = use->skin != ZR_GLTF_NONE ? of_pose : zr_matrix_mul(exact, &of_pose);
         }
 }
 
-static bool expand(struct zr_gltf *file, const struct zr_placement *placement)
+static bool expand(struct zr_gltf *file, const struct zr_placement *placement, struct zr_matrix **exact)
 {
     struct zr_file_scene *made = file->made;
     struct zr_json *json = &file->root.json;
@@ -336,18 +375,79 @@ static bool expand(struct zr_gltf *file, const struct zr_placement *placement)
                              "the nodes place %llu primitives of meshes; %u are allowed", (unsigned long long)count,
                              json->limits->instances_max);
     struct zr_instance *next = made->instances = zr_arena_alloc(json->arena, (size_t)count, sizeof *next);
-    if (!next) return false;
+    struct zr_matrix *next_exact = *exact =
+        placement->exact ? zr_arena_alloc(json->arena, (size_t)count, sizeof *next_exact) : NULL;
+    if (!next || (placement->exact && !next_exact)) return false;
     for (uint32_t i = 0; i < placement->count; i++)
-        put_instances(&file->uses[placement->instances[i].mesh], &placement->instances[i], &next);
+        put_instances(&file->uses[placement->instances[i].mesh], &placement->instances[i],
+                      placement->exact ? &placement->exact[i] : NULL, &next, &next_exact);
     made->instance_count = (uint32_t)count;
     return true;
+}
+
+/* ---- far from the origin ---- */
+
+/* Makes the local matrices of all nodes in double. The translation of the file is exact unless an animation moves it. */
+static struct zr_matrix *find_exact(struct zr_gltf *file)
+{
+    const struct zr_gltf_nodes *all = file->nodes;
+    struct zr_matrix *exact = zr_arena_alloc(file->root.json.arena, all->count, sizeof *exact);
+    for (uint32_t i = 0; exact && i < all->count; i++) {
+        exact[i] = zr_matrix_of(&all->nodes[i].local);
+        for (int axis = 0; axis < 3; axis++)
+            if ((float)all->exact[i][axis] == all->nodes[i].local.m[12 + axis])
+                exact[i].m[12 + axis] = all->exact[i][axis];
+    }
+    return exact;
+}
+
+/* Subtracts the origin from the places of the cameras. */
+static void move_cameras(struct zr_gltf *file, const struct zr_matrix *locals, const double *origin)
+{
+    const struct zr_gltf_nodes *all = file->nodes;
+    for (uint32_t k = 0; k < file->made->camera_count; k++) {
+        struct zr_file_camera *camera = &file->made->cameras[k];
+        uint32_t node = 0;
+        while (node < all->count && !(all->is_drawn[node] && all->cameras[node] == camera->number))
+            node++;
+        if (node == all->count) continue;
+        struct zr_matrix world = locals[node];
+        for (uint32_t up = all->parents[node]; up != ZR_GLTF_NONE; up = all->parents[up])
+            world = zr_matrix_mul(&locals[up], &world);
+        for (int axis = 0; axis < 3; axis++)
+            camera->camera_to_world.m[12 + axis] = (float)(world.m[12 + axis] - origin[axis]);
+    }
+}
+
+/* Places the meshes again, in double, if they are far from the origin, whose middle is then subtracted. */
+static void place_far(struct zr_gltf *file, struct zr_nodes *hierarchy)
+{
+    struct zr_json *json = &file->root.json;
+    struct zr_file_scene *made = file->made;
+    struct zr_scene *scene = file->root.scene;
+    struct zr_matrix *exact;
+    struct zr_far_scene far = {.count = made->instance_count,
+                               .instances = made->instances,
+                               .meshes = scene->meshes,
+                               .moves = file->moves};
+    if (!zr_far_instances_needed(&far, json->limits)) return;
+    hierarchy->exact = find_exact(file);
+    if (!hierarchy->exact) return;
+    const struct zr_placement placement =
+        zr_nodes_place(json->arena, hierarchy, json->limits->instances_max, UINT64_MAX);
+    if (!zr_arena_ok(json->arena) || zr_is_cancelled(json->cancel) || !expand(file, &placement, &exact)) return;
+    far.instances = made->instances;
+    far.exact = exact;
+    if (zr_far_instances(json->arena, json->cancel, json->limits, &far, &scene->origin, json->error) == ZR_OK &&
+        scene->origin)
+        move_cameras(file, hierarchy->exact, scene->origin);
 }
 
 void zr_gltf_place(struct zr_gltf *file)
 {
     struct zr_arena *arena = file->root.json.arena;
     const struct zr_gltf_nodes *all = file->nodes;
-    const struct zr_nodes hierarchy = {
+    struct zr_nodes hierarchy = {
         .count = all->count, .child_count = all->child_count, .nodes = all->nodes, .children = all->children};
     struct zr_quick *quick = file->root.assets.quick;
     if (quick && all->count > quick->node_visits_max) {
@@ -360,5 +460,6 @@ void zr_gltf_place(struct zr_gltf *file)
         !zr_json_check_placement(&file->root.json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_NODES)), all->count,
                                  fields[CHILDREN].key, &placement))
         return;
-    expand(file, &placement);
+    struct zr_matrix *exact;
+    if (expand(file, &placement, &exact)) place_far(file, &hierarchy);
 }

@@ -20,15 +20,25 @@ static void *allocate(struct zr_gltf *file, size_t count, size_t size)
 /* ---- attributes ---- */
 
 static zr_vec4 *read_positions(struct zr_gltf *file, const struct zr_gltf_values *values,
-                               const struct zr_gltf_range *range)
+                               const struct zr_gltf_range *range, uint32_t mesh)
 {
     zr_vec4 *positions = allocate(file, range->count, sizeof *positions);
-    const double limit = (double)file->root.json.limits->coordinate_max;
+    struct zr_json *json = &file->root.json;
+    const bool is_bent = file->uses[file->use].skin != ZR_GLTF_NONE;
+    const double limit = is_bent ? (double)json->limits->coordinate_max : zr_far_limit(json->limits);
     if (!positions || !zr_gltf_read_floats(file, values, range->first, range->count, limit, &positions[0].x, 4))
         return NULL;
-    for (uint32_t i = 0; i < range->count; i++)
+    const float near = json->limits->coordinate_max;
+    bool is_far = false;
+    for (uint32_t i = 0; i < range->count; i++) {
+        is_far |= fabsf(positions[i].x) > near || fabsf(positions[i].y) > near || fabsf(positions[i].z) > near;
         positions[i].w = 1.0f;
-    return positions;
+    }
+    if (!is_far) return positions;
+    return zr_far_move_floats(json->arena, json->cancel, json->limits, positions, range->count, &file->moves[mesh],
+                              json->error) == ZR_OK
+               ? positions
+               : NULL;
 }
 
 /* Reads an attribute of vectors of any length, `width` numbers per vertex. Returns NULL after a fault. */
@@ -183,7 +193,7 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
         return false;
     if (!zr_gltf_make_topology(file, path, given->mode, corners, count, mesh)) return false;
     if (!corners && given->mode == ZR_GLTF_TRIANGLES) range.count = 3 * mesh->face_count;
-    mesh->positions = read_positions(file, &positions, &range);
+    mesh->positions = read_positions(file, &positions, &range, number);
     mesh->position_count = range.count;
     mesh->point_size = 1.0f;
     return mesh->positions && read_attributes(file, attributes, given, positions.count, &range, mesh, number) &&

@@ -8,6 +8,7 @@
 #ifndef ZR_MF3_H
 #define ZR_MF3_H
 
+#include "input/far_scene.h"
 #include "input/input.h"
 #include "input/xml.h"
 #include "input/zip_read.h"
@@ -90,6 +91,7 @@ struct zr_mf3_link {
     uint32_t part, target_part, id;
     const char *at;
     zr_mat4 transform;
+    double offset[3]; /* its translation */
 };
 
 /* A model part. */
@@ -122,6 +124,7 @@ struct zr_mf3 {
     struct zr_mf3_list links;     /* struct zr_mf3_link: those of one object follow each other */
     struct zr_mf3_list items;     /* likewise, of the build */
     struct zr_mf3_list meshes;    /* struct zr_mesh */
+    struct zr_mf3_list moves;     /* const struct zr_far_move *: one per mesh, or NULL */
     struct zr_mf3_list order;     /* uint32_t: numbers of resources, sorted by part and id */
     struct {
         uint64_t count;
@@ -185,7 +188,7 @@ void zr_mf3_read_part(struct zr_mf3 *file, uint32_t part);
 /* mf3_values.c: read attributes of the current element; false after a fault. A missing attribute leaves *out unchanged,
  * or is a fault if it is needed. */
 bool zr_mf3_count(struct zr_mf3 *file, const char *name, bool is_needed, uint32_t *out);
-bool zr_mf3_transform(struct zr_mf3 *file, zr_mat4 *out);
+bool zr_mf3_transform(struct zr_mf3 *file, zr_mat4 *out, double offset[3]);
 bool zr_mf3_color(struct zr_mf3 *file, const char *name, uint32_t *out);
 bool zr_mf3_digits(struct zr_xml_text text, uint32_t *out);
 bool zr_mf3_number(const struct zr_xml *xml, struct zr_xml_text text, double *out);
@@ -197,7 +200,7 @@ struct zr_mf3_resource *zr_mf3_find(const struct zr_mf3 *file, uint32_t part, ui
 /* Reads the current element as a group of colours: children with this name and colour attribute. */
 void zr_mf3_read_colors(struct zr_mf3 *file, enum zr_mf3_space space, const char *child, const char *attribute);
 
-/* mf3_mesh.c: reads the mesh of an object; `pid`, `pindex`: its default property, or ZR_MF3_NONE. Returns its number,
+/* mf3_mesh.c: reads the mesh of an object, and its entry of `moves`; `pid`, `pindex`: its default property, or ZR_MF3_NONE. Returns its number,
  * or ZR_MF3_NONE after a fault. */
 uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t pid, uint32_t pindex);
 

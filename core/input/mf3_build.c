@@ -72,7 +72,7 @@ static struct zr_nodes join(struct build *build)
     const uint32_t items = file->items.count, count = build->nodes.count;
     struct zr_node *nodes = build->nodes.items;
     uint32_t *children = zr_arena_alloc(file->arena, count - items, sizeof *children);
-    struct zr_nodes all = {count, count - items, nodes, children};
+    struct zr_nodes all = {count, count - items, nodes, children, NULL};
     for (uint32_t i = 0; children && i < count; i++) {
         const uint32_t target = ((const uint32_t *)build->targets.items)[i];
         if (i >= items) children[i - items] = i;
@@ -146,6 +146,40 @@ static uint32_t drop_empty(const struct zr_mf3 *file, struct zr_instance *instan
     return kept;
 }
 
+/* Returns the local matrices of all nodes in double. NULL without memory. */
+static struct zr_matrix *find_exact(const struct build *build)
+{
+    const struct zr_node *nodes = build->nodes.items;
+    const struct zr_mf3_link *const *links = build->sources.items;
+    struct zr_matrix *exact = zr_arena_alloc(build->file->arena, build->nodes.count, sizeof *exact);
+    for (uint32_t i = 0; exact && i < build->nodes.count; i++) {
+        exact[i] = zr_matrix_of(&nodes[i].local);
+        for (int axis = 0; axis < 3; axis++)
+            exact[i].m[12 + axis] = links[i]->offset[axis];
+    }
+    return exact;
+}
+
+/* Places the meshes again, in double, if they are far from the origin, whose middle is then subtracted. */
+static enum zr_status place_far(const struct build *build, struct zr_scene_builder *builder, struct zr_nodes *nodes,
+                                uint64_t allowed, struct zr_placement *placement)
+{
+    const struct zr_mf3 *file = build->file;
+    struct zr_far_scene scene = {.count = placement->count,
+                                 .instances = placement->instances,
+                                 .meshes = file->meshes.items,
+                                 .moves = file->moves.items};
+    if (!zr_far_instances_needed(&scene, file->limits)) return ZR_OK;
+    nodes->exact = find_exact(build);
+    if (!nodes->exact) return ZR_NO_MEMORY;
+    *placement = zr_nodes_place(file->arena, nodes, file->limits->instances_max, allowed);
+    if (zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
+    if (!zr_arena_ok(file->arena)) return ZR_NO_MEMORY;
+    scene.instances = placement->instances;
+    scene.exact = placement->exact;
+    return zr_far_instances(file->arena, file->cancel, file->limits, &scene, &builder->scene->origin, file->error);
+}
+
 enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick)
 {
     struct build build = {.file = file};
@@ -153,12 +187,12 @@ enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builde
     if (zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
     if (!zr_arena_ok(file->arena)) return ZR_NO_MEMORY;
     if (file->error->count > 0) return file->error->status;
-    const struct zr_nodes nodes = join(&build);
+    struct zr_nodes nodes = join(&build);
     struct zr_file_scene *scene = zr_arena_zero(file->arena, 1, sizeof *scene);
     if (!scene || !nodes.children) return ZR_NO_MEMORY;
     const uint64_t most = (uint64_t)ZR_NODES_VISITS_AN_INSTANCE * file->limits->instances_max + nodes.count;
     const uint64_t allowed = quick && quick->node_visits_max < most ? quick->node_visits_max : most;
-    const struct zr_placement placement = zr_nodes_place(file->arena, &nodes, file->limits->instances_max, allowed);
+    struct zr_placement placement = zr_nodes_place(file->arena, &nodes, file->limits->instances_max, allowed);
     if (placement.fault == ZR_NODES_TOO_MANY_VISITS && placement.visits <= most) {
         return zr_quick_exceed(quick, file->error);
     }
@@ -168,6 +202,8 @@ enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builde
         report(&build, &placement, most);
         return file->error->status;
     }
+    const enum zr_status status = place_far(&build, builder, &nodes, allowed, &placement);
+    if (status != ZR_OK) return status;
     scene->instances = placement.instances;
     scene->instance_count = drop_empty(file, placement.instances, placement.count);
     if (scene->instance_count == 0)

@@ -15,6 +15,12 @@ struct mesh {
     uint32_t *colors; /* 0xAABBGGRR, one per corner; NULL: no triangle has one so far */
     uint32_t colored; /* triangles with a colour */
     bool has_gradients;
+    bool is_far;           /* a coordinate is beyond the limit (far.h) */
+    struct zr_xml *again;  /* if so: the state at the begin of the vertices */
+    bool finds_box;        /* vertices are read for the bounds of the used ones */
+    const uint8_t *used;   /* one per vertex */
+    const double *origin;  /* subtracted from positions; NULL: none */
+    struct zr_far_move *move;
     uint32_t pid, pindex; /* of the object */
     uint32_t last_pid;
     const struct zr_mf3_resource *last;
@@ -79,7 +85,7 @@ static void read_vertex(struct mesh *mesh)
 {
     struct zr_mf3 *file = mesh->file;
     const struct zr_xml_tag *tag = &file->tag;
-    const double limit = (double)file->limits->coordinate_max;
+    const double near = (double)file->limits->coordinate_max, limit = zr_far_limit(file->limits);
     double v[3] = {0};
     unsigned given = 0;
     for (size_t i = 0; i < tag->count; i++) {
@@ -93,23 +99,73 @@ static void read_vertex(struct mesh *mesh)
             zr_mf3_fault(file, tag->at, "vertex %u: %c is beyond the limit of %.9g", mesh->vertex_count,
                          *attribute->name.at, limit);
         given |= 1u << axis;
+        mesh->is_far |= !(v[axis] >= -near && v[axis] <= near);
     }
     if (given != 7)
         zr_mf3_fault(file, tag->at, "vertex %u: %c is missing", mesh->vertex_count, "xyz"[__builtin_ctz(~given)]);
-    if (has_vertex_room(mesh))
-        mesh->positions[mesh->vertex_count++] = (zr_vec4){(float)v[0], (float)v[1], (float)v[2], 1};
+    if (mesh->finds_box && mesh->used[mesh->vertex_count]) zr_box_include(&mesh->move->box, v);
+    if (has_vertex_room(mesh)) mesh->positions[mesh->vertex_count++] = zr_far_position(v, mesh->origin);
 }
 
 static void read_vertices(struct mesh *mesh)
 {
     struct zr_mf3 *file = mesh->file;
-    const size_t depth = file->xml.depth;
-    if (!mesh->positions && !file->xml.ends_next) {
+    const size_t depth = file->xml.depth, bindings = file->xml.binding_count;
+    const char *at = file->xml.at;
+    const bool is_first = !mesh->positions && !file->xml.ends_next;
+    if (is_first) {
         mesh->vertex_room = count_children(file, "vertices");
         mesh->positions = zr_arena_alloc(file->arena, mesh->vertex_room, sizeof *mesh->positions);
     }
     while (zr_mf3_child(file, depth))
         if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "vertex")) read_vertex(mesh);
+    if (!mesh->is_far || zr_mf3_stops(file)) return;
+    if (!is_first || mesh->again) {
+        zr_mf3_fault(file, file->xml.at, "a mesh with coordinates beyond %.9g has one list of vertices",
+                     (double)file->limits->coordinate_max);
+        return;
+    }
+    mesh->again = zr_arena_alloc(file->arena, 1, sizeof *mesh->again);
+    if (!mesh->again) return;
+    *mesh->again = file->xml;
+    mesh->again->at = at;
+    mesh->again->depth = depth;
+    mesh->again->binding_count = bindings;
+}
+
+static void read_again(struct mesh *mesh)
+{
+    struct zr_mf3 *file = mesh->file;
+    file->xml = *mesh->again;
+    mesh->vertex_count = 0;
+    while (zr_mf3_child(file, mesh->again->depth))
+        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "vertex")) read_vertex(mesh);
+}
+
+/* Finds the middle of the vertices that triangles use, and reads all again to subtract it. */
+static void move_to_middle(struct mesh *mesh)
+{
+    struct zr_mf3 *file = mesh->file;
+    struct zr_xml *after = zr_arena_alloc(file->arena, 1, sizeof *after);
+    uint8_t *used = zr_arena_zero(file->arena, mesh->vertex_count, sizeof *used);
+    mesh->move = zr_arena_zero(file->arena, 1, sizeof *mesh->move);
+    if (!zr_arena_ok(file->arena)) return;
+    for (size_t i = 0; i < 3 * (size_t)mesh->triangle_count; i++) {
+        if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(file->cancel)) return;
+        used[mesh->corners[i]] = 1;
+    }
+    *after = file->xml;
+    mesh->used = used;
+    mesh->move->box = zr_box_empty();
+    mesh->finds_box = true;
+    read_again(mesh);
+    mesh->finds_box = false;
+    if (!zr_mf3_stops(file) && zr_far_origin(file->arena, &mesh->move->box, file->limits, &mesh->origin, file->error) ==
+                                   ZR_OK)
+        read_again(mesh);
+    mesh->move->by = mesh->origin;
+    if (!mesh->origin) mesh->move = NULL; /* only unused vertices are far */
+    file->xml = *after;
 }
 
 /* ---- colours ---- */
@@ -293,8 +349,11 @@ uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t pid, uint32_t pindex)
         else if (file->tag.space >= ZR_MF3_SPACE_SLICE)
             zr_mf3_note(file, ZR_MF3_NOTE_SPACES + file->tag.space, file->tag.at, file->tag.name);
     }
+    if (mesh.again && !zr_mf3_stops(file)) move_to_middle(&mesh);
     struct zr_mesh *out = zr_mf3_list_add(file->arena, &file->meshes, sizeof *out);
-    if (!out) return ZR_MF3_NONE;
+    const struct zr_far_move **move = zr_mf3_list_add(file->arena, &file->moves, sizeof *move);
+    if (!out || !move) return ZR_MF3_NONE;
+    *move = mesh.move;
     *out = (struct zr_mesh){.name = "",
                             .position_count = mesh.vertex_count,
                             .positions = mesh.positions,

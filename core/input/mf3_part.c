@@ -44,7 +44,7 @@ static bool read_link(struct zr_mf3 *file, struct zr_mf3_link *link)
         link->target_part = zr_mf3_find_part(file, tag->at, attribute->value);
         if (link->target_part == ZR_MF3_NONE) return false;
     }
-    return zr_mf3_count(file, "objectid", true, &link->id) && zr_mf3_transform(file, &link->transform);
+    return zr_mf3_count(file, "objectid", true, &link->id) && zr_mf3_transform(file, &link->transform, link->offset);
 }
 
 static void read_links(struct zr_mf3 *file, struct zr_mf3_list *list, const char *name)

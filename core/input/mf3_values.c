@@ -57,10 +57,11 @@ bool zr_mf3_count(struct zr_mf3 *file, const char *name, bool is_needed, uint32_
 }
 
 /* Twelve numbers: a matrix of four rows and three columns, for row vectors. */
-bool zr_mf3_transform(struct zr_mf3 *file, zr_mat4 *out)
+bool zr_mf3_transform(struct zr_mf3 *file, zr_mat4 *out, double offset[3])
 {
     const struct zr_xml_text value = zr_xml_value(&file->tag, "transform");
     *out = zr_mat4_identity();
+    offset[0] = offset[1] = offset[2] = 0.0;
     if (!value.at) return true;
     const char *at = value.at, *const end = at + value.length;
     for (int i = 0; i < 12; i++) {
@@ -75,6 +76,7 @@ bool zr_mf3_transform(struct zr_mf3 *file, zr_mat4 *out)
             return zr_mf3_fault(file, file->tag.at, "transform: %s is beyond %g",
                                 zr_quote(at, (size_t)(behind - at)).text, (double)ZR_MATRIX_MAX);
         out->m[i / 3 * 4 + i % 3] = (float)number;
+        if (i >= 9) offset[i - 9] = number;
         at = behind;
     }
     while (at < end && is_blank(*at))

@@ -121,6 +121,7 @@ static bool tally_all(struct placing *placing, struct link *path, uint64_t *inst
 struct step {
     uint32_t node, next_child;
     zr_mat4 world;
+    struct zr_matrix exact; /* set if the nodes have them */
 };
 
 /* Appends a node to the path and places its mesh, if it has one. */
@@ -129,9 +130,14 @@ static bool enter(struct placing *placing, struct step *path, size_t depth, uint
     const struct zr_node *node = &placing->nodes->nodes[number];
     struct zr_placement *out = placing->out;
     struct step *step = &path[depth];
-    *step = (struct step){number, 0, node->local};
+    step->node = number;
+    step->next_child = 0;
+    step->world = node->local;
+    if (placing->nodes->exact) step->exact = placing->nodes->exact[number];
     if (depth > 0) step->world = zr_mat4_mul(&path[depth - 1].world, &node->local);
+    if (depth > 0 && out->exact) step->exact = zr_matrix_mul(&path[depth - 1].exact, &step->exact);
     if (!zr_mat4_is_within(&step->world, ZR_MATRIX_MAX)) return fail(placing, ZR_NODES_OUT_OF_RANGE, number, 0);
+    if (node->mesh != ZR_NODE_NO_MESH && out->exact) out->exact[out->count] = step->exact;
     if (node->mesh != ZR_NODE_NO_MESH)
         out->instances[out->count++] = (struct zr_instance){node->mesh, step->world, node->name};
     return true;
@@ -175,7 +181,8 @@ struct zr_placement zr_nodes_place(struct zr_arena *arena, const struct zr_nodes
         return out;
     }
     out.instances = zr_arena_alloc(arena, (size_t)instances + 1, sizeof *out.instances);
-    if (!out.instances) return out;
+    if (nodes->exact) out.exact = zr_arena_alloc(arena, (size_t)instances + 1, sizeof *out.exact);
+    if (!zr_arena_ok(arena)) return out;
     for (uint32_t i = 0; i < nodes->count; i++)
         if (!placing.tallies[i].is_child && placing.tallies[i].instances > 0 && !place_below(&placing, i)) break;
     return out;

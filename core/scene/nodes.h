@@ -11,6 +11,7 @@
 #define ZR_NODES_H
 
 #include "base/arena.h"
+#include "base/matrix.h"
 #include "scene/scene.h"
 
 #define ZR_NODE_NO_MESH UINT32_MAX
@@ -35,6 +36,7 @@ struct zr_nodes {
     uint32_t count, child_count;
     const struct zr_node *nodes;
     const uint32_t *children;
+    const struct zr_matrix *exact; /* one per node: its local matrix in double; NULL: none */
 };
 
 enum zr_nodes_fault {
@@ -52,6 +54,7 @@ struct zr_placement {
     uint32_t count;                /* instances */
     uint64_t visits;               /* saturates */
     struct zr_instance *instances; /* in the arena, with room for one more at the end */
+    struct zr_matrix *exact;       /* if the nodes have them: one per instance, object to world in double */
 };
 
 /* Places all instances, or reports a fault. Check zr_arena_ok afterwards. Time is linear in nodes, child entries and

@@ -78,6 +78,55 @@ TEST(items_and_components_are_placed)
     reading_free(reading);
 }
 
+static void assert_origin(const struct reading *reading, double x, double y, double z)
+{
+    const double *origin = reading->scene->origin;
+    assert_read(reading);
+    assert_non_null(origin);
+    if (origin[0] != x || origin[1] != y || origin[2] != z)
+        fail_msg("%.17g %.17g %.17g", origin[0], origin[1], origin[2]);
+}
+
+/* Far coordinates and far transforms are subtracted in double; unused vertices do not count. */
+TEST(middle_of_far_scenes_is_their_origin)
+{
+    static const char far[] =
+        "<mesh><vertices><vertex x=\"408200.25\" y=\"4080920.5\" z=\"0\"/><vertex x=\"408210.25\" y=\"4080920.5\" "
+        "z=\"0\"/><vertex x=\"408200.25\" y=\"4080930.5\" z=\"4\"/><vertex x=\"0\" y=\"-1e15\" "
+        "z=\"1\"/></vertices><triangles>" TRIANGLE "</triangles></mesh>";
+    static const zr_vec4 want[] = {{-5, -5, -2, 1}, {5, -5, -2, 1}, {-5, 5, 2, 1}};
+    char model[4096];
+    snprintf(model, sizeof model,
+             "<model " CORE "><resources><object id=\"1\">%s</object></resources><build><item objectid=\"1\"/>"
+             "</build></model>",
+             far);
+    struct reading *reading = read_model(model);
+    assert_origin(reading, 408205.25, 4080925.5, 2);
+    assert_memory_equal(reading->scene->meshes[0].positions, want, sizeof want);
+    assert_true(reading->scene->instances[0].object_to_world.m[13] == 0.0f);
+    reading_free(reading);
+    /* a transform back, and one that is far itself */
+    snprintf(model, sizeof model,
+             "<model " CORE "><resources><object id=\"1\">%s</object><object id=\"2\">" MESH "</object></resources>"
+             "<build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 -408205.25 -4080925.5 0\"/>"
+             "<item objectid=\"2\"/></build></model>",
+             far);
+    reading = read_model(model);
+    assert_read(reading);
+    assert_null(reading->scene->origin);
+    assert_true(reading->scene->instances[0].object_to_world.m[12] == 0.0f);
+    assert_true(reading->scene->instances[0].object_to_world.m[14] == 2.0f);
+    reading_free(reading);
+    reading = read_model("<model " CORE "><resources><object id=\"1\">" MESH "</object></resources><build>"
+                         "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 4080920.125 0 0\"/>"
+                         "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 4080924.625 0 0\"/></build></model>");
+    assert_origin(reading, 4080923.125, 0.5, 0.25);
+    assert_true(reading->scene->instances[0].object_to_world.m[12] == -3.0f);
+    assert_true(reading->scene->instances[1].object_to_world.m[12] == 1.5f);
+    assert_true(reading->scene->instances[1].object_to_world.m[13] == -0.5f);
+    reading_free(reading);
+}
+
 TEST(z_is_up)
 {
     const char *model = "<model " CORE "><resources><object id=\"1\">" MESH

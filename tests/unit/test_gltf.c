@@ -212,6 +212,40 @@ TEST(nodes_of_the_scene_place_meshes)
 #define WITH_JOINTS(rest)                                                                                              \
     "{" ASSET "," BUFFERS "," VIEWS ",\"accessors\":[" SQUARE "," INDEX "," COLOR "," SPARSE "," JOINTS "]," rest "}"
 
+/* Far translations, matrices and coordinates are subtracted in double. */
+TEST(middle_of_far_scenes_is_their_origin)
+{
+    struct reading *reading =
+        read_file(FILE_OF("\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":1,\"znear\":1}}],"
+                          "\"nodes\":[{\"translation\":[408200.25,4080920.5,0],\"children\":[1,2,3]},{\"mesh\":0},"
+                          "{\"mesh\":0,\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,9.0625,9,4,1]},"
+                          "{\"camera\":0,\"translation\":[1,0.125,0]}]," MESH("")));
+    const double *origin = reading->scene->origin;
+    assert_true(origin && origin[0] == 408205.28125 && origin[1] == 4080925.5 && origin[2] == 2);
+    assert_true(reading->scene->instances[0].object_to_world.m[12] == -5.03125f);
+    assert_true(reading->scene->instances[1].object_to_world.m[12] == 4.03125f);
+    assert_true(reading->scene->instances[1].object_to_world.m[13] == 4.0f);
+    reading_free(reading);
+    reading = read_over((struct zr_request){.channel = "color", .camera = "0"},
+                        FILE_OF("\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":1,\"znear\":1}}],"
+                                "\"nodes\":[{\"translation\":[4080920.5,0,0],\"children\":[1,2]},{\"mesh\":0},"
+                                "{\"camera\":0,\"translation\":[1,0.125,0]}]," MESH("")));
+    assert_read(reading);
+    assert_true(reading->scene->views[0].world_to_camera.m[12] == -0.5f);
+    assert_true(reading->scene->views[0].world_to_camera.m[13] == 0.375f);
+    reading_free(reading);
+    float before[4][3];
+    memcpy(before, numbers.corners, sizeof before);
+    for (int i = 0; i < 4; i++)
+        numbers.corners[i][1] += 4080920.0f;
+    reading = read_file(FILE_OF("\"nodes\":[{\"mesh\":0}]," MESH("")));
+    memcpy(numbers.corners, before, sizeof before);
+    origin = reading->scene->origin;
+    assert_true(origin && origin[0] == 0.5 && origin[1] == 4080920.5 && origin[2] == 0);
+    assert_position(&reading->scene->meshes[0], 0, -0.5f, -0.5f, 0);
+    reading_free(reading);
+}
+
 TEST(joints_place_a_skinned_mesh)
 {
     static const char text[] =

@@ -192,7 +192,7 @@ static struct zr_placement place_chain(struct zr_arena *arena, uint32_t length, 
         made[i] = (struct zr_node){zr_mat4_identity(), i == last ? 0 : ZR_NODE_NO_MESH, entries, i != last, NULL};
         if (i != last) children[entries++] = forward ? i + 1 : i - 1;
     }
-    struct zr_nodes nodes = {length, entries, made, children};
+    struct zr_nodes nodes = {length, entries, made, children, NULL};
     return zr_nodes_place(arena, &nodes, 10, UINT64_MAX);
 }
 
@@ -228,7 +228,7 @@ TEST(placing_looks_at_the_flag)
         for (uint32_t k = 0; k < times; k++)
             children[entries++] = i + 1;
     }
-    const struct zr_nodes nodes = {CHAIN + 1, entries, made, children};
+    const struct zr_nodes nodes = {CHAIN + 1, entries, made, children, NULL};
     assert_int_equal(zr_nodes_place(&arena, &nodes, TIMES, UINT64_MAX).count, TIMES);
     const struct zr_cancel cancel = {.raised = true};
     arena.cancel = &cancel;
