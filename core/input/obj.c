@@ -3,7 +3,8 @@
  * All threads read the parts of the text twice. The first pass counts: arrays get their sizes, each part its first
  * numbers, and an index can be checked before its vertex is read. The second pass reads. From the first part with a
  * fault on, one thread reads again and reports, so that faults come in the order of the text. Two kinds of files are
- * read a third time: with coordinates far from the origin, or with colours of 0 to 255. */
+ * read a third time: with coordinates far from the origin, or with colours of 0 to 255. Without faces, lines and points,
+ * all vertices are points, unless the file has unknown lines. */
 #include "input/input.h"
 
 #include "input/mtl.h"
@@ -104,7 +105,11 @@ static bool allocate(struct zr_obj_file *file, struct zr_arena *arena)
         file->texcoord_indices = zr_arena_alloc(arena, total->corners, sizeof *file->texcoord_indices);
     }
     file->lines = allocate_some(arena, total->segments, 2 * sizeof *file->lines);
-    file->points = zr_arena_alloc(arena, total->points + 1, sizeof *file->points);
+    file->is_cloud = total->faces + total->segments + total->points == 0 && !zr_obj_first_unknown(file);
+    const size_t points = file->is_cloud ? total->positions : total->points;
+    file->points = zr_arena_alloc(arena, points + 1, sizeof *file->points);
+    for (size_t i = 0; file->is_cloud && file->points && i < points; i++)
+        file->points[i] = (uint32_t)i;
     return zr_arena_ok(arena);
 }
 
@@ -156,12 +161,14 @@ static void fill(struct zr_obj_file *file, struct zr_mesh *mesh)
                              .line_count = (uint32_t)close_gaps(file, true),
                              .lines = file->lines,
                              .point_count = (uint32_t)close_gaps(file, false),
-                             .points = total->points ? file->points : NULL,
+                             .points = file->points,
                              .normal_count = normals,
                              .normals = normals ? file->normals : NULL,
                              .normal_indices = normals ? file->normal_indices : NULL,
                              .face_groups = normals ? NULL : file->groups,
                              .colors = file->colors};
+    if (file->is_cloud) mesh->point_count = mesh->position_count;
+    if (mesh->point_count == 0) mesh->points = NULL;
 }
 
 /* Refuses a file without geometry. If it has unknown lines, the message quotes the first one. */
@@ -170,7 +177,7 @@ static enum zr_status refuse_empty(struct parsing *parsing)
     const struct zr_obj_statement *unknown = zr_obj_first_unknown(&parsing->file);
     if (!unknown)
         return zr_error_add(parsing->error, ZR_BAD_SCENE, NULL,
-                            "no geometry: the OBJ file has no face (f), line (l) or point (p)");
+                            "no geometry: the OBJ file has no face (f), line (l), point (p) or vertex (v)");
     struct zr_obj_statement rest = *unknown;
     const struct zr_obj_statement word = zr_obj_word(&rest);
     return zr_error_add(parsing->error, ZR_BAD_SYNTAX, NULL, "line %zu: expected a statement of OBJ, found %s",

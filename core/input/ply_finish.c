@@ -9,9 +9,20 @@ enum { ITEMS_A_LOOK = 1 << 16 };
 /* A float colour above this means a range of 0 to 255, not a rounding error at 1. */
 static const float BRIGHT = 2.0f;
 
-static void warn(struct zr_scene_builder *builder, size_t count, const char *what)
+/* Adds a warning of a count: `one` or `many` follow it. */
+static void warn(struct zr_scene_builder *builder, size_t count, const char *one, const char *many)
 {
-    if (count > 0) zr_warning_list_add(builder->arena, &builder->warnings, "PLY: %zu %s", count, what);
+    if (count > 0)
+        zr_warning_list_add(builder->arena, &builder->warnings, "PLY: %zu %s", count, count == 1 ? one : many);
+}
+
+/* Adds a warning that also names the first place. */
+static void warn_of_first(struct zr_scene_builder *builder, size_t count, const char *one, const char *many,
+                          const char *place, size_t first)
+{
+    if (count > 0)
+        zr_warning_list_add(builder->arena, &builder->warnings, "PLY: %zu %s; %s %s %zu", count,
+                            count == 1 ? one : many, count == 1 ? "it is" : "the first is", place, first);
 }
 
 static bool looks_cancelled(const struct zr_ply_file *file, size_t i)
@@ -47,8 +58,8 @@ static void fill_holes(struct zr_ply_file *file, struct zr_scene_builder *builde
         if (count++ == 0) first = i;
         file->positions[i] = (zr_vec4){0, 0, 0, 1};
     }
-    zr_warning_list_add(builder->arena, &builder->warnings,
-                        "PLY: %zu vertices are not finite and are left out, the first is vertex %zu", count, first);
+    warn_of_first(builder, count, "vertex is not finite and is left out",
+                  "vertices are not finite and are left out", "vertex", first);
 }
 
 /* ---- points ---- */
@@ -132,7 +143,8 @@ static void finish_colors(struct zr_ply_file *file, struct zr_scene_builder *bui
                             "PLY: colours of type float go beyond 1: taken as 0 to 255");
     if (odd.clamped > 0)
         zr_warning_list_add(builder->arena, &builder->color_warnings,
-                            "PLY: %zu colours are beyond their range and are limited to it", odd.clamped);
+                            "PLY: %zu %s limited to %s range", odd.clamped,
+                            odd.clamped == 1 ? "colour is" : "colours are", odd.clamped == 1 ? "its" : "their");
     if (file->colors) mend_alpha(builder, file->colors, file->vertex_count);
     if (faces->colors) mend_alpha(builder, faces->colors, faces->count);
 }
@@ -154,7 +166,8 @@ static void warn_of_elements(const struct zr_ply_file *file, struct zr_scene_bui
     }
     if (count > 0)
         zr_warning_list_add(builder->arena, &builder->warnings,
-                            "PLY: %zu kinds of elements are not drawn, the first is %s (%zu of them)", count,
+                            "PLY: %zu kind%s of elements %s not drawn; %s %s (%zu of them)", count,
+                            count == 1 ? "" : "s", count == 1 ? "is" : "are", count == 1 ? "it is" : "the first is",
                             zr_quote(first->name.at, first->name.size).text, first->count);
 }
 
@@ -162,23 +175,20 @@ static void warn_of_oddities(const struct zr_ply_file *file, struct zr_scene_bui
 {
     const struct zr_ply_header *header = &file->header;
     const struct zr_ply_oddities *odd = &file->odd;
-    struct zr_warning_list *list = &builder->warnings;
     if (header->texture_count > 0)
         zr_warning_list_add(builder->arena, &builder->color_warnings,
-                            "PLY: %zu textures are not read in this version, the first is %s", header->texture_count,
+                            "PLY: %zu texture%s not read in this version; %s %s", header->texture_count,
+                            header->texture_count == 1 ? " is" : "s are",
+                            header->texture_count == 1 ? "it is" : "the first is",
                             zr_quote(header->texture.at, header->texture.size).text);
-    if (header->unknown_count > 0)
-        zr_warning_list_add(builder->arena, list, "PLY: %zu lines of the header are not known, the first is line %zu",
-                            header->unknown_count, header->unknown_line);
-    if (odd->small_faces > 0)
-        zr_warning_list_add(builder->arena, list,
-                            "PLY: %zu faces have fewer than 3 corners and are left out, the first is face %zu",
-                            odd->small_faces, odd->first_small_face);
-    if (odd->broken_lines > 0)
-        zr_warning_list_add(builder->arena, list,
-                            "PLY: %zu lines have another number of values than the header says, the first is line %zu",
-                            odd->broken_lines, odd->first_broken_line);
-    warn(builder, odd->trailing_bytes, "bytes behind the last element are not read");
+    warn_of_first(builder, header->unknown_count, "line of the header is not known",
+                  "lines of the header are not known", "line", header->unknown_line);
+    warn_of_first(builder, odd->small_faces, "face has fewer than 3 corners and is left out",
+                  "faces have fewer than 3 corners and are left out", "face", odd->first_small_face);
+    warn_of_first(builder, odd->broken_lines, "line has another number of values than the header says",
+                  "lines have another number of values than the header says", "line", odd->first_broken_line);
+    warn(builder, odd->trailing_bytes, "byte behind the last element is not read",
+         "bytes behind the last element are not read");
     warn_of_elements(file, builder);
 }
 

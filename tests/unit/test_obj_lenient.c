@@ -140,6 +140,23 @@ TEST(far_and_coloured_mesh_is_adjusted_in_both)
     reading_free(reading);
 }
 
+/* A file of vertices only is a cloud, with its colours, near and far. */
+TEST(vertices_alone_are_points)
+{
+    struct reading *reading = read_as("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nvn 0 0 1\nv 0 1 2 0 0 1\n", "1");
+    assert_read(reading);
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    assert_int_equal(mesh->point_count, 3);
+    assert_int_equal(mesh->points[2], 2);
+    assert_true(mesh->colors[1].y == 1.0f);
+    reading_free(reading);
+    reading = read_as("v 408200.25 4080920.5 0\nv 408210.25 4080920.5 0\nv 408200.25 4080930.5 4\n", "1");
+    assert_origin(reading, 408205.25, 4080925.5, 2);
+    assert_int_equal(reading->scene->meshes[0].point_count, 3);
+    reading_free(reading);
+    refuses(ZR_FORMAT_OBJ, "v 0 0 0\np 7\n", ZR_BAD_SCENE, "", "no geometry"); /* its points are wrong */
+}
+
 /* ---- smoothing groups ---- */
 
 #define ROOF  "v 0 0 0\nv 2 0 0\nv 2 0 2\nv 0 0 2\nv 0 1.6 1\nv 2 1.6 1\n"

@@ -360,7 +360,7 @@ TEST(vertices_without_faces_are_points_but_for_those_that_are_not_finite)
     assert_int_equal(mesh->points[1], 3);
     assert_int_equal(reading->scene->warning_count, 1);
     assert_non_null(
-        strstr(reading->scene->warnings[0], "2 vertices are not finite and are left out, the first is vertex 1"));
+        strstr(reading->scene->warnings[0], "2 vertices are not finite and are left out; the first is vertex 1"));
     reading_free(reading);
 }
 
@@ -372,19 +372,19 @@ TEST(what_is_not_drawn_or_odd_is_warned_of)
         const char *text, *warning;
     } cases[] = {
         {ASCII "comment TextureFile a b.png \ncomment TextureFile c.png\n" VERTEX "end_header\n" POSITIONS,
-         "2 textures are not read in this version, the first is 'a b.png'"},
+         "2 textures are not read in this version; the first is 'a b.png'"},
         {ASCII "made by hand\n" VERTEX "end_header\n" POSITIONS,
-         "1 lines of the header are not known, the first is line 3"},
+         "1 line of the header is not known; it is line 3"},
         {ASCII VERTEX "element face 3\nproperty list uchar int vertex_indices\nend_header\n" POSITIONS
                       "3 0 1 2\n2 0 1\n0\n",
-         "2 faces have fewer than 3 corners and are left out, the first is face 1"},
+         "2 faces have fewer than 3 corners and are left out; the first is face 1"},
         {ASCII VERTEX "end_header\n0 0 0 9 0 1\n9 8 2 0 8 3\n",
-         "2 lines have another number of values than the header says, the first is line 8"},
+         "2 lines have another number of values than the header says; the first is line 8"},
         {MESH "5 6\n", "4 bytes behind the last element are not read"},
         {ASCII VERTEX
          "element camera 1\nproperty float a\nelement b 0\nelement c 2\nproperty float a\nend_header\n" POSITIONS
          "1\n1\n2\n",
-         "2 kinds of elements are not drawn, the first is 'camera' (1 of them)"},
+         "2 kinds of elements are not drawn; the first is 'camera' (1 of them)"},
         {ASCII VERTEX "property float f_dc_0\nend_header\n0 0 0 1\n1 0 0 1\n1 1 0 1\n2 2 2 2\n", "splats (f_dc_0)"},
         {ASCII "element vertex 3\n" XYZ "property uchar red\nproperty uchar green\nproperty uchar blue\n" FACE
                "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n0 0 0 1 2 3\n1 0 0 4 5 6\n"
