@@ -22,8 +22,8 @@ struct zr_far_move {
 struct zr_far_scene {
     uint32_t count;
     struct zr_instance *instances;
-    const struct zr_matrix *exact;  /* one per instance: object to world, before the subtraction */
-    const struct zr_mesh *meshes;   /* of the instances; meshes without positions do not count */
+    const struct zr_matrix *exact;          /* one per instance: object to world, before the subtraction */
+    const struct zr_mesh *meshes;           /* of the instances; meshes without positions do not count */
     const struct zr_far_move *const *moves; /* one per mesh; NULL: its positions were not moved */
 };
 
@@ -35,8 +35,8 @@ enum zr_status zr_far_move_floats(struct zr_arena *arena, const struct zr_cancel
                                   const struct zr_limits *limits, zr_vec4 *positions, size_t count,
                                   const struct zr_far_move **move, struct zr_error *error);
 
-/* Sets *origin, or NULL if none is subtracted, and the matrices of the instances. Refuses a scene of moved meshes that is
- * too large. */
+/* Sets *origin, or NULL if none is subtracted, and the matrices of the instances. Refuses a scene of moved meshes that
+ * is too large. */
 enum zr_status zr_far_instances(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
                                 const struct zr_far_scene *scene, const double **origin, struct zr_error *error);
 

@@ -33,13 +33,16 @@ void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed
 static uint32_t make(struct zr_parsed_scene *root, const struct zr_mesh *mesh, uint32_t number, size_t material,
                      const struct zr_face_style *style)
 {
-    const bool is_colored = mesh->colors != NULL;
-    const struct zr_style of = {.material = material,
-                                .face_style = *style,
-                                .is_open = true,
-                                .has_faces = mesh->face_count > 0,
-                                .number = number,
-                                .alpha = zr_alpha_range_of(mesh->colors, mesh->position_count)};
+    const bool is_colored = mesh->colors || mesh->face_colors;
+    struct zr_style of = {.material = material,
+                          .face_style = *style,
+                          .is_open = true,
+                          .has_faces = mesh->face_count > 0,
+                          .number = number,
+                          .alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
+                                                        zr_alpha_range_of(mesh->face_colors, mesh->face_count))};
+    if (root->builder->file->blends_colors && of.alpha.least < 1.0f && of.face_style.alpha_mode == ZR_UNSET)
+        of.face_style.alpha_mode = ZR_ALPHA_BLEND;
     return zr_parsed_make_material(root, &of, is_colored, mesh->normal_count > 0 || is_colored);
 }
 

@@ -29,6 +29,7 @@ struct zr_file_scene {
     struct zr_instance *instances;
     uint32_t material_count;
     struct zr_parsed_material *materials;
+    bool blends_colors; /* colours of meshes with an alpha below 1 are blended */
     uint32_t camera_count;
     struct zr_file_camera *cameras;
     const uint32_t *mesh_materials;        /* one per mesh; NONE: the look's material */

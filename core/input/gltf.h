@@ -146,7 +146,7 @@ struct zr_gltf {
     uint32_t *first_uses;         /* one per mesh; NONE if no node of the scene places it */
     uint32_t use_count;
     struct zr_gltf_use *uses;
-    struct zr_gltf_nodes *nodes; /* private to gltf_node.c */
+    struct zr_gltf_nodes *nodes; /* gltf_nodes.h */
     uint32_t scene;              /* number of the drawn scene */
     uint64_t primitives;         /* of all uses of meshes */
     uint32_t use, next_mesh;     /* use that is read now; next mesh of the scene to make */
@@ -244,7 +244,7 @@ bool zr_gltf_read_floats(struct zr_gltf *file, const struct zr_gltf_values *valu
 bool zr_gltf_read_indices(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t end, uint32_t *out,
                           uint32_t *low, uint32_t *high);
 
-/* ---- gltf_node.c ---- */
+/* ---- gltf_node.c; gltf_place.c ---- */
 
 /* Reads the nodes and the scene, and finds the uses of meshes. */
 bool zr_gltf_read_nodes(struct zr_gltf *file);

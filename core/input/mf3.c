@@ -12,9 +12,13 @@ static const char *const texts[ZR_MF3_NOTE_COUNT] = {
     ZR_MF3_SPACES(TEXT)
 #undef TEXT
         [ZR_MF3_NOTE_UNKNOWN] = "elements are not known",
-    [ZR_MF3_NOTE_TEXTURE] = "triangles have textures, which are not drawn",
-    [ZR_MF3_NOTE_COMPOSITE] = "triangles have composite materials, which are not drawn",
-    [ZR_MF3_NOTE_MULTI] = "triangles have multiproperties, which are not drawn",
+    [ZR_MF3_NOTE_REQUIRED] = "required extensions are not read, so parts may be missing",
+    [ZR_MF3_NOTE_IMAGE] = "textures have no image in the archive, and are not drawn",
+    [ZR_MF3_NOTE_TILES] = "triangles leave textures of the tilestyle none, whose edges are repeated",
+    [ZR_MF3_NOTE_LAYERS] =
+        "multiproperties have several textures or a translucent colour over one; the last texture is drawn",
+    [ZR_MF3_NOTE_NO_LAYER] = "layers of multiproperties name no property, and are not drawn",
+    [ZR_MF3_NOTE_OVER] = "translucent textures lie over colours of multiproperties, which are not drawn",
     [ZR_MF3_NOTE_PLAIN] = "objects have some triangles without a colour, which are drawn white",
     [ZR_MF3_NOTE_PAINTED] = "triangles are painted for a slicer (paint_color), which is not drawn",
     [ZR_MF3_NOTE_OTHER] = "items or components of the type other are left out",
@@ -23,7 +27,7 @@ static const char *const texts[ZR_MF3_NOTE_COUNT] = {
 
 static bool is_about_color(int note)
 {
-    return note >= ZR_MF3_NOTE_TEXTURE && note <= ZR_MF3_NOTE_PAINTED;
+    return note >= ZR_MF3_NOTE_WORDS && note <= ZR_MF3_NOTE_PAINTED;
 }
 
 static void warn(const struct zr_mf3 *file, struct zr_scene_builder *builder)
@@ -32,7 +36,7 @@ static void warn(const struct zr_mf3 *file, struct zr_scene_builder *builder)
         if (file->notes[i].count == 0) continue;
         const struct zr_zip_member *member = zr_mf3_parts(file)[file->notes[i].part].member;
         const struct zr_xml_text word = file->notes[i].word;
-        const bool has_word = i < ZR_MF3_NOTE_TEXTURE;
+        const bool has_word = i < ZR_MF3_NOTE_WORDS;
         zr_warning_list_add(builder->arena, is_about_color(i) ? &builder->color_warnings : &builder->warnings,
                             "3MF: %" PRIu64 " %s; the first is in %.*s, line %zu%s%s", file->notes[i].count, texts[i],
                             (int)(member->name_length < 80 ? member->name_length : 80), member->name,

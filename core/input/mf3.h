@@ -9,6 +9,7 @@
 #define ZR_MF3_H
 
 #include "input/far_scene.h"
+#include "input/file_scene.h"
 #include "input/input.h"
 #include "input/xml.h"
 #include "input/zip_read.h"
@@ -47,9 +48,13 @@ enum zr_mf3_space {
 enum zr_mf3_note {
     ZR_MF3_NOTE_SPACES, /* one per namespace */
     ZR_MF3_NOTE_UNKNOWN = ZR_MF3_NOTE_SPACES + ZR_MF3_SPACE_COUNT,
-    ZR_MF3_NOTE_TEXTURE,
-    ZR_MF3_NOTE_COMPOSITE,
-    ZR_MF3_NOTE_MULTI,
+    ZR_MF3_NOTE_REQUIRED,
+    ZR_MF3_NOTE_WORDS, /* those before it name a word */
+    ZR_MF3_NOTE_IMAGE = ZR_MF3_NOTE_WORDS,
+    ZR_MF3_NOTE_TILES,
+    ZR_MF3_NOTE_LAYERS,
+    ZR_MF3_NOTE_NO_LAYER,
+    ZR_MF3_NOTE_OVER,
     ZR_MF3_NOTE_PLAIN,
     ZR_MF3_NOTE_PAINTED,
     ZR_MF3_NOTE_OTHER,
@@ -60,11 +65,17 @@ enum zr_mf3_note {
 
 enum zr_mf3_kind {
     ZR_MF3_OBJECT,
-    ZR_MF3_COLORS,    /* base materials or a colour group */
-    ZR_MF3_TEXTURE,   /* properties that are not read */
-    ZR_MF3_COMPOSITE, /* likewise */
-    ZR_MF3_MULTI,     /* likewise */
-    ZR_MF3_OTHER      /* no property, such as an image */
+    ZR_MF3_COLORS, /* base materials, composite materials or a colour group */
+    ZR_MF3_COORDS, /* coordinates in a texture: a texture2dgroup */
+    ZR_MF3_MULTI,  /* multiproperties */
+    ZR_MF3_TEXTURE /* an image: a texture2d */
+};
+
+/* A property of a corner: a colour, 0xAABBGGRR, times a texture. */
+struct zr_mf3_value {
+    uint32_t color;
+    uint32_t texture; /* number of the resource, or ZR_MF3_NONE */
+    float u, v;
 };
 
 /* A resource of a part. */
@@ -77,6 +88,19 @@ struct zr_mf3_resource {
     uint32_t color_count;
     const uint32_t *colors;
     bool is_base; /* one colour per triangle */
+
+    /* A texture2dgroup, or multiproperties. */
+    uint32_t value_count;
+    const struct zr_mf3_value *values;
+    bool is_outside; /* a coordinate is outside of 0 to 1 */
+
+    /* A texture2d. */
+    const struct zr_zip_member *image; /* NULL: the archive lacks it */
+    int wrap_s, wrap_t, filter;        /* indices of the words of mf3_texture.c */
+    bool ends;                         /* its tilestyle is none */
+    bool is_over;                      /* it lies over a colour of multiproperties */
+    uint32_t material;                 /* of the file scene, or ZR_MF3_NONE */
+    bool has_material;                 /* it is made, or cannot be */
 
     /* An object: a mesh, or components. */
     const char *name;
@@ -124,6 +148,7 @@ struct zr_mf3 {
     struct zr_mf3_list links;     /* struct zr_mf3_link: those of one object follow each other */
     struct zr_mf3_list items;     /* likewise, of the build */
     struct zr_mf3_list meshes;    /* struct zr_mesh */
+    struct zr_mf3_list textures;  /* uint32_t *: one per mesh: the texture of each face, or NULL */
     struct zr_mf3_list moves;     /* const struct zr_far_move *: one per mesh, or NULL */
     struct zr_mf3_list order;     /* uint32_t: numbers of resources, sorted by part and id */
     struct {
@@ -138,6 +163,19 @@ struct zr_mf3 {
     struct zr_xml xml;
     struct zr_xml_tag tag;
     bool is_stopped; /* after a syntax fault or a cancel */
+};
+
+/* Properties of the triangles of a mesh. */
+struct zr_mf3_corners {
+    struct zr_mf3 *file;
+    uint32_t room;      /* triangles */
+    uint32_t *colors;   /* 0xAABBGGRR, one per corner; NULL: no triangle has one so far */
+    uint32_t *textures; /* one per triangle, or ZR_MF3_NONE; NULL: likewise */
+    float (*coords)[2]; /* one per corner, if there are textures */
+    uint32_t given;     /* triangles with a property */
+    bool has_gradients;
+    uint32_t last_pid;
+    const struct zr_mf3_resource *last;
 };
 
 /* Appends an uninitialised item. NULL without memory. */
@@ -165,6 +203,9 @@ bool zr_mf3_stops(const struct zr_mf3 *file);
 
 /* mf3_package.c: opens the archive, and adds the root part that the relationships name. */
 bool zr_mf3_find_root(struct zr_mf3 *file);
+
+/* Returns the member at a path from the package's root, or NULL. */
+const struct zr_zip_member *zr_mf3_find_member(const struct zr_mf3 *file, struct zr_xml_text path);
 
 /* Returns the number of the part at a path such as "/3D/a.model", adding it if it is new; ZR_MF3_NONE after a fault. */
 uint32_t zr_mf3_find_part(struct zr_mf3 *file, const char *at, struct zr_xml_text path);
@@ -200,8 +241,27 @@ struct zr_mf3_resource *zr_mf3_find(const struct zr_mf3 *file, uint32_t part, ui
 /* Reads the current element as a group of colours: children with this name and colour attribute. */
 void zr_mf3_read_colors(struct zr_mf3 *file, enum zr_mf3_space space, const char *child, const char *attribute);
 
-/* mf3_mesh.c: reads the mesh of an object, and its entry of `moves`; `pid`, `pindex`: its default property, or ZR_MF3_NONE. Returns its number,
- * or ZR_MF3_NONE after a fault. */
+/* mf3_texture.c: read the current element, a texture2d, a texture2dgroup, composite materials or multiproperties. */
+void zr_mf3_read_texture(struct zr_mf3 *file);
+void zr_mf3_read_coords(struct zr_mf3 *file);
+void zr_mf3_read_composites(struct zr_mf3 *file);
+void zr_mf3_read_multi(struct zr_mf3 *file);
+
+/* mf3_corners.c: sets the properties of triangle `triangle`, for which there is room. `p`: indices into the group
+ * `pid`, or ZR_MF3_NONE. */
+void zr_mf3_corners_set(struct zr_mf3_corners *corners, uint32_t triangle, uint32_t pid, const uint32_t p[3]);
+void zr_mf3_corners_grow(struct zr_mf3_corners *corners, uint32_t count, uint32_t room);
+
+/* Gives a mesh its colours and texture coordinates, and adds its entry of file->textures. False without memory. */
+bool zr_mf3_corners_finish(struct zr_mf3_corners *corners, struct zr_mesh *mesh);
+
+/* mf3_material.c: makes the materials of `count` meshes. textures[i]: the texture of each face of mesh i, or NULL; it
+ * becomes the list of materials. Without textures, leaves the scene without materials. */
+bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick,
+                           struct zr_file_scene *scene, uint32_t count, uint32_t **textures);
+
+/* mf3_mesh.c: reads the mesh of an object, and its entry of `moves`; `pid`, `pindex`: its default property, or
+ * ZR_MF3_NONE. Returns its number, or ZR_MF3_NONE after a fault. */
 uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t pid, uint32_t pindex);
 
 /* mf3_build.c: places the meshes that the build uses, in builder->file. */

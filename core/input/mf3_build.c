@@ -114,7 +114,8 @@ static void report(struct build *build, const struct zr_placement *placement, ui
 }
 
 /* Moves the placed meshes to the builder, in the order of the file. */
-static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_file_scene *scene)
+static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick,
+                        struct zr_file_scene *scene)
 {
     const struct zr_mesh *all = file->meshes.items;
     uint32_t *numbers = zr_arena_zero(file->arena, file->meshes.count, sizeof *numbers), kept = 0;
@@ -123,17 +124,28 @@ static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, s
     for (uint32_t i = 0; numbers && i < file->meshes.count; i++)
         numbers[i] = numbers[i] ? kept++ : ZR_MF3_NONE;
     struct zr_mesh *meshes = numbers ? zr_scene_builder_meshes(builder, kept) : NULL;
-    if (!meshes) return false;
+    uint32_t **textures = zr_arena_alloc(file->arena, kept, sizeof *textures);
+    if (!meshes || !textures) return false;
     for (uint32_t i = 0; i < file->resources.count; i++) {
         const struct zr_mf3_resource *object = &zr_mf3_resources(file)[i];
         if (object->mesh == ZR_MF3_NONE || numbers[object->mesh] == ZR_MF3_NONE) continue;
         meshes[numbers[object->mesh]] = all[object->mesh];
         meshes[numbers[object->mesh]].name = object->name;
+        textures[numbers[object->mesh]] = ((uint32_t **)file->textures.items)[object->mesh];
     }
     for (uint32_t i = 0; i < scene->instance_count; i++)
         scene->instances[i].mesh = numbers[scene->instances[i].mesh];
     builder->file = scene;
-    return true;
+    return zr_mf3_make_materials(file, builder, quick, scene, kept, textures);
+}
+
+static enum zr_status refuse_empty(struct zr_mf3 *file)
+{
+    const struct zr_xml_text word = file->notes[ZR_MF3_NOTE_REQUIRED].word;
+    const bool is_required = file->notes[ZR_MF3_NOTE_REQUIRED].count > 0;
+    return zr_error_add(file->error, ZR_BAD_SCENE, NULL, "no geometry: the build places no triangle%s%.*s%s",
+                        is_required ? "; the required extension of " : "", is_required ? (int)word.length : 0,
+                        is_required ? word.at : "", is_required ? " is not read" : "");
 }
 
 /* Moves the instances of meshes with triangles to the front; returns their number. */
@@ -206,7 +218,7 @@ enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builde
     if (status != ZR_OK) return status;
     scene->instances = placement.instances;
     scene->instance_count = drop_empty(file, placement.instances, placement.count);
-    if (scene->instance_count == 0)
-        return zr_error_add(file->error, ZR_BAD_SCENE, NULL, "no geometry: the build places no triangle");
-    return keep_placed(file, builder, scene) ? ZR_OK : ZR_NO_MEMORY;
+    if (scene->instance_count == 0) return refuse_empty(file);
+    if (keep_placed(file, builder, quick, scene)) return ZR_OK;
+    return zr_is_cancelled(file->cancel) ? ZR_CANCELLED : file->error->count > 0 ? file->error->status : ZR_NO_MEMORY;
 }

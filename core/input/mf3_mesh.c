@@ -5,25 +5,19 @@
 
 enum { COUNTED_AT_ONCE = 1 << 18, EXPANDED_AT_ONCE = 1 << 14 };
 
-#define WHITE 0xFFFFFFFFu
-
 struct mesh {
     struct zr_mf3 *file;
     uint32_t vertex_count, vertex_room, triangle_count, triangle_room;
     zr_vec4 *positions;
     uint32_t *corners;
-    uint32_t *colors; /* 0xAABBGGRR, one per corner; NULL: no triangle has one so far */
-    uint32_t colored; /* triangles with a colour */
-    bool has_gradients;
-    bool is_far;           /* a coordinate is beyond the limit (far.h) */
-    struct zr_xml *again;  /* if so: the state at the begin of the vertices */
-    bool finds_box;        /* vertices are read for the bounds of the used ones */
-    const uint8_t *used;   /* one per vertex */
-    const double *origin;  /* subtracted from positions; NULL: none */
+    struct zr_mf3_corners properties;
+    bool is_far;          /* a coordinate is beyond the limit (far.h) */
+    struct zr_xml *again; /* if so: the state at the begin of the vertices */
+    bool finds_box;       /* vertices are read for the bounds of the used ones */
+    const uint8_t *used;  /* one per vertex */
+    const double *origin; /* subtracted from positions; NULL: none */
     struct zr_far_move *move;
     uint32_t pid, pindex; /* of the object */
-    uint32_t last_pid;
-    const struct zr_mf3_resource *last;
 };
 
 /* ---- capacity ---- */
@@ -74,8 +68,7 @@ static bool has_triangle_room(struct mesh *mesh)
     if (mesh->triangle_count < mesh->triangle_room) return mesh->corners != NULL;
     mesh->triangle_room = larger(mesh->triangle_room);
     mesh->corners = zr_arena_grow(arena, mesh->corners, mesh->triangle_count, mesh->triangle_room, size);
-    if (mesh->colors)
-        mesh->colors = zr_arena_grow(arena, mesh->colors, mesh->triangle_count, mesh->triangle_room, size);
+    zr_mf3_corners_grow(&mesh->properties, mesh->triangle_count, mesh->triangle_room);
     return zr_arena_ok(arena);
 }
 
@@ -160,70 +153,12 @@ static void move_to_middle(struct mesh *mesh)
     mesh->finds_box = true;
     read_again(mesh);
     mesh->finds_box = false;
-    if (!zr_mf3_stops(file) && zr_far_origin(file->arena, &mesh->move->box, file->limits, &mesh->origin, file->error) ==
-                                   ZR_OK)
+    if (!zr_mf3_stops(file) &&
+        zr_far_origin(file->arena, &mesh->move->box, file->limits, &mesh->origin, file->error) == ZR_OK)
         read_again(mesh);
     mesh->move->by = mesh->origin;
     if (!mesh->origin) mesh->move = NULL; /* only unused vertices are far */
     file->xml = *after;
-}
-
-/* ---- colours ---- */
-
-/* Finds the group of a property. NULL if it has no colours, or after a fault. */
-static const struct zr_mf3_resource *find_group(struct mesh *mesh, uint32_t pid)
-{
-    struct zr_mf3 *file = mesh->file;
-    static const int notes[] = {[ZR_MF3_TEXTURE] = ZR_MF3_NOTE_TEXTURE,
-                                [ZR_MF3_COMPOSITE] = ZR_MF3_NOTE_COMPOSITE,
-                                [ZR_MF3_MULTI] = ZR_MF3_NOTE_MULTI};
-    if (pid == mesh->last_pid && mesh->last && mesh->last->kind == ZR_MF3_COLORS) return mesh->last;
-    const struct zr_mf3_resource *group = zr_mf3_find(file, file->part, pid);
-    mesh->last_pid = pid;
-    mesh->last = group;
-    if (group && group->kind == ZR_MF3_COLORS) return group;
-    if (group && group->kind >= ZR_MF3_TEXTURE && group->kind <= ZR_MF3_MULTI)
-        zr_mf3_note(file, notes[group->kind], file->tag.at, file->tag.name);
-    else
-        zr_mf3_fault(file, file->tag.at, "triangle %u: pid %u names no preceding property group", mesh->triangle_count,
-                     pid);
-    return NULL;
-}
-
-/* Allocates colours at the first triangle with a colour; earlier triangles are white. */
-static bool begin_colors(struct mesh *mesh)
-{
-    if (mesh->colors) return true;
-    mesh->colors = zr_arena_alloc(mesh->file->arena, mesh->triangle_room, 3 * sizeof *mesh->colors);
-    if (mesh->colors) memset(mesh->colors, 0xFF, (size_t)mesh->triangle_count * 3 * sizeof *mesh->colors);
-    return mesh->colors != NULL;
-}
-
-/* Sets the colours of the next triangle. `p`: indices into the group, or ZR_MF3_NONE. */
-static void set_colors(struct mesh *mesh, uint32_t pid, const uint32_t p[3])
-{
-    struct zr_mf3 *file = mesh->file;
-    const struct zr_mf3_resource *group = pid == ZR_MF3_NONE ? NULL : find_group(mesh, pid);
-    uint32_t *colors;
-    if (!group) {
-        if (!mesh->colors) return;
-        colors = mesh->colors + (size_t)mesh->triangle_count * 3;
-        colors[0] = colors[1] = colors[2] = WHITE;
-        return;
-    }
-    if (!begin_colors(mesh)) return;
-    colors = mesh->colors + (size_t)mesh->triangle_count * 3;
-    for (int i = 0; i < 3; i++) {
-        const uint32_t index = p[i] == ZR_MF3_NONE || group->is_base ? p[0] : p[i];
-        if (index >= group->color_count) {
-            zr_mf3_fault(file, file->tag.at, "triangle %u names colour %u of group %u, but there are %u",
-                         mesh->triangle_count, index, group->id, group->color_count);
-            return;
-        }
-        colors[i] = group->colors[index];
-    }
-    mesh->has_gradients |= colors[0] != colors[1] || colors[0] != colors[2];
-    mesh->colored++;
 }
 
 /* ---- triangles ---- */
@@ -281,9 +216,9 @@ static void read_triangle(struct mesh *mesh)
     }
     if (t.p[0] == ZR_MF3_NONE) {
         const uint32_t p[3] = {mesh->pindex, mesh->pindex, mesh->pindex};
-        set_colors(mesh, mesh->pid, p);
+        zr_mf3_corners_set(&mesh->properties, mesh->triangle_count, mesh->pid, p);
     } else {
-        set_colors(mesh, t.pid == ZR_MF3_NONE ? mesh->pid : t.pid, t.p);
+        zr_mf3_corners_set(&mesh->properties, mesh->triangle_count, t.pid == ZR_MF3_NONE ? mesh->pid : t.pid, t.p);
     }
     mesh->triangle_count++;
 }
@@ -298,48 +233,16 @@ static void read_triangles(struct mesh *mesh)
     }
     mesh->triangle_room = count_children(file, "triangles");
     mesh->corners = zr_arena_alloc(file->arena, mesh->triangle_room, 3 * sizeof *mesh->corners);
+    mesh->properties.room = mesh->triangle_room;
     while (zr_mf3_child(file, depth))
         if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "triangle") && has_triangle_room(mesh)) read_triangle(mesh);
 }
 
 /* ---- the mesh ---- */
 
-static zr_vec4 color_of(uint32_t rgba)
-{
-    return (zr_vec4){(float)(rgba & 255) / 255.0f, (float)(rgba >> 8 & 255) / 255.0f,
-                     (float)(rgba >> 16 & 255) / 255.0f, (float)(rgba >> 24) / 255.0f};
-}
-
-/* Sets one colour per face or, with gradients, one position and colour per corner. */
-static void finish_colors(const struct mesh *mesh, struct zr_mesh *out)
-{
-    struct zr_arena *arena = mesh->file->arena;
-    const size_t step = mesh->has_gradients ? 1 : 3, corners = (size_t)mesh->triangle_count * 3;
-    if (corners > ZR_MF3_NONE / 2) {
-        zr_arena_charge(arena, SIZE_MAX); /* fails */
-        return;
-    }
-    zr_vec4 *colors = zr_arena_alloc(arena, corners / step, sizeof *colors);
-    zr_vec4 *positions = mesh->has_gradients ? zr_arena_alloc(arena, corners, sizeof *positions) : NULL;
-    if (!zr_arena_ok(arena)) return;
-    for (size_t i = 0; i < corners; i += step) {
-        if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(mesh->file->cancel)) return;
-        colors[i / step] = color_of(mesh->colors[i]);
-        if (positions) positions[i] = mesh->positions[mesh->corners[i]];
-    }
-    if (!positions) {
-        out->face_colors = colors;
-        return;
-    }
-    out->colors = colors;
-    out->positions = positions;
-    out->position_count = (uint32_t)corners;
-    out->indices = NULL;
-}
-
 uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t pid, uint32_t pindex)
 {
-    struct mesh mesh = {.file = file, .pid = pid, .pindex = pindex, .last_pid = ZR_MF3_NONE};
+    struct mesh mesh = {.file = file, .pid = pid, .pindex = pindex, .properties = {.file = file}};
     const size_t depth = file->xml.depth;
     while (zr_mf3_child(file, depth)) {
         if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "vertices"))
@@ -359,8 +262,6 @@ uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t pid, uint32_t pindex)
                             .positions = mesh.positions,
                             .face_count = mesh.triangle_count,
                             .indices = mesh.corners};
-    if (mesh.colored > 0) finish_colors(&mesh, out);
-    if (mesh.colored > 0 && mesh.colored < mesh.triangle_count)
-        zr_mf3_note(file, ZR_MF3_NOTE_PLAIN, file->xml.at, file->tag.name);
+    if (!zr_mf3_corners_finish(&mesh.properties, out)) return ZR_MF3_NONE;
     return file->meshes.count - 1;
 }

@@ -25,8 +25,7 @@ static const char *unescaped(struct zr_arena *arena, const char *text)
 }
 
 /* Finds the member at a path from the package's root, as written or with its escapes decoded. */
-static const struct zr_zip_member *find_member(const struct zr_zip *zip, struct zr_arena *arena,
-                                               struct zr_xml_text path)
+static const struct zr_zip_member *find_in(const struct zr_zip *zip, struct zr_arena *arena, struct zr_xml_text path)
 {
     const char *name = zr_xml_decode(arena, path);
     if (!name) return NULL;
@@ -36,6 +35,11 @@ static const struct zr_zip_member *find_member(const struct zr_zip *zip, struct 
     if (member || !strchr(name, '%')) return member;
     name = unescaped(arena, name);
     return name ? zr_zip_find(zip, name, strlen(name)) : NULL;
+}
+
+const struct zr_zip_member *zr_mf3_find_member(const struct zr_mf3 *file, struct zr_xml_text path)
+{
+    return find_in(&file->zip, file->arena, path);
 }
 
 /* Finds the target of the relationship to the 3D model. .at is NULL if there is none. */
@@ -74,7 +78,7 @@ bool zr_mf3_find_root(struct zr_mf3 *file)
         return false;
     }
     if (!target.at) return refuse(file, ZR_BAD_SYNTAX, RELATIONSHIPS ": no relationship to a 3D model");
-    const struct zr_zip_member *root = find_member(&file->zip, file->arena, target);
+    const struct zr_zip_member *root = zr_mf3_find_member(file, target);
     if (!root) {
         zr_error_add(file->error, ZR_BAD_SCENE, NULL, "%s names the 3D model %s, which the archive does not have",
                      RELATIONSHIPS, zr_quote(target.at, target.length).text);
@@ -88,7 +92,7 @@ bool zr_mf3_find_root(struct zr_mf3 *file)
 uint32_t zr_mf3_find_part(struct zr_mf3 *file, const char *at, struct zr_xml_text path)
 {
     if (file->last_path.length > 0 && zr_xml_texts_equal(path, file->last_path)) return file->last_part;
-    const struct zr_zip_member *member = find_member(&file->zip, file->arena, path);
+    const struct zr_zip_member *member = zr_mf3_find_member(file, path);
     if (!member) {
         zr_mf3_fault(file, at, "the archive does not have the part %s", zr_quote(path.at, path.length).text);
         return ZR_MF3_NONE;

@@ -3,6 +3,8 @@
 
 #include "input/mf3.h"
 
+#define KEYSTORE "Secure/keystore.xml"
+
 static const char *const uris[] = {
 #define URI(ID, uri, ...) uri,
     ZR_MF3_SPACES(URI)
@@ -132,16 +134,20 @@ static void read_object(struct zr_mf3 *file)
 static void read_resources(struct zr_mf3 *file)
 {
     static const struct {
-        enum zr_mf3_space space;
         const char *name;
-        enum zr_mf3_kind kind;
-    } others[] = {{ZR_MF3_SPACE_MATERIAL, "texture2d", ZR_MF3_OTHER},
-                  {ZR_MF3_SPACE_MATERIAL, "texture2dgroup", ZR_MF3_TEXTURE},
-                  {ZR_MF3_SPACE_MATERIAL, "compositematerials", ZR_MF3_COMPOSITE},
-                  {ZR_MF3_SPACE_MATERIAL, "multiproperties", ZR_MF3_MULTI}};
+        void (*read)(struct zr_mf3 *);
+    } others[] = {{"texture2d", zr_mf3_read_texture},
+                  {"texture2dgroup", zr_mf3_read_coords},
+                  {"compositematerials", zr_mf3_read_composites},
+                  {"multiproperties", zr_mf3_read_multi}};
     const size_t depth = file->xml.depth;
     while (zr_mf3_child(file, depth)) {
-        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "object"))
+        size_t other = 0;
+        while (other < sizeof others / sizeof *others && !zr_mf3_is(file, ZR_MF3_SPACE_MATERIAL, others[other].name))
+            other++;
+        if (other < sizeof others / sizeof *others)
+            others[other].read(file);
+        else if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "object"))
             read_object(file);
         else if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "basematerials"))
             zr_mf3_read_colors(file, ZR_MF3_SPACE_CORE, "base", "displaycolor");
@@ -149,12 +155,10 @@ static void read_resources(struct zr_mf3 *file)
             zr_mf3_read_colors(file, ZR_MF3_SPACE_MATERIAL, "color", "color");
         else
             note_unread(file);
-        for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-            if (zr_mf3_is(file, others[i].space, others[i].name)) zr_mf3_add(file, others[i].kind);
     }
 }
 
-/* Refuses required extensions that are not read. */
+/* Refuses required extensions that are not known; notes those that are known and not read. */
 static void check_required(struct zr_mf3 *file)
 {
     const struct zr_xml_text words = zr_xml_value(&file->tag, "requiredextensions");
@@ -166,10 +170,12 @@ static void check_required(struct zr_mf3 *file)
         const struct zr_xml_text prefix = {word, (size_t)(at - word)};
         const int space = zr_xml_space(&file->xml, prefix);
         const struct zr_xml_text uri = zr_xml_uri(&file->xml, prefix);
-        if (prefix.length > 0 && !(space >= 0 && spaces[space].is_read))
-            zr_mf3_fault(file, file->tag.at, "the required extension %s (%s%.*s) is not read",
-                         zr_quote(prefix.at, prefix.length).text, space >= 0 ? spaces[space].text : "",
-                         space >= 0 || uri.length > 200 ? 0 : (int)uri.length, uri.at);
+        if (prefix.length > 0 && space < 0)
+            zr_mf3_fault(file, file->tag.at, "the required extension %s (%.*s) is not known",
+                         zr_quote(prefix.at, prefix.length).text, uri.length > 200 ? 0 : (int)uri.length, uri.at);
+        else if (prefix.length > 0 && !spaces[space].is_read)
+            zr_mf3_note(file, ZR_MF3_NOTE_REQUIRED, file->tag.at,
+                        (struct zr_xml_text){spaces[space].text, strlen(spaces[space].text)});
         at++;
     }
 }
@@ -221,6 +227,12 @@ void zr_mf3_read_part(struct zr_mf3 *file, uint32_t number)
     file->part = number;
     if (status != ZR_OK) {
         if (status == ZR_BAD_SYNTAX) zr_error_add(file->error, status, NULL, "%s", reason.text);
+        file->is_stopped = true;
+        return;
+    }
+    if (number > 0 && part->member->size > 0 && *bytes != '<' && zr_zip_find(&file->zip, KEYSTORE, strlen(KEYSTORE))) {
+        zr_error_add(file->error, ZR_BAD_SCENE, NULL, "%.*s is encrypted (secure content), which is not read",
+                     (int)(part->member->name_length < 80 ? part->member->name_length : 80), part->member->name);
         file->is_stopped = true;
         return;
     }

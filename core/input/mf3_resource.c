@@ -54,6 +54,7 @@ struct zr_mf3_resource *zr_mf3_add(struct zr_mf3 *file, enum zr_mf3_kind kind)
                                      .at = file->tag.at,
                                      .name = "",
                                      .mesh = ZR_MF3_NONE,
+                                     .material = ZR_MF3_NONE,
                                      .first_node = ZR_MF3_NONE};
     return made;
 }

@@ -3,8 +3,8 @@
  * All threads read the parts of the text twice. The first pass counts: arrays get their sizes, each part its first
  * numbers, and an index can be checked before its vertex is read. The second pass reads. From the first part with a
  * fault on, one thread reads again and reports, so that faults come in the order of the text. Two kinds of files are
- * read a third time: with coordinates far from the origin, or with colours of 0 to 255. Without faces, lines and points,
- * all vertices are points, unless the file has unknown lines. */
+ * read a third time: with coordinates far from the origin, or with colours of 0 to 255. Without faces, lines and
+ * points, all vertices are points, unless the file has unknown lines. */
 #include "input/input.h"
 
 #include "input/mtl.h"

@@ -77,7 +77,7 @@ struct zr_obj_file {
     struct zr_obj_part *parts;
     struct zr_obj_counts total;
     bool has_colors, has_groups;
-    bool is_cloud; /* vertices only: all are points */
+    bool is_cloud;               /* vertices only: all are points */
     zr_vec4 *positions, *colors; /* NULL: no vertex has a colour */
     zr_vec3 *normals;
     uint32_t *face_offsets, *indices, *normal_indices; /* NULL: the file has no normals */

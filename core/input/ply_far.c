@@ -1,5 +1,5 @@
-/* Moves PLY that is far from the origin (far.h). Vertices are read twice more: for the bounds of the drawn ones, and with
- * the middle subtracted. */
+/* Moves PLY that is far from the origin (far.h). Vertices are read twice more: for the bounds of the drawn ones, and
+ * with the middle subtracted. */
 #include "input/ply_file.h"
 #include "scene/unused_positions.h"
 

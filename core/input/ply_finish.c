@@ -58,8 +58,8 @@ static void fill_holes(struct zr_ply_file *file, struct zr_scene_builder *builde
         if (count++ == 0) first = i;
         file->positions[i] = (zr_vec4){0, 0, 0, 1};
     }
-    warn_of_first(builder, count, "vertex is not finite and is left out",
-                  "vertices are not finite and are left out", "vertex", first);
+    warn_of_first(builder, count, "vertex is not finite and is left out", "vertices are not finite and are left out",
+                  "vertex", first);
 }
 
 /* ---- points ---- */
@@ -142,8 +142,7 @@ static void finish_colors(struct zr_ply_file *file, struct zr_scene_builder *bui
         zr_warning_list_add(builder->arena, &builder->color_warnings,
                             "PLY: colours of type float go beyond 1: taken as 0 to 255");
     if (odd.clamped > 0)
-        zr_warning_list_add(builder->arena, &builder->color_warnings,
-                            "PLY: %zu %s limited to %s range", odd.clamped,
+        zr_warning_list_add(builder->arena, &builder->color_warnings, "PLY: %zu %s limited to %s range", odd.clamped,
                             odd.clamped == 1 ? "colour is" : "colours are", odd.clamped == 1 ? "its" : "their");
     if (file->colors) mend_alpha(builder, file->colors, file->vertex_count);
     if (faces->colors) mend_alpha(builder, faces->colors, faces->count);

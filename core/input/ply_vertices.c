@@ -191,8 +191,7 @@ enum zr_status zr_ply_read_vertices(struct zr_ply_file *file, const struct zr_pl
     reading.is_plain = !reading.is_swapped && !file->finds_box && !file->origin;
     for (size_t k = 0; k < 3; k++)
         reading.is_plain &= slots[k]->type == ZR_PLY_F32 && slots[k]->offset == slots[0]->offset + 4 * k;
-    const size_t failed =
-        file->finds_box ? 0 : zr_parts_read(file->team, file->cancel, 0, parts, read_part, &reading);
+    const size_t failed = file->finds_box ? 0 : zr_parts_read(file->team, file->cancel, 0, parts, read_part, &reading);
     for (size_t part = failed; part < parts && !zr_is_cancelled(file->cancel); part++) {
         const size_t begin = part * ZR_PLY_PART_VERTICES, left = count - begin;
         read_range(&reading, begin, begin + (left < ZR_PLY_PART_VERTICES ? left : ZR_PLY_PART_VERTICES), ZR_ERROR_ITEMS,

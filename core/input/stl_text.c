@@ -185,8 +185,8 @@ static void read_on(struct file *file, size_t index, struct zr_arena *arena, str
 static enum zr_status read_all(struct file *file, struct zr_scene_builder *builder, struct zr_stl *out, size_t *failed,
                                struct zr_error *error)
 {
-    *failed = file->line_end == '\r' ? 0
-                                     : zr_parts_read(builder->team, file->cancel, 0, file->part_count, read_part, file);
+    *failed =
+        file->line_end == '\r' ? 0 : zr_parts_read(builder->team, file->cancel, 0, file->part_count, read_part, file);
     *out = (struct zr_stl){.positions = file->positions};
     file->notes = (struct zr_stl_notes){0};
     file->rest = (struct part){.box = zr_box_empty()};

@@ -232,7 +232,20 @@ static void write_3mf(void)
          "x=\"0\" y=\"1\" z=\"0\"/></vertices><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" p1=\"0\" "
          "p2=\"1\" p3=\"0\"/><triangle v1=\"0\" v2=\"2\" "
          "v3=\"1\"/></triangles></mesh></object></resources><build><item "
-         "objectid=\"3\"/></build></model>"}};
+         "objectid=\"3\"/></build></model>"},
+        {"textures", MODEL
+         "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\"><resources>"
+         "<basematerials id=\"1\"><base name=\"r\" displaycolor=\"#F00000\"/></basematerials><m:texture2d id=\"2\" "
+         "path=\"/a.png\" tilestyleu=\"none\" filter=\"nearest\"/><m:texture2dgroup id=\"3\" texid=\"2\">"
+         "<m:tex2coord u=\"0\" v=\"-1.5\"/></m:texture2dgroup><m:compositematerials id=\"4\" matid=\"1\" "
+         "matindices=\"0 0\"><m:composite values=\"0.5 1\"/></m:compositematerials><m:multiproperties id=\"5\" "
+         "pids=\"4 3\" blendmethods=\"multiply\"><m:multi pindices=\"0 0\"/></m:multiproperties><object id=\"6\" "
+         "pid=\"5\">" MESH "</object></resources><build><item objectid=\"6\"/></build></model>"},
+        {"far",
+         MODEL "><resources><object id=\"1\"><mesh><vertices><vertex x=\"2e6\" y=\"0\" z=\"0\"/><vertex x=\"2e6\" "
+               "y=\"1\" z=\"0\"/><vertex x=\"2e6\" y=\"1\" z=\"-2e-1\"/></vertices><triangles><triangle v1=\"0\" "
+               "v2=\"1\" v3=\"2\"/></triangles></mesh></object></resources><build><item objectid=\"1\" "
+               "transform=\"1 0 0 0 1 0 0 0 1 -3e6 0 0\"/></build></model>"}};
     WRITE_TEXTS("3mf", models);
     size_t size, directory;
     const struct zip_entry entries[] = {{"a", "aaaaaaaaaaaaaaaaaaaaaaaab", 25, true}, {"b/c", "stored", 6, false}};

@@ -1,5 +1,7 @@
 /* Reads 3MF: meshes, instances, colours and warnings. Refusals: tests/refusals/3mf.txt. */
 #include "input_check.h"
+#include "scene/texture.h"
+#include "support/png.h"
 #include "support/tests.h"
 #include "support/zip_file.h"
 
@@ -148,9 +150,9 @@ TEST(colours_are_of_faces_or_corners)
     struct reading *reading = read_model(
         "<model " CORE MATERIAL "><resources>" COLORS "<object id=\"3\" pid=\"1\" pindex=\"0\"><mesh>" VERTICES
         "<triangles>" TRIANGLE "<triangle v1=\"0\" v2=\"1\" v3=\"2\" p1=\"1\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\" "
-                               "pid=\"2\" p1=\"0\"/></triangles></mesh>"
+        "pid=\"2\" p1=\"0\"/></triangles></mesh>"
         "</object><object id=\"4\"><mesh>" VERTICES "<triangles><triangle v1=\"0\" v2=\"2\" v3=\"1\" pid=\"2\" "
-                                                    "p1=\"0\" p2=\"1\" p3=\"0\"/></triangles></mesh></object>"
+        "p1=\"0\" p2=\"1\" p3=\"0\"/></triangles></mesh></object>"
         "</resources><build><item objectid=\"3\"/><item objectid=\"4\"/></build></model>");
     assert_read(reading);
     const struct zr_mesh *faces = &reading->scene->meshes[0], *corners = faces + 1;
@@ -194,8 +196,9 @@ TEST(what_is_not_drawn_is_warned_of)
     struct reading *reading = read_model(
         "<model " CORE MATERIAL "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\" "
         "xmlns:q=\"http://example.org\"><metadata name=\"Title\">x</metadata><resources>\n<s:slicestack id=\"9\"/>"
-        "<q:odd/>\n<odd/><m:texture2dgroup id=\"5\" texid=\"6\"/><object id=\"1\"><mesh>" VERTICES
-        "<triangles>" TRIANGLE "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"5\" p1=\"0\" paint_color=\"8\"/></triangles>"
+        "<q:odd/>\n<odd/><m:texture2d id=\"6\" path=\"/a.png\"/><m:texture2dgroup id=\"5\" texid=\"6\"><m:tex2coord "
+        "u=\"0\" v=\"0\"/></m:texture2dgroup><object id=\"1\"><mesh>" VERTICES "<triangles>" TRIANGLE
+        "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"5\" p1=\"0\" paint_color=\"8\"/></triangles>"
         "</mesh></object><object id=\"2\" type=\"other\">" MESH "</object></resources>"
         "<build><item objectid=\"1\" printable=\"0\"/><item objectid=\"2\"/></build></model>");
     assert_read(reading);
@@ -203,11 +206,107 @@ TEST(what_is_not_drawn_is_warned_of)
     assert_true(
         warns(reading, "3MF: 1 elements of slices are not drawn; the first is in 3D/3dmodel.model, line 2: 's"));
     assert_true(warns(reading, "3MF: 1 elements are not known; the first is in 3D/3dmodel.model, line 3: 'odd'"));
-    assert_true(warns(reading, "1 triangles have textures"));
+    assert_true(warns(reading, "1 textures have no image in the archive"));
     assert_true(warns(reading, "1 triangles are painted"));
     assert_true(warns(reading, "type other are left out"));
     assert_true(warns(reading, "not printable"));
     assert_int_equal(reading->scene->warning_count, 6);
+    reading_free(reading);
+}
+
+/* ---- materials ---- */
+
+#define GROUPS                                                                                                         \
+    "<basematerials id=\"1\"><base name=\"r\" displaycolor=\"#FF0000\"/><base name=\"b\" displaycolor=\"#0000FF\"/>"   \
+    "</basematerials><m:texture2d id=\"2\" path=\"/3D/Texture/a%%20b.png\" contenttype=\"image/png\" "                 \
+    "tilestyleu=\"mirror\" tilestylev=\"none\" filter=\"nearest\"/><m:texture2dgroup id=\"3\" texid=\"2\">"            \
+    "<m:tex2coord u=\"0\" v=\"0\"/><m:tex2coord u=\"1\" v=\"0.25\"/><m:tex2coord u=\"0\" v=\"2\"/></m:texture2dgroup>" \
+    "<m:compositematerials id=\"4\" matid=\"1\" matindices=\"0 1\"><m:composite values=\"0.5 0.5\"/><m:composite "     \
+    "values=\"3 1\"/></m:compositematerials><m:multiproperties id=\"5\" pids=\"1 3\" blendmethods=\"multiply\">"       \
+    "<m:multi pindices=\"1 2\"/><multi pindices=\"1 1\"/></m:multiproperties>"
+
+/* Reads a mesh with these triangles, beside an image of one opaque texel, or a translucent one. */
+static struct reading *read_painted(const char *triangles, uint8_t alpha)
+{
+    const uint8_t texel[4] = {10, 20, 30, alpha};
+    char model[4096];
+    size_t size;
+    snprintf(model, sizeof model,
+             "<model " CORE MATERIAL "><resources>" GROUPS "<object id=\"9\"><mesh>" VERTICES
+             "<triangles>%s</triangles></mesh></object></resources><build><item objectid=\"9\"/></build></model>",
+             triangles);
+    uint8_t *image = png_memory_write(texel, 1, 1, &size);
+    assert_non_null(image);
+    const struct zip_entry parts[] = {{"3D/3dmodel.model", model, strlen(model), true},
+                                      {"3D/Texture/a b.png", (const char *)image, size, false}};
+    struct reading *reading = read_parts(parts, 2, "y");
+    free(image);
+    assert_read(reading);
+    return reading;
+}
+
+#define PAINTED(properties) "<triangle v1=\"0\" v2=\"1\" v3=\"2\" " properties "/>"
+
+TEST(textures_of_the_package_are_drawn)
+{
+    struct reading *reading = read_painted(PAINTED("pid=\"3\" p1=\"0\" p2=\"1\" p3=\"2\""), 255);
+    const struct zr_scene *scene = reading->scene;
+    const struct zr_mesh *mesh = &scene->meshes[0];
+    const struct zr_material *material = &scene->materials[mesh->material];
+    assert_int_equal(scene->image_count, 1);
+    assert_int_equal(scene->texture_count, 1);
+    assert_int_equal(material->textures[ZR_TEXTURE_BASE_COLOR], 1);
+    assert_int_equal(material->alpha_mode, ZR_ALPHA_OPAQUE);
+    assert_null(mesh->face_materials);
+    assert_null(mesh->colors);
+    const struct zr_texture *texture = &scene->textures[0];
+    assert_int_equal(texture->wrap_s, ZR_WRAP_MIRROR);
+    assert_int_equal(texture->wrap_t, ZR_WRAP_CLAMP);
+    assert_int_equal(texture->magnify, ZR_FILTER_NEAREST);
+    float at[2];
+    zr_texture_transform(texture, mesh->texcoords[1].x, mesh->texcoords[1].y, at);
+    assert_true(at[0] == 1.0f && at[1] == 0.75f); /* v points up */
+    assert_int_equal(scene->warning_count, 1);
+    assert_true(warns(reading, "1 triangles leave textures of the tilestyle none"));
+    reading_free(reading);
+    reading = read_painted(PAINTED("pid=\"3\" p1=\"0\"") PAINTED("pid=\"1\" p1=\"0\"") PAINTED(""), 77);
+    mesh = &reading->scene->meshes[0];
+    assert_non_null(mesh->face_materials);
+    assert_true(mesh->colors[0].x == 1.0f && mesh->colors[0].y == 1.0f && mesh->colors[3].y == 0.0f);
+    assert_int_equal(reading->scene->materials[mesh->face_materials[0]].alpha_mode, ZR_ALPHA_BLEND);
+    assert_int_equal(reading->scene->materials[mesh->face_materials[1]].alpha_mode, ZR_ALPHA_OPAQUE);
+    assert_int_equal(reading->scene->materials[mesh->face_materials[1]].textures[ZR_TEXTURE_BASE_COLOR], 0);
+    assert_int_equal(mesh->face_materials[1], mesh->face_materials[2]);
+    reading_free(reading);
+}
+
+TEST(composites_and_multiproperties_are_mixed)
+{
+    struct reading *reading = read_painted(PAINTED("pid=\"4\" p1=\"0\" p2=\"1\" p3=\"1\""), 255);
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    assert_int_equal(reading->scene->image_count, 0); /* not used */
+    assert_true(mesh->colors[0].x == 128.0f / 255.0f && mesh->colors[0].z == 128.0f / 255.0f);
+    assert_true(mesh->colors[1].x == 191.0f / 255.0f && mesh->colors[1].z == 64.0f / 255.0f);
+    reading_free(reading);
+    reading = read_painted(PAINTED("pid=\"5\" p1=\"0\" p2=\"1\" p3=\"0\""), 255);
+    mesh = &reading->scene->meshes[0];
+    assert_true(mesh->colors[0].x == 0.0f && mesh->colors[0].z == 1.0f); /* blue times the texture */
+    assert_true(mesh->texcoords[0].y == 2.0f && mesh->texcoords[1].y == 0.25f);
+    assert_int_equal(reading->scene->texture_count, 1);
+    reading_free(reading);
+}
+
+/* A required extension that adds to triangles is warned of. */
+TEST(required_extensions_are_warned_of)
+{
+    struct reading *reading =
+        read_model("<model " CORE "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\" "
+                   "requiredextensions=\"s\"><resources><object id=\"1\">" MESH "</object></resources><build>"
+                   "<item objectid=\"1\"/></build></model>");
+    assert_read(reading);
+    assert_int_equal(reading->scene->warning_count, 1);
+    assert_true(warns(reading, "1 required extensions are not read, so parts may be missing"));
+    assert_true(warns(reading, "'slices'"));
     reading_free(reading);
 }
 

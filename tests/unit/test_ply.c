@@ -373,8 +373,7 @@ TEST(what_is_not_drawn_or_odd_is_warned_of)
     } cases[] = {
         {ASCII "comment TextureFile a b.png \ncomment TextureFile c.png\n" VERTEX "end_header\n" POSITIONS,
          "2 textures are not read in this version; the first is 'a b.png'"},
-        {ASCII "made by hand\n" VERTEX "end_header\n" POSITIONS,
-         "1 line of the header is not known; it is line 3"},
+        {ASCII "made by hand\n" VERTEX "end_header\n" POSITIONS, "1 line of the header is not known; it is line 3"},
         {ASCII VERTEX "element face 3\nproperty list uchar int vertex_indices\nend_header\n" POSITIONS
                       "3 0 1 2\n2 0 1\n0\n",
          "2 faces have fewer than 3 corners and are left out; the first is face 1"},
