@@ -17,9 +17,10 @@
     KIND(NUMBER, "NUMBER")   /* within the range of the key */                                                         \
     KIND(DEGREES, "DEGREES") /* likewise */                                                                            \
     KIND(PIXELS, "PIXELS")   /* likewise */                                                                            \
-    KIND(UNITS, "UNITS")     /* greater than 0 */                                                                      \
-    KIND(SIDE, "PIXELS")     /* integer, side of the window */                                                         \
-    KIND(PIXEL, "PIXELS")    /* integer, from 0 */                                                                     \
+    KIND(SECONDS, "SECONDS")                                                                                           \
+    KIND(UNITS, "UNITS")  /* greater than 0 */                                                                         \
+    KIND(SIDE, "PIXELS")  /* integer, side of the window */                                                            \
+    KIND(PIXEL, "PIXELS") /* integer, from 0 */                                                                        \
     KIND(VECTOR, "X,Y,Z")                                                                                              \
     KIND(COLOR, "COLOR") /* opaque */                                                                                  \
     KIND(BACKGROUND, "COLOR")                                                                                          \
@@ -52,6 +53,9 @@
         "axis of the mesh that points up: x, -x, y, -y, z, -z or auto (default: z for STL and 3MF, else y)")           \
     ROW(camera, "/query/camera", MESH, NAME,                                                                           \
         "camera of a glTF file, by its name or number, instead of the look's view")                                    \
+    ROW(animation, "/query/animation", MESH, NAME,                                                                     \
+        "animation of a glTF file, by its name or number (default: the file's pose, without time)")                    \
+    ROW(time, "/query/time", MESH, SECONDS, "time of the animation (default: 0)")                                      \
     ROW(projection, "/query/projection", MESH, NAME,                                                                   \
         "kind of camera: orthographic or perspective (default: the look's)")                                           \
     ROW(shading, "/shading", MESH, NAME, "model of reflection: " ZR_SHADING_LIST "or the look's (default)")            \

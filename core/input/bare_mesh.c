@@ -75,6 +75,20 @@ static void use_camera(struct zr_query *query)
         zr_file_scene_use_camera(&query->given, path, file, query->camera, &up);
 }
 
+/* Checks that the reader of the file has found the animation. */
+static void check_animation(struct zr_query *query)
+{
+    struct zr_parsed_scene *root = &query->given;
+    const struct zr_file_scene *file = root->builder->file;
+    uint32_t number;
+    if (query->animation && !(file && zr_file_scene_find_animation(file, query->animation, &number)))
+        zr_file_scene_refuse_animation(root, ZR_JSON_KEY(ZR_JSON_KEY(NULL, "query"), "animation"), file,
+                                       query->animation);
+    if (query->request->time && !query->animation && !(file && file->animation_count > 0))
+        zr_warning_list_add(root->json.arena, &root->builder->warnings,
+                            "the parameter time has no effect: the file has no animations");
+}
+
 static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
 {
     const struct zr_format_row *format = &zr_format_rows[request->format];
@@ -106,6 +120,7 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
         use_projection(query);
         use_camera(query);
     }
+    check_animation(query);
     const bool has_ink = zr_cloud_take_edges(root);
     if (has_materials(root)) {
         zr_file_scene_make_materials(root, root->builder->file);

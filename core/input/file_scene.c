@@ -112,30 +112,36 @@ void zr_file_scene_drop_maps(struct zr_parsed_scene *root)
 
 /* ---- cameras ---- */
 
-/* Lists the cameras of a file, for a message. */
+/* Adds the name of an item of the file to a list for a message; its number if it has no name. */
+static void list(struct zr_names_text *names, const char *name, uint32_t number)
+{
+    char digits[16];
+    snprintf(digits, sizeof digits, "%u", number);
+    zr_names_text_add(names, *name ? zr_quote(name, strlen(name)).text : digits);
+}
+
 static struct zr_names_text list_cameras(const struct zr_file_scene *file)
 {
     struct zr_names_text names = {""};
-    for (uint32_t i = 0; i < file->camera_count; i++) {
-        char number[16];
-        snprintf(number, sizeof number, "%u", file->cameras[i].number);
-        zr_names_text_add(&names, *file->cameras[i].name
-                                      ? zr_quote(file->cameras[i].name, strlen(file->cameras[i].name)).text
-                                      : number);
-    }
+    for (uint32_t i = 0; i < file->camera_count; i++)
+        list(&names, file->cameras[i].name, file->cameras[i].number);
     return names;
+}
+
+static bool is_number(const char *text, uint32_t number)
+{
+    char digits[16];
+    snprintf(digits, sizeof digits, "%u", number);
+    return strcmp(text, digits) == 0;
 }
 
 /* Returns the camera of this name, else the one of this number, else NULL. */
 static const struct zr_file_camera *find_camera(const struct zr_file_scene *file, const char *wanted)
 {
-    char number[16];
     for (uint32_t i = 0; i < file->camera_count; i++)
         if (strcmp(file->cameras[i].name, wanted) == 0) return &file->cameras[i];
-    for (uint32_t i = 0; i < file->camera_count; i++) {
-        snprintf(number, sizeof number, "%u", file->cameras[i].number);
-        if (strcmp(number, wanted) == 0) return &file->cameras[i];
-    }
+    for (uint32_t i = 0; i < file->camera_count; i++)
+        if (is_number(wanted, file->cameras[i].number)) return &file->cameras[i];
     return NULL;
 }
 
@@ -191,4 +197,28 @@ bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json
     view->has_zfar = found->has_zfar;
     view->zfar = found->zfar;
     return true;
+}
+
+/* ---- animations ---- */
+
+bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *wanted, uint32_t *number)
+{
+    for (*number = 0; *number < file->animation_count; ++*number)
+        if (!wanted || strcmp(file->animation_names[*number], wanted) == 0) return true;
+    for (*number = 0; *number < file->animation_count; ++*number)
+        if (is_number(wanted, *number)) return true;
+    return false;
+}
+
+void zr_file_scene_refuse_animation(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                    const struct zr_file_scene *file, const char *wanted)
+{
+    struct zr_names_text names = {""};
+    for (uint32_t i = 0; file && i < file->animation_count; i++)
+        list(&names, file->animation_names[i], i);
+    if (!*names.text)
+        zr_json_fault(&root->json, path, "the file has no animations");
+    else
+        zr_json_fault(&root->json, path, "the file has no animation %s; its animations: %s",
+                      zr_quote(wanted, strlen(wanted)).text, names.text);
 }

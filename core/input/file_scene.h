@@ -1,4 +1,4 @@
-/* file_scene.h - input: nodes, materials and cameras of bare meshes in formats such as glTF.
+/* file_scene.h - input: nodes, materials, cameras and animations of bare meshes in formats such as glTF.
  *
  * Over:   a parameter of the query replaces the file's value, which replaces the look's.
  */
@@ -32,6 +32,8 @@ struct zr_file_scene {
     bool blends_colors; /* colours of meshes with an alpha below 1 are blended */
     uint32_t camera_count;
     struct zr_file_camera *cameras;
+    uint32_t animation_count;              /* if the request has the parameter animation or time; else 0 */
+    const char *const *animation_names;    /* "": without a name */
     const uint32_t *mesh_materials;        /* one per mesh; NONE: the look's material */
     const uint32_t *const *face_materials; /* NULL, or one per mesh: NULL, or the material of each face */
 };
@@ -49,6 +51,13 @@ bool zr_file_scene_has_camera(const struct zr_file_scene *file, const char *came
  * space to world space. False, and a fault at `path`, if there is no such camera. `file` may be NULL. */
 bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
                               const struct zr_file_scene *file, const char *camera, const zr_mat4 *up);
+
+/* Finds the animation of this name, else of this number; NULL: the first one. False if there is none. */
+bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *wanted, uint32_t *number);
+
+/* Reports at `path` that the file has no such animation. `file` may be NULL. */
+void zr_file_scene_refuse_animation(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                    const struct zr_file_scene *file, const char *wanted);
 
 /* Removes the maps that need linear light if the picture is made without it. */
 void zr_file_scene_drop_maps(struct zr_parsed_scene *root);

@@ -61,14 +61,14 @@ static bool is_good(const struct zr_gltf *file)
     return file->root.json.error->count == 0 && zr_arena_ok(file->root.json.arena);
 }
 
-static void build(struct zr_gltf *file)
+static void build(struct zr_gltf *file, const struct zr_request *request)
 {
     check_version(file);
     zr_gltf_check_extensions(file);
     if (!is_good(file) || !count_lists(file)) return;
     if (!zr_gltf_read_buffers(file) || !zr_gltf_read_accessors(file) || !zr_gltf_read_textures(file) ||
-        !zr_gltf_read_materials(file) || !zr_gltf_read_cameras(file) || !zr_gltf_read_nodes(file) ||
-        !zr_gltf_read_skins(file) || !is_good(file))
+        !zr_gltf_read_materials(file) || !zr_gltf_read_cameras(file) || !zr_gltf_choose_animation(file, request) ||
+        !zr_gltf_read_nodes(file) || !zr_gltf_read_skins(file) || !is_good(file))
         return;
     zr_gltf_keep_cameras(file);
     if (file->counts[ZR_GLTF_MESHES] > 0 && zr_gltf_count_unplaced(file) == file->counts[ZR_GLTF_MESHES])
@@ -117,7 +117,7 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
     uint64_t keys;
     if (file->root.assets.uses && zr_gltf_fields(file, json, NULL, &zr_gltf_root, file->places, &keys) &&
         zr_json_end(json))
-        build(file);
+        build(file, request);
     builder->file = made;
     return zr_json_close(json);
 }

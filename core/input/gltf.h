@@ -107,14 +107,25 @@ struct zr_gltf_texture {
 /* A use of a mesh of the file: one mesh of the scene per drawn primitive. Nodes without a skin, weights or instancing
  * share a use. */
 struct zr_gltf_use {
-    uint32_t skin;          /* or NONE */
-    uint32_t next;          /* next use of the same mesh, or NONE */
-    const char *weights;    /* place of the node's weights, or NULL */
-    const char *instancing; /* place of the node's instancing, or NULL */
-    uint32_t node;          /* first node of the use */
-    uint32_t pose_count;    /* of instancing */
+    uint32_t skin;                   /* or NONE */
+    uint32_t next;                   /* next use of the same mesh, or NONE */
+    const char *weights;             /* place of the node's weights, or NULL */
+    const char *instancing;          /* place of the node's instancing, or NULL */
+    const struct zr_gltf_pose *pose; /* with the weights of the animation, or NULL */
+    uint32_t node;                   /* first node of the use */
+    uint32_t pose_count;             /* of instancing */
     const zr_mat4 *poses;
     uint32_t first, count; /* meshes of the scene */
+};
+
+/* The pose of a node, which the animation changes. */
+struct zr_gltf_pose {
+    zr_vec3 translation, scale;
+    zr_vec4 rotation;
+    bool has_matrix; /* the node has one instead */
+    bool is_moved;   /* the animation has set a part of the pose */
+    uint32_t weight_count;
+    const float *weights; /* of morph targets; NULL: the node's or the mesh's */
 };
 
 struct zr_gltf_image {
@@ -146,11 +157,13 @@ struct zr_gltf {
     uint32_t *first_uses;         /* one per mesh; NONE if no node of the scene places it */
     uint32_t use_count;
     struct zr_gltf_use *uses;
-    struct zr_gltf_nodes *nodes; /* gltf_nodes.h */
-    uint32_t scene;              /* number of the drawn scene */
-    uint64_t primitives;         /* of all uses of meshes */
-    uint32_t use, next_mesh;     /* use that is read now; next mesh of the scene to make */
-    const char *weights;         /* place of the weights of the mesh that is read now, or NULL */
+    struct zr_gltf_animation *animation; /* private to gltf_animation.c */
+    struct zr_gltf_pose *poses;          /* one per node; NULL: no animation is drawn */
+    struct zr_gltf_nodes *nodes;         /* gltf_nodes.h */
+    uint32_t scene;                      /* number of the drawn scene */
+    uint64_t primitives;                 /* of all uses of meshes */
+    uint32_t use, next_mesh;             /* use that is read now; next mesh of the scene to make */
+    const char *weights;                 /* place of the weights of the mesh that is read now, or NULL */
     struct zr_gltf_skin *skins;
     struct zr_file_camera *cameras; /* one per camera of the file */
     bool *placed_cameras;           /* one per camera: a node of the scene places it */
@@ -158,7 +171,7 @@ struct zr_gltf {
     const struct zr_far_move **moves; /* one per mesh of the scene, or NULL */
     struct zr_file_scene *made;
     size_t made_bytes; /* bytes of the meshes' arrays so far */
-    struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty;
+    struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels;
     uint32_t unread_extensions; /* used extensions that are not read; their names: */
     struct zr_names_text extensions;
 };
@@ -254,6 +267,14 @@ void zr_gltf_place(struct zr_gltf *file);
 
 /* Returns the matrix of a node to world space, in the pose of the file. */
 const zr_mat4 *zr_gltf_world_of(const struct zr_gltf *file, uint32_t node);
+
+/* ---- gltf_animation.c ---- */
+
+/* Finds the animation that the request names. Makes file->poses if there is one; reports nothing if there is none. */
+bool zr_gltf_choose_animation(struct zr_gltf *file, const struct zr_request *request);
+
+/* Moves file->poses to the time of the request. False after a fault. */
+bool zr_gltf_animate(struct zr_gltf *file);
 
 /* ---- gltf_instancing.c: EXT_mesh_gpu_instancing ---- */
 

@@ -15,6 +15,8 @@ static const struct zr_json_field fields[] = {{.key = "POSITION", .read = zr_glt
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("target", fields);
 
+#define WEIGHT_MAX 1e6
+
 /* Adds `weight` times the differences to the first three floats of vectors that are `step` floats apart. */
 static bool add(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number, double weight,
                 const struct zr_gltf_range *range, float *vectors, size_t step)
@@ -57,18 +59,21 @@ bool zr_gltf_morph(struct zr_gltf *file, const struct zr_json_path *path, const 
                    const struct zr_gltf_range *range, struct zr_mesh *mesh)
 {
     const struct zr_json_path *targets = ZR_JSON_KEY(path, "targets"), *weights = ZR_JSON_KEY(path->parent, "weights");
-    if (!given->targets || !file->weights) return true;
-    struct zr_json target = zr_json_at(&file->root.json, given->targets),
-                   weight = zr_json_at(&file->root.json, file->weights);
-    if (!zr_json_list(&target, targets) || !zr_json_list(&weight, weights)) return false;
-    zr_json_enter(&weight, '[');
+    const struct zr_gltf_pose *pose = file->uses[file->use].pose;
+    if (!given->targets || (!file->weights && !pose)) return true;
+    struct zr_json target = zr_json_at(&file->root.json, given->targets), weight = target;
+    if (!pose) weight = zr_json_at(&file->root.json, file->weights);
+    if (!zr_json_list(&target, targets) || (!pose && !zr_json_list(&weight, weights))) return false;
+    if (!pose) zr_json_enter(&weight, '[');
     zr_json_enter(&target, '[');
     for (size_t i = 0; zr_json_any_item(&target); i++) {
         double factor = 0;
-        if (!zr_json_any_item(&weight)) break; /* missing weights are 0 */
-        if (!zr_json_number_in(&weight, ZR_JSON_ITEM(weights, i), -1e6, 1e6, &factor) ||
-            !add_target(file, &target, ZR_JSON_ITEM(targets, i), factor, range, mesh))
+        if (pose ? i == pose->weight_count : !zr_json_any_item(&weight)) break; /* missing weights are 0 */
+        if (pose)
+            factor = (double)pose->weights[i];
+        else if (!zr_json_number_in(&weight, ZR_JSON_ITEM(weights, i), -WEIGHT_MAX, WEIGHT_MAX, &factor))
             return false;
+        if (!add_target(file, &target, ZR_JSON_ITEM(targets, i), factor, range, mesh)) return false;
     }
     return zr_gltf_check_moved(file, path, mesh, "a morph target");
 }

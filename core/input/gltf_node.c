@@ -102,6 +102,11 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
         if (given.name && *given.name) node->name = given.name;
     }
     memcpy(all->exact[number], given.exact, sizeof given.exact);
+    if (file->poses)
+        file->poses[number] = (struct zr_gltf_pose){.translation = given.translation,
+                                                    .rotation = given.rotation,
+                                                    .scale = given.scale,
+                                                    .has_matrix = zr_json_gives(keys, MATRIX)};
     all->skins[number] = given.skin;
     all->names[number] = given.name;
     all->cameras[number] = given.camera;
@@ -228,6 +233,22 @@ static void find_drawn(struct zr_gltf_nodes *all)
     }
 }
 
+/* Sets the matrices of the nodes that the animation moves. */
+static bool animate(struct zr_gltf *file)
+{
+    if (!zr_gltf_animate(file)) return false;
+    for (uint32_t i = 0; i < file->nodes->count; i++) {
+        const struct zr_gltf_pose *pose = &file->poses[i];
+        const zr_vec4 q = pose->rotation;
+        if (!pose->is_moved) continue;
+        if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f)
+            return zr_json_fault(&file->root.json, ZR_GLTF_ITEM(ZR_GLTF_NODES, i),
+                                 "the animation gives it a quaternion of no length");
+        file->nodes->nodes[i].local = zr_mat4_of_pose(pose->translation, q, pose->scale);
+    }
+    return true;
+}
+
 /* Computes the matrices of all nodes to world space. */
 static void find_worlds(struct zr_gltf_nodes *all)
 {
@@ -253,19 +274,22 @@ const zr_mat4 *zr_gltf_world_of(const struct zr_gltf *file, uint32_t node)
 
 static bool is_shared(const struct zr_gltf_use *use)
 {
-    return use->skin == ZR_GLTF_NONE && !use->weights && !use->instancing;
+    return use->skin == ZR_GLTF_NONE && !use->weights && !use->instancing && !use->pose;
 }
 
-/* Returns the use of a node's mesh: a new one if the node has a skin, weights or instancing, else the shared one. */
+/* Returns the use of a node's mesh: a new one if the node has a skin, weights or instancing of its own, else the shared
+ * one. */
 static uint32_t use_of(struct zr_gltf *file, uint32_t node)
 {
     const struct zr_gltf_nodes *all = file->nodes;
     uint32_t *next = &file->first_uses[all->nodes[node].mesh];
-    const bool is_own = all->skins[node] != ZR_GLTF_NONE || all->weights[node] || all->instancing[node];
+    const struct zr_gltf_pose *pose = file->poses && file->poses[node].weights ? &file->poses[node] : NULL;
+    const bool is_own = all->skins[node] != ZR_GLTF_NONE || all->weights[node] || all->instancing[node] || pose;
     if (!is_own && *next != ZR_GLTF_NONE && is_shared(&file->uses[*next])) return *next;
     file->uses[file->use_count] = (struct zr_gltf_use){.skin = all->skins[node],
                                                        .weights = all->weights[node],
                                                        .instancing = all->instancing[node],
+                                                       .pose = pose,
                                                        .node = node,
                                                        .next = *next};
     if (is_own && *next != ZR_GLTF_NONE && is_shared(&file->uses[*next])) { /* insert it behind the shared one */
@@ -311,6 +335,7 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     if (!zr_arena_ok(arena)) return false;
     memset(all->parents, 0xFF, count * sizeof *all->parents);
     if (!zr_gltf_read_list(file, ZR_GLTF_NODES, read_node) || !read_children(file) || !find_roots(file)) return false;
+    if (file->poses && !animate(file)) return false;
     find_drawn(all);
     find_worlds(all);
     find_uses(file);

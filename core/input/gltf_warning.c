@@ -26,7 +26,8 @@ void zr_gltf_warn(struct zr_gltf *file)
     struct zr_warning_list *all = &builder->warnings, *colors = &builder->color_warnings;
     struct zr_arena *arena = file->root.json.arena;
     const uint32_t unplaced = zr_gltf_count_unplaced(file);
-    if (file->counts[ZR_GLTF_ANIMATIONS] > 0) zr_warning_list_add(arena, all, "left out: animations of the file");
+    if (file->counts[ZR_GLTF_ANIMATIONS] > 0 && !file->animation)
+        zr_warning_list_add(arena, all, "left out: animations of the file");
     if (file->unread_extensions > 0)
         zr_warning_list_add(arena, all, "drawn without the extension%s %s", file->unread_extensions > 1 ? "s" : "",
                             file->extensions.text);
@@ -34,6 +35,7 @@ void zr_gltf_warn(struct zr_gltf *file)
         zr_warning_list_add(arena, all, "%u of %u meshes are placed by no node of the scene and are not drawn",
                             unplaced, file->counts[ZR_GLTF_MESHES]);
     warn_of(file, all, &file->unknown, "this key is not known", "keys are not known");
+    warn_of(file, all, &file->unread_channels, "moves what is not read", "channels move what is not read");
     warn_of(file, all, &file->no_positions, "without POSITION, and not drawn", "primitives are without POSITION");
     warn_of(file, all, &file->empty, "too few corners to draw", "primitives have too few corners to draw");
     warn_of(file, all, &file->left_over, "the last corners make no whole primitive",

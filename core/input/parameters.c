@@ -49,6 +49,7 @@ static const char *const projections[] = {"orthographic", "perspective"};
 static const struct zr_names projection_names = ZR_NAMES(2, projections);
 
 /* Parameters that are no key of a scene. */
+#define TIME_MAX   1e6 /* seconds */
 #define AT(member) offsetof(struct zr_query, member)
 static const struct zr_json_field query_fields[] = {
     {"compress", zr_json_choice, AT(compress), .words = &zr_compress_names, .text = "compression of PNGs"},
@@ -57,7 +58,9 @@ static const struct zr_json_field query_fields[] = {
     {"up", zr_json_choice, AT(up), .words = &zr_mesh_up_names, .text = "axis of the mesh that points up"},
     {"camera", zr_json_string, AT(camera), .text = "camera of the file, by name or number"},
     {"projection", zr_json_choice, AT(projection), .words = &projection_names,
-     .text = "kind of projection, with the look's angle of view"}};
+     .text = "kind of projection, with the look's angle of view"},
+    {"animation", zr_json_string, AT(animation), .text = "animation of the file, by name or number"},
+    {"time", zr_json_number, AT(time), 0, TIME_MAX, .unit = "seconds", .text = "time of the animation"}};
 #undef AT
 static const struct zr_json_object query_object = ZR_JSON_OBJECT_OF("query", query_fields);
 static const char query_prefix[] = "/query/";
@@ -132,6 +135,15 @@ static bool put_in_range(const struct reading *r, struct zr_json_writer *json, c
     snprintf(wanted, sizeof wanted, "a number%s%s from %g to %g", field->unit ? " of " : "",
              field->unit ? field->unit : "", field->low, field->high);
     return refuse(r, row, text, wanted);
+}
+
+static bool put_seconds(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
+{
+    double value;
+    if (!is_number(text, strlen(text), &value) || !(value >= 0.0 && value <= TIME_MAX))
+        return refuse(r, row, text, "a number of seconds from 0 to 1e+06");
+    zr_json_put_number(json, value);
+    return true;
 }
 
 static bool put_positive(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
@@ -254,11 +266,12 @@ static bool put_value(const struct reading *r, struct zr_json_writer *json, cons
 {
     static bool (*const by_kind[])(const struct reading *, struct zr_json_writer *, const struct row *,
                                    const char *) = {
-        [KIND_NAME] = put_name,        [KIND_NAME_OR_FALSE] = put_name,    [KIND_AXIS] = put_name,
-        [KIND_BOOL] = put_flag,        [KIND_COUNT] = put_count,           [KIND_NUMBER] = put_in_range,
-        [KIND_DEGREES] = put_in_range, [KIND_PIXELS] = put_in_range,       [KIND_UNITS] = put_positive,
-        [KIND_SIDE] = put_side,        [KIND_PIXEL] = put_pixel,           [KIND_VECTOR] = put_vector,
-        [KIND_COLOR] = put_opaque,     [KIND_BACKGROUND] = put_background, [KIND_OUTLINE] = put_outline};
+        [KIND_NAME] = put_name,        [KIND_NAME_OR_FALSE] = put_name, [KIND_AXIS] = put_name,
+        [KIND_BOOL] = put_flag,        [KIND_COUNT] = put_count,        [KIND_NUMBER] = put_in_range,
+        [KIND_DEGREES] = put_in_range, [KIND_PIXELS] = put_in_range,    [KIND_UNITS] = put_positive,
+        [KIND_SECONDS] = put_seconds,  [KIND_SIDE] = put_side,          [KIND_PIXEL] = put_pixel,
+        [KIND_VECTOR] = put_vector,    [KIND_COLOR] = put_opaque,       [KIND_BACKGROUND] = put_background,
+        [KIND_OUTLINE] = put_outline};
     return by_kind[row->kind](r, json, row, text);
 }
 

@@ -12,11 +12,12 @@
 
 struct zr_query {
     const struct zr_request *request;
-    struct zr_parsed_scene given; /* scene keys of the query; .scene: the builder's for a bare mesh, else `others` */
-    struct zr_scene others;       /* values of the query that override a JSON scene: outputs and the colour bar */
-    int compress, projection, up; /* ZR_UNSET: not given; up: enum zr_mesh_up */
-    const char *member;           /* NULL: zr_zip_body_open takes it */
-    const char *camera;           /* name or number of a camera of the file; NULL: not given */
+    struct zr_parsed_scene given;   /* scene keys of the query; .scene: the builder's for a bare mesh, else `others` */
+    struct zr_scene others;         /* values of the query that override a JSON scene: outputs and the colour bar */
+    int compress, projection, up;   /* ZR_UNSET: not given; up: enum zr_mesh_up */
+    const char *member;             /* NULL: zr_zip_body_open takes it */
+    const char *camera, *animation; /* name or number of one of the file; NULL: not given */
+    double time;                    /* seconds */
     bool is_strict;
     struct zr_instance *instances; /* of a bare mesh */
 };

@@ -4,7 +4,8 @@
 
 #include "fuzz/fuzz.h"
 
-#define FUZZ_MESH(ID)                                                                                                  \
+/* `when`: the parameter time, or NULL. */
+#define FUZZ_MESH_AT(ID, when)                                                                                         \
     int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)                                                       \
     {                                                                                                                  \
         static const char *const presets[] = {"isometric", "front", "top"}, *const shadings[] = {"gouraud", "flat",    \
@@ -14,9 +15,12 @@
                                           .size = size,                                                                \
                                           .width = "48",                                                               \
                                           .height = "32",                                                              \
+                                          .time = (when),                                                              \
                                           .preset = presets[size % 3],                                                 \
                                           .shading = shadings[size / 3 % 3]});                                         \
         return 0;                                                                                                      \
     }
+
+#define FUZZ_MESH(ID) FUZZ_MESH_AT(ID, NULL)
 
 #endif

@@ -417,7 +417,10 @@ static const struct {
     "\"count\":4,\"type\":\"VEC3\",\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":4,\"componentType\":5121},"     \
     "\"values\":{\"bufferView\":0,\"byteOffset\":12}}},{\"bufferView\":1,\"componentType\":5123,\"count\":6,"          \
     "\"type\":\"SCALAR\"},{\"bufferView\":2,\"componentType\":5121,\"normalized\":true,\"count\":4,\"type\":"          \
-    "\"VEC4\"},{\"bufferView\":3,\"componentType\":5122,\"normalized\":true,\"count\":4,\"type\":\"VEC2\"}],"          \
+    "\"VEC4\"},{\"bufferView\":3,\"componentType\":5122,\"normalized\":true,\"count\":4,\"type\":\"VEC2\"},"           \
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"SCALAR\"}],\"animations\":[{\"samplers\":[{"      \
+    "\"input\":4,\"output\":0},{\"input\":4,\"output\":2}],\"channels\":[{\"sampler\":0,\"target\":{\"node\":1,"       \
+    "\"path\":\"translation\"}},{\"sampler\":1,\"target\":{\"node\":0,\"path\":\"rotation\"}}]}],"                     \
     "\"images\":[{\"bufferView\":5,\"mimeType\":\"image/png\"}],\"samplers\":[{\"magFilter\":9728,\"wrapS\":33648}],"  \
     "\"textures\":[{\"source\":0,\"sampler\":0}],\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":"      \
     "{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.5,0],\"rotation\":1}}}},\"normalTexture\":" \
