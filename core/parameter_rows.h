@@ -56,6 +56,7 @@
     ROW(animation, "/query/animation", MESH, NAME,                                                                     \
         "animation of a glTF file, by its name or number (default: the file's pose, without time)")                    \
     ROW(time, "/query/time", MESH, SECONDS, "time of the animation (default: 0)")                                      \
+    ROW(fileLights, "/query/fileLights", MESH, BOOL, "lights of a glTF file instead of the look's (default: false)")   \
     ROW(projection, "/query/projection", MESH, NAME,                                                                   \
         "kind of camera: orthographic or perspective (default: the look's)")                                           \
     ROW(shading, "/shading", MESH, NAME, "model of reflection: " ZR_SHADING_LIST "or the look's (default)")            \

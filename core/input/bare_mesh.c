@@ -75,6 +75,25 @@ static void use_camera(struct zr_query *query)
         zr_file_scene_use_camera(&query->given, path, file, query->camera, &up);
 }
 
+/* Uses the lights of the file, if the query asks for it. */
+static void use_lights(struct zr_query *query)
+{
+    struct zr_parsed_scene *root = &query->given;
+    const struct zr_file_scene *file = root->builder->file;
+    const zr_mat4 up = file ? zr_mesh_up_turn(zr_query_up(query)) : zr_mat4_identity();
+    if (!query->has_file_lights) {
+        if (file && file->light_count > 0)
+            zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
+                                "left out: %u lights of the file; the parameter fileLights uses them",
+                                file->light_count);
+    } else if (zr_scene_gives(root, ZR_SCENE_LIGHTS)) {
+        zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_KEY(NULL, "query"), "fileLights"),
+                      "does not go with lights of the query");
+    } else {
+        zr_file_scene_use_lights(root, file, &up);
+    }
+}
+
 /* Checks that the reader of the file has found the animation. */
 static void check_animation(struct zr_query *query)
 {
@@ -115,6 +134,7 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
     const struct zr_keeping *keeping = root->builder->keeping;
     struct zr_error faults = {0};
     root->json.error = &faults;
+    use_lights(query);
     zr_parsed_use_look(root);
     if (!keeping || !keeping->has_view) {
         use_projection(query);

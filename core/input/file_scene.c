@@ -199,6 +199,37 @@ bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json
     return true;
 }
 
+/* ---- lights ---- */
+
+static zr_vec3 transform(const zr_mat4 *matrix, zr_vec3 v)
+{
+    const float *m = matrix->m;
+    return (zr_vec3){(m[0] * v.x + m[4] * v.y) + m[8] * v.z, (m[1] * v.x + m[5] * v.y) + m[9] * v.z,
+                     (m[2] * v.x + m[6] * v.y) + m[10] * v.z};
+}
+
+void zr_file_scene_use_lights(struct zr_parsed_scene *root, const struct zr_file_scene *file, const zr_mat4 *up)
+{
+    const uint32_t count = file ? file->light_count : 0;
+    struct zr_light *lights = zr_arena_alloc(root->json.arena, count, sizeof *lights);
+    struct zr_parsed_light_colors *colors = zr_arena_zero(root->json.arena, count, sizeof *colors);
+    if (file) zr_warning_list_append(root->json.arena, &root->builder->color_warnings, &file->light_warnings);
+    if (count == 0)
+        zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
+                            "the parameter fileLights has no effect: the file has no lights");
+    if (!lights || !colors || count == 0) return;
+    for (uint32_t i = 0; i < count; i++) {
+        lights[i] = file->lights[i];
+        lights[i].direction = transform(up, lights[i].direction);
+        lights[i].position = transform(up, lights[i].position);
+        colors[i] = (struct zr_parsed_light_colors){.color = lights[i].color, .intensity = 1.0f};
+    }
+    root->lights = lights;
+    root->light_colors = colors;
+    root->light_count = count;
+    root->keys |= UINT64_C(1) << ZR_SCENE_LIGHTS;
+}
+
 /* ---- animations ---- */
 
 bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *wanted, uint32_t *number)

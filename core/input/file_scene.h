@@ -1,4 +1,4 @@
-/* file_scene.h - input: nodes, materials, cameras and animations of bare meshes in formats such as glTF.
+/* file_scene.h - input: nodes, materials, cameras, lights and animations of bare meshes in formats such as glTF.
  *
  * Over:   a parameter of the query replaces the file's value, which replaces the look's.
  */
@@ -6,6 +6,7 @@
 #define ZR_FILE_SCENE_H
 
 #include "scene/scene.h"
+#include "scene/scene_builder.h"
 
 struct zr_parsed_material; /* json_scene.h */
 struct zr_parsed_scene;
@@ -32,6 +33,9 @@ struct zr_file_scene {
     bool blends_colors; /* colours of meshes with an alpha below 1 are blended */
     uint32_t camera_count;
     struct zr_file_camera *cameras;
+    uint32_t light_count;
+    struct zr_light *lights;               /* directions and positions are in the file's space */
+    struct zr_warning_list light_warnings; /* if the lights are used */
     uint32_t animation_count;              /* if the request has the parameter animation or time; else 0 */
     const char *const *animation_names;    /* "": without a name */
     const uint32_t *mesh_materials;        /* one per mesh; NONE: the look's material */
@@ -51,6 +55,9 @@ bool zr_file_scene_has_camera(const struct zr_file_scene *file, const char *came
  * space to world space. False, and a fault at `path`, if there is no such camera. `file` may be NULL. */
 bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
                               const struct zr_file_scene *file, const char *camera, const zr_mat4 *up);
+
+/* Makes the file's lights those of the scene, as the key `lights` does; without any, warns. `up`: as above. */
+void zr_file_scene_use_lights(struct zr_parsed_scene *root, const struct zr_file_scene *file, const zr_mat4 *up);
 
 /* Finds the animation of this name, else of this number; NULL: the first one. False if there is none. */
 bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *wanted, uint32_t *number);

@@ -68,7 +68,7 @@ static void build(struct zr_gltf *file, const struct zr_request *request)
     if (!is_good(file) || !count_lists(file)) return;
     if (!zr_gltf_read_buffers(file) || !zr_gltf_read_accessors(file) || !zr_gltf_read_textures(file) ||
         !zr_gltf_read_materials(file) || !zr_gltf_read_cameras(file) || !zr_gltf_choose_animation(file, request) ||
-        !zr_gltf_read_nodes(file) || !zr_gltf_read_skins(file) || !is_good(file))
+        !zr_gltf_read_lights(file) || !zr_gltf_read_nodes(file) || !zr_gltf_read_skins(file) || !is_good(file))
         return;
     zr_gltf_keep_cameras(file);
     if (file->counts[ZR_GLTF_MESHES] > 0 && zr_gltf_count_unplaced(file) == file->counts[ZR_GLTF_MESHES])

@@ -18,6 +18,7 @@
 /* Keys of the root. */
 enum zr_gltf_key {
     ZR_GLTF_ASSET,
+    ZR_GLTF_EXTENSIONS,
     ZR_GLTF_ACCESSORS,
     ZR_GLTF_BUFFER_VIEWS,
     ZR_GLTF_BUFFERS,
@@ -166,12 +167,16 @@ struct zr_gltf {
     const char *weights;                 /* place of the weights of the mesh that is read now, or NULL */
     struct zr_gltf_skin *skins;
     struct zr_file_camera *cameras; /* one per camera of the file */
-    bool *placed_cameras;           /* one per camera: a node of the scene places it */
+    uint32_t light_count;
+    struct zr_light *lights; /* of the file, without a place; a hemisphere is one that cannot be used */
+    bool *placed_cameras;    /* one per camera: a node of the scene places it */
     uint32_t *mesh_materials;
     const struct zr_far_move **moves; /* one per mesh of the scene, or NULL */
     struct zr_file_scene *made;
     size_t made_bytes; /* bytes of the meshes' arrays so far */
-    struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels;
+    struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
+        bad_lights, reflectances, gloss_textures;
+    bool has_fallbacks;         /* a material replaces others of the file, whose images may be unused */
     uint32_t unread_extensions; /* used extensions that are not read; their names: */
     struct zr_names_text extensions;
 };
@@ -378,6 +383,32 @@ void zr_gltf_keep_cameras(struct zr_gltf *file);
 
 /* Sets a camera's pose and missing name by the first node that places it. `name`: of the node, or NULL. */
 void zr_gltf_place_camera(struct zr_gltf *file, uint32_t camera, const char *name, const zr_mat4 *camera_to_world);
+
+/* ---- gltf_specular.c ---- */
+
+/* Notes a material whose reflectance is not that of the shading pbr. `path`: of its extensions. `ior`, `specular`:
+ * places of KHR_materials_ior and KHR_materials_specular, or NULL. */
+void zr_gltf_note_reflectance(struct zr_gltf *file, const struct zr_json_path *path, const char *ior,
+                              const char *specular);
+
+/* KHR_materials_pbrSpecularGlossiness, converted to a metallic-roughness material; the colour is linear. */
+struct zr_gltf_glossiness {
+    float color[4], metallic, roughness;
+    const char *texture; /* place of the texture of the colour, or NULL */
+};
+void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
+                             struct zr_gltf_glossiness *out);
+
+/* ---- gltf_light.c: KHR_lights_punctual ---- */
+
+/* Reads the list of lights. */
+bool zr_gltf_read_lights(struct zr_gltf *file);
+
+/* Returns the light of a node's extensions, or NONE. */
+uint32_t zr_gltf_find_light(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions);
+
+/* Adds a light to those of the file's scene, in the pose of a node. */
+void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light);
 
 /* ---- gltf_extension.c ---- */
 

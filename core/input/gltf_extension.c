@@ -6,8 +6,15 @@
 #include "input/text.h"
 
 /* Extensions that are read. */
-static const char *const known[] = {"EXT_mesh_gpu_instancing", "KHR_materials_emissive_strength", "KHR_materials_unlit",
-                                    "KHR_mesh_quantization", "KHR_texture_transform"};
+static const char *const known[] = {"EXT_mesh_gpu_instancing",
+                                    "KHR_lights_punctual",
+                                    "KHR_materials_emissive_strength",
+                                    "KHR_materials_ior",
+                                    "KHR_materials_pbrSpecularGlossiness",
+                                    "KHR_materials_specular",
+                                    "KHR_materials_unlit",
+                                    "KHR_mesh_quantization",
+                                    "KHR_texture_transform"};
 
 static bool is_known(const char *name)
 {

@@ -102,13 +102,16 @@ static void read_pbr(struct zr_gltf *file, const struct zr_json_path *path, cons
 /* ---- extensions ---- */
 
 struct given_extensions {
-    const char *unlit, *strength; /* places */
+    const char *unlit, *strength, *ior, *specular, *glossiness; /* places */
 };
-enum { UNLIT, STRENGTH };
+enum { UNLIT, STRENGTH, IOR, SPECULAR, GLOSSINESS };
 #define AT(member) offsetof(struct given_extensions, member)
 static const struct zr_json_field extension_fields[] = {
     [UNLIT] = {.key = "KHR_materials_unlit", .read = zr_json_place, .offset = AT(unlit)},
-    [STRENGTH] = {.key = "KHR_materials_emissive_strength", .read = zr_json_place, .offset = AT(strength)}};
+    [STRENGTH] = {.key = "KHR_materials_emissive_strength", .read = zr_json_place, .offset = AT(strength)},
+    [IOR] = {.key = "KHR_materials_ior", .read = zr_json_place, .offset = AT(ior)},
+    [SPECULAR] = {.key = "KHR_materials_specular", .read = zr_json_place, .offset = AT(specular)},
+    [GLOSSINESS] = {.key = "KHR_materials_pbrSpecularGlossiness", .read = zr_json_place, .offset = AT(glossiness)}};
 #undef AT
 static const struct zr_json_object extension_object = ZR_JSON_OBJECT_OF("extensions", extension_fields);
 
@@ -125,20 +128,40 @@ static const struct zr_json_field strength_fields[] = {{.key = "emissiveStrength
 static const struct zr_json_object strength_object =
     ZR_JSON_OBJECT_OF("KHR_materials_emissive_strength", strength_fields);
 
-/* Sets *strength to the factor of the emitted light. */
-static void read_extensions(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
+/* Replaces the values of metallic-roughness. */
+static void read_glossy(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
+                        struct zr_parsed_material *out)
+{
+    struct zr_gltf_glossiness found;
+    zr_gltf_read_glossiness(file, path, place, &found);
+    file->has_fallbacks = true;
+    out->base_color = encode(file, found.color);
+    out->metallic = found.metallic;
+    out->roughness = found.roughness;
+    if (found.texture)
+        zr_gltf_read_texture(file, found.texture, ZR_JSON_KEY(path, "diffuseTexture"), ZR_TEXTURE_BASE_COLOR,
+                             &out->textures[ZR_TEXTURE_BASE_COLOR]);
+}
+
+/* Sets *strength to the factor of the emitted light. True if an extension replaces metallic-roughness. */
+static bool read_extensions(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                             struct zr_parsed_material *out, double *strength)
 {
     struct zr_json there = zr_json_at(&file->root.json, place);
-    struct given_extensions given = {NULL, NULL};
+    struct given_extensions given = {NULL, NULL, NULL, NULL, NULL};
     struct given_strength emissive = {1};
     uint64_t keys;
     zr_gltf_extensions(file, &there, path, &extension_object, &given, &keys);
-    if (given.unlit) out->face_style.shading = ZR_SHADING_UNLIT;
-    if (!given.strength) return;
+    if (given.unlit)
+        out->face_style.shading = ZR_SHADING_UNLIT;
+    else if (given.ior || given.specular)
+        zr_gltf_note_reflectance(file, path, given.ior, given.specular);
+    if (given.glossiness) read_glossy(file, ZR_JSON_KEY(path, extension_fields[GLOSSINESS].key), given.glossiness, out);
+    if (!given.strength) return given.glossiness != NULL;
     there = zr_json_at(&file->root.json, given.strength);
     zr_gltf_fields(file, &there, ZR_JSON_KEY(path, extension_fields[STRENGTH].key), &strength_object, &emissive, &keys);
     *strength = emissive.strength;
+    return given.glossiness != NULL;
 }
 
 /* ---- materials ---- */
@@ -198,11 +221,11 @@ static bool read_material(struct zr_gltf *file, const char *place, const struct 
     out->face_style.alpha_mode = given.alpha_mode;
     if (given.alpha_mode == ZR_ALPHA_MASK)
         out->face_style.alpha_cutoff = given.alpha_cutoff < 1.0 ? (float)given.alpha_cutoff : 1.0f;
-    read_pbr(file, ZR_JSON_KEY(path, fields[PBR].key), given.pbr, out);
+    const bool is_glossy = given.extensions && read_extensions(file, ZR_JSON_KEY(path, fields[EXTENSIONS].key),
+                                                               given.extensions, out, &strength);
+    if (!is_glossy) read_pbr(file, ZR_JSON_KEY(path, fields[PBR].key), given.pbr, out);
     read_texture(file, path, given.normal, ZR_TEXTURE_NORMAL, out);
     read_texture(file, path, given.occlusion, ZR_TEXTURE_OCCLUSION, out);
-    if (given.extensions)
-        read_extensions(file, ZR_JSON_KEY(path, fields[EXTENSIONS].key), given.extensions, out, &strength);
     put_emission(file, path, &given, strength, out);
     return file->root.json.error->count == faults;
 }

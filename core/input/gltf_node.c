@@ -115,6 +115,8 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
     all->weights[number] = given.weights;
     all->instancing[number] =
         given.extensions ? zr_gltf_find_instancing(file, ZR_JSON_KEY(path, "extensions"), given.extensions) : NULL;
+    all->lights[number] =
+        given.extensions ? zr_gltf_find_light(file, ZR_JSON_KEY(path, "extensions"), given.extensions) : ZR_GLTF_NONE;
     if (given.skin != ZR_GLTF_NONE)
         zr_gltf_check_index(file, ZR_JSON_KEY(path, fields[SKIN].key), given.skin, ZR_GLTF_SKINS);
     all->places[number] = given.children;
@@ -321,6 +323,7 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     memset(file->first_uses, 0xFF, file->counts[ZR_GLTF_MESHES] * sizeof *file->first_uses);
     all->skins = zr_arena_alloc(arena, count, sizeof *all->skins);
     all->cameras = zr_arena_alloc(arena, count, sizeof *all->cameras);
+    all->lights = zr_arena_alloc(arena, count, sizeof *all->lights);
     all->names = zr_arena_alloc(arena, count, sizeof *all->names);
     all->weights = zr_arena_alloc(arena, count, sizeof *all->weights);
     all->instancing = zr_arena_alloc(arena, count, sizeof *all->instancing);
@@ -339,8 +342,10 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     find_drawn(all);
     find_worlds(all);
     find_uses(file);
-    for (uint32_t i = 0; i < count; i++)
+    for (uint32_t i = 0; i < count; i++) {
         if (all->is_drawn[i] && all->cameras[i] != ZR_GLTF_NONE)
             zr_gltf_place_camera(file, all->cameras[i], all->names[i], &all->worlds[i]);
+        if (all->is_drawn[i] && all->lights[i] != ZR_GLTF_NONE) zr_gltf_place_light(file, i, all->lights[i]);
+    }
     return true;
 }

@@ -9,10 +9,10 @@ struct zr_gltf_nodes {
     uint32_t count, child_count;
     struct zr_node *nodes; /* `mesh`: number of a mesh of the file, later of its use */
     uint32_t *children;
-    const char **places;       /* places of the lists of children, or NULL */
-    uint32_t *parents;         /* or NONE */
-    bool *is_drawn;            /* the node is a root of the scene or its descendant */
-    uint32_t *skins, *cameras; /* or NONE */
+    const char **places;                /* places of the lists of children, or NULL */
+    uint32_t *parents;                  /* or NONE */
+    bool *is_drawn;                     /* the node is a root of the scene or its descendant */
+    uint32_t *skins, *cameras, *lights; /* or NONE */
     const char **names;
     const char **weights, **instancing;
     zr_mat4 *worlds;

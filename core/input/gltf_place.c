@@ -87,6 +87,15 @@ static void move_cameras(struct zr_gltf *file, const struct zr_matrix *locals, c
     }
 }
 
+/* The same for lights, whose places are rounded to float before. */
+static void move_lights(struct zr_file_scene *made, const double *origin)
+{
+    for (uint32_t i = 0; i < made->light_count; i++) {
+        zr_vec3 *at = &made->lights[i].position;
+        *at = (zr_vec3){(float)(at->x - origin[0]), (float)(at->y - origin[1]), (float)(at->z - origin[2])};
+    }
+}
+
 /* Places the meshes again, in double, if they are far from the origin, whose middle is then subtracted. */
 static void place_far(struct zr_gltf *file, struct zr_nodes *hierarchy)
 {
@@ -105,8 +114,10 @@ static void place_far(struct zr_gltf *file, struct zr_nodes *hierarchy)
     far.instances = made->instances;
     far.exact = exact;
     if (zr_far_instances(json->arena, json->cancel, json->limits, &far, &scene->origin, json->error) == ZR_OK &&
-        scene->origin)
+        scene->origin) {
         move_cameras(file, hierarchy->exact, scene->origin);
+        move_lights(made, scene->origin);
+    }
 }
 
 void zr_gltf_place(struct zr_gltf *file)

@@ -4,6 +4,7 @@
 static const struct zr_json_field fields[] = {
 #define PLACE(ID, name) [ID] = {.key = name, .read = zr_json_place, .offset = sizeof(const char *) * (ID)}
     PLACE(ZR_GLTF_ASSET, "asset"),
+    PLACE(ZR_GLTF_EXTENSIONS, "extensions"),
     PLACE(ZR_GLTF_ACCESSORS, "accessors"),
     PLACE(ZR_GLTF_BUFFER_VIEWS, "bufferViews"),
     PLACE(ZR_GLTF_BUFFERS, "buffers"),
@@ -21,7 +22,7 @@ static const struct zr_json_field fields[] = {
     PLACE(ZR_GLTF_USED, "extensionsUsed"),
     PLACE(ZR_GLTF_REQUIRED, "extensionsRequired"),
 #undef PLACE
-    ZR_GLTF_COMMON};
+    {.key = "extras", .read = zr_gltf_ignore}};
 const struct zr_json_object zr_gltf_root = ZR_JSON_OBJECT_OF("glTF", fields);
 
 const char *zr_gltf_word(enum zr_gltf_key key)

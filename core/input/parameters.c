@@ -60,6 +60,7 @@ static const struct zr_json_field query_fields[] = {
     {"projection", zr_json_choice, AT(projection), .words = &projection_names,
      .text = "kind of projection, with the look's angle of view"},
     {"animation", zr_json_string, AT(animation), .text = "animation of the file, by name or number"},
+    {"fileLights", zr_json_bool, AT(has_file_lights), .text = "lights of the file instead of the look's"},
     {"time", zr_json_number, AT(time), 0, TIME_MAX, .unit = "seconds", .text = "time of the animation"}};
 #undef AT
 static const struct zr_json_object query_object = ZR_JSON_OBJECT_OF("query", query_fields);

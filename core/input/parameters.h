@@ -18,7 +18,7 @@ struct zr_query {
     const char *member;             /* NULL: zr_zip_body_open takes it */
     const char *camera, *animation; /* name or number of one of the file; NULL: not given */
     double time;                    /* seconds */
-    bool is_strict;
+    bool is_strict, has_file_lights;
     struct zr_instance *instances; /* of a bare mesh */
 };
 

@@ -1,0 +1,150 @@
+/* Reads the extensions of glTF for the reflection of materials that are no metals. */
+#include "input/gltf.h"
+
+#include <float.h>
+#include <math.h>
+
+/* Reflectance of a plastic at normal incidence: that of the shading pbr, and of KHR_materials_ior's 1.5. */
+#define PLASTIC 0.04
+
+/* ---- KHR_materials_ior and KHR_materials_specular ---- */
+
+struct given_reflectance {
+    double ior, factor, color[3];
+};
+
+/* double[3] */
+static bool read_three(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
+{
+    size_t found;
+    (void)field;
+    return zr_json_numbers(json, path, 3, 3, -DBL_MAX, DBL_MAX, out, &found);
+}
+
+/* double[4] */
+static bool read_four(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    size_t found;
+    (void)field;
+    return zr_json_numbers(json, path, 4, 4, -DBL_MAX, DBL_MAX, out, &found);
+}
+
+#define NUMBER(name, at)                                                                                               \
+    {                                                                                                                  \
+        .key = (name), .read = zr_json_number, .offset = (at), .low = -DBL_MAX, .high = DBL_MAX                        \
+    }
+#define AT(member) offsetof(struct given_reflectance, member)
+static const struct zr_json_field ior_fields[] = {NUMBER("ior", AT(ior)), ZR_GLTF_COMMON};
+static const struct zr_json_field specular_fields[] = {
+    NUMBER("specularFactor", AT(factor)),
+    {.key = "specularColorFactor", .read = read_three, .offset = AT(color)},
+    {.key = "specularTexture", .read = zr_gltf_ignore},
+    {.key = "specularColorTexture", .read = zr_gltf_ignore},
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object ior_object = ZR_JSON_OBJECT_OF("KHR_materials_ior", ior_fields);
+static const struct zr_json_object specular_object = ZR_JSON_OBJECT_OF("KHR_materials_specular", specular_fields);
+enum { TEXTURES = 1 << 2 | 1 << 3 };
+
+void zr_gltf_note_reflectance(struct zr_gltf *file, const struct zr_json_path *path, const char *ior,
+                              const char *specular)
+{
+    struct given_reflectance given = {1.5, 1, {1, 1, 1}};
+    uint64_t keys = 0;
+    if (ior) {
+        struct zr_json there = zr_json_at(&file->root.json, ior);
+        zr_gltf_fields(file, &there, ZR_JSON_KEY(path, ior_object.name), &ior_object, &given, &keys);
+    }
+    keys = 0;
+    if (specular) {
+        struct zr_json there = zr_json_at(&file->root.json, specular);
+        zr_gltf_fields(file, &there, ZR_JSON_KEY(path, specular_object.name), &specular_object, &given, &keys);
+    }
+    if (given.ior != 1.5 || given.factor != 1 || given.color[0] != 1 || given.color[1] != 1 || given.color[2] != 1 ||
+        keys & TEXTURES)
+        zr_gltf_note(&file->reflectances, path->parent);
+}
+
+/* ---- KHR_materials_pbrSpecularGlossiness ---- */
+
+struct given_glossiness {
+    double diffuse[4], specular[3], glossiness;
+    const char *diffuse_texture, *texture; /* places */
+};
+#define AT(member) offsetof(struct given_glossiness, member)
+static const struct zr_json_field glossiness_fields[] = {
+    {.key = "diffuseFactor", .read = read_four, .offset = AT(diffuse)},
+    {.key = "specularFactor", .read = read_three, .offset = AT(specular)},
+    NUMBER("glossinessFactor", AT(glossiness)),
+    {.key = "diffuseTexture", .read = zr_json_place, .offset = AT(diffuse_texture)},
+    {.key = "specularGlossinessTexture", .read = zr_json_place, .offset = AT(texture)},
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object glossiness_object =
+    ZR_JSON_OBJECT_OF("KHR_materials_pbrSpecularGlossiness", glossiness_fields);
+
+static double clamp(struct zr_gltf *file, const struct zr_json_path *path, double value)
+{
+    if (value >= 0.0 && value <= 1.0) return value;
+    zr_gltf_note(&file->clamped, path);
+    return value > 0.0 ? 1.0 : 0.0;
+}
+
+static double within(double value)
+{
+    return value > 0.0 ? value < 1.0 ? value : 1.0 : 0.0;
+}
+
+static double brightness(const double *color)
+{
+    return sqrt(0.299 * color[0] * color[0] + 0.587 * color[1] * color[1] + 0.114 * color[2] * color[2]);
+}
+
+/* Returns the share of metal that reflects like both colours: the root of a quadratic equation. */
+static double find_metallic(double diffuse, double specular, double rest)
+{
+    if (specular < PLASTIC) return 0.0;
+    const double a = PLASTIC, b = diffuse * rest / (1.0 - PLASTIC) + specular - 2.0 * PLASTIC, c = PLASTIC - specular;
+    const double d = b * b - 4.0 * a * c;
+    return within((-b + sqrt(d > 0.0 ? d : 0.0)) / (2.0 * a));
+}
+
+/* Source: the conversion that Khronos published with the extension (examples/convert-between-workflows). */
+static void convert(const double *diffuse, const double *specular, struct zr_gltf_glossiness *out)
+{
+    const double least = 1e-6, most = fmax(specular[0], fmax(specular[1], specular[2])), rest = 1.0 - most,
+                 metallic = find_metallic(brightness(diffuse), brightness(specular), rest),
+                 plastic = fmax(1.0 - metallic, least), metal = fmax(metallic, least);
+    for (int k = 0; k < 3; k++) {
+        const double of_diffuse = diffuse[k] * rest / (1.0 - PLASTIC) / plastic,
+                     of_specular = (specular[k] - PLASTIC * (1.0 - metallic)) / metal;
+        out->color[k] = (float)within(of_diffuse + (of_specular - of_diffuse) * metallic * metallic);
+    }
+    out->metallic = (float)metallic;
+}
+
+void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
+                             struct zr_gltf_glossiness *out)
+{
+    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct given_glossiness given = {{1, 1, 1, 1}, {1, 1, 1}, 1, NULL, NULL};
+    uint64_t keys;
+    zr_gltf_fields(file, &there, path, &glossiness_object, &given, &keys);
+    for (int k = 0; k < 4; k++)
+        given.diffuse[k] = clamp(file, ZR_JSON_KEY(path, "diffuseFactor"), given.diffuse[k]);
+    for (int k = 0; k < 3; k++)
+        given.specular[k] = clamp(file, ZR_JSON_KEY(path, "specularFactor"), given.specular[k]);
+    double glossiness = clamp(file, ZR_JSON_KEY(path, "glossinessFactor"), given.glossiness);
+    if (given.texture) { /* half as glossy as its factor, and without metal: the factors only scale the texture */
+        zr_gltf_note(&file->gloss_textures, path);
+        for (int k = 0; k < 3; k++)
+            given.specular[k] = PLASTIC;
+        glossiness *= 0.5;
+    }
+    convert(given.diffuse, given.specular, out);
+    out->color[3] = (float)given.diffuse[3];
+    out->roughness = (float)(1.0 - glossiness);
+    out->texture = given.diffuse_texture;
+}
