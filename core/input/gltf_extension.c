@@ -16,6 +16,19 @@ static const char *const known[] = {"EXT_mesh_gpu_instancing",
                                     "KHR_mesh_quantization",
                                     "KHR_texture_transform"};
 
+/* Extensions that files often require, and what to do about them. */
+static const struct {
+    const char *name, *advice;
+} unread[] = {{"KHR_draco_mesh_compression", "; export it without Draco compression"},
+              {"KHR_texture_basisu", "; export its textures as PNG or JPEG instead of KTX2"}};
+
+static const char *find_advice(const char *name)
+{
+    for (size_t i = 0; i < sizeof unread / sizeof *unread; i++)
+        if (strcmp(unread[i].name, name) == 0) return unread[i].advice;
+    return "";
+}
+
 static bool is_known(const char *name)
 {
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
@@ -39,8 +52,8 @@ static void check_required(struct zr_gltf *file, struct zr_json *json, const str
     (void)file;
     (void)number;
     if (zr_json_string(json, path, NULL, &name) && !is_known(name))
-        zr_json_fault(json, path, "the file requires the extension %s, which is not read",
-                      zr_quote(name, strlen(name)).text);
+        zr_json_fault(json, path, "the file requires the extension %s, which is not read%s",
+                      zr_quote(name, strlen(name)).text, find_advice(name));
 }
 
 void zr_gltf_check_extensions(struct zr_gltf *file)

@@ -195,7 +195,7 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
     if (!corners && given->mode == ZR_GLTF_TRIANGLES) range.count = 3 * mesh->face_count;
     mesh->positions = read_positions(file, &positions, &range, number);
     mesh->position_count = range.count;
-    mesh->point_size = 1.0f;
+    mesh->point_size = mesh->point_count > 0 ? 0.0f : 1.0f; /* 0: by their density */
     return mesh->positions && read_attributes(file, attributes, given, positions.count, &range, mesh, number) &&
            zr_gltf_morph(file, path, given, &range, mesh) && zr_gltf_bend(file, attributes, given, &range, mesh) &&
            zr_arena_ok(file->root.json.arena);
