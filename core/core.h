@@ -72,6 +72,20 @@ struct zr_stored {
     const char *advice; /* ends the message about a missing asset; NULL: advice to send a part */
 };
 
+struct zr_image_hash; /* scene/image.h */
+struct zr_kept_image;
+
+/* Decoded images that the caller keeps between requests, by the hash of their files. No answer depends on them. */
+struct zr_kept_images {
+    /* Computes the hash of a file, and finds its image. True: the texels stay unchanged until the caller has freed the
+     * memory of the scene. NULL: no images are kept. */
+    bool (*find)(void *context, const void *bytes, size_t size, struct zr_image_hash *hash,
+                 struct zr_kept_image *image);
+    /* Offers an image that `find` did not have. The caller copies the texels, or not. */
+    void (*keep)(void *context, const struct zr_image_hash *hash, const struct zr_kept_image *image);
+    void *context;
+};
+
 /* Limits for a caller that can spend only a few milliseconds on reading. Beyond one of them, reading returns
  * ZR_CANCELLED and sets is_exceeded. */
 struct zr_quick {
@@ -88,6 +102,7 @@ struct zr_request {
     const struct zr_asset *assets; /* names are unique; bare meshes other than glTF use none */
     size_t asset_count;
     struct zr_stored stored; /* read may be NULL: no store */
+    struct zr_kept_images images;
     /* Parameters of the query (parameter_rows.h), as text; NULL: not given. */
 #define ZR_PARAMETER_FIELD(name, ...) const char *name;
     ZR_PARAMETER_ROWS(ZR_PARAMETER_FIELD)

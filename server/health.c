@@ -1,5 +1,6 @@
 #include "health.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -7,10 +8,8 @@
 
 #include "problem.h"
 
-static void answer_state(struct answer *answer, const char *state)
+static void answer_text(struct answer *answer, char *text, int length)
 {
-    char *text = NULL;
-    int length = asprintf(&text, "{\"status\":\"%s\"}\n", state);
     answer->status = 200;
     answer->is_broken |= length < 0;
     if (length > 0) answer_body(answer, "application/json", text, (size_t)length);
@@ -19,10 +18,16 @@ static void answer_state(struct answer *answer, const char *state)
 
 bool health_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
-    (void)service;
+    struct images_state state = {0};
+    char *text = NULL;
+    if (service->images) state = images_look(service->images);
     (void)load;
     (void)request;
-    answer_state(answer, "ok");
+    const int length = asprintf(&text,
+                                "{\"images\":{\"count\":%" PRIu64 ",\"bytes\":%" PRIu64 ",\"hits\":%" PRIu64
+                                ",\"misses\":%" PRIu64 ",\"dropped\":%" PRIu64 "},\"status\":\"ok\"}\n",
+                                state.count, state.bytes, state.hits, state.misses, state.dropped);
+    answer_text(answer, text, length);
     return false;
 }
 
@@ -34,10 +39,13 @@ bool health_open_ready(const struct service *service, const struct load *load, s
     const struct load any = {load->draining, full, full, load->answers_full, load->retry_after_s};
     const char *busy = load_busy_with(&any, service, true);
     (void)request;
-    if (busy)
+    if (busy) {
         problem_busy(answer, load->retry_after_s, busy);
-    else
-        answer_state(answer, "ready");
+        return false;
+    }
+    char *text = NULL;
+    const int length = asprintf(&text, "{\"status\":\"ready\"}\n");
+    answer_text(answer, text, length);
     return false;
 }
 

@@ -12,6 +12,7 @@
 #include "config.h"
 #include "health_check.h"
 #include "http.h"
+#include "images.h"
 #include "log.h"
 #include "log_writer.h"
 #include "request.h"
@@ -81,18 +82,20 @@ static int serve(const struct config *config)
         return EXIT_FAILURE;
     }
     struct store *store = NULL;
+    struct images *images = images_open(config->keep_image_bytes);
     struct http *http = NULL;
     struct slowness slowness;
     slowness_start(&slowness, config_isa(config));
     if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
     if (store || !*config->assets_dir) {
-        service_init(&service, config, team, &slowness, store);
+        service_init(&service, config, team, &slowness, store, images);
         http = http_start(config, &service, message, sizeof message);
     }
     if (!http) {
         fprintf(stderr, "zrasterd: %s\n", message);
         slowness_end(&slowness);
         store_close(store);
+        images_close(images);
         zr_team_destroy(team);
         log_writer_stop();
         return EXIT_FAILURE;

@@ -96,7 +96,8 @@ struct rendering {
     size_t small_left;       /* bytes of assets that a small request may still read */
     bool is_large;           /* gives up: small_only is set, and the request is large */
     struct zr_quick quick;   /* limits of a small request */
-    struct zr_cost cost;     /* predicted; all 0 before */
+    struct images_use images;
+    struct zr_cost cost; /* predicted; all 0 before */
 };
 
 static double ms_since(int64_t *mark_us)
@@ -221,7 +222,12 @@ static void answer_image(struct answer *answer, const struct zr_answer *result)
 enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
                                  const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
 {
-    struct rendering r = {.service = service, .request = request, .arena = arena, .cancel = cancel, .times = times};
+    struct rendering r = {.service = service,
+                          .request = request,
+                          .arena = arena,
+                          .cancel = cancel,
+                          .times = times,
+                          .images = {.images = service->images}};
     struct zr_error error = {0};
     struct zr_answer result = {0};
     struct zr_request unpacked;
@@ -245,11 +251,13 @@ enum request_next rendering_work(const struct service *service, const struct req
     r.stored = assets_stored(service);
     r.small_left = REQUEST_SMALL_BYTES;
     unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r, r.stored.advice};
+    unpacked.images = images_lend(&r.images);
     unpacked.cancel = reading;
     r.quick = (struct zr_quick){SMALL_IMAGE_PIXELS, SMALL_NODE_VISITS, SMALL_ARRAY_BYTES, false};
     if (request->small_only) unpacked.quick = &r.quick;
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(&r, &unpacked, &result, &error);
+    images_release(&r.images);
     if (too_large(&r, r.quick.is_exceeded || (status == ZR_CANCELLED && zr_is_cancelled(cancel->parent))))
         return REQUEST_LARGE;
     times->parse_ms += unpack_ms;

@@ -12,10 +12,11 @@
 #include "text.h"
 
 void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
-                  struct store *store)
+                  struct store *store, struct images *images)
 {
     service->config = config;
     service->store = store;
+    service->images = images;
     service->slowness = slowness;
     service->limits = config_limits(config);
     service->team = team;
@@ -84,6 +85,7 @@ const char *load_busy_with(const struct load *load, const struct service *servic
     if (load->queue_full) return "the queue is full";
     if (makes_answer && load->answers_full) return "the answers that wait for their readers fill answerMemoryBytes";
     if (!memory_is_short(service->config->cgroup)) return NULL;
+    if (service->images && images_drop(service->images) && !memory_is_short(service->config->cgroup)) return NULL;
     return "the memory of the container is nearly used up";
 }
 

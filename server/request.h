@@ -14,6 +14,7 @@
 #include "answer.h"
 #include "config.h"
 #include "core.h"
+#include "images.h"
 #include "multipart.h"
 #include "slowness.h"
 #include "step_times.h"
@@ -21,20 +22,21 @@
 
 enum { REQUEST_ID_SIZE = 129 };
 
-/* Shared by all requests. Constant, except the counter and the inside of the store. */
+/* Shared by all requests. Constant, except the counter and the insides of the store and of the images. */
 struct service {
     const struct config *config;
     struct zr_limits limits;
     struct slowness *slowness;
     struct zr_team *team;
-    struct store *store; /* NULL: no assets are stored */
-    uint64_t id_base;    /* random: ids of two daemons differ */
+    struct store *store;   /* NULL: no assets are stored */
+    struct images *images; /* decoded images; NULL: none are kept */
+    uint64_t id_base;      /* random: ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };
 
-/* `store` may be NULL. */
+/* `store` and `images` may be NULL. */
 void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
-                  struct store *store);
+                  struct store *store, struct images *images);
 
 /* Load of the daemon at the beginning of a request. */
 struct load {

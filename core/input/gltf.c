@@ -108,6 +108,7 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
         .builder = builder,
         .scene = builder->scene,
         .assets = {.count = request->asset_count, .items = request->assets, .quick = request->quick}};
+    file->root.assets.images = request->images;
     struct zr_json *json = &file->root.json;
     json->assets = &file->root.assets;
     zr_json_open(json, text.bytes, text.size);

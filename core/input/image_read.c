@@ -1,5 +1,6 @@
 #include "input/image_read.h"
 
+#include "base/cancel.h"
 #include "input/image_size.h"
 #include "input/jpeg_read.h"
 #include "input/png_read.h"
@@ -30,15 +31,59 @@ static enum zr_status refuse(const void *bytes, size_t size, struct zr_reason *r
     return ZR_BAD_SCENE;
 }
 
-enum zr_status zr_image_read(struct zr_arena *arena, const void *bytes, size_t size, uint64_t texels_max,
-                             struct zr_image *image, struct zr_reason *reason)
+static enum zr_status decode(struct zr_arena *arena, const void *bytes, size_t size, uint64_t texels_max,
+                             struct zr_kept_image *out, struct zr_reason *reason)
 {
+    struct zr_image *image = &out->image;
     struct zr_png_head head;
     const bool is_png = zr_png_head_read(bytes, size, &head);
     if (!is_png && !zr_jpeg_looks_so(bytes, size)) return refuse(bytes, size, reason);
     struct zr_arena scratch = zr_arena_open_scratch(arena);
     const enum zr_status status = is_png ? read_png(arena, &scratch, bytes, size, &head, texels_max, image, reason)
                                          : zr_jpeg_read(arena, &scratch, bytes, size, texels_max, image, reason);
+    out->texels_max = texels_max;
+    out->scratch_bytes = scratch.peak > scratch.held ? scratch.peak : scratch.held;
     zr_arena_close_scratch(&scratch, arena);
     return status;
+}
+
+enum zr_status zr_image_read(struct zr_arena *arena, const void *bytes, size_t size, uint64_t texels_max,
+                             struct zr_image *image, struct zr_reason *reason)
+{
+    struct zr_kept_image decoded;
+    const enum zr_status status = decode(arena, bytes, size, texels_max, &decoded, reason);
+    if (status == ZR_OK) *image = decoded.image;
+    return status;
+}
+
+/* Free parts of blocks that decoding may leave. */
+enum { SLACK_BYTES = 4 * ZR_ARENA_BLOCK };
+
+/* True if decoding would succeed. Then takes as much memory as decoding, though nothing is stored in it: a request has
+ * the same memory left, with and without kept images. */
+static bool accept(struct zr_arena *arena, const struct zr_kept_image *kept, uint64_t texels_max)
+{
+    const size_t bytes = zr_image_bytes(&kept->image), left = zr_arena_left(arena);
+    if (texels_max < kept->texels_max || !zr_arena_ok(arena) || zr_is_cancelled(arena->cancel)) return false;
+    if (left < SLACK_BYTES || left - SLACK_BYTES < bytes + bytes / 4 ||
+        left - SLACK_BYTES - bytes - bytes / 4 < kept->scratch_bytes)
+        return false;
+    return zr_arena_alloc(arena, bytes, 1) != NULL;
+}
+
+enum zr_status zr_image_read_kept(struct zr_arena *arena, const struct zr_kept_images *images, const void *bytes,
+                                  size_t size, uint64_t texels_max, struct zr_image *image, struct zr_reason *reason)
+{
+    struct zr_image_hash hash;
+    struct zr_kept_image kept;
+    if (!images->find) return zr_image_read(arena, bytes, size, texels_max, image, reason);
+    if (images->find(images->context, bytes, size, &hash, &kept) && accept(arena, &kept, texels_max)) {
+        *image = kept.image;
+        return ZR_OK;
+    }
+    const enum zr_status status = decode(arena, bytes, size, texels_max, &kept, reason);
+    if (status != ZR_OK) return status;
+    images->keep(images->context, &hash, &kept);
+    *image = kept.image;
+    return ZR_OK;
 }

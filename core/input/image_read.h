@@ -8,6 +8,7 @@
 
 #include "base/arena.h"
 #include "base/status.h"
+#include "core.h"
 #include "input/text.h"
 #include "scene/image.h"
 
@@ -15,5 +16,10 @@
  * ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED (arena->cancel), or ZR_BAD_SCENE with the reason. */
 enum zr_status zr_image_read(struct zr_arena *arena, const void *bytes, size_t size, uint64_t texels_max,
                              struct zr_image *image, struct zr_reason *reason);
+
+/* The same for an image that the caller may have kept. Takes it from `images`, or decodes it and offers it to them.
+ * Both have the same result and take the same memory of the arena. */
+enum zr_status zr_image_read_kept(struct zr_arena *arena, const struct zr_kept_images *images, const void *bytes,
+                                  size_t size, uint64_t texels_max, struct zr_image *image, struct zr_reason *reason);
 
 #endif

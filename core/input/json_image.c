@@ -45,8 +45,8 @@ static bool decode(struct zr_parsed_scene *root, const struct zr_json_path *path
     const uint64_t quick_most = quick ? quick->image_pixels_max - root->image_pixels : most;
     struct zr_image image;
     struct zr_reason reason;
-    enum zr_status status = zr_image_read(json->arena, named->bytes.bytes, named->bytes.size,
-                                          quick_most < most ? quick_most : most, &image, &reason);
+    enum zr_status status = zr_image_read_kept(json->arena, &root->assets.images, named->bytes.bytes, named->bytes.size,
+                                               quick_most < most ? quick_most : most, &image, &reason);
     if (status == ZR_BAD_SCENE && quick_most < most) {
         quick->is_exceeded = true;
         status = ZR_CANCELLED;

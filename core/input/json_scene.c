@@ -110,6 +110,7 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
                                               .items = request->assets,
                                               .use = ZR_USED,
                                               .stored = request->stored,
+                                              .images = request->images,
                                               .quick = request->quick}};
     struct zr_json *json = &root.json;
     json->assets = &root.assets;

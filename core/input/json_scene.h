@@ -144,6 +144,7 @@ struct zr_parsed_assets {
     uint8_t *uses; /* one per asset: a sum of the above */
     uint8_t use;   /* the sum for the part of the scene that is read now */
     struct zr_stored stored;
+    struct zr_kept_images images;
     struct zr_quick *quick; /* the request's; may be NULL */
     size_t array_bytes;     /* read so far, of arrays that stand for lists */
 };

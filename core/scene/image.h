@@ -2,6 +2,7 @@
 #ifndef ZR_IMAGE_H
 #define ZR_IMAGE_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 struct zr_image {
@@ -9,5 +10,22 @@ struct zr_image {
     uint32_t bits;      /* per channel: 8 or 16 */
     const void *texels; /* RGBA, row 0 on top: four uint8_t or uint16_t per texel */
 };
+
+/* Strong hash of an image's file, such as its SHA-256. */
+struct zr_image_hash {
+    unsigned char bytes[32];
+};
+
+/* A decoded image with the limits under which its file was accepted. */
+struct zr_kept_image {
+    struct zr_image image;
+    uint64_t texels_max;  /* most texels that were allowed; with more, the file is accepted, too */
+    size_t scratch_bytes; /* upper bound of the memory that decoding took beside the texels */
+};
+
+static inline size_t zr_image_bytes(const struct zr_image *image)
+{
+    return (size_t)image->width * image->height * (image->bits / 2);
+}
 
 #endif

@@ -8,6 +8,7 @@
 #include <zlib.h>
 
 #include "problems.h"
+#include "support/files.h"
 #include "support/tests.h"
 
 #define TOKEN "s3cret-token"
@@ -229,6 +230,40 @@ TEST(health_endpoints_answer_get_and_head)
         reply_free(&get);
         reply_free(&head);
     }
+}
+
+static long count_images(const struct daemon *daemon, const char *which)
+{
+    struct reply reply = client_get(daemon, "/healthz");
+    cJSON *root = cJSON_Parse(reply.body);
+    const cJSON *images = cJSON_GetObjectItemCaseSensitive(root, "images");
+    const long count = (long)cJSON_GetNumberValue(cJSON_GetObjectItemCaseSensitive(images, which));
+    cJSON_Delete(root);
+    reply_free(&reply);
+    return count;
+}
+
+TEST(images_are_decoded_once_for_all_requests)
+{
+    size_t size;
+    char *scene = file_read("tests/scenes/textures-lit.json", &size);
+    struct daemon none = daemon_start((const char *const[]){"--keep-image-bytes=0", NULL});
+    struct reply first = client_render(&server, scene);
+    const long misses = count_images(&server, "misses");
+    struct reply second = client_render(&server, scene), plain = client_render(&none, scene);
+    assert_int_equal(first.status, 200);
+    assert_true(reply_is_same(&first, &second) && reply_is_same(&first, &plain));
+    assert_true(misses > 0);
+    assert_int_equal(count_images(&server, "misses"), misses);
+    assert_true(count_images(&server, "hits") >= misses);
+    assert_true(count_images(&server, "bytes") > 0);
+    assert_int_equal(count_images(&none, "count"), 0);
+    assert_int_equal(count_images(&none, "misses"), 0);
+    reply_free(&first);
+    reply_free(&second);
+    reply_free(&plain);
+    daemon_stop(&none);
+    free(scene);
 }
 
 TEST(limits_lists_all_and_no_secret)

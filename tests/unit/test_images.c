@@ -1,0 +1,294 @@
+/* server/images.c: images kept between requests. No answer depends on them. */
+#include "images.h"
+#include "scene/image.h"
+#include "support/files.h"
+#include "support/png.h"
+#include "support/scenes.h"
+#include "support/test_arena.h"
+#include "support/tests.h"
+
+#include "input/image_read.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+TEST_ARENA((size_t)1 << 28)
+
+enum { SIDE = 64, FILES = 4, TEXELS_MAX = 1 << 20, ENTRY_BYTES = 5 * 4096 }; /* 64 x 64 x 4 bytes and the entry */
+
+static uint8_t *files[FILES];
+static size_t sizes[FILES];
+
+static int make_files(void **state)
+{
+    static uint8_t rgba[SIDE * SIDE * 4];
+    for (int i = 0; i < FILES; i++) {
+        for (size_t k = 0; k < sizeof rgba; k++)
+            rgba[k] = (uint8_t)(k * (size_t)(i + 1) >> 3);
+        files[i] = png_memory_write(rgba, SIDE, SIDE, &sizes[i]);
+        if (!files[i]) return -1;
+    }
+    return open_arena(state);
+}
+
+static int free_files(void **state)
+{
+    for (int i = 0; i < FILES; i++)
+        free(files[i]);
+    return close_arena(state);
+}
+
+/* Reads a file within a request. */
+static struct zr_image read_file(struct images_use *use, struct zr_arena *in, int number)
+{
+    const struct zr_kept_images lent = images_lend(use);
+    struct zr_image image = {0, 0, 0, NULL};
+    struct zr_reason reason;
+    assert_int_equal(zr_image_read_kept(in, &lent, files[number], sizes[number], TEXELS_MAX, &image, &reason), ZR_OK);
+    return image;
+}
+
+/* A request with one image. */
+static void ask(struct images *images, int number)
+{
+    struct images_use use = {images, NULL};
+    zr_arena_reset(&arena, SIZE_MAX);
+    read_file(&use, &arena, number);
+    images_release(&use);
+}
+
+static struct images *open_images(uint64_t max_bytes)
+{
+    struct images *images = images_open(max_bytes);
+    assert_non_null(images);
+    return images;
+}
+
+static void expect(struct images *images, uint64_t count, uint64_t hits, uint64_t misses, uint64_t dropped)
+{
+    const struct images_state now = images_look(images);
+    assert_int_equal(now.count, count);
+    assert_int_equal(now.bytes, count * ENTRY_BYTES);
+    assert_int_equal(now.hits, hits);
+    assert_int_equal(now.misses, misses);
+    assert_int_equal(now.dropped, dropped);
+}
+
+TEST(an_image_is_decoded_once)
+{
+    struct images *images = open_images(1 << 20);
+    ask(images, 0);
+    expect(images, 1, 0, 1, 0);
+    ask(images, 0);
+    ask(images, 1);
+    ask(images, 0);
+    expect(images, 2, 2, 2, 0);
+    images_close(images);
+}
+
+TEST(the_image_used_longest_ago_is_dropped_first)
+{
+    struct images *images = open_images(2 * ENTRY_BYTES);
+    ask(images, 0);
+    ask(images, 1);
+    ask(images, 0);
+    ask(images, 2); /* drops 1 */
+    expect(images, 2, 1, 3, 1);
+    ask(images, 0);
+    expect(images, 2, 2, 3, 1);
+    ask(images, 1);
+    expect(images, 2, 2, 4, 2);
+    images_close(images);
+}
+
+TEST(an_image_in_use_stays_whatever_others_send)
+{
+    struct images *images = open_images(ENTRY_BYTES);
+    struct images_use use = {images, NULL};
+    ask(images, 0);
+    zr_arena_reset(&arena, SIZE_MAX);
+    const struct zr_image held = read_file(&use, &arena, 0), again = read_file(&use, &arena, 0);
+    assert_ptr_equal(held.texels, again.texels);
+    struct zr_arena other;
+    zr_arena_init(&other, (size_t)1 << 28);
+    struct images_use others = {images, NULL};
+    read_file(&others, &other, 1); /* for which there is no room */
+    images_release(&others);
+    assert_false(images_drop(images));
+    expect(images, 1, 2, 2, 0);
+    struct zr_image decoded;
+    struct zr_reason reason;
+    assert_int_equal(zr_image_read(&other, files[0], sizes[0], TEXELS_MAX, &decoded, &reason), ZR_OK);
+    assert_memory_equal(held.texels, decoded.texels, zr_image_bytes(&decoded));
+    images_release(&use);
+    assert_true(images_drop(images));
+    expect(images, 0, 2, 2, 1);
+    zr_arena_free(&other);
+    images_close(images);
+}
+
+TEST(too_large_images_and_none_at_all_are_not_kept)
+{
+    struct images *images = open_images(ENTRY_BYTES - 1);
+    ask(images, 0);
+    expect(images, 0, 0, 1, 0);
+    images_close(images);
+    images = open_images(0);
+    ask(images, 0);
+    expect(images, 0, 0, 0, 0);
+    images_close(images);
+    ask(NULL, 0);
+}
+
+TEST(a_request_has_the_same_memory_left_with_a_kept_image)
+{
+    struct images *images = open_images(1 << 20);
+    size_t used[2], held[2];
+    for (int i = 0; i < 2; i++) {
+        ask(images, 0);
+        used[i] = arena.used;
+        held[i] = arena.held;
+    }
+    expect(images, 1, 1, 1, 0);
+    assert_int_equal(used[0], used[1]);
+    assert_int_equal(held[0], held[1]);
+    images_close(images);
+}
+
+/* With the limits of the request that kept it, an image need not be allowed in another one. */
+TEST(limits_and_memory_hold_for_kept_images)
+{
+    struct images *images = open_images(1 << 20);
+    struct zr_image image;
+    struct zr_reason reasons[2], other;
+    for (int i = 0; i < 2; i++) {
+        struct images_use use = {images, NULL};
+        const struct zr_kept_images lent = images_lend(&use);
+        zr_arena_reset(&arena, SIZE_MAX);
+        assert_int_equal(zr_image_read_kept(&arena, &lent, files[0], sizes[0], SIDE * SIDE - 1, &image, &reasons[i]),
+                         ZR_BAD_SCENE);
+        struct zr_arena small;
+        zr_arena_init(&small, SIDE * SIDE * 4);
+        assert_int_equal(zr_image_read_kept(&small, &lent, files[0], sizes[0], TEXELS_MAX, &image, &other),
+                         ZR_NO_MEMORY);
+        zr_arena_free(&small);
+        images_release(&use);
+        ask(images, 0);
+    }
+    assert_string_equal(reasons[0].text, reasons[1].text);
+    images_close(images);
+}
+
+TEST(a_changed_file_is_another_one)
+{
+    struct images *images = open_images(1 << 20);
+    struct images_use use = {images, NULL};
+    const struct zr_kept_images lent = images_lend(&use);
+    struct zr_image image;
+    struct zr_reason reason;
+    ask(images, 0);
+    files[0][sizes[0] / 2] ^= 1;
+    assert_int_equal(zr_image_read_kept(&arena, &lent, files[0], sizes[0], TEXELS_MAX, &image, &reason), ZR_BAD_SCENE);
+    files[0][sizes[0] / 2] ^= 1;
+    images_release(&use);
+    expect(images, 1, 0, 2, 0);
+    images_close(images);
+}
+
+/* ---- several threads ---- */
+
+enum { THREADS = 3, ROUNDS = 200 };
+
+static void *ask_often(void *context)
+{
+    struct images *images = context;
+    struct zr_arena own;
+    zr_arena_init(&own, (size_t)1 << 28);
+    for (int i = 0; i < ROUNDS; i++) {
+        struct images_use use = {images, NULL};
+        zr_arena_reset(&own, SIZE_MAX);
+        const struct zr_image a = read_file(&use, &own, i % FILES), b = read_file(&use, &own, (i * 7 + 1) % FILES);
+        unsigned sum = 0;
+        for (size_t k = 0; k < zr_image_bytes(&a); k += 64)
+            sum += ((const uint8_t *)a.texels)[k] + ((const uint8_t *)b.texels)[k];
+        images_release(&use);
+        if (sum == 0) break;
+    }
+    zr_arena_free(&own);
+    return NULL;
+}
+
+TEST(threads_share_images_and_drop_them)
+{
+    struct images *images = open_images(2 * ENTRY_BYTES);
+    pthread_t threads[THREADS];
+    for (int i = 0; i < THREADS; i++)
+        assert_int_equal(pthread_create(&threads[i], NULL, ask_often, images), 0);
+    for (int i = 0; i < THREADS; i++)
+        pthread_join(threads[i], NULL);
+    const struct images_state now = images_look(images);
+    assert_int_equal(now.hits + now.misses, 2 * THREADS * ROUNDS);
+    assert_true(images_look(images).bytes <= 2 * ENTRY_BYTES);
+    images_close(images);
+}
+
+/* ---- pictures ---- */
+
+struct drawn {
+    struct images *few, *many; /* keep some images of a scene, and all */
+    int scenes;
+};
+
+static struct zr_answer draw(struct zr_arena *in, struct images_use *use, const char *bytes, size_t size)
+{
+    const struct zr_request request = {
+        .format = ZR_FORMAT_JSON, .bytes = bytes, .size = size, .images = images_lend(use)};
+    const struct zr_limits limits = zr_limits_default();
+    const struct zr_scene *scene;
+    struct zr_error error = {.count = 0};
+    assert_int_equal(zr_scene_read(in, NULL, &request, &limits, &scene, &error), ZR_OK);
+    return scene_encode(in, NULL, scene);
+}
+
+static void draw_file(const char *path, void *context)
+{
+    struct drawn *drawn = context;
+    size_t size;
+    char *bytes = file_read(path, &size);
+    assert_non_null(bytes);
+    if (strstr(bytes, "Texture\"")) {
+        struct zr_arena plain, kept;
+        zr_arena_init(&plain, (size_t)1 << 30);
+        zr_arena_init(&kept, (size_t)1 << 30);
+        const struct zr_answer want = draw(&plain, &(struct images_use){NULL, NULL}, bytes, size);
+        struct images *const all[] = {drawn->many, drawn->many, drawn->few, drawn->few};
+        for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+            struct images_use use = {all[i], NULL};
+            zr_arena_reset(&kept, SIZE_MAX);
+            const struct zr_answer got = draw(&kept, &use, bytes, size);
+            if (got.size != want.size || memcmp(got.bytes, want.bytes, got.size) != 0)
+                fail_msg("%s: other bytes in round %zu", path, i);
+            assert_int_equal(kept.used, plain.used);
+            images_release(&use);
+        }
+        zr_arena_free(&kept);
+        zr_arena_free(&plain);
+        drawn->scenes++;
+    }
+    free(bytes);
+}
+
+TEST(pictures_are_the_same_with_and_without_kept_images)
+{
+    struct drawn drawn = {open_images(3 * 4096), open_images(64 << 20), 0};
+    files_each("tests/scenes", ".json", draw_file, &drawn);
+    const struct images_state few = images_look(drawn.few), many = images_look(drawn.many);
+    assert_true(drawn.scenes > 5);
+    assert_true(few.dropped > 0 && many.dropped == 0);
+    assert_true(many.hits >= many.count);
+    images_close(drawn.few);
+    images_close(drawn.many);
+}
+
+RUN_TESTS(make_files, free_files)
