@@ -92,7 +92,8 @@ static void move_lights(struct zr_file_scene *made, const double *origin)
 {
     for (uint32_t i = 0; i < made->light_count; i++) {
         zr_vec3 *at = &made->lights[i].position;
-        *at = (zr_vec3){(float)(at->x - origin[0]), (float)(at->y - origin[1]), (float)(at->z - origin[2])};
+        *at = (zr_vec3){(float)((double)at->x - origin[0]), (float)((double)at->y - origin[1]),
+                        (float)((double)at->z - origin[2])};
     }
 }
 
