@@ -22,8 +22,8 @@
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json", "obj", "mtl",   "stl",  "ply",       "gltf",      "3mf", "zip",
-                                      "png",  "npy", "array", "gzip", "multipart", "image_png", "jpeg"};
+static const char *const targets[] = {"json", "obj", "mtl",   "stl",  "ply",       "gltf",      "3mf",  "zip",
+                                      "png",  "npy", "array", "gzip", "multipart", "image_png", "jpeg", "zip_body"};
 
 static void fail(const char *what)
 {
@@ -456,6 +456,28 @@ static void write_gltf(void)
 
 /* ---- bodies ---- */
 
+static void write_zip_body(void)
+{
+    static const char obj[] = "x/a.obj\0mtllib a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\xFFx/a b.mtl\0newmtl m\n"
+                              "map_Kd -s 1 1 t.png\n\xFF__MACOSX/a.obj\0\xFFreadme.txt\0text";
+    static const char scene[] = "s.json\0{" WINDOW "," TRIANGLE "}";
+    write_seed("zip_body", "obj", obj, sizeof obj - 1);
+    write_seed("zip_body", "scene", scene, sizeof scene - 1);
+    static const char head[] = "a/b.gltf";
+    static const char gltf[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+        "{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"../c%20/"
+        "b.bin\"}]}"
+        "\xFF"
+        "c /b.bin";
+    static const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    char all[sizeof head + sizeof gltf + sizeof corners], *end = mempcpy(all, head, sizeof head);
+    end = mempcpy(end, gltf, sizeof gltf);
+    memcpy(end, corners, sizeof corners);
+    write_seed("zip_body", "gltf", all, sizeof all);
+}
+
 static void write_gzip(const char *name, const char *text, size_t size, int level)
 {
     char path[PATH_SIZE], mode[] = "wb0";
@@ -501,6 +523,7 @@ int main(int count, char **arguments)
     write_jpegs();
     write_arrays();
     write_gltf();
+    write_zip_body();
     write_bodies();
     return 0;
 }
