@@ -4,6 +4,7 @@ import io
 import json
 import os
 import pickle
+import struct
 import subprocess
 import sys
 import tempfile
@@ -15,6 +16,71 @@ import zraster
 from support import OBJ, SCENE, needs_numpy, numpy
 
 quiet = warnings.catch_warnings
+
+
+def gltf(uri):
+    return json.dumps({
+        "asset": {"version": "2.0"},
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [{"byteLength": 36, "uri": uri}],
+    }).encode()  # fmt: skip
+
+
+class Neighbours(unittest.TestCase):
+    def setUp(self):
+        self.top = tempfile.TemporaryDirectory()
+        self.addCleanup(self.top.cleanup)
+        self.folder = os.path.join(self.top.name, "model")
+        os.makedirs(os.path.join(self.folder, "maps"))
+        self.buffer = struct.pack("9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+        for name in ("maps/a b.bin", "../far.bin"):
+            with open(os.path.join(self.folder, name), "wb") as file:
+                file.write(self.buffer)
+
+    def path(self, uri):
+        path = os.path.join(self.folder, "x.gltf")
+        with open(path, "wb") as file:
+            file.write(gltf(uri))
+        return path
+
+    def test_folder(self):
+        """files that a path's file refers to are read from its folder"""
+        wanted = zraster.render(gltf("b"), parts={"b": self.buffer}, size=9).content
+        for uri in ("maps/a%20b.bin", "MAPS/A%20B.BIN", "C:/art/maps/a b.bin"):
+            with self.subTest(uri):
+                if uri.startswith("C:"):
+                    os.rename(os.path.join(self.folder, "maps/a b.bin"), os.path.join(self.folder, "a b.bin"))
+                self.assertEqual(zraster.render(self.path(uri), size=9, strict=True).content, wanted)
+        zraster.Scene(self.path("C:/art/maps/a b.bin"))
+        with support.Daemon() as daemon:
+            drawn = zraster.render(self.path("a b.bin"), size=9, strict=True, server=daemon.address)
+            self.assertEqual(drawn.content, wanted)
+
+    def test_root(self):
+        """files outside of the folder are read below root only"""
+        path = self.path("../far.bin")
+        with quiet(record=True) as issued, self.assertRaisesRegex(zraster.SceneError, "far.bin"):
+            warnings.simplefilter("always")
+            zraster.render(path)
+        zraster.render(path, root=self.top.name, strict=True)
+        with open(os.path.join(self.folder, "far.obj"), "w") as file:
+            file.write("mtllib /etc/none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        with quiet(record=True) as issued:
+            warnings.simplefilter("always")
+            zraster.render(file.name, size=9)
+        self.assertIn("is not read", str(issued[0].message))
+        with self.assertRaisesRegex(zraster.SceneError, "is not read"):
+            zraster.render(file.name, size=9, strict=True)
+        with self.assertRaises(zraster.OptionError):
+            zraster.render(OBJ, root=self.top.name)
+
+    def test_gltf_bytes(self):
+        """bytes of glTF without a type are a mesh, and take parameters of meshes"""
+        drawn = zraster.render(gltf("b"), parts={"b": self.buffer}, look="clay", size=(20, 10))
+        self.assertEqual(drawn.look, "clay@1")
 
 
 class SameBytes(unittest.TestCase):

@@ -7,6 +7,7 @@
 """
 from __future__ import annotations
 
+import warnings as _warnings
 from typing import Any, Mapping, Optional
 
 from . import _library, _server
@@ -49,6 +50,7 @@ def render(
     size: Any = None,
     view: Any = None,
     parts: Optional[Mapping[str, Any]] = None,
+    root: Any = None,
     renderer: Optional[Renderer] = None,
     cancel: Optional[Cancel] = None,
     server: Optional[str] = None,
@@ -56,13 +58,15 @@ def render(
 ) -> Picture:
     """Draws a file, bytes, a scene or a mesh.
 
-    source: a path (STL, OBJ, PLY, GLB, 3MF, JSON); the bytes of such a file; a dict as in the scene format, with arrays in place of
+    source: a path (STL, OBJ, PLY, glTF, GLB, 3MF, ZIP, JSON); the bytes of such a file; a dict as in the scene format, with arrays in place of
         lists; or an object with `vertices` (n, 3) and `faces` (m, 3), such as those of trimesh and Open3D
     channels: "depth", or a list such as ["color", "depth", {"channel": "normals", "space": "world"}]; default: color,
         or the outputs of the scene
     size: (width, height) in pixels, or one number for both; default: (640, 480), or the scene's window
     view: a dict as in the scene format, a preset such as "front", or a 4x4 matrix from camera to world
-    parts: bytes or arrays by name; a scene refers to them by {"asset": name}
+    parts: bytes or arrays by name; a scene refers to them by {"asset": name}, glTF by a path
+    root: folder of the files that a path's file may refer to, such as textures; default: its own. They are read as
+        parts. Files outside of it are not read, which is warned of
     renderer: threads and limits of its own; default: one renderer that the process shares
     cancel: a flag that ends the call. Ctrl-C, and other signals whose handlers raise, end a call of the main thread,
         and raise this flag
@@ -77,12 +81,14 @@ def render(
 
     >>> zraster.render("part.stl", look="clay").save("part.png")
     """
-    request = _make(source, channels, size, parts, {**options, "view": view})
+    request = _make(source, channels, size, parts, {**options, "view": view, "root": root})
     if server is not None:
         if cancel is not None:
             raise OptionError("cancel: a server's call cannot be cancelled")
         picture = _server.render(server, request, request.query, request.keys)
     else:
         picture = request.draw(given_or_shared(renderer), cancel)
+    for line in request.warnings:
+        _warnings.warn(line, Warning, stacklevel=2)
     picture._warn(3)
     return picture

@@ -5,7 +5,7 @@ import json
 import numbers
 from collections.abc import Mapping as AbstractMapping
 from ctypes import c_char_p, c_void_p, cast
-from typing import Any, Dict, Mapping, Optional, Tuple
+from typing import Any, Dict, Mapping, Optional, Set, Tuple
 
 from . import _library as c
 from ._errors import OptionError, SceneError, expect
@@ -65,6 +65,7 @@ class Parts:
 
     def __init__(self, named: Optional[Mapping[str, Any]] = None) -> None:
         self.named: Dict[str, Any] = {}
+        self.optional: Set[str] = set()  # names of parts that the scene need not use
         expect(named is None or isinstance(named, AbstractMapping), "parts", "a dict of bytes or arrays by name", named)
         for name, value in (named or {}).items():
             expect(isinstance(name, str), "parts", "names as str", name)
@@ -82,6 +83,10 @@ class Parts:
         self.named[name] = array
         return {"asset": name}
 
+    def add_optional(self, files: Mapping[str, bytes]) -> None:
+        self.named.update(files)
+        self.optional.update(files)
+
     def own(self) -> None:
         """Copies arrays that the caller may change."""
         for name, value in self.named.items():
@@ -96,7 +101,8 @@ class Parts:
         parts = (c.Part * len(self.named))()
         kept = [parts]
         for part, (name, value) in zip(parts, self.named.items()):
-            part.name = name.encode()
+            part.name = name.encode("utf-8", "surrogateescape")
+            part.flags = c.OPTIONAL if name in self.optional else 0
             array = part.array
             if isinstance(value, bytes):
                 array.data, array.type, array.ndim = cast(c_char_p(value), c_void_p), c.BYTES, 1

@@ -12,6 +12,7 @@ SONAME = "libzraster.so.0"
 OK, BAD_SYNTAX, BAD_TYPE, BAD_REQUEST, BAD_SCENE, NO_MEMORY, CANCELLED, INTERNAL = range(8)
 # Types of numbers: their names in numpy, in the order of zraster.h
 BYTES = 0
+OPTIONAL = 2  # flag of a part
 NUMBERS = ("", "f4", "f8", "u1", "i4", "u4", "i8", "u8")
 
 
@@ -85,6 +86,7 @@ _FUNCTIONS = {  # name: result, arguments
     "picture_look": (c_char_p, c_void_p),
     "picture_warning": (c_char_p, c_void_p, c_size_t),
     "picture_free": (None, c_void_p),
+    "references": (c_size_t, c_char_p, c_size_t, c_char_p, c_char_p, c_size_t),
     "version": (c_char_p,),
     "rules": (c_uint32,),
     "tables": (c_char_p, c_void_p),

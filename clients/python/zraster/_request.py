@@ -1,14 +1,15 @@
 """Requests: a body with its parts and parameters, and the keys that change it."""
 from __future__ import annotations
 
+import os
 from ctypes import byref, c_void_p, sizeof
-from typing import Any, Callable, Dict, Optional
+from typing import Any, Callable, Dict, List, Optional
 from urllib.parse import urlencode
 
 from . import _library as c
-from . import _interrupt, _options
+from . import _interrupt, _neighbours, _options
 from ._arrays import Parts, dump
-from ._errors import OptionTypeError, expect, raise_status
+from ._errors import OptionError, OptionTypeError, SceneError, expect, raise_status
 from ._picture import Drawn, Picture
 from ._renderer import Cancel, Renderer
 from ._source import Source, read
@@ -62,6 +63,7 @@ class Request:
         self.keys = {} if source.scene is not None else keys
         self.scene = {**source.scene, **keys} if source.scene is not None else None
         self.body = source.body if source.body is not None else dump(self.scene, parts)
+        self.warnings: List[str] = []  # of files that are not read
 
     def read_scene(self, renderer: Renderer) -> c.Handle:
         call = Call(self.body, self.type, self.query, self.parts, None)
@@ -85,6 +87,17 @@ def make(source: Any, channels: Any, size: Any, parts: Any, options: Dict[str, A
     """Makes a request of a source and keywords."""
     if "view" in options:
         options["view"] = view_of(options["view"])
-    found = read(source, options.pop("type", None))
+    found, root, all_parts = read(source, options.pop("type", None)), options.pop("root", None), Parts(parts)
     query, keys = _options.split(options, channels, size, found)
-    return Request(found, Parts(parts), query, keys)
+    lines: List[str] = []
+    if isinstance(source, (str, os.PathLike)) and found.body is not None:
+        path = os.fspath(source)
+        files, lines = _neighbours.read(path, found.body, found.type, root, all_parts.named)
+        all_parts.add_optional(files)
+    elif root is not None:
+        raise OptionError("root: for a source that is a path")
+    if lines and query.get("strict") == "true":
+        raise SceneError("\n".join(lines))
+    request = Request(found, all_parts, query, keys)
+    request.warnings = lines
+    return request

@@ -1,13 +1,14 @@
 """Scenes that are read once and drawn many times."""
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, Mapping, Optional, Tuple
 
 from . import _library as c
 from . import _options, _server
 from ._arrays import as_list, is_array
-from ._errors import OptionError, expect
+from ._errors import OptionError, Warning, expect
 from ._picture import Picture
 from ._renderer import Cancel, Renderer, given_or_shared
 from ._request import Request, draw_change, make, view_of
@@ -16,7 +17,7 @@ from ._request import Request, draw_change, make, view_of
 class Scene:
     """A scene that is read once and drawn many times, with other views, poses and looks.
 
-    source, size, view, parts, renderer, server, options: as for `render`; they apply to each picture that does not
+    source, size, view, parts, root, renderer, server, options: as for `render`; they apply to each picture that does not
     give its own. Arrays are copied, so later changes to them have no effect. Any number of threads may draw a scene at
     once. It works in a child process after fork. A pickled scene is read again when it is loaded.
 
@@ -37,6 +38,8 @@ class Scene:
         **options: Any,
     ) -> None:
         request = make(source, None, size, parts, {**options, "view": view})
+        for line in request.warnings:
+            warnings.warn(line, Warning, stacklevel=2)
         request.parts.own()
         self._state: Tuple[Request, Optional[Renderer], Optional[str]] = (request, renderer, server)
         self._handle: Optional[c.Handle] = None

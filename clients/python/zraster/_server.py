@@ -31,8 +31,9 @@ def _multipart(body: bytes, type_: str, parts: Parts) -> Tuple[bytes, str]:
     pieces: List[bytes] = []
     for name, data, kind in [("scene", body, type_)] + [(n, d, "") for n, d in parts.files().items()]:
         head = f'--{boundary}\r\nContent-Disposition: form-data; name="{name}"\r\n'
+        head += "Zraster-Use: optional\r\n" if name in parts.optional else ""
         head += f"Content-Type: {kind}\r\n\r\n" if kind else "\r\n"
-        pieces += [head.encode(), data, b"\r\n"]
+        pieces += [head.encode("utf-8", "surrogateescape"), data, b"\r\n"]
     pieces.append(f"--{boundary}--\r\n".encode())
     return b"".join(pieces), f"multipart/form-data; boundary={boundary}"
 
@@ -93,6 +94,7 @@ def _pose(scene: Dict[str, Any], poses: Dict[str, Any]) -> None:
 
 def _render_scene(server: str, request: Request, query: Dict[str, str], keys: Dict[str, Any]) -> Picture:
     parts = Parts(request.parts.named)
+    parts.optional = set(request.parts.optional)
     body = request.body
     try:
         scene = json.loads(body)
@@ -115,10 +117,13 @@ def _render_mesh(server: str, request: Request, query: Dict[str, str], keys: Dic
     outputs = keys.pop("outputs", None)
     if keys:
         raise OptionError(f"{', '.join(keys)}: with server=, a mesh has parameters only; zraster.options() lists them")
+    body, type_sent = request.body, _media_type(request.type)
+    if request.parts:
+        body, type_sent = _multipart(body, type_sent, request.parts)
     pictures = []
     for output in outputs or [{}]:
         asked = {**query, **{key: str(value) for key, value in output.items()}}
-        data, type_, look, warnings = _post(server, request.body, _media_type(request.type), asked)
+        data, type_, look, warnings = _post(server, body, type_sent, asked)
         pictures.append(from_answer(data, type_, asked.get("channel", "color"), look, warnings))
     return pictures[0] if len(pictures) == 1 else joined(pictures)
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, Optional
 
@@ -10,6 +11,9 @@ from ._errors import OptionTypeError
 from ._renderer import shared
 
 SPACE = b" \t\r\n"
+LOOK_MAX = 64 << 10  # bytes
+_TOKEN = re.compile(rb'"((?:[^"\\]|\\.)*)"(\s*:)?|[{}\[\]]', re.S)
+_GLTF_KEYS = (b"asset", b"accessors", b"bufferViews", b"buffers", b"scenes")
 
 
 class Source:
@@ -39,7 +43,20 @@ def _is_scene(body: bytes, type_: Optional[str]) -> bool:
     for row in shared().tables["formats"]:
         if type_ and (type_ == row["suffix"] or type_ in row["types"].split()):
             return bool(row["isScene"])
-    return start[:1] in (b"{", b"[")
+    return start[:1] in (b"{", b"[") and not _is_gltf(body)
+
+
+def _is_gltf(text: bytes) -> bool:
+    """True if the root has a key of glTF that is no key of scenes, as the renderer detects it."""
+    depth = 0
+    for token in _TOKEN.finditer(text, 0, LOOK_MAX):
+        if token[0] in (b"{", b"["):
+            depth += 1
+        elif token[0] in (b"}", b"]"):
+            depth -= 1
+        elif depth == 1 and token[2] and token[1] in _GLTF_KEYS:
+            return True
+    return False
 
 
 def _read_file(path: Any, type_: Optional[str]) -> Source:
