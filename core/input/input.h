@@ -27,6 +27,9 @@ typedef bool zr_looks_so_fn(const char *bytes, size_t size);
 ZR_FORMAT_ROWS(READER)
 #undef READER
 
+/* True if JSON text has the key of a scene's geometry at its root, near its beginning. */
+bool zr_has_geometry_key(const char *bytes, size_t size);
+
 void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset);
 
 #endif

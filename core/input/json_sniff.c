@@ -22,17 +22,16 @@ static const char *skip_string(const char *at, const char *end)
     return at < end ? at + 1 : end;
 }
 
-/* True if the root has a key of glTF that is no key of scenes. */
-bool zr_looks_so_GLTF(const char *bytes, size_t size)
+/* True if the root has one of the keys, in the first ZR_BLANKS_MAX bytes. */
+static bool has_key(const char *bytes, size_t size, const char *const *words, size_t count)
 {
-    static const char *const words[] = {"asset", "accessors", "bufferViews", "buffers", "scenes"};
     const char *at = bytes + zr_count_blanks(bytes, size), *const end =
                                                                bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX);
     int depth = 0;
     if (at >= end || *at != '{') return false;
     while (at < end) {
         if (*at == '"') {
-            for (size_t i = 0; depth == 1 && i < sizeof words / sizeof *words; i++)
+            for (size_t i = 0; depth == 1 && i < count; i++)
                 if (is_key(at, end, words[i])) return true;
             at = skip_string(at, end);
             continue;
@@ -41,6 +40,19 @@ bool zr_looks_so_GLTF(const char *bytes, size_t size)
         at++;
     }
     return false;
+}
+
+/* True if the root has a key of glTF that is no key of scenes. */
+bool zr_looks_so_GLTF(const char *bytes, size_t size)
+{
+    static const char *const words[] = {"asset", "accessors", "bufferViews", "buffers", "scenes"};
+    return has_key(bytes, size, words, sizeof words / sizeof *words);
+}
+
+bool zr_has_geometry_key(const char *bytes, size_t size)
+{
+    static const char *const words[] = {"meshes", "polygons"};
+    return has_key(bytes, size, words, sizeof words / sizeof *words);
 }
 
 /* A scene is always an object. Lists also count as JSON, for a better message. */

@@ -124,14 +124,48 @@ static const struct zr_zip_member *find_member(const struct zr_zip *zip, const c
     return found;
 }
 
-static enum zr_status choose(struct archive *archive, const char *name, struct zr_error *error)
+/* Counts the models; finds one. */
+static size_t count_models(struct archive *archive)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < archive->zip.count; i++) {
+        if (!is_model(&archive->zip.members[i])) continue;
+        archive->model = &archive->zip.members[i];
+        count++;
+    }
+    return count;
+}
+
+/* The same without JSON that is no scene, such as lists of files. */
+static enum zr_status count_scenes(struct archive *archive, struct zr_arena *arena, size_t *count,
+                                   struct zr_reason *reason)
+{
+    *count = 0;
+    for (size_t i = 0; i < archive->zip.count; i++) {
+        const struct zr_zip_member *member = &archive->zip.members[i];
+        const char *bytes;
+        if (!is_model(member)) continue;
+        if (format_of(member) == ZR_FORMAT_JSON) {
+            const enum zr_status status = zr_unpack(archive->unpacked, member, arena, &bytes, reason);
+            if (status != ZR_OK) return status;
+            if (!zr_has_geometry_key(bytes, (size_t)member->size)) continue;
+        }
+        archive->model = member;
+        (*count)++;
+    }
+    return ZR_OK;
+}
+
+static enum zr_status choose(struct archive *archive, struct zr_arena *arena, const char *name,
+                             struct zr_reason *reason, struct zr_error *error)
 {
     const struct zr_zip *zip = &archive->zip;
-    size_t count = 0;
-    for (size_t i = 0; !name && i < zip->count; i++) {
-        if (!is_model(&zip->members[i])) continue;
-        archive->model = &zip->members[i];
-        count++;
+    size_t count = name ? 1 : count_models(archive);
+    if (count > 1) {
+        const size_t all = count;
+        const enum zr_status status = count_scenes(archive, arena, &count, reason);
+        if (status != ZR_OK) return status;
+        if (count == 0) count = all;
     }
     if (name) {
         archive->model = find_member(zip, name);
@@ -218,9 +252,9 @@ static enum zr_status open_archive(struct zr_arena *arena, struct zr_request *re
     archive.unpacked->quick = request->quick;
     enum zr_status status = zr_zip_open(arena, request->bytes, request->size, &archive.zip, &reason);
     if (status == ZR_OK) {
-        status = choose(&archive, request->member, error);
-        if (status != ZR_OK) return status;
-        status = zr_unpack(archive.unpacked, archive.model, arena, &bytes, &reason);
+        status = choose(&archive, arena, request->member, &reason, error);
+        if (status != ZR_OK && error->count > 0) return status;
+        if (status == ZR_OK) status = zr_unpack(archive.unpacked, archive.model, arena, &bytes, &reason);
     }
     if (status == ZR_BAD_SYNTAX) return zr_error_add(error, status, NULL, "a broken ZIP archive: %s", reason.text);
     if (status != ZR_OK) return status;
