@@ -110,7 +110,7 @@ static bool walk(const struct search *search, const char *relative, char path[PA
 static void note(size_t *count, char first[256], const char *name)
 {
     if ((*count)++ > 0) return;
-    snprintf(first, 256, "%s", name);
+    snprintf(first, 256, "%.255s", name);
     for (char *at = first; *at; at++)
         if ((unsigned char)*at < ' ') *at = '?';
 }
@@ -194,14 +194,13 @@ static void find(struct search *search, const char *from, const char *name)
 
 static void find_all(struct search *search, const char *from, const struct bytes *bytes, const char *type)
 {
-    const size_t room = zraster_references(bytes_text(bytes), bytes->size, type, NULL, 0);
-    char *names = room > 0 ? malloc(room) : NULL;
-    if (room == 0) return;
-    if (!names) {
+    char few[4096], *names = few;
+    const size_t room = zraster_references(bytes_text(bytes), bytes->size, type, few, sizeof few);
+    if (room > sizeof few && !(names = malloc(room))) {
         search->has_memory = false;
         return;
     }
-    zraster_references(bytes_text(bytes), bytes->size, type, names, room);
+    if (room > sizeof few) zraster_references(bytes_text(bytes), bytes->size, type, names, room);
     const char *last = "";
     for (const char *name = names; name < names + room && !interrupted(); name += strlen(name) + 1) {
         if (strcmp(name, last) == 0) continue;
@@ -211,7 +210,7 @@ static void find_all(struct search *search, const char *from, const struct bytes
         else
             note(&search->excess, search->first_excess, name);
     }
-    free(names);
+    if (names != few) free(names);
 }
 
 /* ---- interface ---- */

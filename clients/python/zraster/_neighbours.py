@@ -17,9 +17,11 @@ LOOKUPS_MAX, COUNT_MAX, BYTES_MAX = 4096, 255, 2 << 30
 
 def _references(body: bytes, type_: Optional[str]) -> List[str]:
     kind = type_.encode() if type_ else None
-    room = c.library.references(body, len(body), kind, None, 0)
-    names = create_string_buffer(room + 1)
-    c.library.references(body, len(body), kind, names, room)
+    names = create_string_buffer(4096)
+    room = c.library.references(body, len(body), kind, names, len(names))
+    if room > len(names):
+        names = create_string_buffer(room)
+        c.library.references(body, len(body), kind, names, room)
     found = names.raw[:room].decode("utf-8", "surrogateescape").split("\0")[:-1]
     return list(dict.fromkeys(found))
 
