@@ -21,7 +21,7 @@ static void visit(void (*print)(const struct completed *))
         const struct option_row *row = &option_rows[i];
         option = (struct completed){.letter = row->letter, .value = row->value, .help = row->help};
         snprintf(option.name, sizeof option.name, "%s", row->name);
-        option.takes_file = row->value && strstr(row->value, "FILE");
+        option.takes_file = row->value && (strstr(row->value, "FILE") || strstr(row->value, "DIR"));
         if (i == OPTION_TYPE)
             for (const char *at = OPTIONS_TYPES; *at; at += strcspn(at, " "))
                 if (*at == ' ') at++, words_add(&option.words, at, strcspn(at, " "));
