@@ -186,4 +186,14 @@ check "two files end with 2" 2 "$client" render scene.json two.json
 check "another command ends with 2" 2 "$client" draw scene.json
 check "help ends with 0" 0 "$client" --help
 verdict "and shows every option" eval 'for o in -o --channel --encoding --scale --preset --shading --compress --size --azimuth --elevation --up --projection --color --background --outline --fill --double-sided --type --server --token-file; do grep -q -e " $o " said || exit 1; done'
+mkdir -p model/maps
+printf '\000\000\000\000\000\000\000\000\000\000\000\000\000\000\200\077\000\000\000\000\000\000\000\000\000\000\000\000\000\000\200\077\000\000\000\000' >"model/maps/a b.bin"
+echo unused >model/maps/t.png
+printf '{"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"images":[{"uri":"maps/t.png"}],"buffers":[{"byteLength":36,"uri":"maps/a%%20b.bin"}]}' >model/x.gltf
+check "files that a model refers to are sent, without a warning of unused ones" 0 "$client" render model/x.gltf -o sent.png --strict
+ZRASTER_SERVER= "$client" render model/x.gltf -o here.png -q
+verdict "and the picture is that of this process" cmp sent.png here.png
+"$client" render scene.json -c color,depth -o pictures.zip
+check "an archive without a model is refused" 1 "$client" render pictures.zip
+verdict "and the endings of models are named" grep -q 'the ZIP archive has no model: no member ends with one of json, obj' complained
 verdicts

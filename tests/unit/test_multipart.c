@@ -45,8 +45,8 @@ TEST(parts_are_found_with_their_names_and_types)
         B NAME("scene") "Content-Type: application/json; charset=utf-8\r\n\r\n{}\r\n" B
                         "content-type:image/png \r\ncontent-disposition:form-data;name=color ; filename=\"C:\\a "
                         "\\\"b\\\";name=c\"\r\n\r\n"
-                        "\x89PNG\r\n--AaB03\r\n--AaB0\n--AaB03x\r\r\n" B NAME("last") "X-Other: 1\r\n\r\n" END
-                                                                                      "epilogue";
+                        "\x89PNG\r\n--AaB03\r\n--AaB0\n--AaB03x\r\r\n" B NAME(
+                            "last") "X-Other: 1\r\nzraster-use: optional\r\n\r\n" END "epilogue";
     assert_true(parse(body, sizeof body - 1));
     assert_int_equal(parts.count, 3);
     assert_part(0, "scene", "{}");
@@ -56,6 +56,8 @@ TEST(parts_are_found_with_their_names_and_types)
     assert_int_equal(parts.parts[1].type_size, 9);
     assert_part(2, "last", "");
     assert_null(parts.parts[2].type);
+    for (size_t i = 0; i < 3; i++)
+        assert_int_equal(parts.parts[i].is_optional, i == 2);
     assert_null(multipart_find(&parts, "c"));
 }
 
