@@ -173,13 +173,11 @@ static void list_mtl(struct list *list, const char *bytes, const char *end)
 
 /* ---- JSON ---- */
 
-enum { DEPTH_MAX = 64, ROOT = 1, ITEM = 3 };
+enum { ROOT = 1, ITEM = 3 };
 
-/* Lists strings of JSON text without checking it: of glTF the key "uri" of items of "buffers" and "images"; of a scene
- * the key "asset" anywhere. */
+/* glTF: lists the key "uri" of items of "buffers" and "images". The text is not checked. */
 struct json {
     struct list *list;
-    bool is_gltf;
     int depth;
     bool is_listed; /* within the value of "buffers" or "images" */
 };
@@ -231,13 +229,6 @@ static void add_string(struct list *list, const struct zr_json_text *text)
     }
 }
 
-/* True if the value of the key is a name of a file. */
-static bool is_name(const struct json *json, const struct zr_json_text *key)
-{
-    if (!json->is_gltf) return is_key(key, "asset");
-    return json->is_listed && json->depth == ITEM && is_key(key, "uri");
-}
-
 static const char *skip_space(const char *at, const char *end)
 {
     while (at < end && (*at == ' ' || *at == '\n' || *at == '\r' || *at == '\t'))
@@ -259,13 +250,13 @@ static const char *read_string(struct json *json, const char *at, const char *en
     value.at = at + 1;
     value.end = end_of_string(value.at, end, &value.has_escapes);
     if (!value.end) return end;
-    if (is_name(json, &key)) add_string(json->list, &value);
+    if (json->is_listed && json->depth == ITEM && is_key(&key, "uri")) add_string(json->list, &value);
     return value.end + 1;
 }
 
-static void list_json(struct list *list, const char *at, const char *end, bool is_gltf)
+static void list_gltf(struct list *list, const char *at, const char *end)
 {
-    struct json json = {.list = list, .is_gltf = is_gltf};
+    struct json json = {.list = list};
     while (at < end) {
         if (*at == '"') {
             at = read_string(&json, at, end);
@@ -273,6 +264,24 @@ static void list_json(struct list *list, const char *at, const char *end, bool i
         }
         json.depth += (*at == '{' || *at == '[') - (*at == '}' || *at == ']');
         at++;
+    }
+}
+
+/* Scenes: lists the key "asset" anywhere. Searches for the letter s, which numbers do not have. */
+static void list_scene(struct list *list, const char *bytes, const char *end)
+{
+    static const char key[] = "\"asset\"";
+    enum { LENGTH = sizeof key - 1, BEFORE = 2 };
+    for (const char *at = bytes; at < end && (at = memchr(at, 's', (size_t)(end - at))) != NULL; at++) {
+        if (at - bytes < BEFORE || end - at < LENGTH - BEFORE || memcmp(at - BEFORE, key, LENGTH) != 0) continue;
+        const char *value = skip_space(at - BEFORE + LENGTH, end);
+        if (value < end && *value == ':') value = skip_space(value + 1, end);
+        if (value == end || *value != '"') continue;
+        struct zr_json_text name = {.at = value + 1};
+        name.end = end_of_string(name.at, end, &name.has_escapes);
+        if (!name.end) return;
+        add_string(list, &name);
+        at = name.end;
     }
 }
 
@@ -289,7 +298,7 @@ static void list_glb(struct list *list, const char *bytes, size_t size)
     if (size < JSON_AT) return;
     const uint32_t length = read_u32(bytes + JSON_AT - 8);
     const size_t room = size - JSON_AT;
-    list_json(list, bytes + JSON_AT, bytes + JSON_AT + (length < room ? length : room), true);
+    list_gltf(list, bytes + JSON_AT, bytes + JSON_AT + (length < room ? length : room));
 }
 
 /* ---- interface ---- */
@@ -321,13 +330,16 @@ size_t zr_references_list(const char *bytes, size_t size, const char *type, char
         list_obj(&list, bytes, bytes + size);
         break;
     case ZR_FORMAT_GLTF:
-        list_json(&list, bytes, bytes + size, true);
+        list_gltf(&list, bytes, bytes + size);
         break;
     case ZR_FORMAT_GLB:
         list_glb(&list, bytes, size);
         break;
     case ZR_FORMAT_JSON:
-        list_json(&list, bytes, bytes + size, zr_looks_so_GLTF(bytes, size));
+        if (zr_looks_so_GLTF(bytes, size))
+            list_gltf(&list, bytes, bytes + size);
+        else
+            list_scene(&list, bytes, bytes + size);
         break;
     default:
         break;
