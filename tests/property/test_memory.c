@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "core.h"
+#include "support/mtl_pictures.h"
 #include "support/skinned_gltf.h"
 #include "support/tests.h"
 
@@ -52,6 +53,10 @@ static const struct sample samples[] = {
     {"samples by the textbook", ZR_FORMAT_JSON,
      "{" OUTPUTS ", \"samples\": 16, \"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}]}"},
     {"OBJ", ZR_FORMAT_OBJ, "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 2\n"},
+    {"OBJ with materials", ZR_FORMAT_OBJ,
+     "mtllib m.mtl\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl a\nf 1/1 2/2 3/3\ng b\nusemtl b\nf "
+     "1/2 "
+     "2/3 3/1\n"},
     {"STL", ZR_FORMAT_STL,
      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
      "0\nendloop\nendfacet\nendsolid\n"},
@@ -64,6 +69,12 @@ static const struct sample samples[] = {
      "vertex_indices\nend_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n"},
     {"glTF with a skin and targets", ZR_FORMAT_GLTF, SKINNED_GLTF},
 };
+
+/* Parts of each request; only one sample uses them. */
+#define MTL "newmtl a\nmap_Kd c.png\nmap_d g.png\nmap_Pr g.png\nnewmtl b\nKd 1 0 0\nd 0.5\n"
+static const struct zr_asset assets[] = {{.name = "m.mtl", .bytes = MTL, .size = sizeof MTL - 1},
+                                         {.name = "c.png", .bytes = PICTURE_COLORS, .size = sizeof PICTURE_COLORS - 1},
+                                         {.name = "g.png", .bytes = PICTURE_GREYS, .size = sizeof PICTURE_GREYS - 1}};
 
 /* Allocations are rounded up to STEP, so that no ceiling between two of these is another one. Where one large
  * allocation is FAR beyond the ceiling, all ceilings up to it fail alike: the last of them will do. */
@@ -92,6 +103,10 @@ TEST(every_ceiling_of_memory_is_enough_or_named)
     for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {
         struct zr_request request = {
             .format = samples[i].format, .bytes = samples[i].text, .size = strlen(samples[i].text)};
+        if (strncmp(samples[i].text, "mtllib", 6) == 0) {
+            request.assets = assets;
+            request.asset_count = sizeof assets / sizeof *assets;
+        }
         if (request.format != ZR_FORMAT_JSON) request.width = request.height = "16";
         size_t ceiling = 0;
         enum zr_status status = ZR_NO_MEMORY;

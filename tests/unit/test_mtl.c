@@ -1,23 +1,7 @@
 /* Tests OBJ with its materials: values, textures, names and faults of MTL, and the parts that o and g name. */
 #include "input_check.h"
+#include "support/mtl_pictures.h"
 #include "support/tests.h"
-
-/* PNGs of 2 by 2 pixels. COLORS: red, green; blue, yellow. GREYS: 255, 0; 128, 64. ALPHAS: red, green; blue, grey, with
- * the alphas 255, 0; 128, 64. */
-static const char COLORS[] =
-    "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\002\000\000\000\002"
-    "\010\002\000\000\000\375\324\232\163\000\000\000\024\111\104\101\124\170\332\143\370\317\300\300"
-    "\000\302\014\377\177\375\142\000\000\036\326\004\362\311\126\210\101\000\000\000\000\111\105\116"
-    "\104\256\102\140\202";
-static const char GREYS[] =
-    "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\002\000\000\000\002"
-    "\010\000\000\000\000\127\335\122\370\000\000\000\016\111\104\101\124\170\332\143\370\317\300\320"
-    "\340\000\000\006\101\001\300\113\357\057\226\000\000\000\000\111\105\116\104\256\102\140\202";
-static const char ALPHAS[] =
-    "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\002\000\000\000\002"
-    "\010\006\000\000\000\162\266\015\044\000\000\000\026\111\104\101\124\170\332\143\370\317\300\360"
-    "\037\010\101\340\177\003\047\047\247\003\000\063\362\004\330\355\240\116\225\000\000\000\000\111"
-    "\105\116\104\256\102\140\202";
 
 #define FILE_OF(name_, text)                                                                                           \
     {                                                                                                                  \
@@ -29,9 +13,9 @@ static const char ALPHAS[] =
 static struct reading *read_with(const char *obj, const char *mtl, const char *strict)
 {
     const struct zr_asset assets[] = {{.name = "m.mtl", .bytes = mtl, .size = strlen(mtl)},
-                                      FILE_OF("c.png", COLORS),
-                                      FILE_OF("g.png", GREYS),
-                                      FILE_OF("a b.png", ALPHAS),
+                                      FILE_OF("c.png", PICTURE_COLORS),
+                                      FILE_OF("g.png", PICTURE_GREYS),
+                                      FILE_OF("a b.png", PICTURE_ALPHAS),
                                       FILE_OF("broken.png", "PNG")};
     const struct zr_request request = {
         .format = ZR_FORMAT_OBJ, .channel = "color", .strict = strict, .assets = assets, .asset_count = 5};
