@@ -12,6 +12,10 @@ enum { TEAMS = 3, CEILING = 1 << 28, FAULT_SIZE = 96 };
 
 static struct zr_team *teams[TEAMS];
 
+/* Assets of each request. */
+static const struct zr_asset *team_assets;
+static size_t team_asset_count;
+
 /* Before all tests of a file, and after them. */
 static inline int start_teams(void **state)
 {
@@ -32,8 +36,8 @@ static inline int end_teams(void **state)
 
 static inline struct reading *read_by(struct zr_team *team, enum zr_format format, const struct text *text)
 {
-    return read_by_team(team, (struct zr_request){.format = format}, text->bytes, text->size, zr_limits_default(),
-                        CEILING);
+    const struct zr_request request = {.format = format, .assets = team_assets, .asset_count = team_asset_count};
+    return read_by_team(team, request, text->bytes, text->size, zr_limits_default(), CEILING);
 }
 
 static inline void assert_same_reading(const struct reading *a, const struct reading *b)

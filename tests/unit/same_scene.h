@@ -34,6 +34,11 @@ static inline void assert_same_mesh(const struct zr_mesh *a, const struct zr_mes
     assert_same_array(a->face_groups, b->face_groups, a->face_count, sizeof *a->face_groups);
     assert_same_array(a->colors, b->colors, a->position_count, sizeof *a->colors);
     assert_same_array(a->face_colors, b->face_colors, a->face_count, sizeof *a->face_colors);
+    assert_same_array(a->texcoords, b->texcoords, a->position_count, sizeof *a->texcoords);
+    assert_same_array(a->face_parts, b->face_parts, a->face_count, sizeof *a->face_parts);
+    assert_int_equal(a->part_count, b->part_count);
+    for (uint32_t i = 0; i < a->part_count; i++)
+        assert_string_equal(a->part_names[i], b->part_names[i]);
     assert_same_array(a->face_materials, b->face_materials, a->face_count, sizeof *a->face_materials);
 }
 
