@@ -29,6 +29,7 @@ struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_req
         .scene = builder->scene,
         .assets = {.count = request->asset_count, .items = request->assets, .quick = request->quick, .uses = uses}};
     mtl->root.json.assets = &mtl->root.assets;
+    zr_json_open(&mtl->root.json, "", 0);
     return mtl;
 }
 
