@@ -124,6 +124,9 @@ struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_req
 /* mtl_index.c: indexes the file of this name; false if the request has none, or after a failure (mtl->status). */
 bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length);
 
+/* Indexes the only asset whose name ends in .mtl, for files that were renamed. Returns its name, or NULL. */
+const char *zr_mtl_add_only(struct zr_mtl *mtl);
+
 /* Returns the number of a material in mtl->made, or ZR_FILE_MATERIAL_NONE. */
 uint32_t zr_mtl_use(struct zr_mtl *mtl, const char *name, size_t length);
 

@@ -94,6 +94,19 @@ bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length)
     return mtl->status == ZR_OK;
 }
 
+const char *zr_mtl_add_only(struct zr_mtl *mtl)
+{
+    enum { LENGTH = sizeof ".mtl" - 1 };
+    const char *only = NULL;
+    for (size_t i = 0; i < mtl->root.assets.count; i++) {
+        const char *name = mtl->root.assets.items[i].name, *end = name + strlen(name);
+        if (end - name < LENGTH || !zr_mtl_is_word(&(const struct zr_mtl_text){end - LENGTH, end, 0}, ".mtl")) continue;
+        if (only) return NULL;
+        only = name;
+    }
+    return only && zr_mtl_add(mtl, only, strlen(only)) ? only : NULL;
+}
+
 /* ---- use ---- */
 
 static int compare_names(const struct zr_mtl_text *a, const struct zr_mtl_text *b)

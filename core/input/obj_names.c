@@ -92,6 +92,7 @@ enum zr_status zr_obj_open_materials(struct zr_obj_file *file, struct zr_scene_b
         if (zr_is_cancelled(request->cancel)) return ZR_CANCELLED;
         if (file->parts[i].holds.libraries > 0) read_libraries(file, i);
     }
+    if (file->mtl->status == ZR_OK && file->mtl->file_count == 0) file->only_library = zr_mtl_add_only(file->mtl);
     const enum zr_status status = file->mtl->status;
     if (status == ZR_OK && file->mtl->file_count == 0) file->mtl = NULL;
     return status;

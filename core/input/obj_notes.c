@@ -78,6 +78,9 @@ void zr_obj_warn(const struct zr_obj_file *file, struct zr_scene_builder *builde
         warn_of(builder, &all, &all_words[note]);
     }
     warn_of(builder, &file->missing_libraries, &missing_libraries);
+    if (file->only_library)
+        zr_warning_list_add(builder->arena, &builder->warnings, "OBJ: the only file of materials, %s, is read instead",
+                            zr_quote(file->only_library, strlen(file->only_library)).text);
     warn_of(builder, &file->missing_materials, &missing_materials);
     warn_of(builder, &file->untextured, &untextured);
     if (file->color_scale > 1.0f)

@@ -288,6 +288,10 @@ TEST(materials_are_found_by_their_names)
          {-1, -1},
          "OBJ: 2 materials (usemtl) are in no file of materials; their faces have the look's; the first is line 2: "
          "'A'"},
+        {"mtllib old.mtl\nusemtl a\n" V "f 1 2 3\nf 1 3 4\n",
+         "newmtl a\nKd .25 0 0",
+         {0.25f, 0.25f},
+         "OBJ: 1 file of materials (mtllib) is no part of the request; it is line 1: 'mtllib old.mtl'"},
         {"mtllib m.mtl\n" V "f 1 2 3\nf 1 3 4\n", "", {-1, -1}, ""},
         {"mtllib m.mtl\nusemtl a\n" V "f 1 2 3\nf 1 3 4\n",
          "Kd 1 1 1\nnewmtl a\nKd .25 0 0",
