@@ -99,7 +99,7 @@ struct zr_request {
     enum zr_format format;
     const char *bytes;
     size_t size;
-    const struct zr_asset *assets; /* names are unique; bare meshes other than glTF use none */
+    const struct zr_asset *assets; /* names are unique; bare meshes other than glTF and OBJ use none */
     size_t asset_count;
     struct zr_stored stored; /* read may be NULL: no store */
     struct zr_kept_images images;

@@ -1,4 +1,5 @@
 /* Tests OBJ with its materials: values, textures, names and faults of MTL, and the parts that o and g name. */
+#include "change.h"
 #include "input_check.h"
 #include "support/mtl_pictures.h"
 #include "support/tests.h"
@@ -362,6 +363,36 @@ TEST(textures_of_unused_materials_are_no_unused_parts)
     assert_read(reading);
     assert_int_equal(reading->scene->image_count, 1);
     reading_free(reading);
+}
+
+TEST(a_kept_file_keeps_parts_and_materials)
+{
+    static const char obj[] = "mtllib m.mtl\n" V "o x\nusemtl a\nf 1/1 2/2 3/3\no y\nusemtl b\nf 1/1 2/2 3/3\n",
+                      mtl[] = "newmtl a\nmap_Kd c.png\nnewmtl b\nKd 1 0 0\nd 0.5\n";
+    const struct zr_asset assets[] = {FILE_OF("m.mtl", mtl), FILE_OF("c.png", PICTURE_COLORS)};
+    struct zr_request request = {
+        .format = ZR_FORMAT_OBJ, .bytes = obj, .size = sizeof obj - 1, .assets = assets, .asset_count = 2};
+    const struct zr_limits limits = zr_limits_default();
+    struct zr_arena arena, other;
+    struct zr_error error = {.count = 0};
+    const struct zr_scene *scene;
+    struct zr_kept *kept;
+    zr_arena_init(&arena, (size_t)1 << 28);
+    zr_arena_init(&other, (size_t)1 << 28);
+    assert_int_equal(zr_scene_keep(&arena, NULL, &request, &limits, &kept, &error), ZR_OK);
+    for (int i = 0; i < 2; i++) {
+        const struct zr_request changed = {.look = i ? "technical" : "clay"};
+        zr_arena_reset(&other, 0);
+        assert_int_equal(zr_scene_change(&other, NULL, kept, &changed, &scene, &error), ZR_OK);
+        const struct zr_mesh *mesh = &scene->meshes[0];
+        assert_int_equal(mesh->part_count, 2);
+        assert_string_equal(mesh->part_names[1], "y");
+        assert_int_equal(zr_material_of_face(scene, mesh, 0)->textures[ZR_TEXTURE_BASE_COLOR], 1);
+        assert_true(zr_material_of_face(scene, mesh, 1)->base_color.w == 0.5f);
+        assert_int_equal(zr_material_of_face(scene, mesh, 1)->alpha_mode, ZR_ALPHA_BLEND);
+    }
+    zr_arena_free(&other);
+    zr_arena_free(&arena);
 }
 
 /* ---- hostile files ---- */
