@@ -108,7 +108,7 @@ struct zr_mtl {
     struct zr_parsed_scene root; /* for images and assets; its errors go to `faults` */
     struct zr_file_scene *made;
     struct zr_mtl_entry *entries; /* sorted by name once the first is sought */
-    uint32_t count, room, material_room, file_count;
+    uint32_t count, room, material_room, file_count, sought_count;
     bool is_sorted, has_maps;
     enum zr_status status; /* other than OK: reading stopped */
     struct zr_error *error, faults;
@@ -121,7 +121,9 @@ struct zr_mtl {
 struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error);
 
-/* mtl_index.c: indexes the file of this name; false if the request has none, or after a failure (mtl->status). */
+/* mtl_index.c: indexes the file of this name; false if the request has none, after a failure (mtl->status), or beyond
+ * ZR_MTL_SOUGHT_MAX names. */
+enum { ZR_MTL_SOUGHT_MAX = 4096 };
 bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length);
 
 /* Indexes the only asset whose name ends in .mtl, for files that were renamed. Returns its name, or NULL. */

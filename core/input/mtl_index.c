@@ -85,6 +85,7 @@ static void index_lines(struct zr_mtl *mtl, struct zr_mtl_text rest)
 
 bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length)
 {
+    if (mtl->sought_count++ >= ZR_MTL_SOUGHT_MAX) return false;
     const struct zr_asset *asset = zr_mtl_find_file(mtl, &(const struct zr_mtl_text){name, name + length, 0});
     if (!asset) return false;
     const char *bytes = asset->bytes;

@@ -416,6 +416,22 @@ TEST(many_materials_and_long_lines_take_bounded_memory_and_time)
     free(mtl);
 }
 
+TEST(many_names_of_files_take_bounded_memory_and_time)
+{
+    enum { COUNT = 1 << 20 };
+    char *obj = malloc(2 * (size_t)COUNT + 256), *at = obj;
+    assert_non_null(obj);
+    at += sprintf(at, V "f 1 2 3\nmtllib");
+    for (int i = 0; i < COUNT; i++)
+        at = mempcpy(at, " x", 2);
+    *at = '\0';
+    struct reading *reading = read_with(obj, "", NULL);
+    assert_read(reading);
+    assert_true(reading->arena.peak < (size_t)8 << 20);
+    reading_free(reading);
+    free(obj);
+}
+
 TEST(many_coordinates_of_one_position_take_bounded_time)
 {
     enum { COUNT = 50000 };
