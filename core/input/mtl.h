@@ -149,7 +149,7 @@ bool zr_mtl_is_word(const struct zr_mtl_text *text, const char *word);
 void zr_mtl_read_values(struct zr_mtl *mtl, const struct zr_mtl_entry *entry, struct zr_mtl_values *out);
 
 /* mtl_map.c: finds a file among the assets, or NULL; reads the options and the name of a map. */
-const struct zr_asset *zr_mtl_find_file(struct zr_mtl *mtl, const struct zr_mtl_text *name);
+const struct zr_asset *zr_mtl_find_file(struct zr_mtl *mtl, const struct zr_mtl_text *given);
 void zr_mtl_read_map(struct zr_mtl *mtl, const struct zr_mtl_text *whole, struct zr_mtl_text line,
                      struct zr_mtl_given_map *out);
 

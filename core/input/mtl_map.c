@@ -81,8 +81,18 @@ static bool read_option(struct zr_mtl_text *line, const struct option *option, s
     return true;
 }
 
-const struct zr_asset *zr_mtl_find_file(struct zr_mtl *mtl, const struct zr_mtl_text *name)
+/* Some programs write names in quotes. */
+static struct zr_mtl_text unquote(struct zr_mtl_text name)
 {
+    if (name.end - name.at < 2 || *name.at != '"' || name.end[-1] != '"') return name;
+    name.at++;
+    name.end--;
+    return name;
+}
+
+const struct zr_asset *zr_mtl_find_file(struct zr_mtl *mtl, const struct zr_mtl_text *given)
+{
+    const struct zr_mtl_text plain = unquote(*given), *name = &plain;
     const size_t length = (size_t)(name->end - name->at);
     char text[NAME_MAX_BYTES + 1];
     if (length == 0 || length > NAME_MAX_BYTES || memchr(name->at, '\0', length)) return NULL;

@@ -154,7 +154,7 @@ TEST(maps_become_textures)
          ZR_TEXTURE_BASE_COLOR,
          {255, 0, 0, 255, 0, 255, 0, 0, 0, 0, 255, 128, 250, 250, 0, 64},
          ZR_ALPHA_BLEND},
-        {"map_d g.png",
+        {"map_d \"g.png\"",
          ZR_TEXTURE_BASE_COLOR,
          {255, 255, 255, 255, 255, 255, 255, 0, 255, 255, 255, 128, 255, 255, 255, 64},
          ZR_ALPHA_BLEND},
