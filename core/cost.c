@@ -48,7 +48,7 @@ static struct passes passes_of(const struct zr_scene *scene, const struct zr_res
 {
     const struct zr_picture *picture = &scene->picture;
     const struct zr_view *view = &scene->views[0];
-    struct passes passes = {.centres = 1.0, .side = 1.0};
+    struct passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0, .side = 1.0};
     if (!zr_view_wants(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
     passes.samples = 1.0;
     passes.side = (double)picture->side;
@@ -117,6 +117,7 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
     const struct zr_view *view = &scene->views[0];
     const double pixels = (double)view->width * (double)view->height, samples = pixels * passes->side * passes->side;
     double sum = pixels * bytes_of_channels(view) + bytes_of_layers(scene, samples, kept);
+    if (scene->is_undrawn) return 0.0;
     if (zr_view_wants(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* these keep a z-buffer of the whole window */
         sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
@@ -152,7 +153,8 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
         const enum zr_shading shading = scene->materials[mesh->material].shading;
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
         if (zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO)) counts[ZR_COST_FACT] += triangles;
-        if (passes->makes_normals || (is_smooth && mesh->normal_count == 0)) counts[ZR_COST_NORMAL] += triangles;
+        if (passes->makes_normals || (is_smooth && mesh->normal_count == 0 && !scene->is_undrawn))
+            counts[ZR_COST_NORMAL] += triangles;
     }
 }
 
@@ -167,7 +169,7 @@ static void count_outputs(const struct zr_scene *scene, double *counts)
 {
     const struct zr_view *view = &scene->views[0];
     const double pixels = (double)view->width * (double)view->height;
-    for (uint32_t i = 0; i < view->output_count; i++) {
+    for (uint32_t i = 0; !scene->is_undrawn && i < view->output_count; i++) {
         const enum zr_encoding encoding = view->outputs[i].encoding;
         counts[ZR_COST_OUTPUT_WORD] += pixels * fmax((double)zr_channel_rows[view->outputs[i].channel].words, 1.0);
         counts[ZR_COST_CHANNEL_PIXEL] += pixels * CHANNEL_TIMES[view->outputs[i].channel];

@@ -40,6 +40,8 @@
     ROW(strict, "/query/strict", ANY, BOOL, "errors instead of warnings (default: false)")                             \
     ROW(member, "/query/member", ANY, NAME, "file to draw of a ZIP archive with several models")                       \
     ROW(colorBar, "/colorBar", ANY, BOOL, "colour bar with numbers over the picture (default: the scene's)")           \
+    ROW(render, "/render", ANY, BOOL,                                                                                  \
+        "pictures; false: only facts, by the channel info; nothing is drawn (default: true)")                          \
     ROW(look, "/look", MESH, NAME, "; NAME@VERSION pins a version (default: studio)")                                  \
     ROW(samples, "/samples", MESH, COUNT, "samples per pixel: 1, 4, 16 or 64 (default: the look's)")                   \
     ROW(width, "/window/width", MESH, SIDE, "width of the window (default: 640)")                                      \

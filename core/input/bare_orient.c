@@ -2,6 +2,7 @@
 #include "input/cloud.h"
 #include "input/formats.h"
 #include "input/kept.h"
+#include "input/names.h"
 #include "input/parameters.h"
 #include "scene/face_on.h"
 #include "scene/mesh_up.h"
@@ -11,18 +12,25 @@ static enum zr_mesh_up usual_up(const struct zr_query *query)
     return zr_format_rows[query->request->format].z_is_up ? ZR_MESH_UP_Z : ZR_MESH_UP_Y;
 }
 
+/* The axis of a file with nodes is known. */
+static bool gives_up(const struct zr_query *query)
+{
+    return query->up != ZR_UNSET && !(query->up == ZR_MESH_UP_AUTO && query->given.builder->file);
+}
+
 enum zr_mesh_up zr_query_up(const struct zr_query *query)
 {
-    const bool is_usual = query->up == ZR_UNSET || (query->up == ZR_MESH_UP_AUTO && query->given.builder->file);
-    return is_usual ? usual_up(query) : (enum zr_mesh_up)query->up;
+    return gives_up(query) ? (enum zr_mesh_up)query->up : usual_up(query);
 }
 
 static void turn(const struct zr_query *query)
 {
     const struct zr_scene_builder *builder = query->given.builder;
-    const struct zr_scene *scene = builder->scene;
+    struct zr_scene *scene = builder->scene;
     enum zr_mesh_up up = zr_query_up(query);
+    scene->file.up_source = up == ZR_MESH_UP_AUTO ? "auto" : gives_up(query) ? "parameter" : "format";
     if (up == ZR_MESH_UP_AUTO) up = zr_mesh_up_find(scene, usual_up(query), builder->team, query->request->cancel);
+    scene->file.up = zr_mesh_up_names.words[up];
     const zr_mat4 upright = zr_mesh_up_turn(up);
     for (uint32_t i = 0; up != ZR_MESH_UP_Y && i < scene->instance_count; i++)
         query->instances[i].object_to_world = zr_mat4_mul(&upright, &query->instances[i].object_to_world);

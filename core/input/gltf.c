@@ -120,6 +120,7 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
         zr_json_end(json))
         build(file, request);
     builder->file = made;
+    builder->scene->file.unit = "metre";
     return zr_json_close(json);
 }
 

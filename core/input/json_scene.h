@@ -127,7 +127,8 @@ enum zr_scene_key {
     ZR_SCENE_BASE,
     ZR_SCENE_NODES,
     ZR_SCENE_FOG,
-    ZR_SCENE_COLOR_BAR
+    ZR_SCENE_COLOR_BAR,
+    ZR_SCENE_RENDER
 };
 
 enum { ZR_SCENE_KEYS_MAX = 64 };

@@ -30,6 +30,16 @@ static bool read_window(struct zr_json *json, const struct zr_json_path *path, c
     return zr_json_fields(json, path, &zr_json_object_window, &root->scene->views[0], &keys);
 }
 
+static bool read_render(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    struct zr_parsed_scene *root = out;
+    bool is_drawn = true;
+    if (!zr_json_bool(json, path, field, &is_drawn)) return false;
+    root->scene->is_undrawn = !is_drawn;
+    return true;
+}
+
 #define AT(member)      offsetof(struct zr_parsed_scene, member)
 #define PICTURE(member) AT(picture.picture.member)
 const struct zr_json_field zr_scene_fields[] = {
@@ -90,6 +100,8 @@ const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_FOG] = {"fog", zr_read_fog, 0, .object = &zr_json_object_fog, .text = "fog: colours fade with depth"},
     [ZR_SCENE_COLOR_BAR] = {"colorBar", zr_read_color_bar, 0, .object = &zr_json_object_colorBar, .otherwise = "false",
                             .text = "colour bar with numbers over the picture: true, false or an object"},
+    [ZR_SCENE_RENDER] = {"render", read_render, 0, .otherwise = "true",
+                         .text = "false: only facts, by the output info; nothing is drawn"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_scene, face_style),
     {.key = "views"},
     {.key = "turntable"}};

@@ -7,6 +7,7 @@ void zr_kept_save_bare(struct zr_kept *kept, const struct zr_scene_builder *buil
     kept->bare = *builder;
     kept->bare_counts = builder->scene->counts;
     kept->bare_origin = builder->scene->origin;
+    kept->bare_file = builder->scene->file;
     kept->mesh_count = builder->scene->mesh_count;
     kept->image_count = builder->scene->image_count;
     kept->texture_count = builder->scene->texture_count;
@@ -22,6 +23,7 @@ bool zr_kept_load_bare(const struct zr_kept *kept, struct zr_scene_builder *buil
     zr_warning_list_append(builder->arena, &builder->color_warnings, &kept->bare.color_warnings);
     builder->scene->counts = kept->bare_counts;
     builder->scene->origin = kept->bare_origin;
+    builder->scene->file = kept->bare_file;
     builder->file = kept->bare.file;
     builder->scene->images = kept->bare.images;
     builder->scene->image_count = kept->image_count;

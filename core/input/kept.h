@@ -37,6 +37,7 @@ struct zr_kept {
     uint32_t mesh_count, image_count, texture_count;
     struct zr_read_counts bare_counts;
     const double *bare_origin; /* or NULL */
+    struct zr_file_facts bare_file;
 };
 
 /* The key of poses in a change. */

@@ -57,6 +57,7 @@ struct zr_remains *zr_remains_make(struct zr_arena *arena, const struct zr_scene
                                     .instance_count = scene->instance_count,
                                     .compress = scene->compress,
                                     .is_strict = scene->is_strict,
+                                    .file = scene->file,
                                     .counts = scene->counts};
     if (scene->origin) made->scene.origin = zr_arena_copy(arena, scene->origin, 3 * sizeof *scene->origin);
     keep_meshes(arena, scene, &made->scene);

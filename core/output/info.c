@@ -57,6 +57,38 @@ static void print_camera(struct zr_print *print, const struct zr_frame *frame, b
     zr_print_end(print, '}');
 }
 
+static void print_file(struct zr_print *print, const struct zr_scene *scene)
+{
+    const struct zr_file_facts *file = &scene->file;
+    if (file->unit)
+        zr_print_string(print, "unit", file->unit);
+    else
+        zr_print_null(print, "unit");
+    zr_print_begin(print, "up", '{');
+    zr_print_string(print, "axis", file->up ? file->up : scene->picture.z_is_up ? "z" : "y");
+    zr_print_string(print, "source", file->up ? file->up_source : "scene");
+    zr_print_end(print, '}');
+}
+
+/* Prints the counts that need no drawing. */
+static void print_given_counts(struct zr_print *print, const struct zr_scene *scene)
+{
+    uint64_t polygons = 0, lines = 0, points = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        polygons += mesh->face_count;
+        lines += mesh->line_count;
+        points += mesh->point_count;
+    }
+    zr_print_begin(print, "counts", '{');
+    zr_print_count(print, "polygons", polygons);
+    zr_print_count(print, "lines", lines);
+    zr_print_count(print, "points", points);
+    zr_print_count(print, "zeroNormals", scene->counts.zero_normals);
+    zr_print_count(print, "leftOutCells", scene->counts.left_out_cells);
+    zr_print_end(print, '}');
+}
+
 static void print_counts(struct zr_print *print, const struct zr_scene *scene, const struct zr_frame *frame,
                          uint64_t misfits)
 {
@@ -103,8 +135,8 @@ static uint32_t first_face_id(const struct zr_frame *frame)
     return frame->base ? frame->base->first_face_id : 1;
 }
 
-/* Returns patches[1 + number of the face]. patches[0] is the background, and the last one is the base, whose ids are
- * distinct from those of the faces (input/json_base.c refuses others). */
+/* Returns patches[1 + number of the face], or NULL without memory. patches[0] is the background, and the last one is
+ * the base, whose ids are distinct from those of the faces (input/json_base.c refuses others). */
 static struct patch *patches_of(struct zr_arena *arena, const struct zr_frame *frame, uint32_t face_count)
 {
     struct patch *patches = zr_arena_zero(arena, (size_t)face_count + 2, sizeof *patches);
@@ -171,6 +203,7 @@ static void print_faces(struct zr_print *print, const struct patch *patches, uin
     zr_print_end(print, ']');
 }
 
+/* `patches` is NULL if nothing was drawn. */
 static void print_meshes(struct zr_print *print, const struct zr_scene *scene, const struct patch *patches,
                          uint32_t first)
 {
@@ -185,12 +218,14 @@ static void print_meshes(struct zr_print *print, const struct zr_scene *scene, c
         zr_print_count(print, "faces", mesh->face_count);
         if (mesh->line_count > 0) zr_print_count(print, "lines", mesh->line_count);
         if (mesh->point_count > 0) zr_print_count(print, "points", mesh->point_count);
+        const uint32_t end = id + (uint32_t)zr_mesh_ids(mesh);
         struct patch all = {.pixels = 0};
-        for (uint64_t ids = zr_mesh_ids(mesh); ids > 0; ids--, id++)
-            if (patches[id].pixels > 0)
-                extend(&all, patches[id].x0, patches[id].y0, patches[id].x1, patches[id].y1, patches[id].pixels);
-        print_patch(print, &all);
+        for (uint32_t k = id; patches && k < end; k++)
+            if (patches[k].pixels > 0)
+                extend(&all, patches[k].x0, patches[k].y0, patches[k].x1, patches[k].y1, patches[k].pixels);
+        if (patches) print_patch(print, &all);
         zr_print_end(print, '}');
+        id = end;
     }
     zr_print_end(print, ']');
 }
@@ -255,6 +290,7 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
     zr_print_count(print, "height", frame->height);
     zr_print_end(print, '}');
     print_camera(print, frame, scene->picture.z_is_up);
+    print_file(print, scene);
     if (scene->origin) zr_print_doubles(print, "origin", scene->origin, 3);
     if (!frame->bounds.valid) return;
     print_box(print, "bounds", frame->bounds.min, frame->bounds.max);
@@ -268,16 +304,19 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     uint32_t face_count = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++)
         face_count += (uint32_t)zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
-    const struct patch *patches = patches_of(out->arena, frame, face_count);
-    if (!patches) return ZR_NO_MEMORY;
+    const struct patch *patches = frame->face_id ? patches_of(out->arena, frame, face_count) : NULL;
+    if (frame->face_id && !patches) return ZR_NO_MEMORY;
     zr_print_begin(print, NULL, '{');
     print_view(print, scene, frame);
     if (depth_scale > 0.0f) zr_print_float(print, "depthScale", depth_scale);
-    print_counts(print, scene, frame, misfits);
+    if (patches)
+        print_counts(print, scene, frame, misfits);
+    else
+        print_given_counts(print, scene);
     zr_print_string(print, "look", zr_look_pin_of(scene->look).text);
     if (frame->color) print_picture(print, scene, frame, patches, face_count);
-    zr_print_count(print, "backgroundPixels", patches[0].pixels);
-    if (frame->base) {
+    if (patches) zr_print_count(print, "backgroundPixels", patches[0].pixels);
+    if (patches && frame->base) {
         zr_print_begin(print, "base", '{');
         print_patch(print, &patches[face_count + 1]);
         zr_print_end(print, '}');
@@ -285,7 +324,7 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     zr_print_count(print, "instances", scene->instance_count);
     print_meshes(print, scene, patches, first);
     print_parts(print, &frame->parts);
-    if (face_count <= ZR_INFO_FACES_MAX) print_faces(print, patches, face_count, first);
+    if (patches && face_count <= ZR_INFO_FACES_MAX) print_faces(print, patches, face_count, first);
     zr_print_begin(print, "warnings", '[');
     for (size_t i = 0; i < warnings->count; i++)
         zr_print_string(print, NULL, warnings->texts[i]);

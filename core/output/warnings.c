@@ -203,6 +203,7 @@ struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, cons
         zr_warning_list_add(arena, &w.first, "%s", scene->warnings[i]);
     add_counts(arena, scene, frame, &w.first);
     if (zr_view_warns(&frame->camera, text)) zr_warning_list_add(arena, &w.first, "%s", text);
+    if (scene->is_undrawn) return w;
     if (frame->covered_pixels == 0 && frame->covered_samples == 0) {
         if (!has_thickness(frame) && !has_layers(frame))
             zr_warning_list_add(arena, &w.last, "nothing is seen: %s", why_uncovered(scene, frame));

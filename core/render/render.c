@@ -76,16 +76,35 @@ static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratc
     return status;
 }
 
+/* Makes a frame without channels. */
+static enum zr_status draw_nothing(const struct zr_scene *scene, const struct zr_resolved_view *resolved,
+                                   struct zr_frame *frame)
+{
+    zr_frame_open(resolved, frame);
+    frame->base = scene->base;
+    return ZR_OK;
+}
+
+static enum zr_status draw(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                           const struct zr_scene *scene, const struct zr_resolved_view *resolved,
+                           const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
+{
+    enum zr_status status = ZR_OK;
+    STAGE(zr_frame_make(arena, resolved, frame));
+    STAGE(zr_base_place(arena, scene, frame->view, &frame->camera, &frame->base, error));
+    STAGE(draw_frame(arena, scratch, team, scene, cancel, frame));
+    return status;
+}
+
 static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
                                    const struct zr_scene *scene, const struct zr_resolved_view *resolved,
                                    const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
 {
     enum zr_status status = ZR_OK;
     if (!resolved) STAGE(zr_resolved_view_find(arena, team, scene, cancel, &resolved, error));
-    STAGE(zr_frame_make(arena, resolved, frame));
-    STAGE(zr_base_place(arena, scene, frame->view, &frame->camera, &frame->base, error));
-    STAGE(draw_frame(arena, scratch, team, scene, cancel, frame));
-    if (zr_view_wants(frame->view, ZR_CHANNEL_INFO))
+    STAGE(scene->is_undrawn ? draw_nothing(scene, resolved, frame)
+                            : draw(arena, scratch, team, scene, resolved, cancel, frame, error));
+    if (status == ZR_OK && zr_view_wants(frame->view, ZR_CHANNEL_INFO))
         STAGE(zr_frame_parts_find(arena, scratch, team, scene, cancel, frame));
     return status;
 }

@@ -321,6 +321,13 @@ struct zr_read_counts {
     uint64_t left_out_cells;        /* cells of height grids beside a hole */
 };
 
+/* What is known about a bare mesh's file, for the channel info. All texts are literals. */
+struct zr_file_facts {
+    const char *unit;      /* of its lengths: "millimetre"; NULL: unknown */
+    const char *up;        /* its axis that points up: "z"; NULL: not a bare mesh */
+    const char *up_source; /* "format", "parameter" or "auto" */
+};
+
 struct zr_scene {
     const struct zr_look *look; /* its values are already merged into the other members */
     zr_vec4 background;
@@ -338,7 +345,9 @@ struct zr_scene {
     enum zr_compress compress;   /* of all PNG outputs */
     const char *const *warnings; /* of input/ and scene/ */
     bool is_strict;              /* warnings are errors */
+    bool is_undrawn;             /* facts only: nothing is drawn, and all outputs are info */
     struct zr_read_counts counts;
+    struct zr_file_facts file;
     const double *origin; /* three numbers that the reader subtracted from all positions; NULL: none */
     struct zr_view views[ZR_VIEWS_MOST];
     bool has_box; /* box_min and box_max are the result of zr_bounds_of (scene/camera.h), which a reader needed */

@@ -97,6 +97,17 @@ static void check_layers(const struct zr_scene *scene, const struct zr_view *vie
                          zr_channel_rows[channels[i]].name);
 }
 
+/* Without drawing, there are facts only. */
+static void check_undrawn(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    for (uint32_t i = 0; scene->is_undrawn && i < view->output_count; i++)
+        if (view->outputs[i].channel != ZR_CHANNEL_INFO)
+            zr_error_add(error, ZR_BAD_SCENE, "/render",
+                         "false draws nothing, so the channel %s has no values; info is the one channel that needs no "
+                         "picture",
+                         zr_channel_rows[view->outputs[i].channel].name);
+}
+
 /* Checks the pixel of outputs `fragments`. There is no pointer, since the output may come from the query. */
 static void check_pixels(const struct zr_view *view, struct zr_error *error)
 {
@@ -141,6 +152,7 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     check_xrays(scene, view, error);
     check_layers(scene, view, error);
     check_pixels(view, error);
+    check_undrawn(scene, view, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;
 }
 

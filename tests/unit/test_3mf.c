@@ -49,6 +49,7 @@ TEST(a_model_is_read)
     assert_int_equal(reading->scene->instance_count, 1);
     assert_int_equal(reading->scene->warning_count, 0);
     assert_string_equal(mesh->name, "a & b");
+    assert_string_equal(reading->scene->file.unit, "inch");
     assert_int_equal(mesh->position_count, 3);
     assert_int_equal(mesh->face_count, 1);
     assert_true(mesh->positions[1].x == 1.5f && mesh->positions[2].y == 1.0f && mesh->positions[2].z == 0.5f);
@@ -137,6 +138,9 @@ TEST(z_is_up)
     struct reading *reading = read_parts(&part, 1, NULL);
     assert_read(reading);
     assert_true(reading->scene->instances[0].object_to_world.m[9] == 1.0f); /* z to y */
+    assert_string_equal(reading->scene->file.up, "z");
+    assert_string_equal(reading->scene->file.up_source, "format");
+    assert_string_equal(reading->scene->file.unit, "millimetre");
     reading_free(reading);
 }
 

@@ -55,6 +55,18 @@ TEST(info_measures_all_triangles)
     assert_near(count(ZR_COST_FACT), 2);
 }
 
+TEST(what_is_not_drawn_costs_no_more_than_its_facts)
+{
+    static const struct zr_output info = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
+    half_a_window();
+    test.scene.views[0].outputs = &info;
+    test.scene.is_undrawn = true;
+    const struct zr_cost cost = scene_cost(&test.scene);
+    for (int kind = 0; kind < ZR_COST_KINDS; kind++)
+        assert_near(cost.counts[kind], kind == ZR_COST_FACT ? 2 : kind == ZR_COST_REQUEST);
+    assert_true(cost.window_bytes == 0.0);
+}
+
 TEST(only_what_is_seen_in_the_window_has_fragments)
 {
     /* A triangle around the whole window, which counts as half of it, since its box is twice as large; one beside the

@@ -339,17 +339,23 @@ TEST_AROUND(picture_is_missing_where_color_is_no_output, open_arena, close_arena
 
 /* ---- where the camera stands ---- */
 
-/* The info of a request, to be deleted. */
-static cJSON *info_of_text(enum zr_format format, const char *text, const char *look)
+/* The info of a request whose bytes are a text. */
+static struct zr_answer answer_of(struct zr_request request)
 {
     const struct zr_limits limits = zr_limits_default();
-    const struct zr_request request = {
-        .format = format, .bytes = text, .size = strlen(text), .channel = "info", .look = look};
     const struct zr_scene *scene;
     struct zr_error error = {.count = 0};
+    request.size = strlen(request.bytes);
+    request.channel = "info";
     const enum zr_status status = zr_scene_read(&arena, NULL, &request, &limits, &scene, &error);
-    if (status != ZR_OK) fail_msg("%s: %s", text, error.count ? error.items[0].detail : "");
-    const struct zr_answer answer = scene_encode(&arena, NULL, scene);
+    if (status != ZR_OK) fail_msg("%s: %s", request.bytes, error.count ? error.items[0].detail : "");
+    return scene_encode(&arena, NULL, scene);
+}
+
+/* The same, parsed and to be deleted. */
+static cJSON *info_of_text(enum zr_format format, const char *text, const char *look)
+{
+    const struct zr_answer answer = answer_of((struct zr_request){.format = format, .bytes = text, .look = look});
     cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
     assert_non_null(info);
     return info;
@@ -387,6 +393,100 @@ TEST_AROUND(default_views_of_looks_are_seen_in_info, open_arena, close_arena)
 }
 
 #define SCENE(view) "{\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,1]]}]," view "}"
+
+/* ---- facts without a picture ---- */
+
+/* All keys about pixels are left out, and the camera and the parts stay. */
+TEST_AROUND(without_a_picture_info_has_no_pixels, open_arena, close_arena)
+{
+    static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 3 2 1\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    static const char *const absent[] = {"\"pixels\"", "\"faces\":[", "\"backgroundPixels\"", "\"triangles\":0",
+                                         "nothing is seen"};
+    static const char *const present[] = {
+        "\"worldToCamera\":[",        "\"bounds\":{", "\"polygons\":4", "\"triangles\":4", "\"volume\":0.1666666666",
+        "\"closed\":true,\"color\":", "\"faces\":4",  "\"warnings\":[]"};
+    const struct zr_answer answer =
+        answer_of((struct zr_request){.format = ZR_FORMAT_OBJ, .bytes = obj, .render = "false"});
+    for (size_t i = 0; i < sizeof absent / sizeof *absent; i++)
+        if (strstr(answer.bytes, absent[i])) fail_msg("%s in %s", absent[i], (const char *)answer.bytes);
+    for (size_t i = 0; i < sizeof present / sizeof *present; i++)
+        if (!strstr(answer.bytes, present[i])) fail_msg("no %s in %s", present[i], (const char *)answer.bytes);
+}
+
+/* The key of a scene is overridden by the parameter. */
+TEST_AROUND(the_picture_is_left_out_by_key_or_parameter, open_arena, close_arena)
+{
+    static const char not_drawn[] = "{\"render\":false,\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,1]]}],"
+                                    "\"outputs\":[{\"channel\":\"info\"}]}";
+    static const struct {
+        const char *render;
+        bool has_pixels;
+    } cases[] = {{NULL, false}, {"false", false}, {"true", true}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct zr_answer answer =
+            answer_of((struct zr_request){.format = ZR_FORMAT_JSON, .bytes = not_drawn, .render = cases[i].render});
+        assert_int_equal(strstr(answer.bytes, "\"pixels\"") != NULL, cases[i].has_pixels);
+    }
+}
+
+TEST_AROUND(other_channels_need_a_picture, open_arena, close_arena)
+{
+    static const struct {
+        const char *text, *channel, *render, *pointer, *detail;
+    } cases[] = {
+        {SCENE("\"render\":false"), NULL, NULL, "/render", "false draws nothing, so the channel color has no values"},
+        {SCENE("\"render\":false"), "info,depth", NULL, "/render", "the channel depth has no values"},
+        {SCENE("\"window\":{}"), "layers", "0", "", "parameter render: false draws nothing, so the channel layers"},
+        {SCENE("\"render\":1"), "info", NULL, "/render", "true or false"}};
+    const struct zr_limits limits = zr_limits_default();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct zr_scene *scene;
+        struct zr_error error = {.count = 0};
+        const struct zr_request request = {.format = ZR_FORMAT_JSON,
+                                           .bytes = cases[i].text,
+                                           .size = strlen(cases[i].text),
+                                           .channel = cases[i].channel,
+                                           .render = cases[i].render};
+        assert_int_equal(zr_scene_read(&arena, NULL, &request, &limits, &scene, &error), ZR_BAD_SCENE);
+        if (strcmp(error.items[0].pointer, cases[i].pointer) != 0 || !strstr(error.items[0].detail, cases[i].detail))
+            fail_msg("%s: %s", error.items[0].pointer, error.items[0].detail);
+    }
+}
+
+/* ---- unit and up ---- */
+
+TEST_AROUND(unit_and_up_are_those_of_the_file, open_arena, close_arena)
+{
+    static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    static const char tent[] = "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv .5 1.5 2\nv 3.5 1.5 2\n"
+                               "f 4 3 2 1\nf 1 2 6 5\nf 2 3 6\nf 3 4 5 6\nf 4 1 5\n";
+    static const char triangle[] = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                                   "vertex 0 1 1\nendloop\nendfacet\nendsolid a\n";
+    static const char gltf[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"name\":\"wing\"}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"buffers\":[{\"byteLength\":36,\"uri\":"
+        "\"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],\"bufferViews\":[{\"buffer\":0,"
+        "\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
+        "\"min\":[0,0,0],\"max\":[1,1,0]}]}";
+    static const struct {
+        enum zr_format format;
+        const char *text, *up, *want;
+    } cases[] = {{ZR_FORMAT_OBJ, obj, NULL, "\"unit\":null,\"up\":{\"axis\":\"y\",\"source\":\"format\"},"},
+                 {ZR_FORMAT_OBJ, obj, "-z", "\"unit\":null,\"up\":{\"axis\":\"-z\",\"source\":\"parameter\"},"},
+                 {ZR_FORMAT_OBJ, tent, "auto", "\"unit\":null,\"up\":{\"axis\":\"z\",\"source\":\"auto\"},"},
+                 {ZR_FORMAT_STL, triangle, NULL, "\"unit\":null,\"up\":{\"axis\":\"z\",\"source\":\"format\"},"},
+                 {ZR_FORMAT_GLTF, gltf, NULL, "\"unit\":\"metre\",\"up\":{\"axis\":\"y\",\"source\":\"format\"},"},
+                 {ZR_FORMAT_GLTF, gltf, "auto", "\"unit\":\"metre\",\"up\":{\"axis\":\"y\",\"source\":\"format\"},"},
+                 {ZR_FORMAT_GLTF, gltf, "x", "\"unit\":\"metre\",\"up\":{\"axis\":\"x\",\"source\":\"parameter\"},"},
+                 {ZR_FORMAT_JSON, "{\"up\":\"z\",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,1]]}]}", NULL,
+                  "\"unit\":null,\"up\":{\"axis\":\"z\",\"source\":\"scene\"},"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const struct zr_answer answer =
+            answer_of((struct zr_request){.format = cases[i].format, .bytes = cases[i].text, .up = cases[i].up});
+        if (!strstr(answer.bytes, cases[i].want)) fail_msg("case %zu: %s", i, (const char *)answer.bytes);
+        zr_arena_reset(&arena, SIZE_MAX);
+    }
+}
 
 TEST_AROUND(angles_of_views_are_those_that_they_say, open_arena, close_arena)
 {
