@@ -37,11 +37,13 @@ static bool print_list(const cJSON *list)
     return true;
 }
 
-/* Returns true for values that only --json lists: counts of 0, empty texts and lists, and the faces. */
+/* Returns true for values that only --json lists: counts of 0, empty texts and lists, and the faces. Parts have a table
+ * of their own. */
 static bool is_nothing(const char *path, const cJSON *value)
 {
     const bool is_count = strncmp(path, "counts.", strlen("counts.")) == 0;
-    return strcmp(path, "faces") == 0 || (is_count && cJSON_IsNumber(value) && value->valuedouble == 0) ||
+    return strcmp(path, "faces") == 0 || strcmp(path, "parts") == 0 ||
+           (is_count && cJSON_IsNumber(value) && value->valuedouble == 0) ||
            (cJSON_IsString(value) && !*value->valuestring) || (!is_plain(value) && cJSON_GetArraySize(value) == 0);
 }
 
@@ -68,6 +70,65 @@ static void print_facts(const char *path, const cJSON *value)
     }
 }
 
+/* ---- the table of parts ---- */
+
+enum { NAME_COLUMNS = 24 };
+
+/* Prints a name in NAME_COLUMNS characters: a longer one is cut, and control characters become '?'. */
+static void print_name(const char *name)
+{
+    int columns = 0;
+    for (; *name; name++) {
+        const unsigned char byte = (unsigned char)*name;
+        const bool begins = (byte & 0xC0) != 0x80;
+        if (begins && columns == NAME_COLUMNS) break;
+        columns += begins;
+        putchar(byte < ' ' || byte == 0x7F ? '?' : byte);
+    }
+    printf("%*s", NAME_COLUMNS - columns, "");
+}
+
+static double number_of(const cJSON *list, int index)
+{
+    const cJSON *item = cJSON_GetArrayItem(list, index);
+    return item ? item->valuedouble : 0.0;
+}
+
+/* Prints the sides of the box. */
+static void print_size(const cJSON *box)
+{
+    const cJSON *min = cJSON_GetObjectItem(box, "min"), *max = cJSON_GetObjectItem(box, "max");
+    char text[64] = "-";
+    if (cJSON_IsArray(min) && cJSON_IsArray(max))
+        snprintf(text, sizeof text, "%.4g x %.4g x %.4g", number_of(max, 0) - number_of(min, 0),
+                 number_of(max, 1) - number_of(min, 1), number_of(max, 2) - number_of(min, 2));
+    printf("  %-29s", text);
+}
+
+static void print_part(const cJSON *part)
+{
+    const cJSON *name = cJSON_GetObjectItem(part, "name"), *triangles = cJSON_GetObjectItem(part, "triangles"),
+                *volume = cJSON_GetObjectItem(part, "volume"), *area = cJSON_GetObjectItem(part, "area");
+    print_name(cJSON_IsString(name) ? name->valuestring : "");
+    printf(" %10.0f", cJSON_IsNumber(triangles) ? triangles->valuedouble : 0.0);
+    print_size(cJSON_GetObjectItem(part, "box"));
+    printf(" %10.4g", cJSON_IsNumber(area) ? area->valuedouble : 0.0);
+    if (cJSON_IsNumber(volume))
+        printf("  closed %12.6g\n", volume->valuedouble);
+    else
+        puts("  open              -");
+}
+
+static void print_parts(const cJSON *facts)
+{
+    const cJSON *parts = cJSON_GetObjectItem(facts, "parts"), *omitted = cJSON_GetObjectItem(facts, "partsOmitted"),
+                *part;
+    if (cJSON_GetArraySize(parts) == 0) return;
+    printf("\n%-*s %10s  %-29s %10s  %-6s %12s\n", NAME_COLUMNS, "part", "triangles", "size", "area", "", "volume");
+    cJSON_ArrayForEach(part, parts) print_part(part);
+    if (cJSON_IsNumber(omitted)) printf("and %.0f more parts\n", omitted->valuedouble);
+}
+
 int command_info(struct options *options)
 {
     struct engine engine;
@@ -85,6 +146,7 @@ int command_info(struct options *options)
     else if (job.status == STATUS_DONE) {
         cJSON *facts = cJSON_ParseWithLength(answer.file.data, answer.file.size);
         print_facts("", facts);
+        print_parts(facts);
         cJSON_Delete(facts);
     } else if (job.status != STATUS_INTERRUPTED)
         report_of_file(stderr, job.target.file, &job.faults);

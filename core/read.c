@@ -106,6 +106,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     status = name_bytes(request, read_body(&builder, request, limits, error), error);
     if (status == ZR_OK) status = zr_query_apply(&query, error);
     if (status != ZR_OK) return status;
+    zr_default_output_use(scene);
     zr_color_bar_warn(arena, scene, &scene->views[0], &builder.warnings);
     zr_view_matrices_warn(arena, &scene->views[0], &builder.warnings);
     zr_zip_body_warn(&builder, request);

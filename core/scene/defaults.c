@@ -2,9 +2,11 @@
 
 #include "core.h"
 
+static const struct zr_output color = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+                              info = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
+
 void zr_scene_defaults(struct zr_scene *scene)
 {
-    static const struct zr_output color = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
     *scene = (struct zr_scene){
         .views[0] = {.width = 640,
                      .height = 480,
@@ -15,6 +17,11 @@ void zr_scene_defaults(struct zr_scene *scene)
     };
     zr_look_apply(zr_look_textbook(), scene);
     zr_look_set_view(zr_look_textbook(), &scene->views[0]);
+}
+
+void zr_default_output_use(struct zr_scene *scene)
+{
+    if (scene->is_undrawn && scene->views[0].outputs == &color) scene->views[0].outputs = &info;
 }
 
 zr_vec3 zr_default_ambient_of_own_lights(void)

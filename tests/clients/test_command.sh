@@ -99,6 +99,9 @@ verdict "and the message names the option" grep -q -e '--part color=nothing.png:
 # info, looks, help
 check "info" 0 "$zraster" info part.stl
 verdict "is a table" grep -qE '^counts.triangles +1$' "$said"
+verdict "has a table of parts" grep -Eq '^part  .* 1  1 x 0 x 1 .* 0\.5  open +-$' "$said"
+check "info without a picture" 0 "$zraster" info part.stl --render=false
+verdict "has no pixels, but the parts" sh -c 'grep -q "^part .* open" "$1" && ! grep -q ixels "$1"' - "$said"
 check "info as JSON" 0 "$zraster" info part.stl --json
 verdict "is the output of the channel info" grep -q '"triangles": *1' "$said"
 check "looks" 0 "$zraster" looks

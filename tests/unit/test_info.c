@@ -346,7 +346,7 @@ static struct zr_answer answer_of(struct zr_request request)
     const struct zr_scene *scene;
     struct zr_error error = {.count = 0};
     request.size = strlen(request.bytes);
-    request.channel = "info";
+    if (!request.render) request.channel = "info";
     const enum zr_status status = zr_scene_read(&arena, NULL, &request, &limits, &scene, &error);
     if (status != ZR_OK) fail_msg("%s: %s", request.bytes, error.count ? error.items[0].detail : "");
     return scene_encode(&arena, NULL, scene);
@@ -396,7 +396,7 @@ TEST_AROUND(default_views_of_looks_are_seen_in_info, open_arena, close_arena)
 
 /* ---- facts without a picture ---- */
 
-/* All keys about pixels are left out, and the camera and the parts stay. */
+/* info is the default output. All keys about pixels are left out, and the camera and the parts stay. */
 TEST_AROUND(without_a_picture_info_has_no_pixels, open_arena, close_arena)
 {
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 3 2 1\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
@@ -434,7 +434,8 @@ TEST_AROUND(other_channels_need_a_picture, open_arena, close_arena)
     static const struct {
         const char *text, *channel, *render, *pointer, *detail;
     } cases[] = {
-        {SCENE("\"render\":false"), NULL, NULL, "/render", "false draws nothing, so the channel color has no values"},
+        {SCENE("\"render\":false,\"outputs\":[{\"channel\":\"color\"}]"), NULL, NULL, "/render",
+         "false draws nothing, so the channel color has no values"},
         {SCENE("\"render\":false"), "info,depth", NULL, "/render", "the channel depth has no values"},
         {SCENE("\"window\":{}"), "layers", "0", "", "parameter render: false draws nothing, so the channel layers"},
         {SCENE("\"render\":1"), "info", NULL, "/render", "true or false"}};

@@ -106,6 +106,25 @@ class Files:
         return list(self.files)
 
 
+class Info(Dict[str, Any]):
+    """The channel info: a dict. str() is a table of its parts.
+
+    >>> print(zraster.render("part.3mf", "info", render=False).info)
+    """
+
+    def __str__(self) -> str:
+        lines = [f"{'part':24} {'triangles':>10}  {'size':29} {'area':>10}  {'':6} {'volume':>12}"]
+        for part in self.get("parts", []):
+            box, volume = part["box"], part["volume"]
+            size = " x ".join(f"{high - low:.4g}" for low, high in zip(box["min"], box["max"])) if box else "-"
+            name = "".join(c if c.isprintable() else "?" for c in part["name"])[:24]
+            closed = f"closed {volume:12.6g}" if part["closed"] else f"open   {'-':>12}"
+            lines.append(f"{name:24} {part['triangles']:10}  {size:29} {part['area']:10.4g}  {closed}")
+        if "partsOmitted" in self:
+            lines.append(f"and {self['partsOmitted']} more parts")
+        return "\n".join(lines)
+
+
 def _unpickle(answer: Tuple[bytes, str], files: Dict[str, bytes], look: str, warnings: List[str]) -> "Picture":
     return Picture(Files(answer, files, look, warnings))
 
@@ -195,7 +214,8 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
         data, type_ = self._encode(channel)
         if type_ != "application/json":
             raise self._missing(channel)
-        return json.loads(data)
+        values = json.loads(data)
+        return Info(values) if channel == "info" else values
 
     @property
     def array(self) -> Any:
@@ -207,8 +227,8 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
         return self.array if dtype is None else self.array.astype(dtype)
 
     @property
-    def info(self) -> Dict[str, Any]:
-        """Camera, bounds, counts and warnings; needs the channel info."""
+    def info(self) -> "Info":
+        """Camera, bounds, counts, parts and warnings; needs the channel info. print() shows the parts as a table."""
         return self["info"]  # type: ignore[no-any-return]
 
     def __iter__(self) -> Iterator[str]:
