@@ -147,14 +147,15 @@ static void sort(use *uses, uint32_t count)
     }
 }
 
-/* Marks the parts that do not use an edge of the list once in each direction. */
+/* Marks the parts that use an edge of the list more often in one direction. */
 static void check_list(const struct finding *f, use *uses, uint32_t count)
 {
     sort(uses, count);
     for (uint32_t i = 0, next; i < count; i = next) {
-        for (next = i + 1; next < count && uses[next] >> 1 == uses[i] >> 1; next++)
-            ;
-        if (next - i != 2 || uses[i] == uses[i + 1])
+        uint32_t upwards = 0;
+        for (next = i; next < count && uses[next] >> 1 == uses[i] >> 1; next++)
+            upwards += uses[next] & 1u;
+        if (2 * (uint64_t)upwards != next - i)
             atomic_store_explicit(&f->closed[(uint32_t)uses[i] >> 1], 0, memory_order_relaxed);
     }
 }

@@ -1,8 +1,9 @@
 /* closed_parts.h - mesh: which parts of a mesh are closed surfaces.
  *
- * Rule:   a part is closed if each of its edges is used once in each direction. Corners are welded first (weld.h).
- * Edges without length, and rings with fewer than three vertices, do not count. Edges between two parts are open in
- *         both. A part without a counted edge is not closed.
+ * Rule:   a part is closed if each of its edges is used as often in one direction as in the other. That is once in a
+ *         plain solid, and twice where solids touch along an edge. So each point has a winding number, and the part has
+ *         a volume. Corners are welded first (weld.h). Edges without length, and rings with fewer than three vertices,
+ *         do not count. Edges between two parts are open in both. A part without a counted edge is not closed.
  * Holes:  the rings of a face after its first one are holes. Each counts in the direction opposite to the first ring.
  * Exact:  the same for all instruction sets and numbers of threads.
  */

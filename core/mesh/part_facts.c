@@ -227,17 +227,23 @@ static size_t list_tasks(const struct measuring *m, struct task *tasks)
 /* ---- meshes ---- */
 
 /* Sorts the faces by part, in the order of faces. */
-static void sort_faces(struct zr_arena *arena, const struct zr_mesh *mesh, struct sorted_mesh *out)
+static void sort_faces(struct zr_arena *arena, const struct zr_mesh *mesh, const struct zr_cancel *cancel,
+                       struct sorted_mesh *out)
 {
+    enum { FACES_A_CANCEL_CHECK = 1 << 16 };
     uint32_t *ends = zr_arena_zero(arena, mesh->part_count, sizeof *ends);
     uint32_t *faces = zr_arena_alloc(arena, mesh->face_count, sizeof *faces);
     if (!ends || !faces) return;
-    for (uint32_t f = 0; f < mesh->face_count; f++)
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        if (f % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         ends[mesh->face_parts[f]]++;
+    }
     for (uint32_t p = 1; p < mesh->part_count; p++)
         ends[p] += ends[p - 1];
-    for (uint32_t f = mesh->face_count; f-- > 0;)
+    for (uint32_t f = mesh->face_count; f-- > 0;) {
+        if (f % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         faces[--ends[mesh->face_parts[f]]] = f;
+    }
     for (uint32_t p = 0; p + 1 < mesh->part_count; p++) /* begins to ends */
         ends[p] = ends[p + 1];
     if (mesh->part_count > 0) ends[mesh->part_count - 1] = mesh->face_count;
@@ -254,7 +260,7 @@ static enum zr_status sort_meshes(struct zr_arena *arena, struct zr_team *team, 
         struct sorted_mesh *sorted = &meshes[number];
         if (sorted->closed) continue;
         sorted->closed = zr_arena_alloc(arena, zr_mesh_part_count(mesh), 1);
-        if (mesh->face_parts) sort_faces(arena, mesh, sorted);
+        if (mesh->face_parts) sort_faces(arena, mesh, m->cancel, sorted);
         if (!zr_arena_ok(arena) || !zr_closed_parts_find(arena, team, m->cancel, mesh, sorted->closed))
             return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
         if (zr_is_cancelled(m->cancel)) return ZR_CANCELLED;

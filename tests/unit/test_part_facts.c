@@ -152,7 +152,7 @@ static void make_faces(struct zr_mesh *mesh, const uint32_t *faces, size_t count
     }
 }
 
-TEST_AROUND(edges_used_once_in_each_direction_close_a_part, open_arena, close_arena)
+TEST_AROUND(edges_used_equally_in_both_directions_close_a_part, open_arena, close_arena)
 {
     static const struct {
         const char *what;
@@ -171,6 +171,9 @@ TEST_AROUND(edges_used_once_in_each_direction_close_a_part, open_arena, close_ar
                  {"with a triangle of two welded places", true, 6, 1, {CUBE, 2, 3, 7, 6, 0, 1, 9, 3}},
                  {"with a corner twice in a face", true, 6, 1, {CUBE, 2, 2, 3, 7, 6}},
                  {"two triangles, back to back", true, 1, 0, {1, 2, 3, 0, 1, 3, 2}},
+                 {"two tetrahedra that touch along an edge", true, 4.7320508, 1.0 / 3, {1, 4, 2, 0, 1, 2, 5, 0, 1, 5, 4,
+                                                                                        0, 2, 4, 5, 0, 8, 4, 5, 0, 8, 5,
+                                                                                        7, 0, 8, 7, 4, 0, 5, 4, 7}},
                  {"one triangle", false, 0.5, 0, {1, 2, 3}},
                  {"no area at all", false, 0, 0, {1, 2, 1, 0, 3, 3, 3}},
                  {"a box of two cubes without the face between them", true, 10, 2, {CUBE, 2, 11, 13, 6,  0,  3, 7, 14,
