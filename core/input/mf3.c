@@ -20,8 +20,10 @@ static const char *const texts[ZR_MF3_NOTE_COUNT] = {
     [ZR_MF3_NOTE_NO_LAYER] = "layers of multiproperties name no property, and are not drawn",
     [ZR_MF3_NOTE_OVER] = "translucent textures lie over colours of multiproperties, which are not drawn",
     [ZR_MF3_NOTE_PLAIN] = "objects have some triangles without a colour, which are drawn white",
-    [ZR_MF3_NOTE_PAINTED] = "triangles are painted for a slicer (paint_color), which is not drawn",
+    [ZR_MF3_NOTE_PAINT] = "triangles have paint that is not known, and is not drawn",
+    [ZR_MF3_NOTE_PAINTED] = "triangles are painted for a slicer (paint_color), and the file names no colours",
     [ZR_MF3_NOTE_OTHER] = "items or components of the type other are left out",
+    [ZR_MF3_NOTE_MODIFIER] = "parts or triangles are modifiers of a slicer, and are left out",
     [ZR_MF3_NOTE_NOT_PRINTED] = "items are marked as not printable, and are drawn",
     [ZR_MF3_NOTE_UNIT] = "parts have a different unit from the first; their coordinates are not converted"};
 
@@ -68,6 +70,7 @@ static enum zr_status read_parts(struct zr_mf3 *file)
         if (!file->part_of_member) return ZR_NO_MEMORY;
         memset(file->part_of_member, 0xFF, file->zip.count * sizeof *file->part_of_member);
         file->part_of_member[zr_mf3_parts(file)[0].member - file->zip.members] = 0;
+        zr_mf3_read_slicer(file);
         for (uint32_t i = 0; i < file->parts.count && !zr_mf3_stops(file); i++)
             zr_mf3_read_part(file, i);
     }

@@ -19,6 +19,8 @@
 /* Bounds the cost of insertion: a new id may move all larger ones in the sorted order. */
 enum { ZR_MF3_RESOURCES_MAX = 1 << 16 };
 
+enum { ZR_MF3_FILAMENTS_MAX = 64 };
+
 /* ROW(ID, URI, true if it is read or adds no geometry or colour, its contents in words) */
 #define ZR_MF3_SPACES(ROW)                                                                                             \
     ROW(CORE, "http://schemas.microsoft.com/3dmanufacturing/core/2015/02", true, "core")                               \
@@ -56,8 +58,10 @@ enum zr_mf3_note {
     ZR_MF3_NOTE_NO_LAYER,
     ZR_MF3_NOTE_OVER,
     ZR_MF3_NOTE_PLAIN,
+    ZR_MF3_NOTE_PAINT,
     ZR_MF3_NOTE_PAINTED,
     ZR_MF3_NOTE_OTHER,
+    ZR_MF3_NOTE_MODIFIER,
     ZR_MF3_NOTE_NOT_PRINTED,
     ZR_MF3_NOTE_UNIT,
     ZR_MF3_NOTE_COUNT
@@ -104,14 +108,25 @@ struct zr_mf3_resource {
 
     /* An object: a mesh, or components. */
     const char *name;
-    bool is_left_out; /* of the type `other` */
-    uint32_t mesh;    /* or ZR_MF3_NONE */
+    bool is_left_out;  /* of the type `other` */
+    uint32_t mesh;     /* or ZR_MF3_NONE */
+    uint32_t extruder; /* or 0 */
     uint32_t first_link, link_count;
     uint32_t first_node; /* of its links; ZR_MF3_NONE: not added yet */
 };
 
+/* A slicer's setting of an object, of a part of it, or of a range of its triangles. */
+struct zr_mf3_setting {
+    uint32_t object, part; /* ids; part: ZR_MF3_NONE for the object or its triangles */
+    uint32_t first, last;  /* triangles; first > last: all */
+    uint32_t extruder;     /* from 1 on; 0: not given */
+    bool is_left_out;      /* a modifier, or support */
+};
+
 /* A component or a build item. */
 struct zr_mf3_link {
+    uint32_t extruder; /* or 0 */
+    bool is_left_out;
     uint32_t part, target_part, id;
     const char *at;
     zr_mat4 transform;
@@ -150,6 +165,9 @@ struct zr_mf3 {
     struct zr_mf3_list meshes;    /* struct zr_mesh */
     struct zr_mf3_list textures;  /* uint32_t *: one per mesh: the texture of each face, or NULL */
     struct zr_mf3_list moves;     /* const struct zr_far_move *: one per mesh, or NULL */
+    struct zr_mf3_list settings;  /* struct zr_mf3_setting, sorted */
+    uint32_t filament_count, filaments[ZR_MF3_FILAMENTS_MAX]; /* 0xAABBGGRR */
+    struct zr_mf3_list extruders; /* uint8_t *: one per mesh: the extruder of each face, or NULL */
     struct zr_mf3_list order;     /* uint32_t: numbers of resources, sorted by part and id */
     struct {
         uint64_t count;
@@ -165,14 +183,25 @@ struct zr_mf3 {
     bool is_stopped; /* after a syntax fault or a cancel */
 };
 
+/* A slicer's paint on a triangle. */
+struct zr_mf3_paint {
+    const char *at;
+    uint32_t length;
+    uint8_t extruder; /* of what is not painted; 0: that of the part */
+    bool is_left_out;
+};
+
 /* Properties of the triangles of a mesh. */
 struct zr_mf3_corners {
     struct zr_mf3 *file;
-    uint32_t room;      /* triangles */
-    uint32_t *colors;   /* 0xAABBGGRR, one per corner; NULL: no triangle has one so far */
-    uint32_t *textures; /* one per triangle, or ZR_MF3_NONE; NULL: likewise */
-    float (*coords)[2]; /* one per corner, if there are textures */
-    uint32_t given;     /* triangles with a property */
+    const struct zr_mf3_setting *volumes; /* of ranges of triangles, in their order */
+    uint32_t volume_count, volume;        /* `volume`: that of the last triangle, or before it */
+    struct zr_mf3_paint *paints;          /* NULL: no triangle so far has paint or a volume */
+    uint32_t room;                        /* triangles */
+    uint32_t *colors;                     /* 0xAABBGGRR, one per corner; NULL: no triangle has one so far */
+    uint32_t *textures;                   /* one per triangle, or ZR_MF3_NONE; NULL: likewise */
+    float (*coords)[2];                   /* one per corner, if there are textures */
+    uint32_t given;                       /* triangles with a property */
     bool has_gradients;
     uint32_t last_pid;
     const struct zr_mf3_resource *last;
@@ -250,19 +279,36 @@ void zr_mf3_read_multi(struct zr_mf3 *file);
 /* mf3_corners.c: sets the properties of triangle `triangle`, for which there is room. `p`: indices into the group
  * `pid`, or ZR_MF3_NONE. */
 void zr_mf3_corners_set(struct zr_mf3_corners *corners, uint32_t triangle, uint32_t pid, const uint32_t p[3]);
+void zr_mf3_corners_paint(struct zr_mf3_corners *corners, uint32_t triangle, struct zr_xml_text paint);
 void zr_mf3_corners_grow(struct zr_mf3_corners *corners, uint32_t count, uint32_t room);
 
 /* Gives a mesh its colours and texture coordinates, and adds its entry of file->textures. False without memory. */
 bool zr_mf3_corners_finish(struct zr_mf3_corners *corners, struct zr_mesh *mesh);
+
+/* mf3_slicer.c: reads the settings of slicers; finds those of an object and its triangles,
+ * in their order, or that of a part. */
+void zr_mf3_read_slicer(struct zr_mf3 *file);
+const struct zr_mf3_setting *zr_mf3_find_settings(const struct zr_mf3 *file, uint32_t object, uint32_t part,
+                                                  uint32_t *count);
+
+/* mf3_paint.c: cuts a triangle into pieces by its paint, and returns their number; 0 for wrong text. `positions`: three
+ * per piece; `extruders`: one, 0 for that of the part. Both may be NULL. */
+uint32_t zr_mf3_paint_read(struct zr_xml_text text, const zr_vec4 corners[3], zr_vec4 *positions, uint8_t *extruders);
+
+/* mf3_painted.c: replaces a mesh by its painted pieces, and adds its entry of file->extruders. False without memory. */
+bool zr_mf3_paint_mesh(struct zr_mf3_corners *corners, struct zr_mesh *mesh);
+
+/* Colours the faces of a mesh by their extruders, if the mesh has no colours. `extruder`: that of its part, or 0. */
+void zr_mf3_color_by_extruders(struct zr_mf3 *file, struct zr_mesh *mesh, const uint8_t *extruders, uint32_t extruder);
 
 /* mf3_material.c: makes the materials of `count` meshes. textures[i]: the texture of each face of mesh i, or NULL; it
  * becomes the list of materials. Without textures, leaves the scene without materials. */
 bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick,
                            struct zr_file_scene *scene, uint32_t count, uint32_t **textures);
 
-/* mf3_mesh.c: reads the mesh of an object, and its entry of `moves`; `pid`, `pindex`: its default property, or
- * ZR_MF3_NONE. Returns its number, or ZR_MF3_NONE after a fault. */
-uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t pid, uint32_t pindex);
+/* mf3_mesh.c: reads the mesh of an object, and its entry of `moves`; `object`: its id; `pid`, `pindex`: its default
+ * property, or ZR_MF3_NONE. Returns its number, or ZR_MF3_NONE after a fault. */
+uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t object, uint32_t pid, uint32_t pindex);
 
 /* mf3_build.c: places the meshes that the build uses, in builder->file. */
 enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick);

@@ -23,8 +23,9 @@ static uint32_t find_object(struct zr_mf3 *file, const struct zr_mf3_link *link)
         zr_mf3_fault(file, link->at, "objectid %u names no object", link->id);
         return ZR_MF3_NONE;
     }
-    if (object->is_left_out) {
-        zr_mf3_note(file, ZR_MF3_NOTE_OTHER, link->at, (struct zr_xml_text){"", 0});
+    if (object->is_left_out || link->is_left_out) {
+        zr_mf3_note(file, object->is_left_out ? ZR_MF3_NOTE_OTHER : ZR_MF3_NOTE_MODIFIER, link->at,
+                    (struct zr_xml_text){"", 0});
         return ZR_MF3_NONE;
     }
     return (uint32_t)(object - zr_mf3_resources(file));
@@ -34,7 +35,8 @@ static void add_node(struct build *build, const struct zr_mf3_link *link)
 {
     struct zr_arena *arena = build->file->arena;
     const uint32_t target = find_object(build->file, link);
-    const struct zr_mf3_resource *object = target == ZR_MF3_NONE ? NULL : &zr_mf3_resources(build->file)[target];
+    struct zr_mf3_resource *object = target == ZR_MF3_NONE ? NULL : &zr_mf3_resources(build->file)[target];
+    if (object && object->extruder == 0) object->extruder = link->extruder;
     struct zr_node *node = zr_mf3_list_add(arena, &build->nodes, sizeof *node);
     uint32_t *to = zr_mf3_list_add(arena, &build->targets, sizeof *to);
     const struct zr_mf3_link **from = zr_mf3_list_add(arena, &build->sources, sizeof *from);
@@ -131,6 +133,8 @@ static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, s
         if (object->mesh == ZR_MF3_NONE || numbers[object->mesh] == ZR_MF3_NONE) continue;
         meshes[numbers[object->mesh]] = all[object->mesh];
         meshes[numbers[object->mesh]].name = object->name;
+        zr_mf3_color_by_extruders(file, &meshes[numbers[object->mesh]],
+                                  ((uint8_t **)file->extruders.items)[object->mesh], object->extruder);
         textures[numbers[object->mesh]] = ((uint32_t **)file->textures.items)[object->mesh];
     }
     for (uint32_t i = 0; i < scene->instance_count; i++)

@@ -17,6 +17,7 @@ void zr_mf3_corners_grow(struct zr_mf3_corners *corners, uint32_t count, uint32_
         corners->colors = zr_arena_grow(arena, corners->colors, count, room, 3 * sizeof *corners->colors);
     if (corners->textures)
         corners->textures = zr_arena_grow(arena, corners->textures, count, room, sizeof *corners->textures);
+    if (corners->paints) corners->paints = zr_arena_grow(arena, corners->paints, count, room, sizeof *corners->paints);
     if (corners->coords)
         corners->coords = zr_arena_grow(arena, corners->coords, count, room, 3 * sizeof *corners->coords);
 }
@@ -183,6 +184,7 @@ bool zr_mf3_corners_finish(struct zr_mf3_corners *corners, struct zr_mesh *mesh)
     uint32_t **textures = zr_mf3_list_add(file->arena, &file->textures, sizeof *textures);
     if (!textures) return false;
     *textures = corners->textures;
+    if (!zr_mf3_paint_mesh(corners, mesh)) return false;
     if (corners->textures || (corners->colors && corners->has_gradients))
         expand(corners, mesh);
     else if (corners->colors && corners->given > 0)

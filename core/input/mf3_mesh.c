@@ -165,6 +165,7 @@ static void move_to_middle(struct mesh *mesh)
 
 struct triangle {
     uint32_t v[3], p[3], pid;
+    struct zr_xml_text paint;
     unsigned given; /* bit i: v[i] */
 };
 
@@ -189,7 +190,8 @@ static bool read_attributes(struct mesh *mesh, struct triangle *t)
             out = &t->pid;
         } else if (zr_xml_text_is(attribute->name, "paint_color") ||
                    zr_xml_text_is(attribute->name, "mmu_segmentation")) {
-            zr_mf3_note(file, ZR_MF3_NOTE_PAINTED, tag->at, attribute->name);
+            t->paint = attribute->value;
+            if (file->filament_count == 0) zr_mf3_note(file, ZR_MF3_NOTE_PAINTED, tag->at, attribute->name);
         }
         if (!out || zr_mf3_digits(attribute->value, out)) continue;
         return zr_mf3_fault(file, tag->at, "triangle %u: %.*s is %s, which is no whole number", mesh->triangle_count,
@@ -220,6 +222,7 @@ static void read_triangle(struct mesh *mesh)
     } else {
         zr_mf3_corners_set(&mesh->properties, mesh->triangle_count, t.pid == ZR_MF3_NONE ? mesh->pid : t.pid, t.p);
     }
+    zr_mf3_corners_paint(&mesh->properties, mesh->triangle_count, t.paint);
     mesh->triangle_count++;
 }
 
@@ -240,10 +243,12 @@ static void read_triangles(struct mesh *mesh)
 
 /* ---- the mesh ---- */
 
-uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t pid, uint32_t pindex)
+uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t object, uint32_t pid, uint32_t pindex)
 {
     struct mesh mesh = {.file = file, .pid = pid, .pindex = pindex, .properties = {.file = file}};
     const size_t depth = file->xml.depth;
+    if (file->part == 0)
+        mesh.properties.volumes = zr_mf3_find_settings(file, object, ZR_MF3_NONE, &mesh.properties.volume_count);
     while (zr_mf3_child(file, depth)) {
         if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "vertices"))
             read_vertices(&mesh);

@@ -97,6 +97,29 @@ static bool read_type(struct zr_mf3 *file)
     return true;
 }
 
+/* Returns the extruder of an object of the root part by a slicer's settings, or 0. */
+static uint32_t find_extruder(const struct zr_mf3 *file, uint32_t id)
+{
+    uint32_t count;
+    const struct zr_mf3_setting *settings = zr_mf3_find_settings(file, id, ZR_MF3_NONE, &count);
+    for (uint32_t i = 0; file->part == 0 && i < count; i++)
+        if (settings[i].first > settings[i].last) return settings[i].extruder;
+    return 0;
+}
+
+/* Applies a slicer's settings to the components of an object, from the link `first` on. */
+static void apply_settings(struct zr_mf3 *file, uint32_t id, uint32_t first)
+{
+    struct zr_mf3_link *links = file->links.items;
+    const uint32_t extruder = find_extruder(file, id);
+    for (uint32_t i = first; file->part == 0 && i < file->links.count; i++) {
+        uint32_t count;
+        const struct zr_mf3_setting *setting = zr_mf3_find_settings(file, id, links[i].id, &count);
+        links[i].extruder = count > 0 && setting->extruder > 0 ? setting->extruder : extruder;
+        links[i].is_left_out = count > 0 && setting->is_left_out;
+    }
+}
+
 static void read_object(struct zr_mf3 *file)
 {
     const size_t depth = file->xml.depth;
@@ -104,7 +127,9 @@ static void read_object(struct zr_mf3 *file)
     struct zr_mf3_resource *object = zr_mf3_add(file, ZR_MF3_OBJECT);
     if (!object) return;
     const uint32_t number = file->resources.count - 1;
+    const uint32_t id = object->id;
     object->is_left_out = read_type(file);
+    object->extruder = find_extruder(file, id);
     object->name = read_name(file);
     zr_mf3_count(file, "pid", false, &pid);
     zr_mf3_count(file, "pindex", false, &pindex);
@@ -116,12 +141,13 @@ static void read_object(struct zr_mf3 *file)
             zr_mf3_fault(file, file->tag.at, "an object has one mesh or one list of components");
         else if (is_mesh) {
             has_mesh = true;
-            const uint32_t mesh = zr_mf3_read_mesh(file, pid, pindex);
+            const uint32_t mesh = zr_mf3_read_mesh(file, id, pid, pindex);
             zr_mf3_resources(file)[number].mesh = mesh;
         } else if (is_list) {
             const uint32_t first = file->links.count;
             has_components = true;
             read_links(file, &file->links, "component");
+            apply_settings(file, id, first);
             zr_mf3_resources(file)[number].first_link = first;
             zr_mf3_resources(file)[number].link_count = file->links.count - first;
         } else if (!zr_mf3_is(file, ZR_MF3_SPACE_CORE, "metadatagroup"))

@@ -241,6 +241,12 @@ static void write_3mf(void)
          "matindices=\"0 0\"><m:composite values=\"0.5 1\"/></m:compositematerials><m:multiproperties id=\"5\" "
          "pids=\"4 3\" blendmethods=\"multiply\"><m:multi pindices=\"0 0\"/></m:multiproperties><object id=\"6\" "
          "pid=\"5\">" MESH "</object></resources><build><item objectid=\"6\"/></build></model>"},
+        {"paint",
+         MODEL "><resources><object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" "
+               "y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"0\"/></vertices><triangles><triangle v1=\"0\" v2=\"1\" "
+               "v3=\"2\" paint_color=\"0C0481\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\"/><triangle v1=\"0\" v2=\"1\" "
+               "v3=\"2\" paint_color=\"4482\"/></triangles></mesh></object></resources><build><item "
+               "objectid=\"1\"/></build></model>"},
         {"far",
          MODEL "><resources><object id=\"1\"><mesh><vertices><vertex x=\"2e6\" y=\"0\" z=\"0\"/><vertex x=\"2e6\" "
                "y=\"1\" z=\"0\"/><vertex x=\"2e6\" y=\"1\" z=\"-2e-1\"/></vertices><triangles><triangle v1=\"0\" "
