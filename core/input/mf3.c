@@ -21,6 +21,7 @@ static const char *const texts[ZR_MF3_NOTE_COUNT] = {
     [ZR_MF3_NOTE_OVER] = "translucent textures lie over colours of multiproperties, which are not drawn",
     [ZR_MF3_NOTE_PLAIN] = "objects have some triangles without a colour, which are drawn white",
     [ZR_MF3_NOTE_PAINT] = "triangles have paint that is not known, and is not drawn",
+    [ZR_MF3_NOTE_EXTRUDER] = "objects have extruders without a filament, and the colour of the first one",
     [ZR_MF3_NOTE_PAINTED] = "triangles are painted for a slicer (paint_color), and the file names no colours",
     [ZR_MF3_NOTE_OTHER] = "items or components of the type other are left out",
     [ZR_MF3_NOTE_MODIFIER] = "parts or triangles are modifiers of a slicer, and are left out",

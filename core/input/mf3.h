@@ -59,6 +59,7 @@ enum zr_mf3_note {
     ZR_MF3_NOTE_OVER,
     ZR_MF3_NOTE_PLAIN,
     ZR_MF3_NOTE_PAINT,
+    ZR_MF3_NOTE_EXTRUDER,
     ZR_MF3_NOTE_PAINTED,
     ZR_MF3_NOTE_OTHER,
     ZR_MF3_NOTE_MODIFIER,
@@ -298,8 +299,9 @@ uint32_t zr_mf3_paint_read(struct zr_xml_text text, const zr_vec4 corners[3], zr
 /* mf3_painted.c: replaces a mesh by its painted pieces, and adds its entry of file->extruders. False without memory. */
 bool zr_mf3_paint_mesh(struct zr_mf3_corners *corners, struct zr_mesh *mesh);
 
-/* Colours the faces of a mesh by their extruders, if the mesh has no colours. `extruder`: that of its part, or 0. */
-void zr_mf3_color_by_extruders(struct zr_mf3 *file, struct zr_mesh *mesh, const uint8_t *extruders, uint32_t extruder);
+/* Colours the faces of a mesh by their extruders, if the mesh has no colours. */
+void zr_mf3_color_by_extruders(struct zr_mf3 *file, struct zr_mesh *mesh, const uint8_t *extruders,
+                               const struct zr_mf3_resource *object);
 
 /* mf3_material.c: makes the materials of `count` meshes. textures[i]: the texture of each face of mesh i, or NULL; it
  * becomes the list of materials. Without textures, leaves the scene without materials. */

@@ -134,7 +134,7 @@ static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, s
         meshes[numbers[object->mesh]] = all[object->mesh];
         meshes[numbers[object->mesh]].name = object->name;
         zr_mf3_color_by_extruders(file, &meshes[numbers[object->mesh]],
-                                  ((uint8_t **)file->extruders.items)[object->mesh], object->extruder);
+                                  ((uint8_t **)file->extruders.items)[object->mesh], object);
         textures[numbers[object->mesh]] = ((uint32_t **)file->textures.items)[object->mesh];
     }
     for (uint32_t i = 0; i < scene->instance_count; i++)

@@ -121,13 +121,19 @@ static zr_vec4 color_of(const struct zr_mf3 *file, uint32_t extruder)
                      (float)(rgba >> 16 & 255) / 255.0f, 1};
 }
 
-void zr_mf3_color_by_extruders(struct zr_mf3 *file, struct zr_mesh *mesh, const uint8_t *extruders, uint32_t extruder)
+void zr_mf3_color_by_extruders(struct zr_mf3 *file, struct zr_mesh *mesh, const uint8_t *extruders,
+                               const struct zr_mf3_resource *object)
 {
+    uint32_t most = 0;
     if (file->filament_count == 0 || mesh->colors || mesh->face_colors || mesh->texcoords) return;
     zr_vec4 *colors = zr_arena_alloc(file->arena, mesh->face_count, sizeof *colors);
     for (uint32_t i = 0; colors && i < mesh->face_count; i++) {
+        const uint32_t extruder = extruders && extruders[i] ? extruders[i] : object->extruder;
         if (i % TRIANGLES_AT_ONCE == 0 && zr_is_cancelled(file->cancel)) return;
-        colors[i] = color_of(file, extruders && extruders[i] ? extruders[i] : extruder);
+        if (extruder > most) most = extruder;
+        colors[i] = color_of(file, extruder);
     }
+    file->part = object->part;
+    if (most > file->filament_count) zr_mf3_note(file, ZR_MF3_NOTE_EXTRUDER, object->at, (struct zr_xml_text){"", 0});
     mesh->face_colors = colors;
 }
