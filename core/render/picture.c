@@ -1,6 +1,7 @@
 /* The stages of a picture, from top to bottom: each STAGE of draw_light is one. */
 #include "render/picture.h"
 
+#include "effects/eye_dome.h"
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
 #include "render/depth_maps.h"
@@ -135,6 +136,16 @@ static enum zr_status draw_occlusion(const struct drawing *d, struct zr_gbuffer 
     return status_of(d);
 }
 
+/* Point clouds have eye-dome lighting instead of occlusion, which needs normals. */
+static enum zr_status draw_eye_dome(const struct drawing *d, struct zr_gbuffer *pixels, const float **light)
+{
+    const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
+    const enum zr_status status = draw_gbuffer(d, pixels);
+    if (status != ZR_OK) return status;
+    *light = zr_eye_dome_make(d->arena, d->team, d->cancel, pixels, &d->scene->picture.occlusion, &scale);
+    return status_of(d);
+}
+
 static enum zr_status make_light(const struct drawing *d, struct zr_linear_frame *out)
 {
     const size_t stride = ((size_t)d->frame->width + 15) / 16 * 16, count = stride * d->frame->height;
@@ -184,18 +195,22 @@ static enum zr_status draw_light(struct drawing *d)
     struct zr_linear_frame light;
     struct zr_gbuffer pixels;
     struct zr_pass pass;
+    const bool has_eye_dome = picture->occlusion.is_on && zr_eye_dome_fits(d->scene);
+    const bool has_occlusion = picture->occlusion.is_on && !has_eye_dome;
+    const float *eye_dome = NULL;
     struct zr_occlusion_map occlusion;
     struct zr_linear_lighting lighting;
     struct zr_ground ground = {.light = NULL};
     struct zr_sample_stages stages = {.lighting = &lighting,
-                                      .occlusion = picture->occlusion.is_on ? &occlusion : NULL,
+                                      .occlusion = has_occlusion ? &occlusion : NULL,
                                       .has_xrays = zr_any_is_xray(d->scene->materials, d->scene->material_count),
                                       .out = &light};
     struct zr_post_desc desc = {.scene = d->scene, .light = &light, .ground = &ground, .out = d->frame->color};
     enum zr_status status = ZR_OK;
 
     STAGE(make_creases(d));
-    if (picture->occlusion.is_on) STAGE(draw_occlusion(d, &pixels, &occlusion));
+    if (has_occlusion) STAGE(draw_occlusion(d, &pixels, &occlusion));
+    if (has_eye_dome) STAGE(draw_eye_dome(d, &pixels, &eye_dome));
     if (picture->has_ground)
         STAGE(zr_ground_map_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &ground, &desc.ground_frame));
     STAGE(zr_shadow_maps_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &shadows));
@@ -203,6 +218,8 @@ static enum zr_status draw_light(struct drawing *d)
     STAGE(make_light(d, &light));
     if (picture->edges.is_on) STAGE(begin_edges(d, &stages.edges));
     STAGE(draw_samples(d, &stages, &pass));
+    if (status == ZR_OK && eye_dome)
+        zr_eye_dome_apply(d->team, d->cancel, &pixels, eye_dome, light.color, light.stride);
     STAGE(finish(d, &desc, stages.edges));
     return status;
 }

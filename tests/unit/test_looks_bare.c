@@ -1,5 +1,7 @@
 /* Looks of bare meshes. */
+#include "base/team.h"
 #include "looks_check.h"
+#include "support/scenes.h"
 #include "support/tests.h"
 
 #define MESH "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n"
@@ -107,6 +109,54 @@ TEST(z_is_up_in_stl_unless_told_otherwise)
         assert_false(reading->scene->picture.z_is_up); /* the world's y is up: the mesh is turned */
         reading_free(reading);
     }
+}
+
+/* ---- eye-dome lighting ---- */
+
+enum { SIDE = 40, STEP = 12, WIDTH = 160, HEIGHT = 120 };
+
+/* Draws a plane of points with a higher square in its middle, seen from the front. */
+static const uint8_t *draw_step(struct reading **reading, struct zr_team *team, const char *occlusion)
+{
+    char text[SIDE * SIDE * 16], *at = text;
+    for (int y = 0; y < SIDE; y++)
+        for (int x = 0; x < SIDE; x++)
+            at += sprintf(at, "v %d %d %d\n", x, y, abs(2 * x - SIDE) < STEP && abs(2 * y - SIDE) < STEP ? 4 : 0);
+    const struct zr_request request = {.format = ZR_FORMAT_OBJ,
+                                       .width = "160",
+                                       .height = "120",
+                                       .preset = "front",
+                                       .projection = "orthographic",
+                                       .groundShadow = "false",
+                                       .channel = "color",
+                                       .occlusion = occlusion};
+    *reading = read_request(request, text, (size_t)(at - text), zr_limits_default(), (size_t)1 << 28);
+    assert_read(*reading);
+    return (const uint8_t *)scene_render(&(*reading)->arena, team, (*reading)->scene)->color;
+}
+
+/* Points beside a nearer square are darker than without the lighting; the rest are equal. */
+TEST(clouds_have_eye_dome_lighting)
+{
+    struct reading *lit, *flat, *by_team;
+    struct zr_team *team = zr_team_create(3);
+    const uint8_t *color = draw_step(&lit, NULL, NULL), *without = draw_step(&flat, NULL, "false");
+    const uint8_t *same = draw_step(&by_team, team, NULL);
+    int equal = 0, darker = 0, brighter = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        const int green = color[4 * i + 1], before = without[4 * i + 1];
+        equal += green == before;
+        darker += green * 4 < before * 3;
+        brighter += green > before;
+    }
+    assert_true(equal > WIDTH * HEIGHT * 3 / 4);
+    assert_in_range(darker, 40, WIDTH * HEIGHT / 20);
+    assert_int_equal(brighter, 0);
+    assert_memory_equal(same, color, (size_t)4 * WIDTH * HEIGHT);
+    zr_team_destroy(team);
+    reading_free(lit);
+    reading_free(flat);
+    reading_free(by_team);
 }
 
 RUN_TESTS(NULL, NULL)
