@@ -12,6 +12,7 @@
 #include "input/far_scene.h"
 #include "input/file_scene.h"
 #include "input/json_scene.h"
+#include "input/meshopt.h"
 
 #define ZR_GLTF_NONE UINT32_MAX
 
@@ -49,7 +50,10 @@ struct zr_gltf_buffer {
 
 struct zr_gltf_view {
     uint32_t buffer, offset, length;
-    uint32_t stride; /* 0: packed */
+    uint32_t stride;          /* 0: packed */
+    const char *compressed;   /* place of EXT_meshopt_compression, or NULL */
+    enum zr_gltf_state state; /* of the decompressed bytes: */
+    struct zr_parsed_bytes bytes;
 };
 
 /* Elements of an accessor that replace those of its view. */
@@ -207,6 +211,9 @@ zr_json_read_fn zr_gltf_ignore, zr_gltf_index;
         .key = "name", .read = zr_gltf_ignore                                                                          \
     }
 
+/* Counts the bytes of an array before it is made. False if they exceed the limit of a quick reading. */
+bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes);
+
 /* Counts a problem; stores the path of the first. */
 void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path);
 
@@ -242,6 +249,23 @@ bool zr_gltf_find_view(struct zr_gltf *file, const struct zr_json_path *path, ui
 /* Finds the bytes of a URI: a data: URI or a part of the request. `path`: of the key with the URI. */
 bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const char *uri,
                       struct zr_parsed_bytes *out);
+
+/* ---- gltf_meshopt.c: EXT_meshopt_compression ---- */
+
+/* Returns the place of the extension in a view's extensions, or NULL. */
+const char *zr_gltf_find_compressed(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions);
+
+/* Reads the extension of a view. `path`: of the extension. */
+struct zr_gltf_compressed {
+    uint32_t buffer, offset, length;
+    struct zr_meshopt layout;
+};
+bool zr_gltf_read_compressed(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_view *view,
+                             struct zr_gltf_compressed *out);
+
+/* Decodes compressed bytes to new memory. */
+bool zr_gltf_decompress(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_compressed *given,
+                        const struct zr_parsed_bytes *packed, struct zr_parsed_bytes *out);
 
 /* ---- gltf_accessor.c: accessors; gltf_values.c: their elements ---- */
 
@@ -326,9 +350,6 @@ struct zr_gltf_range {
 bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
                             int shape, int other, uint32_t vertices, struct zr_gltf_values *out);
 
-/* Counts the bytes of an array before it is made. False if they exceed the limit of a quick reading. */
-bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes);
-
 /* ---- gltf_morph.c, gltf_skin.c: both change the positions, normals and tangents of a mesh ---- */
 
 /* Adds the primitive's targets, times the weights of the node or the mesh. `path`: of the primitive. */
@@ -408,7 +429,7 @@ bool zr_gltf_read_lights(struct zr_gltf *file);
 uint32_t zr_gltf_find_light(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions);
 
 /* Adds a light to those of the file's scene, in the pose of a node. */
-void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light);
+void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light, const zr_mat4 *world);
 
 /* ---- gltf_extension.c ---- */
 

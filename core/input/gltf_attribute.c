@@ -1,15 +1,5 @@
-/* Opens attributes of primitives, and counts the bytes of the meshes' arrays. */
+/* Opens attributes of primitives. */
 #include "input/gltf.h"
-#include "input/quick.h"
-
-bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes)
-{
-    struct zr_quick *quick = file->root.assets.quick;
-    file->made_bytes += bytes;
-    if (!quick || file->made_bytes <= quick->array_bytes_max) return true;
-    zr_quick_exceed(quick, file->root.json.error);
-    return false;
-}
 
 bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
                             int shape, int other, uint32_t vertices, struct zr_gltf_values *out)

@@ -28,23 +28,32 @@ static void read_buffer(struct zr_gltf *file, struct zr_json *json, const struct
 
 enum { VIEW_BUFFER, VIEW_LENGTH, VIEW_OFFSET, VIEW_STRIDE };
 enum { STRIDE_MIN = 4, STRIDE_MAX = 252 };
-#define AT(member) offsetof(struct zr_gltf_view, member)
+struct given_view {
+    struct zr_gltf_view view;
+    const char *extensions; /* place */
+};
+#define AT(member) offsetof(struct given_view, member)
 static const struct zr_json_field view_fields[] = {
-    [VIEW_BUFFER] = {"buffer", zr_gltf_index, AT(buffer), .required = true, .text = "number of the buffer"},
-    [VIEW_LENGTH] = {"byteLength", zr_json_whole, AT(length), .required = true, .text = "bytes of the view"},
-    [VIEW_OFFSET] = {.key = "byteOffset", .read = zr_json_whole, .offset = AT(offset)},
-    [VIEW_STRIDE] = {.key = "byteStride", .read = zr_json_whole, .offset = AT(stride)},
+    [VIEW_BUFFER] = {"buffer", zr_gltf_index, AT(view.buffer), .required = true, .text = "number of the buffer"},
+    [VIEW_LENGTH] = {"byteLength", zr_json_whole, AT(view.length), .required = true, .text = "bytes of the view"},
+    [VIEW_OFFSET] = {.key = "byteOffset", .read = zr_json_whole, .offset = AT(view.offset)},
+    [VIEW_STRIDE] = {.key = "byteStride", .read = zr_json_whole, .offset = AT(view.stride)},
     {.key = "target", .read = zr_gltf_ignore},
-    ZR_GLTF_NAME,
-    ZR_GLTF_COMMON};
+    {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    {.key = "extras", .read = zr_gltf_ignore},
+    ZR_GLTF_NAME};
 #undef AT
 static const struct zr_json_object view_object = ZR_JSON_OBJECT_OF("bufferView", view_fields);
 
 static void read_view(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
+    struct given_view given = {.extensions = NULL};
     struct zr_gltf_view *view = &file->views[number];
     uint64_t keys;
-    zr_gltf_fields(file, json, path, &view_object, view, &keys);
+    zr_gltf_fields(file, json, path, &view_object, &given, &keys);
+    *view = given.view;
+    if (given.extensions)
+        view->compressed = zr_gltf_find_compressed(file, ZR_JSON_KEY(path, "extensions"), given.extensions);
     if (zr_json_gives(keys, VIEW_STRIDE) && (view->stride < STRIDE_MIN || view->stride > STRIDE_MAX))
         zr_json_fault(json, ZR_JSON_KEY(path, view_fields[VIEW_STRIDE].key), "%u; %d to %d bytes are allowed",
                       view->stride, STRIDE_MIN, STRIDE_MAX);
@@ -112,22 +121,44 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, ui
     return true;
 }
 
+/* Finds bytes of a buffer. `path`: of the object that has its number in the key `buffer`. */
+static bool find_range(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t offset,
+                       uint32_t length, struct zr_parsed_bytes *out)
+{
+    if (!zr_gltf_check_index(file, ZR_JSON_KEY(path, view_fields[VIEW_BUFFER].key), number, ZR_GLTF_BUFFERS))
+        return false;
+    struct zr_gltf_buffer *buffer = &file->buffers[number];
+    if (buffer->state == ZR_GLTF_UNREAD)
+        buffer->state =
+            find_bytes(file, ZR_GLTF_ITEM(ZR_GLTF_BUFFERS, number), number) ? ZR_GLTF_READ : ZR_GLTF_REFUSED;
+    if (buffer->state == ZR_GLTF_REFUSED) return false;
+    if ((uint64_t)offset + length > buffer->length)
+        return zr_json_fault(&file->root.json, path, "bytes %u to %llu of buffer %u, which has %u", offset,
+                             (unsigned long long)offset + length, number, buffer->length);
+    *out = (struct zr_parsed_bytes){(const char *)buffer->bytes.bytes + offset, length};
+    return true;
+}
+
+/* Decodes a compressed view at its first use. */
+static bool decompress(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_view *view)
+{
+    const struct zr_json_path *extensions = ZR_JSON_KEY(path, "extensions"),
+                              *at = ZR_JSON_KEY(extensions, "EXT_meshopt_compression");
+    struct zr_gltf_compressed given;
+    struct zr_parsed_bytes packed;
+    return zr_gltf_read_compressed(file, at, view, &given) &&
+           find_range(file, at, given.buffer, given.offset, given.length, &packed) &&
+           zr_gltf_decompress(file, at, &given, &packed, &view->bytes);
+}
+
 bool zr_gltf_find_view(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number,
                        struct zr_parsed_bytes *out)
 {
     if (!zr_gltf_check_index(file, path, number, ZR_GLTF_BUFFER_VIEWS)) return false;
-    const struct zr_gltf_view *view = &file->views[number];
+    struct zr_gltf_view *view = &file->views[number];
     const struct zr_json_path *at = ZR_GLTF_ITEM(ZR_GLTF_BUFFER_VIEWS, number);
-    if (!zr_gltf_check_index(file, ZR_JSON_KEY(at, view_fields[VIEW_BUFFER].key), view->buffer, ZR_GLTF_BUFFERS))
-        return false;
-    struct zr_gltf_buffer *buffer = &file->buffers[view->buffer];
-    if (buffer->state == ZR_GLTF_UNREAD)
-        buffer->state = find_bytes(file, ZR_GLTF_ITEM(ZR_GLTF_BUFFERS, view->buffer), view->buffer) ? ZR_GLTF_READ
-                                                                                                    : ZR_GLTF_REFUSED;
-    if (buffer->state == ZR_GLTF_REFUSED) return false;
-    if ((uint64_t)view->offset + view->length > buffer->length)
-        return zr_json_fault(&file->root.json, at, "bytes %u to %llu of buffer %u, which has %u", view->offset,
-                             (unsigned long long)view->offset + view->length, view->buffer, buffer->length);
-    *out = (struct zr_parsed_bytes){(const char *)buffer->bytes.bytes + view->offset, view->length};
-    return true;
+    if (!view->compressed) return find_range(file, at, view->buffer, view->offset, view->length, out);
+    if (view->state == ZR_GLTF_UNREAD) view->state = decompress(file, at, view) ? ZR_GLTF_READ : ZR_GLTF_REFUSED;
+    *out = view->bytes;
+    return view->state == ZR_GLTF_READ;
 }

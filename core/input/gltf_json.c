@@ -5,12 +5,23 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "input/quick.h"
+
 bool zr_gltf_stops(struct zr_gltf *file)
 {
     return zr_json_stops(&file->root.json);
 }
 
 /* ---- notes ---- */
+
+bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes)
+{
+    struct zr_quick *quick = file->root.assets.quick;
+    file->made_bytes += bytes;
+    if (!quick || file->made_bytes <= quick->array_bytes_max) return true;
+    zr_quick_exceed(quick, file->root.json.error);
+    return false;
+}
 
 void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path)
 {

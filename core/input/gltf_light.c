@@ -159,10 +159,10 @@ static bool is_near(const struct zr_gltf *file, const float *position)
     return fabsf(position[0]) <= limit && fabsf(position[1]) <= limit && fabsf(position[2]) <= limit;
 }
 
-void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light)
+void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light, const zr_mat4 *world)
 {
     struct zr_file_scene *made = file->made;
-    const float *m = zr_gltf_world_of(file, node)->m;
+    const float *m = world->m;
     struct zr_light placed = file->lights[light];
     const zr_vec3 axis = {-m[8], -m[9], -m[10]};
     const float squared = zr_vec3_dot(axis, axis);

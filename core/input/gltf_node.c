@@ -345,7 +345,8 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     for (uint32_t i = 0; i < count; i++) {
         if (all->is_drawn[i] && all->cameras[i] != ZR_GLTF_NONE)
             zr_gltf_place_camera(file, all->cameras[i], all->names[i], &all->worlds[i]);
-        if (all->is_drawn[i] && all->lights[i] != ZR_GLTF_NONE) zr_gltf_place_light(file, i, all->lights[i]);
+        if (all->is_drawn[i] && all->lights[i] != ZR_GLTF_NONE)
+            zr_gltf_place_light(file, i, all->lights[i], &all->worlds[i]);
     }
     return true;
 }

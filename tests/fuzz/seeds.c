@@ -23,7 +23,7 @@ enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
 static const char *const targets[] = {"json", "obj", "mtl",   "stl",  "ply",       "gltf",      "3mf",  "zip",
-                                      "png",  "npy", "array", "gzip", "multipart", "image_png", "jpeg", "zip_body"};
+                                      "png",  "npy", "array", "gzip", "multipart", "image_png", "jpeg", "zip_body", "meshopt"};
 
 static void fail(const char *what)
 {
@@ -460,6 +460,32 @@ static void write_gltf(void)
     write_seed("gltf", "binary", text, size);
 }
 
+/* ---- compressed views ---- */
+
+/* A layout, as fuzz_meshopt.c has it, and the bytes. */
+static void write_meshopt(void)
+{
+    static const unsigned char attributes[68 + 6] = {0,    0,    16,       0,         4,    0,    0xA0, 2,
+                                                     0x17, 0x5F, 0xF0,     0xBC,      0x77, 0xA9, 0x21, 0,
+                                                     0x34, 0xB5, 1,        0x80,      0,    0,    0xC0, 9,
+                                                     3,    2,    [40] = 1, [70] = 10, 20,   30,   40},
+                                               triangles[] = {1,    0,  15,   0, 4, 0, 0xE1, 0xF0, 0, 1, 0x0F,
+                                                              0xFF, 10, 0x0F, 4, 1, 0, 0,    0,    0, 0, 0,
+                                                              0,    0,  0,    0, 0, 0, 0,    0,    0, 0},
+                                               indices[] = {2, 0, 5, 0, 2, 0, 0xD1, 4, 4, 0xA1, 6, 4, 3, 0, 0, 0, 0};
+    static const char view[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":17,\"uri\":\"data:;base64,0QQEoQYEAwAAAAA"
+        "AAAAAAAA=\"},{\"byteLength\":48}],\"bufferViews\":[{\"buffer\":1,\"byteLength\":6,\"extensions\":{"
+        "\"EXT_meshopt_compression\":{\"buffer\":0,\"byteLength\":9,\"byteStride\":2,\"count\":3,\"mode\":"
+        "\"INDICES\"}}}],\"accessors\":[{\"bufferView\":0,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"},"
+        "{\"componentType\":5126,\"count\":300,\"type\":\"VEC3\"}],\"meshes\":[{\"primitives\":[{\"attributes\":{"
+        "\"POSITION\":1},\"indices\":0}]}],\"nodes\":[{\"mesh\":0}]}";
+    write_seed("meshopt", "attributes", attributes, sizeof attributes);
+    write_seed("meshopt", "triangles", triangles, sizeof triangles);
+    write_seed("meshopt", "indices", indices, sizeof indices);
+    write_seed("gltf", "compressed", view, sizeof view - 1);
+}
+
 /* ---- bodies ---- */
 
 static void write_zip_body(void)
@@ -530,6 +556,7 @@ int main(int count, char **arguments)
     write_arrays();
     write_gltf();
     write_zip_body();
+    write_meshopt();
     write_bodies();
     return 0;
 }
