@@ -2,7 +2,7 @@
 # loads, nothing else. No shell, no package manager, not root.
 FROM debian:trixie-slim AS build
 RUN apt-get update && apt-get install -y --no-install-recommends \
-        gcc libc6-dev make libmicrohttpd-dev libcjson-dev libpng-dev libjpeg62-turbo-dev libisal-dev nettle-dev zlib1g-dev \
+        gcc libc6-dev make libmicrohttpd-dev libcjson-dev libpng-dev libjpeg62-turbo-dev libwebp-dev libisal-dev nettle-dev zlib1g-dev \
     && rm -rf /var/lib/apt/lists/*
 WORKDIR /src
 COPY Makefile ./

@@ -6,11 +6,17 @@
 #include "input/text.h"
 
 /* Extensions that are read. */
-static const char *const known[] = {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
-                                    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
-                                    "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
-                                    "KHR_materials_specular",  "KHR_materials_unlit",
-                                    "KHR_mesh_quantization",   "KHR_texture_transform"};
+static const char *const known[] = {"EXT_mesh_gpu_instancing",
+                                    "EXT_meshopt_compression",
+                                    "EXT_texture_webp",
+                                    "KHR_lights_punctual",
+                                    "KHR_materials_emissive_strength",
+                                    "KHR_materials_ior",
+                                    "KHR_materials_pbrSpecularGlossiness",
+                                    "KHR_materials_specular",
+                                    "KHR_materials_unlit",
+                                    "KHR_mesh_quantization",
+                                    "KHR_texture_transform"};
 
 /* Extensions that files often require, and what to do about them. */
 static const struct {

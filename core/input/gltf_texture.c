@@ -98,22 +98,56 @@ static bool find_image(struct zr_gltf *file, const struct zr_json_path *path, ui
 
 /* ---- textures ---- */
 
+struct listed_texture {
+    struct zr_gltf_texture texture;
+    const char *extensions; /* place */
+};
 enum { SOURCE, SAMPLER };
-#define AT(member) offsetof(struct zr_gltf_texture, member)
+#define AT(member) offsetof(struct listed_texture, member)
 static const struct zr_json_field texture_fields[] = {
-    [SOURCE] = {.key = "source", .read = zr_gltf_index, .offset = AT(source)},
-    [SAMPLER] = {.key = "sampler", .read = zr_gltf_index, .offset = AT(sampler)},
-    ZR_GLTF_NAME,
-    ZR_GLTF_COMMON};
+    [SOURCE] = {.key = "source", .read = zr_gltf_index, .offset = AT(texture.source)},
+    [SAMPLER] = {.key = "sampler", .read = zr_gltf_index, .offset = AT(texture.sampler)},
+    {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    {.key = "extras", .read = zr_gltf_ignore},
+    ZR_GLTF_NAME};
 #undef AT
 static const struct zr_json_object texture_object = ZR_JSON_OBJECT_OF("texture", texture_fields);
 
+struct given_webp {
+    const char *webp; /* place */
+};
+static const struct zr_json_field webp_extension_fields[] = {
+    {.key = "EXT_texture_webp", .read = zr_json_place, .offset = offsetof(struct given_webp, webp)}};
+static const struct zr_json_object webp_extension = ZR_JSON_OBJECT_OF("extensions", webp_extension_fields);
+static const struct zr_json_field webp_fields[] = {{.key = "source", .read = zr_gltf_index, .offset = 0},
+                                                   ZR_GLTF_COMMON};
+static const struct zr_json_object webp_object = ZR_JSON_OBJECT_OF("EXT_texture_webp", webp_fields);
+
+/* Takes the image of EXT_texture_webp in place of the texture's. */
+static void read_webp(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,
+                      struct zr_gltf_texture *texture)
+{
+    struct zr_json there = zr_json_at(&file->root.json, extensions);
+    struct given_webp given = {NULL};
+    uint32_t source = ZR_GLTF_NONE;
+    uint64_t keys;
+    zr_gltf_extensions(file, &there, path, &webp_extension, &given, &keys);
+    if (!given.webp) return;
+    there = zr_json_at(&file->root.json, given.webp);
+    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, webp_object.name), &webp_object, &source, &keys);
+    if (source == ZR_GLTF_NONE) return;
+    texture->source = source;
+    file->has_fallbacks = true;
+}
+
 static void read_texture(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
+    struct listed_texture given = {{ZR_GLTF_NONE, ZR_GLTF_NONE}, NULL};
     struct zr_gltf_texture *texture = &file->textures[number];
     uint64_t keys;
-    *texture = (struct zr_gltf_texture){ZR_GLTF_NONE, ZR_GLTF_NONE};
-    zr_gltf_fields(file, json, path, &texture_object, texture, &keys);
+    zr_gltf_fields(file, json, path, &texture_object, &given, &keys);
+    *texture = given.texture;
+    if (given.extensions) read_webp(file, ZR_JSON_KEY(path, "extensions"), given.extensions, texture);
     if (texture->sampler != ZR_GLTF_NONE)
         zr_gltf_check_index(file, ZR_JSON_KEY(path, texture_fields[SAMPLER].key), texture->sampler, ZR_GLTF_SAMPLERS);
 }

@@ -5,6 +5,7 @@
 #include "input/jpeg_read.h"
 #include "input/png_read.h"
 #include "input/sniff.h"
+#include "input/webp_read.h"
 
 static enum zr_status read_png(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
                                const struct zr_png_head *head, uint64_t texels_max, struct zr_image *image,
@@ -22,11 +23,12 @@ static enum zr_status refuse(const void *bytes, size_t size, struct zr_reason *r
 {
     const char *words = zr_bytes_in_words(bytes, size);
     if (size == 0)
-        zr_reason_give(reason, "no bytes; a PNG or a JPEG picture is needed");
+        zr_reason_give(reason, "no bytes; a PNG, JPEG or WebP picture is needed");
     else if (words)
-        zr_reason_give(reason, "it looks like %s; a PNG or a JPEG picture is needed", words);
+        zr_reason_give(reason, "it looks like %s; a PNG, JPEG or WebP picture is needed", words);
     else
-        zr_reason_give(reason, "it begins with %s, as no picture does that is known here; a PNG or a JPEG is needed",
+        zr_reason_give(reason,
+                       "it begins with %s, as no picture does that is known here; a PNG, JPEG or WebP is needed",
                        zr_quote(bytes, size < 8 ? size : 8).text);
     return ZR_BAD_SCENE;
 }
@@ -36,11 +38,12 @@ static enum zr_status decode(struct zr_arena *arena, const void *bytes, size_t s
 {
     struct zr_image *image = &out->image;
     struct zr_png_head head;
-    const bool is_png = zr_png_head_read(bytes, size, &head);
-    if (!is_png && !zr_jpeg_looks_so(bytes, size)) return refuse(bytes, size, reason);
+    const bool is_png = zr_png_head_read(bytes, size, &head), is_jpeg = zr_jpeg_looks_so(bytes, size);
+    if (!is_png && !is_jpeg && !zr_webp_looks_so(bytes, size)) return refuse(bytes, size, reason);
     struct zr_arena scratch = zr_arena_open_scratch(arena);
-    const enum zr_status status = is_png ? read_png(arena, &scratch, bytes, size, &head, texels_max, image, reason)
-                                         : zr_jpeg_read(arena, &scratch, bytes, size, texels_max, image, reason);
+    const enum zr_status status = is_png    ? read_png(arena, &scratch, bytes, size, &head, texels_max, image, reason)
+                                  : is_jpeg ? zr_jpeg_read(arena, &scratch, bytes, size, texels_max, image, reason)
+                                            : zr_webp_read(arena, &scratch, bytes, size, texels_max, image, reason);
     out->texels_max = texels_max;
     out->scratch_bytes = scratch.peak > scratch.held ? scratch.peak : scratch.held;
     zr_arena_close_scratch(&scratch, arena);

@@ -1,4 +1,4 @@
-/* image_read.h - input: decodes the image of a texture, PNG or JPEG.
+/* image_read.h - input: decodes the image of a texture: PNG, JPEG or WebP.
  *
  * The first bytes decide the format. The size is checked before decoding, so that a small file of a huge image costs no
  * time. Broken and truncated files are refused, though libraries would decode a part of them.

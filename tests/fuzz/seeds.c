@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <webp/encode.h>
 #include <zlib.h>
 
 #include "fuzz/base.h"
@@ -22,8 +23,9 @@
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json", "obj", "mtl",   "stl",  "ply",       "gltf",      "3mf",  "zip",
-                                      "png",  "npy", "array", "gzip", "multipart", "image_png", "jpeg", "zip_body", "meshopt"};
+static const char *const targets[] = {"json",      "obj",       "mtl",  "stl",      "ply",     "gltf",
+                                      "3mf",       "zip",       "png",  "npy",      "array",   "gzip",
+                                      "multipart", "image_png", "jpeg", "zip_body", "meshopt", "webp"};
 
 static void fail(const char *what)
 {
@@ -460,6 +462,26 @@ static void write_gltf(void)
     write_seed("gltf", "binary", text, size);
 }
 
+/* ---- WebP ---- */
+
+static void write_webps(void)
+{
+    uint8_t pixels[4 * 24 * 16];
+    for (size_t i = 0; i < sizeof pixels; i++)
+        pixels[i] = (uint8_t)(i * i / 50);
+    for (int kind = 0; kind < 4; kind++) { /* bit 0: lossless; bit 1: opaque */
+        static const char *const names[] = {"lossy", "lossless", "lossy_opaque", "lossless_opaque"};
+        uint8_t *file = NULL;
+        for (size_t i = 3; kind & 2 && i < sizeof pixels; i += 4)
+            pixels[i] = 255;
+        const size_t size = kind & 1 ? WebPEncodeLosslessRGBA(pixels, 24, 16, 4 * 24, &file)
+                                     : WebPEncodeRGBA(pixels, 24, 16, 4 * 24, 70, &file);
+        if (size == 0) fail("a WebP");
+        write_seed("webp", names[kind], file, size);
+        WebPFree(file);
+    }
+}
+
 /* ---- compressed views ---- */
 
 /* A layout, as fuzz_meshopt.c has it, and the bytes. */
@@ -557,6 +579,7 @@ int main(int count, char **arguments)
     write_gltf();
     write_zip_body();
     write_meshopt();
+    write_webps();
     write_bodies();
     return 0;
 }

@@ -25,7 +25,7 @@ version=$(sed -n 's/^#define ZRASTER_VERSION  *"\(.*\)"/\1/p' $header)
 verdict "the daemon and the command have its version" [ "$("$build/zrasterd" --version) $("$build/zraster" --version)" = \
     "zrasterd $version zraster $version" ]
 
-libraries='-lpng -ljpeg -lisal -lm -pthread'
+libraries='-lpng -ljpeg -lwebp -lisal -lm -pthread'
 verdict "the header is C99" $cc -std=c99 $warnings -fsyntax-only -x c $header
 verdict "and C++" $cxx $warnings -fsyntax-only -x c++ $header
 verdict "the example is C99" $cc -std=c99 $warnings -Icore/library $example -o "$work/shared.out" -L"$build" -lzraster -Wl,-rpath,"$(realpath "$build")"

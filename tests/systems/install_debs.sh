@@ -32,7 +32,7 @@ verdict "it builds a program with the library" cc "$example" -o draw $(pkg-confi
 verdict "which draws the picture" ./draw part.stl draw.png
 verdict "with the same bytes" cmp part.png draw.png
 # shellcheck disable=SC2046
-verdict "so it does with the static library" cc "$example" -o static -Wl,-Bstatic -lzraster -Wl,-Bdynamic $(pkg-config --static --libs libpng libjpeg libisal) -pthread
+verdict "so it does with the static library" cc "$example" -o static -Wl,-Bstatic -lzraster -Wl,-Bdynamic $(pkg-config --static --libs libpng libjpeg libwebp libisal) -pthread
 verdict "all packages are removed" sh -c "dpkg -P $(cd /src/debs && ls | sed 's/_.*//' | paste -sd ' ') >'$said' 2>&1"
 verdict "with all their files" [ -z "$(find / -xdev -path /src -prune -o -path "$work" -prune -o -name '*zraster*' -print)" ]
 verdicts

@@ -171,9 +171,10 @@ TEST(what_is_no_picture_is_named)
         const char *bytes;
         size_t size;
         const char *why;
-    } cases[] = {{"", 0, "no bytes; a PNG or a JPEG picture is needed"},
-                 {"GIF89a", 6, "it looks like a GIF picture; a PNG or a JPEG picture is needed"},
-                 {"RIFF\x10\0\0\0WEBP", 12, "it looks like a RIFF file, as WebP pictures are;"},
+    } cases[] = {{"", 0, "no bytes; a PNG, JPEG or WebP picture is needed"},
+                 {"GIF89a", 6, "it looks like a GIF picture; a PNG, JPEG or WebP picture is needed"},
+                 {"RIFF\x10\0\0\0WAVE", 12, "it looks like a RIFF file, as WebP pictures are;"},
+                 {"RIFF\x10\0\0\0WEBP", 12, "a broken WebP: it ends too early"},
                  {"BM123", 5, "a BMP picture"},
                  {"II*\0", 4, "a TIFF picture"},
                  {"\xABKTX 20\xBB", 8, "a KTX texture"},
