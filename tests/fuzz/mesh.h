@@ -4,7 +4,7 @@
 
 #include "fuzz/fuzz.h"
 
-/* `when`: the parameter time, or NULL. */
+/* `when`: the parameter time, or NULL; with it, the lights of the file are used. */
 #define FUZZ_MESH_AT(ID, when)                                                                                         \
     int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)                                                       \
     {                                                                                                                  \
@@ -16,6 +16,7 @@
                                           .width = "48",                                                               \
                                           .height = "32",                                                              \
                                           .time = (when),                                                              \
+                                          .fileLights = (when) ? "1" : NULL,                                           \
                                           .preset = presets[size % 3],                                                 \
                                           .shading = shadings[size / 3 % 3]});                                         \
         return 0;                                                                                                      \

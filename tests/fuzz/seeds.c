@@ -449,7 +449,35 @@ static void write_gltf(void)
         snprintf(name, sizeof name, "mode%d", mode);
         write_seed("gltf", name, text, strlen(text));
     }
-    static const struct text posed[] = {{"posed", SKINNED_GLTF}};
+    static const struct text posed[] = {
+        {"posed", SKINNED_GLTF},
+        {"moved", "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":108,\"uri\":\"data:;base64,AAAAAAA"
+                  "AgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAJUkSPiVJkj63bds+JUkSP27bNj+3bVs/AACAPyVJkj9JkqQ/btu2P5I"
+                  "kyT+3bds/27btPwAAAECSJAlAJUkSQLdtG0AAgP8A\"}],\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\""
+                  "byteLength\":8},{\"buffer\":0,\"byteOffset\":8,\"byteLength\":24},{\"buffer\":0,\"byteOffset\":3"
+                  "2,\"byteLength\":72},{\"buffer\":0,\"byteOffset\":104,\"byteLength\":4}],\"accessors\":[{\"buffe"
+                  "rView\":0,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},{\"bufferView\":1,\"componentT"
+                  "ype\":5126,\"count\":2,\"type\":\"VEC3\"},{\"bufferView\":2,\"componentType\":5126,\"count\":6,"
+                  "\"type\":\"VEC3\"},{\"bufferView\":3,\"componentType\":5121,\"count\":4,\"type\":\"SCALAR\",\"no"
+                  "rmalized\":true},{\"bufferView\":2,\"componentType\":5126,\"count\":6,\"type\":\"VEC3\"}],\"mesh"
+                  "es\":[{\"primitives\":[{\"attributes\":{\"POSITION\":4},\"targets\":[{\"POSITION\":2},{\"POSITIO"
+                  "N\":4}]}]}],\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"children\":[0]}],\"animations\":[{\"name\":\"a"
+                  "\",\"samplers\":[{\"input\":0,\"output\":2,\"interpolation\":\"CUBICSPLINE\"},{\"input\":0,\"out"
+                  "put\":3},{\"input\":0,\"output\":1,\"interpolation\":\"STEP\"}],\"channels\":[{\"sampler\":0,\"t"
+                  "arget\":{\"node\":1,\"path\":\"translation\"}},{\"sampler\":1,\"target\":{\"node\":0,\"path\":\""
+                  "weights\"}},{\"sampler\":2,\"target\":{\"node\":0,\"path\":\"scale\"}},{\"sampler\":2,\"target\""
+                  ":{\"path\":\"pointer\"}}]}]}"},
+        {"lit", "{\"asset\":{\"version\":\"2.0\"},\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":"
+                "\"spot\",\"range\":4,\"spot\":{\"innerConeAngle\":0.1,\"outerConeAngle\":0.5}},{\"type\":\"direc"
+                "tional\",\"color\":[1,0.5,0],\"intensity\":3}]}},\"buffers\":[{\"byteLength\":36,\"uri\":\"data:"
+                ";base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],\"bufferViews\":[{\"buffer\":0,\"by"
+                "teLength\":36}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"V"
+                "EC3\"}],\"materials\":[{\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{\"diffuseFactor"
+                "\":[0.5,0.5,0,1],\"specularFactor\":[0.2,0.2,0.3],\"glossinessFactor\":0.3},\"KHR_materials_ior"
+                "\":{\"ior\":1.2},\"KHR_materials_specular\":{\"specularFactor\":0.5}}}],\"meshes\":[{\"primitive"
+                "s\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}],\"nodes\":[{\"mesh\":0},{\"translation"
+                "\":[0,0,3],\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}},{\"rotation\":[0,0.6,0,0.8],"
+                "\"extensions\":{\"KHR_lights_punctual\":{\"light\":1}}}]}"}};
     WRITE_TEXTS("gltf", posed);
     memset(text, ' ', sizeof text);
     const int length = snprintf(text + 20, sizeof text - 20, "{" GLTF_ALL "}]}", 4);
