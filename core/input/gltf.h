@@ -12,7 +12,6 @@
 #include "input/far_scene.h"
 #include "input/file_scene.h"
 #include "input/json_scene.h"
-#include "input/meshopt.h"
 
 #define ZR_GLTF_NONE UINT32_MAX
 
@@ -250,23 +249,6 @@ bool zr_gltf_find_view(struct zr_gltf *file, const struct zr_json_path *path, ui
 bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const char *uri,
                       struct zr_parsed_bytes *out);
 
-/* ---- gltf_meshopt.c: EXT_meshopt_compression ---- */
-
-/* Returns the place of the extension in a view's extensions, or NULL. */
-const char *zr_gltf_find_compressed(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions);
-
-/* Reads the extension of a view. `path`: of the extension. */
-struct zr_gltf_compressed {
-    uint32_t buffer, offset, length;
-    struct zr_meshopt layout;
-};
-bool zr_gltf_read_compressed(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_view *view,
-                             struct zr_gltf_compressed *out);
-
-/* Decodes compressed bytes to new memory. */
-bool zr_gltf_decompress(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_compressed *given,
-                        const struct zr_parsed_bytes *packed, struct zr_parsed_bytes *out);
-
 /* ---- gltf_accessor.c: accessors; gltf_values.c: their elements ---- */
 
 bool zr_gltf_read_accessors(struct zr_gltf *file);
@@ -304,14 +286,6 @@ bool zr_gltf_choose_animation(struct zr_gltf *file, const struct zr_request *req
 
 /* Moves file->poses to the time of the request. False after a fault. */
 bool zr_gltf_animate(struct zr_gltf *file);
-
-/* ---- gltf_instancing.c: EXT_mesh_gpu_instancing ---- */
-
-/* Returns the place of the extension in a node's extensions, or NULL. */
-const char *zr_gltf_find_instancing(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions);
-
-/* Reads the poses of a use with instancing. False after a fault. */
-bool zr_gltf_read_poses(struct zr_gltf *file, struct zr_gltf_use *use);
 
 /* ---- gltf_mesh.c: the list; gltf_primitive.c: one primitive; gltf_topology.c: its faces, lines and points ---- */
 
@@ -405,40 +379,13 @@ void zr_gltf_keep_cameras(struct zr_gltf *file);
 /* Sets a camera's pose and missing name by the first node that places it. `name`: of the node, or NULL. */
 void zr_gltf_place_camera(struct zr_gltf *file, uint32_t camera, const char *name, const zr_mat4 *camera_to_world);
 
-/* ---- gltf_specular.c ---- */
-
-/* Notes a material whose reflectance is not that of the shading pbr. `path`: of its extensions. `ior`, `specular`:
- * places of KHR_materials_ior and KHR_materials_specular, or NULL. */
-void zr_gltf_note_reflectance(struct zr_gltf *file, const struct zr_json_path *path, const char *ior,
-                              const char *specular);
-
-/* KHR_materials_pbrSpecularGlossiness, converted to a metallic-roughness material; the colour is linear. */
-struct zr_gltf_glossiness {
-    float color[4], metallic, roughness;
-    const char *texture; /* place of the texture of the colour, or NULL */
-};
-void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
-                             struct zr_gltf_glossiness *out);
-
-/* ---- gltf_light.c: KHR_lights_punctual ---- */
-
-/* Reads the list of lights. */
-bool zr_gltf_read_lights(struct zr_gltf *file);
-
-/* Returns the light of a node's extensions, or NONE. */
-uint32_t zr_gltf_find_light(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions);
-
-/* Adds a light to those of the file's scene, in the pose of a node. */
-void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light, const zr_mat4 *world);
-
-/* ---- gltf_extension.c ---- */
+/* ---- gltf_extension.c, gltf_light.c: those of the root; others are in gltf_extensions.h ---- */
 
 /* Refuses required extensions that are not read. Lists such used ones for a warning. */
 void zr_gltf_check_extensions(struct zr_gltf *file);
 
-/* Reads an object of extensions. Skips those that are not in the table, without a note. */
-bool zr_gltf_extensions(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
-                        const struct zr_json_object *object, void *out, uint64_t *given);
+/* Reads the list of lights of KHR_lights_punctual. */
+bool zr_gltf_read_lights(struct zr_gltf *file);
 
 /* ---- gltf_warning.c ---- */
 

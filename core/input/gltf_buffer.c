@@ -1,5 +1,5 @@
 /* Reads buffers and views of glTF. Finds the bytes of a buffer at its first use, and fetches nothing. */
-#include "input/gltf.h"
+#include "input/gltf_extensions.h"
 
 #include <string.h>
 #include <strings.h>

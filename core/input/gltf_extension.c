@@ -1,5 +1,5 @@
 /* Reads the names of the extensions that a glTF file uses and requires. */
-#include "input/gltf.h"
+#include "input/gltf_extensions.h"
 
 #include <string.h>
 

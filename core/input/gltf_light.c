@@ -1,5 +1,5 @@
 /* Reads the lights of KHR_lights_punctual, and places them by nodes. */
-#include "input/gltf.h"
+#include "input/gltf_extensions.h"
 
 #include <float.h>
 #include <math.h>

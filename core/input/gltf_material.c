@@ -1,5 +1,5 @@
 /* Converts materials of glTF to materials of a scene. Reads a material at its first use by a drawn primitive. */
-#include "input/gltf.h"
+#include "input/gltf_extensions.h"
 
 #include <float.h>
 

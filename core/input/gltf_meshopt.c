@@ -1,5 +1,5 @@
 /* EXT_meshopt_compression: buffer views whose bytes are compressed. */
-#include "input/gltf.h"
+#include "input/gltf_extensions.h"
 
 static const char NAME[] = "EXT_meshopt_compression";
 

@@ -1,4 +1,5 @@
 /* Reads nodes and scenes of glTF, and places meshes. A node with two parents is refused. */
+#include "input/gltf_extensions.h"
 #include "input/gltf_nodes.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Reads the extensions of glTF for the reflection of materials that are no metals. */
-#include "input/gltf.h"
+#include "input/gltf_extensions.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Reads textures, samplers and images of glTF. Decodes an image at its first use by a drawn material. */
-#include "input/gltf.h"
+#include "input/gltf_extensions.h"
 
 #include <string.h>
 
