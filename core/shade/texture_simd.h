@@ -8,6 +8,7 @@
 #define ZR_TEXTURE_SIMD_H
 
 #include "base/inlined.h"
+#include "base/lookup_simd.h"
 #include "base/mutant.h"
 #include "base/pow_simd.h"
 #include "base/simd.h"
@@ -111,6 +112,7 @@ static inline struct zr_taps_v zr_taps_of(enum zr_wrap wrap, uint32_t size, zr_v
 
 static inline zr_vf zr_texel_value_v(const struct zr_texture_map *map, zr_vi value)
 {
+    if (map->decoded && map->bits == 8) return zr_vf_lookup_256(map->decoded, value);
     if (map->decoded) return zr_vf_bits(zr_vi_gather(ZR_ALL_LANES, map->decoded, value));
     return zr_vf_of(value) * zr_vf_set(map->bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f);
 }
@@ -126,16 +128,19 @@ static inline zr_vi zr_word_part_v(zr_vi word, int k, int bits)
     return (shift ? word >> shift : word) & zr_vi_set((1 << bits) - 1);
 }
 
+/* Returns the colour of a texel of 8 bits. */
+static inline struct zr_vec3_v zr_texel_of_word_v(const struct zr_texture_map *map, zr_vi word)
+{
+    return (struct zr_vec3_v){zr_texel_value_v(map, zr_word_part_v(word, 0, 8)),
+                              zr_texel_value_v(map, zr_word_part_v(word, 1, 8)),
+                              zr_texel_value_v(map, zr_word_part_v(word, 2, 8))};
+}
+
 static inline struct zr_vec3_v zr_texel_v(const struct zr_texture_map *map, const struct zr_texture_level *level,
                                           zr_vi x, zr_vi y)
 {
     const zr_vi number = y * zr_vi_set((int32_t)level->width) + x;
-    if (map->bits == 8) {
-        const zr_vi word = zr_vi_gather(ZR_ALL_LANES, level->texels, number);
-        return (struct zr_vec3_v){zr_texel_value_v(map, zr_word_part_v(word, 0, 8)),
-                                  zr_texel_value_v(map, zr_word_part_v(word, 1, 8)),
-                                  zr_texel_value_v(map, zr_word_part_v(word, 2, 8))};
-    }
+    if (map->bits == 8) return zr_texel_of_word_v(map, zr_vi_gather(ZR_ALL_LANES, level->texels, number));
     const zr_vi first = zr_vi_gather(ZR_ALL_LANES, level->texels, number + number);
     const zr_vi second = zr_vi_gather(ZR_ALL_LANES, level->texels, number + number + zr_vi_set(1));
     return (struct zr_vec3_v){zr_texel_value_v(map, zr_word_part_v(first, 0, 16)),
@@ -146,6 +151,17 @@ static inline struct zr_vec3_v zr_texel_v(const struct zr_texture_map *map, cons
 static inline struct zr_vec3_v zr_lerp3_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)
 {
     return (struct zr_vec3_v){a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
+}
+
+/* Returns the mix of two neighbouring texels of a row. Only those at a seam are no neighbours in memory. */
+static inline struct zr_vec3_v zr_sample_row_v(const struct zr_texture_map *map, const struct zr_texture_level *level,
+                                               const struct zr_taps_v *x, zr_vi y)
+{
+    zr_vi low, high;
+    if (map->bits != 8 || zr_vm_bits(zr_vi_eq(x->high, x->low + zr_vi_set(1))) != ZR_ALL_BITS)
+        return zr_lerp3_v(zr_texel_v(map, level, x->low, y), zr_texel_v(map, level, x->high, y), x->share);
+    zr_vi_gather_pairs(level->texels, y * zr_vi_set((int32_t)level->width) + x->low, &low, &high);
+    return zr_lerp3_v(zr_texel_of_word_v(map, low), zr_texel_of_word_v(map, high), x->share);
 }
 
 /* ---- levels ---- */
@@ -160,11 +176,7 @@ static inline struct zr_vec3_v zr_sample_level_v(const struct zr_texture_map *ma
                           zr_nearest_texel_v(texture->wrap_t, level->height, t));
     const struct zr_taps_v x = zr_taps_of(texture->wrap_s, level->width, s),
                            y = zr_taps_of(texture->wrap_t, level->height, t);
-    const struct zr_vec3_v above =
-        zr_lerp3_v(zr_texel_v(map, level, x.low, y.low), zr_texel_v(map, level, x.high, y.low), x.share);
-    const struct zr_vec3_v below =
-        zr_lerp3_v(zr_texel_v(map, level, x.low, y.high), zr_texel_v(map, level, x.high, y.high), x.share);
-    return zr_lerp3_v(above, below, y.share);
+    return zr_lerp3_v(zr_sample_row_v(map, level, &x, y.low), zr_sample_row_v(map, level, &x, y.high), y.share);
 }
 
 /* Samples each lane at its own level. Usually the lanes have one or two. */
