@@ -1,4 +1,5 @@
 /* Makes instances of the meshes that the nodes of glTF place. */
+#include "input/gltf_extensions.h"
 #include "input/gltf_nodes.h"
 
 #include "base/cancel.h"
