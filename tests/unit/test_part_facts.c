@@ -354,6 +354,80 @@ TEST_AROUND(a_closed_cone_of_many_faces_takes_no_time, open_arena, close_arena)
     assert_true(fabs(facts->volume - M_PI / 3) < 1e-6);
 }
 
+/* ---- random meshes ---- */
+
+enum { RANDOM_FACES = 12, RANDOM_PARTS = 3, RANDOM_PLACES = 5 };
+
+static uint32_t random_state = 1;
+
+static uint32_t random_below(uint32_t most)
+{
+    random_state = random_state * 1664525u + 1013904223u;
+    return (random_state >> 8) % most;
+}
+
+/* Counts the uses of each edge in a table of all pairs of places. */
+static void find_closed_plainly(const struct zr_mesh *mesh, bool closed[RANDOM_PARTS])
+{
+    static int uses[RANDOM_PARTS][RANDOM_PLACES][RANDOM_PLACES];
+    bool any[RANDOM_PARTS] = {false};
+    memset(uses, 0, sizeof uses);
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *a = mesh->indices + mesh->face_offsets[f], part = mesh->face_parts[f];
+        if (a[0] == a[1] || a[1] == a[2] || a[0] == a[2]) continue;
+        any[part] = true;
+        for (int k = 0; k < 3; k++)
+            uses[part][a[k]][a[(k + 1) % 3]]++;
+    }
+    for (int p = 0; p < RANDOM_PARTS; p++) {
+        closed[p] = any[p];
+        for (int i = 0; i < RANDOM_PLACES; i++)
+            for (int k = 0; k < RANDOM_PLACES; k++)
+                closed[p] = closed[p] && uses[p][i][k] == uses[p][k][i];
+    }
+}
+
+/* Few places, so that many of the parts are closed. */
+TEST_AROUND(closed_parts_are_those_of_a_plain_count, open_arena, close_arena)
+{
+    static const zr_vec4 at[RANDOM_PLACES] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
+    static const char *const names[RANDOM_PARTS] = {"a", "b", "c"};
+    uint32_t offsets[RANDOM_FACES + 1], indices[3 * RANDOM_FACES], parts[RANDOM_FACES], closed_count = 0;
+    for (int round = 0; round < 20000; round++) {
+        uint8_t found[RANDOM_PARTS];
+        bool want[RANDOM_PARTS];
+        const uint32_t faces = 1 + random_below(RANDOM_FACES);
+        for (uint32_t f = 0; f <= faces; f++)
+            offsets[f] = 3 * f;
+        for (uint32_t i = 0; i < 3 * faces; i++)
+            indices[i] = random_below(RANDOM_PLACES);
+        for (uint32_t f = 0; f < faces; f++) {
+            parts[f] = random_below(RANDOM_PARTS);
+            if (f == 0 || random_below(3) != 0) continue;
+            const uint32_t of = 3 * random_below(f), to[3] = {indices[of], indices[of + 2], indices[of + 1]};
+            memcpy(indices + 3 * f, to, sizeof to); /* the same face, turned */
+            parts[f] = parts[of / 3];
+        }
+        const struct zr_mesh mesh = {.name = "random",
+                                     .position_count = RANDOM_PLACES,
+                                     .positions = at,
+                                     .face_count = faces,
+                                     .face_offsets = offsets,
+                                     .indices = indices,
+                                     .face_parts = parts,
+                                     .part_count = RANDOM_PARTS,
+                                     .part_names = names};
+        find_closed_plainly(&mesh, want);
+        assert_true(zr_closed_parts_find(&arena, NULL, NULL, &mesh, found));
+        for (int p = 0; p < RANDOM_PARTS; p++) {
+            if (found[p] != want[p]) fail_msg("round %d, part %d", round, p);
+            closed_count += found[p];
+        }
+    }
+    assert_true(closed_count > 1000);
+    assert_true(arena.used < 1 << 16); /* the scratch was given back */
+}
+
 /* ---- colours, lines and points ---- */
 
 TEST_AROUND(colours_are_means_by_area, open_arena, close_arena)
