@@ -26,7 +26,7 @@ static const char *const texts[ZR_MF3_NOTE_COUNT] = {
     [ZR_MF3_NOTE_OTHER] = "items or components of the type other are left out",
     [ZR_MF3_NOTE_MODIFIER] = "parts or triangles are modifiers of a slicer, and are left out",
     [ZR_MF3_NOTE_NOT_PRINTED] = "items are marked as not printable, and are drawn",
-    [ZR_MF3_NOTE_UNIT] = "parts have a different unit from the first; their coordinates are not converted"};
+    [ZR_MF3_NOTE_UNIT] = "parts have a different unit from the first, to which their coordinates are converted"};
 
 static bool is_about_color(int note)
 {

@@ -140,6 +140,7 @@ struct zr_mf3_part {
     const char *bytes; /* NULL: not read yet */
     size_t size;
     const char *unit;
+    double microns; /* of the unit; 0: not read */
     const char *counted_to; /* a place; `line` is its line */
     size_t line;
 };

@@ -31,6 +31,15 @@ static uint32_t find_object(struct zr_mf3 *file, const struct zr_mf3_link *link)
     return (uint32_t)(object - zr_mf3_resources(file));
 }
 
+/* Scales the coordinates of an object to the unit of the part that places it. */
+static void convert_unit(const struct zr_mf3 *file, const struct zr_mf3_link *link, zr_mat4 *local)
+{
+    const double from = zr_mf3_parts(file)[link->target_part].microns, to = zr_mf3_parts(file)[link->part].microns;
+    if (!(from > 0.0 && to > 0.0) || from == to) return;
+    for (int i = 0; i < 12; i++)
+        local->m[i] = (float)((double)local->m[i] * (from / to));
+}
+
 static void add_node(struct build *build, const struct zr_mf3_link *link)
 {
     struct zr_arena *arena = build->file->arena;
@@ -40,10 +49,12 @@ static void add_node(struct build *build, const struct zr_mf3_link *link)
     struct zr_node *node = zr_mf3_list_add(arena, &build->nodes, sizeof *node);
     uint32_t *to = zr_mf3_list_add(arena, &build->targets, sizeof *to);
     const struct zr_mf3_link **from = zr_mf3_list_add(arena, &build->sources, sizeof *from);
+    zr_mat4 local = link->transform;
     if (!node || !to || !from) return;
+    convert_unit(build->file, link, &local);
     *to = target;
     *from = link;
-    *node = (struct zr_node){.local = link->transform,
+    *node = (struct zr_node){.local = local,
                              .mesh = object && object->mesh != ZR_MF3_NONE ? object->mesh : ZR_NODE_NO_MESH,
                              .name = object && *object->name ? object->name : NULL};
 }

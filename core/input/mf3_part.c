@@ -206,16 +206,26 @@ static void check_required(struct zr_mf3 *file)
     }
 }
 
-static const char *read_unit(struct zr_mf3 *file)
+/* Reads the unit of the current part. */
+static void read_unit(struct zr_mf3 *file)
 {
-    static const char *const units[] = {"millimeter", "micron", "centimeter", "inch", "foot", "meter"};
+    static const struct {
+        const char *name;
+        double microns;
+    } units[] = {{"millimeter", 1e3}, {"micron", 1},    {"centimeter", 1e4},
+                 {"inch", 25400},     {"foot", 304800}, {"meter", 1e6}};
+    struct zr_mf3_part *part = &zr_mf3_parts(file)[file->part];
     const struct zr_xml_text unit = zr_xml_value(&file->tag, "unit");
-    if (!unit.at) return units[0];
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        if (zr_xml_text_is(unit, units[i])) return units[i];
-    zr_mf3_fault(file, file->tag.at, "unit: micron, millimeter, centimeter, inch, foot or meter is needed, not %s",
-                 zr_quote(unit.at, unit.length).text);
-    return units[0];
+    size_t i = 0;
+    while (unit.at && i < sizeof units / sizeof *units && !zr_xml_text_is(unit, units[i].name))
+        i++;
+    if (i == sizeof units / sizeof *units) {
+        zr_mf3_fault(file, file->tag.at, "unit: micron, millimeter, centimeter, inch, foot or meter is needed, not %s",
+                     zr_quote(unit.at, unit.length).text);
+        i = 0;
+    }
+    part->unit = units[i].name;
+    part->microns = units[i].microns;
 }
 
 static void read_model(struct zr_mf3 *file)
@@ -231,7 +241,7 @@ static void read_model(struct zr_mf3 *file)
     }
     check_required(file);
     if (file->error->count > 0) file->is_stopped = true;
-    part->unit = read_unit(file);
+    read_unit(file);
     if (strcmp(part->unit, zr_mf3_parts(file)[0].unit) != 0)
         zr_mf3_note(file, ZR_MF3_NOTE_UNIT, file->tag.at, file->tag.name);
     while (zr_mf3_child(file, depth)) {

@@ -195,6 +195,24 @@ TEST(parts_named_by_paths_are_read)
     reading_free(reading);
 }
 
+/* Coordinates of another part are converted from its unit to that of the part that places it. */
+TEST(units_of_parts_are_converted)
+{
+    const char *root = "<model " CORE PRODUCTION "unit=\"centimeter\"><resources/><build><item objectid=\"1\" "
+                       "p:path=\"/3D/b.model\" transform=\"0 1 0 -1 0 0 0 0 1 5 6 7\"/></build></model>";
+    const char *other =
+        "<model " CORE "unit=\"inch\"><resources><object id=\"1\">" MESH "</object></resources></model>";
+    const struct zip_entry parts[] = {{"3D/3dmodel.model", root, strlen(root), true},
+                                      {"3D/b.model", other, strlen(other), true}};
+    struct reading *reading = read_parts(parts, 2, "y");
+    assert_read(reading);
+    const float *m = reading->scene->instances[0].object_to_world.m;
+    assert_true(m[1] == 2.54f && m[4] == -2.54f && m[10] == 2.54f && m[0] == 0.0f);
+    assert_true(m[12] == 5.0f && m[13] == 6.0f && m[14] == 7.0f && m[15] == 1.0f);
+    assert_true(warns(reading, "1 parts have a different unit from the first"));
+    reading_free(reading);
+}
+
 TEST(what_is_not_drawn_is_warned_of)
 {
     struct reading *reading = read_model(
