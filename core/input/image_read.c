@@ -53,9 +53,9 @@ static enum zr_status decode(struct zr_arena *arena, const void *bytes, size_t s
 enum zr_status zr_image_read(struct zr_arena *arena, const void *bytes, size_t size, uint64_t texels_max,
                              struct zr_image *image, struct zr_reason *reason)
 {
-    struct zr_kept_image decoded;
+    struct zr_kept_image decoded = {.scratch_bytes = 0};
     const enum zr_status status = decode(arena, bytes, size, texels_max, &decoded, reason);
-    if (status == ZR_OK) *image = decoded.image;
+    *image = decoded.image;
     return status;
 }
 
