@@ -80,6 +80,22 @@ static enum zr_status validate(const struct zr_request *request, const struct zr
     return status;
 }
 
+/* Reads a model file that a scene names as a mesh. */
+static enum zr_status read_model(struct zr_scene_builder *builder, const struct zr_request *request,
+                                 const struct zr_limits *limits, struct zr_error *error)
+{
+    struct zr_request body = *request;
+    body.format = zr_format_of_bytes(body.bytes, body.size);
+    if (body.format == ZR_FORMAT_UNKNOWN || body.format == ZR_FORMAT_ZIP || zr_format_rows[body.format].has_view) {
+        const char *words = zr_bytes_in_words(body.bytes, body.size);
+        return zr_error_add(error, ZR_BAD_SCENE, NULL, "the file looks like %s; a mesh needs a model, such as %s or %s",
+                            words ? words : "no format that is known", zr_format_rows[ZR_FORMAT_OBJ].name,
+                            zr_format_rows[ZR_FORMAT_GLB].name);
+    }
+    skip_byte_order_mark(&body);
+    return zr_format_rows[body.format].read(builder, &body, limits, error);
+}
+
 /* Reads the body, or takes the meshes of a kept scene and reads the changed keys. */
 static enum zr_status read_body(struct zr_scene_builder *builder, const struct zr_request *request,
                                 const struct zr_limits *limits, struct zr_error *error)
@@ -101,6 +117,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     zr_scene_defaults(scene);
     struct zr_scene_builder builder = zr_scene_builder_open(arena, team, scene);
     builder.keeping = keeping;
+    builder.read_model = read_model;
     enum zr_status status = zr_query_read(request, limits, &builder, &query, error);
     if (status != ZR_OK) return status;
     status = name_bytes(request, read_body(&builder, request, limits, error), error);

@@ -149,7 +149,7 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
         if (has_ink) zr_cloud_draw_in_ink(query);
     }
     zr_parsed_check_light(root);
-    if (has_materials(root)) zr_file_scene_drop_maps(root);
+    if (has_materials(root)) zr_parsed_drop_maps(root);
     place(query);
     warn(root, query->request);
     zr_query_report(query->request, ZR_BAD_SCENE, &faults, error);

@@ -30,18 +30,19 @@ void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed
     if (!lights_surfaces(root->scene->look)) material->face_style.shading = ZR_UNSET;
 }
 
-static uint32_t make(struct zr_parsed_scene *root, const struct zr_mesh *mesh, uint32_t number, size_t material,
-                     const struct zr_face_style *style)
+/* Makes one material of a mesh. `style` has the keys over those of the material, and the number for warnings. */
+static uint32_t make(struct zr_parsed_scene *root, const struct zr_file_scene *file, const struct zr_mesh *mesh,
+                     size_t material, const struct zr_style *style)
 {
     const bool is_colored = mesh->colors || mesh->face_colors;
     struct zr_style of = {.material = material,
-                          .face_style = *style,
+                          .face_style = style->face_style,
                           .is_open = true,
                           .has_faces = mesh->face_count > 0,
-                          .number = number,
+                          .number = style->number,
                           .alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
                                                         zr_alpha_range_of(mesh->face_colors, mesh->face_count))};
-    if (root->builder->file->blends_colors && of.alpha.least < 1.0f && of.face_style.alpha_mode == ZR_UNSET)
+    if (file->blends_colors && of.alpha.least < 1.0f && of.face_style.alpha_mode == ZR_UNSET)
         of.face_style.alpha_mode = ZR_ALPHA_BLEND;
     return zr_parsed_make_material(root, &of, is_colored, mesh->normal_count > 0 || is_colored);
 }
@@ -58,8 +59,8 @@ static void note_uses(struct zr_parsed_material *query, const struct zr_parsed_m
 }
 
 /* Makes the materials of a mesh with a material per face: each once, in the order of the faces. */
-static void make_faces(struct zr_parsed_scene *root, struct zr_mesh *mesh, uint32_t number, const uint32_t *materials,
-                       const struct zr_file_scene *file, const struct zr_face_style *style)
+static void make_faces(struct zr_parsed_scene *root, const struct zr_file_scene *file, const uint32_t *materials,
+                       const struct zr_style *style, struct zr_mesh *mesh)
 {
     const size_t count = (size_t)file->material_count + 1;
     uint32_t *made = zr_arena_alloc(root->json.arena, count, sizeof *made);
@@ -68,10 +69,19 @@ static void make_faces(struct zr_parsed_scene *root, struct zr_mesh *mesh, uint3
     memset(made, 0xFF, count * sizeof *made);
     for (uint32_t face = 0; face < mesh->face_count && zr_arena_ok(root->json.arena); face++) {
         const uint32_t of = materials[face] == ZR_FILE_MATERIAL_NONE ? file->material_count : materials[face];
-        if (made[of] == UINT32_MAX) made[of] = make(root, mesh, number, of, style);
+        if (made[of] == UINT32_MAX) made[of] = make(root, file, mesh, of, style);
         out[face] = made[of];
     }
     mesh->face_materials = out;
+}
+
+void zr_file_scene_make_mesh(struct zr_parsed_scene *root, const struct zr_file_scene *file, uint32_t which,
+                             const struct zr_style *style, struct zr_mesh *mesh)
+{
+    const uint32_t of = file->mesh_materials[which];
+    mesh->material = make(root, file, mesh, of == ZR_FILE_MATERIAL_NONE ? file->material_count : of, style);
+    if (file->face_materials && file->face_materials[which])
+        make_faces(root, file, file->face_materials[which], style, mesh);
 }
 
 void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_file_scene *file)
@@ -91,18 +101,15 @@ void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_
     root->materials = all;
     root->material_count = file->material_count + own_count;
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        const uint32_t of = file->mesh_materials[i];
-        struct zr_mesh *mesh = &root->builder->meshes[i];
-        mesh->material = make(root, mesh, i, of == ZR_FILE_MATERIAL_NONE ? file->material_count : of, &over);
-        if (file->face_materials && file->face_materials[i])
-            make_faces(root, mesh, i, file->face_materials[i], file, &over);
+        const struct zr_style style = {.face_style = over, .number = i};
+        zr_file_scene_make_mesh(root, file, i, &style, &root->builder->meshes[i]);
     }
     if (own_count > 0) note_uses(own, all, file->material_count + 1);
     root->materials = own;
     root->material_count = own_count;
 }
 
-void zr_file_scene_drop_maps(struct zr_parsed_scene *root)
+void zr_parsed_drop_maps(struct zr_parsed_scene *root)
 {
     if (root->scene->picture.is_linear) return;
     for (uint32_t i = 0; i < root->scene->material_count; i++)

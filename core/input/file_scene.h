@@ -9,6 +9,7 @@
 #include "scene/scene_builder.h"
 
 struct zr_parsed_material; /* json_scene.h */
+struct zr_style;
 struct zr_parsed_scene;
 struct zr_json_path;
 
@@ -45,6 +46,11 @@ struct zr_file_scene {
 /* Makes the materials of the builder's meshes from those of the file. The keys of the query override them. */
 void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_file_scene *file);
 
+/* Makes the materials of mesh `which` of the file, whose materials are the first of root->materials; the next one is
+ * for faces without a material. The style's keys are over theirs. */
+void zr_file_scene_make_mesh(struct zr_parsed_scene *root, const struct zr_file_scene *file, uint32_t which,
+                             const struct zr_style *style, struct zr_mesh *mesh);
+
 /* Removes the shading of a file's material if the scene's look does not light surfaces. */
 void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material);
 
@@ -65,8 +71,5 @@ bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *
 /* Reports at `path` that the file has no such animation. `file` may be NULL. */
 void zr_file_scene_refuse_animation(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                     const struct zr_file_scene *file, const char *wanted);
-
-/* Removes the maps that need linear light if the picture is made without it. */
-void zr_file_scene_drop_maps(struct zr_parsed_scene *root);
 
 #endif

@@ -1,7 +1,6 @@
 #include <string.h>
 
 #include "input/json_mesh.h"
-#include "input/json_model.h"
 #include "input/json_objects.h"
 #include "input/nearest.h"
 #include "input/text.h"

@@ -32,7 +32,7 @@ struct zr_parsed_mesh {
     const char *name, *material; /* NULL: not given */
     struct zr_face_style face_style;
     struct zr_bytes_name file;
-    struct zr_model *model; /* the file as read (json_model.h); or NULL */
+    struct zr_model *model; /* the file as read (json_model.c); or NULL */
     struct zr_growing positions, normals, colors, face_colors, texcoords, texcoords1, tangents;
     struct zr_parsed_faces faces;
     struct zr_parsed_lines lines;
@@ -42,6 +42,20 @@ struct zr_parsed_mesh {
     struct zr_heights heights;
     struct zr_scalars scalars;
 };
+
+/* json_model.c: a mesh that is a model file, such as {"asset": "robot.glb"}.
+ *
+ * Order:  a file is read with the list of meshes; its materials and instances are made once the root is read.
+ * Axes:   those of the file. A far origin (far.h) is added to its instances again.
+ * Meshes: mesh i of the list is mesh i of the scene. Further meshes of its file are behind those of the list and the
+ *         polygons; scene->mesh_owners has their i.
+ *
+ * zr_model_read reads the file; `path`: of the mesh; NULL after a fault. zr_model_make fills meshes[], after
+ * zr_parsed_number_models. Faces have the material of `style`, else the file's. */
+struct zr_model *zr_model_read(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                               const struct zr_bytes_name *name);
+void zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
+                   const struct zr_style *style, struct zr_mesh *meshes);
 
 zr_json_read_fn zr_read_mesh_positions, zr_read_mesh_colors, zr_read_mesh_normals, zr_read_mesh_texcoords,
     zr_read_mesh_tangents;                                                   /* struct zr_growing */

@@ -1,14 +1,12 @@
-#include "input/json_model.h"
+#include "input/json_mesh.h"
 
 #include <stdio.h>
 #include <string.h>
 
+#include "core.h"
 #include "input/file_scene.h"
-#include "input/formats.h"
 #include "input/json_matrix.h"
 #include "input/quick.h"
-#include "input/sniff.h"
-#include "input/text.h"
 
 struct zr_model {
     struct zr_scene scene; /* meshes, images, textures, counts, origin and instances as read */
@@ -18,14 +16,6 @@ struct zr_model {
 enum { INSTANCES_A_LOOK = 1 << 14 };
 
 /* ---- reading ---- */
-
-static bool refuse(struct zr_json *json, const struct zr_json_path *path, const char *bytes, size_t size)
-{
-    const char *words = zr_bytes_in_words(bytes, size);
-    return zr_json_fault(json, path, "the file looks like %s; a mesh needs a model, such as %s or %s",
-                         words ? words : "no format that is known", zr_format_rows[ZR_FORMAT_OBJ].name,
-                         zr_format_rows[ZR_FORMAT_GLB].name);
-}
 
 /* Repeats the faults of a file at `path`, with their places in the file. */
 static bool report(struct zr_json *json, const struct zr_json_path *path, const struct zr_error *faults)
@@ -57,18 +47,17 @@ static void count_pixels(struct zr_parsed_scene *root, const struct zr_scene *sc
         root->image_pixels += (uint64_t)scene->images[i].width * scene->images[i].height;
 }
 
-static bool read_as(struct zr_parsed_scene *root, const struct zr_json_path *path, enum zr_format format,
-                    const struct zr_parsed_bytes *bytes, struct zr_model *model)
+static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                      const struct zr_parsed_bytes *bytes, struct zr_model *model)
 {
-    const struct zr_format_row *row = &zr_format_rows[format];
     struct zr_json *json = &root->json;
-    const size_t mark = row->is_binary ? 0 : zr_byte_order_mark(bytes->bytes, bytes->size);
-    const struct zr_request request = {.format = format,
-                                       .bytes = (const char *)bytes->bytes + mark,
-                                       .size = bytes->size - mark,
+    const struct zr_request request = {.format = ZR_FORMAT_UNKNOWN,
+                                       .bytes = bytes->bytes,
+                                       .size = bytes->size,
                                        .assets = root->assets.items,
                                        .asset_count = root->assets.count,
                                        .stored = root->assets.stored,
+                                       .images = root->assets.images,
                                        .cancel = json->cancel,
                                        .quick = root->assets.quick};
     struct zr_limits limits = *json->limits;
@@ -76,7 +65,7 @@ static bool read_as(struct zr_parsed_scene *root, const struct zr_json_path *pat
     limits.image_pixels_max -= root->image_pixels;
     model->builder = zr_scene_builder_open(json->arena, json->team, &model->scene);
     model->builder.asset_uses = root->assets.uses;
-    const enum zr_status status = row->read(&model->builder, &request, &limits, &faults);
+    const enum zr_status status = root->builder->read_model(&model->builder, &request, &limits, &faults);
     if (status != ZR_OK) return status == ZR_NO_MEMORY ? false : report(json, path, &faults);
     count_pixels(root, &model->scene);
     return zr_arena_ok(json->arena);
@@ -109,12 +98,7 @@ struct zr_model *zr_model_read(struct zr_parsed_scene *root, const struct zr_jso
     struct zr_parsed_bytes bytes;
     struct zr_model *model = zr_arena_zero(json->arena, 1, sizeof *model);
     if (!model || !zr_parsed_read_named(json, path, name, &bytes) || !is_quick(root, bytes.size)) return NULL;
-    const enum zr_format format = zr_format_of_bytes(bytes.bytes, bytes.size);
-    if (format == ZR_FORMAT_UNKNOWN || zr_format_rows[format].has_view) {
-        refuse(json, at, bytes.bytes, bytes.size);
-        return NULL;
-    }
-    return read_as(root, at, format, &bytes, model) && place(model) ? model : NULL;
+    return read_file(root, at, &bytes, model) && place(model) ? model : NULL;
 }
 
 /* ---- making ---- */
@@ -160,29 +144,33 @@ static struct zr_parsed_material *take_materials(struct zr_parsed_scene *root, c
     return all;
 }
 
-/* Makes the material of one of the file's meshes: the one that the scene gives, else the file's, else the look's. */
-static void make_material(struct zr_parsed_scene *root, const struct zr_model *model, uint32_t which,
-                          const struct zr_style *style, struct zr_parsed_material *own, struct zr_mesh *mesh)
+/* Makes the material of a mesh whose file has none, or with the one that the scene gives. */
+static void make_plain(struct zr_parsed_scene *root, const struct zr_style *style, struct zr_mesh *mesh)
 {
-    const struct zr_file_scene *file = model->builder.file;
-    struct zr_parsed_material *const listed = root->materials;
-    const size_t listed_count = root->material_count;
-    const bool is_given = style->material < listed_count, has_colors = mesh->colors || mesh->face_colors;
-    const bool is_own =
-        !is_given && file && file->mesh_materials && file->mesh_materials[which] != ZR_FILE_MATERIAL_NONE;
+    const bool has_colors = mesh->colors || mesh->face_colors;
     struct zr_style of = *style;
     of.has_faces = mesh->face_count > 0;
     of.alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
                                     zr_alpha_range_of(mesh->face_colors, mesh->face_count));
-    if (!file && of.alpha.least < 1.0f && !is_given && of.face_style.alpha_mode == ZR_UNSET &&
+    if (of.alpha.least < 1.0f && style->material == root->material_count && of.face_style.alpha_mode == ZR_UNSET &&
         root->face_style.alpha_mode == ZR_UNSET)
         of.face_style.alpha_mode = ZR_ALPHA_BLEND;
-    if (is_own) {
-        root->materials = own;
-        root->material_count = file->material_count;
-        of.material = file->mesh_materials[which];
-    }
     mesh->material = zr_parsed_make_material(root, &of, has_colors, mesh->normal_count > 0 || has_colors);
+}
+
+/* Makes the material of one of the file's meshes: the one that the scene gives, else the file's, else the look's. */
+static void make_material(struct zr_parsed_scene *root, const struct zr_file_scene *file, uint32_t which,
+                          const struct zr_style *style, struct zr_parsed_material *own, struct zr_mesh *mesh)
+{
+    struct zr_parsed_material *const listed = root->materials;
+    const size_t listed_count = root->material_count;
+    if (style->material < listed_count || !file || !file->mesh_materials) {
+        make_plain(root, style, mesh);
+        return;
+    }
+    root->materials = own;
+    root->material_count = file->material_count;
+    zr_file_scene_make_mesh(root, file, which, style, mesh);
     root->materials = listed;
     root->material_count = listed_count;
 }
@@ -216,7 +204,7 @@ void zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path
         if (mesh->face_count > 0)
             zr_parsed_check_texcoords(root, path, style->material, mesh->texcoords != NULL, mesh->texcoords != NULL);
         if (root->json.error->count > 0) return;
-        make_material(root, model, i, style, own, mesh);
+        make_material(root, model->builder.file, i, style, own, mesh);
     }
     count_normals(root->scene, &from->counts, style->number);
     repeat_warnings(root, &model->builder.warnings, style->number, &root->builder->warnings);
@@ -225,7 +213,7 @@ void zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path
 
 /* ---- placing ---- */
 
-uint32_t zr_models_number(struct zr_parsed_scene *root, uint32_t first)
+uint32_t zr_parsed_number_models(struct zr_parsed_scene *root, uint32_t first)
 {
     const struct zr_parsed_mesh *given = root->meshes.items;
     uint64_t more = 0;
@@ -268,8 +256,8 @@ static const struct zr_model *model_of(const struct zr_parsed_scene *root, const
     return instance->mesh < root->meshes.count ? given[instance->mesh].model : NULL;
 }
 
-void zr_models_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                          const struct zr_instance *instances, uint32_t count)
+void zr_parsed_use_model_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                const struct zr_instance *instances, uint32_t count)
 {
     const struct zr_file_scene *file = NULL;
     for (uint32_t i = 0; i < count; i++) {
@@ -301,8 +289,8 @@ static bool count_instances(struct zr_parsed_scene *root, const struct zr_json_p
     return true;
 }
 
-struct zr_instance *zr_models_place(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                                    struct zr_instance *instances, uint32_t *count)
+struct zr_instance *zr_parsed_place_models(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                           struct zr_instance *instances, uint32_t *count)
 {
     const uint32_t given = *count;
     if (!root->model_firsts || !instances) return instances;

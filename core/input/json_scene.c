@@ -1,9 +1,7 @@
 /* Reads a scene: the whole root first, in the order of the text, then its references are resolved. */
 #include "input/json_scene.h"
 
-#include "input/file_scene.h"
 #include "input/input.h"
-#include "input/json_model.h"
 #include "input/json_objects.h"
 #include "input/kept.h"
 
@@ -16,7 +14,7 @@ enum { DEPTH_OF_LISTS = 6 };
 static void make_meshes(struct zr_parsed_scene *root)
 {
     const uint32_t listed = (uint32_t)root->meshes.count, first = listed + zr_parsed_has_polygons(root);
-    const size_t count = (size_t)first + zr_models_number(root, first);
+    const size_t count = (size_t)first + zr_parsed_number_models(root, first);
     struct zr_mesh *meshes = zr_scene_builder_meshes(root->builder, count);
     if (!meshes) return;
     zr_parsed_make_meshes(root, ZR_SCENE_PATH(ZR_SCENE_MESHES), meshes);
@@ -39,8 +37,9 @@ static void place_meshes(struct zr_parsed_scene *root)
     for (; next < end; next++)
         instances[count++] = (struct zr_instance){.mesh = next, .object_to_world = zr_mat4_identity()};
     if (root->camera && instances)
-        zr_models_use_camera(root, ZR_JSON_KEY(ZR_SCENE_PATH(ZR_SCENE_VIEW), "camera"), instances, count);
-    instances = zr_models_place(root, ZR_SCENE_PATH(root->nodes ? ZR_SCENE_NODES : ZR_SCENE_MESHES), instances, &count);
+        zr_parsed_use_model_camera(root, ZR_JSON_KEY(ZR_SCENE_PATH(ZR_SCENE_VIEW), "camera"), instances, count);
+    instances =
+        zr_parsed_place_models(root, ZR_SCENE_PATH(root->nodes ? ZR_SCENE_NODES : ZR_SCENE_MESHES), instances, &count);
     if (instances) zr_scene_builder_place(root->builder, instances, count);
 }
 
@@ -65,7 +64,7 @@ static void build(struct zr_parsed_scene *root)
     make_meshes(root);
     if (zr_json_stops(json)) return;
     zr_parsed_check_light(root);
-    if (root->model_firsts) zr_file_scene_drop_maps(root);
+    if (root->model_firsts) zr_parsed_drop_maps(root);
     place_meshes(root);
     if (root->base) zr_parsed_read_base(root, ZR_SCENE_PATH(ZR_SCENE_BASE));
     if (root->fit_mesh && zr_arena_ok(json->arena)) zr_parsed_find_fit_mesh(root, ZR_SCENE_PATH(ZR_SCENE_VIEW));

@@ -142,8 +142,8 @@ struct zr_parsed_assets {
     size_t count;
     const struct zr_asset *items;
     struct zr_file_names *names; /* NULL before the first search */
-    uint8_t *uses; /* one per asset: a sum of the above */
-    uint8_t use;   /* the sum for the part of the scene that is read now */
+    uint8_t *uses;               /* one per asset: a sum of the above */
+    uint8_t use;                 /* the sum for the part of the scene that is read now */
     struct zr_stored stored;
     struct zr_kept_images images;
     struct zr_quick *quick; /* the request's; may be NULL */
@@ -188,7 +188,7 @@ struct zr_parsed_scene {
     uint64_t image_pixels;    /* decoded pixels, all images */
 
     uint32_t unplaced_meshes;     /* meshes that no node places */
-    const uint32_t *model_firsts; /* json_model.h: by mesh of the list, the number of its file's second mesh; or NULL */
+    const uint32_t *model_firsts; /* json_model.c: by mesh of the list, the number of its file's second mesh; or NULL */
 };
 
 extern const struct zr_json_field zr_scene_fields[]; /* json_scene_fields.c: enum zr_scene_key, then other keys */
@@ -275,6 +275,22 @@ zr_json_read_fn zr_read_meshes, zr_read_polygons;
 void zr_parsed_make_meshes(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes);
 bool zr_parsed_has_polygons(const struct zr_parsed_scene *root);
 void zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh);
+
+/* json_model.c: meshes that are model files. Numbers their meshes beyond the first of each file, from `first` on; sets
+ * scene->mesh_owners, or leaves it NULL if there are no files; returns their count. */
+uint32_t zr_parsed_number_models(struct zr_parsed_scene *root, uint32_t first);
+
+/* Makes root->camera the view: of the first instance of a file with this camera. A fault at `path` if there is none. */
+void zr_parsed_use_model_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                const struct zr_instance *instances, uint32_t count);
+
+/* Replaces each instance of a file by the instances of its meshes. Returns the new array and its length in *count; the
+ * given one if there are no files; NULL after a fault at `path`. */
+struct zr_instance *zr_parsed_place_models(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                           struct zr_instance *instances, uint32_t *count);
+
+/* file_scene.c: removes the maps that need linear light if the picture is made without it. */
+void zr_parsed_drop_maps(struct zr_parsed_scene *root);
 
 /* json_kept.c: keeps the parsed root before references are resolved, or gives the kept meshes to the root (kept.h).
  * False without memory. */

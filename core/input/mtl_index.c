@@ -15,19 +15,23 @@ struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_req
     struct zr_mtl *mtl = zr_arena_zero(builder->arena, 1, sizeof *mtl);
     struct zr_limits *kept = zr_arena_copy(builder->arena, limits, sizeof *limits);
     struct zr_file_scene *made = zr_arena_zero(builder->arena, 1, sizeof *made);
-    uint8_t *uses = zr_arena_zero(builder->arena, request->asset_count, sizeof *uses);
+    uint8_t *uses =
+        builder->asset_uses ? builder->asset_uses : zr_arena_zero(builder->arena, request->asset_count, sizeof *uses);
     if (!mtl || !kept || !made || !uses) return NULL;
     mtl->made = made;
     mtl->error = error;
-    mtl->root = (struct zr_parsed_scene){
-        .json = {.arena = builder->arena,
-                 .team = builder->team,
-                 .cancel = request->cancel,
-                 .limits = kept,
-                 .error = &mtl->faults},
-        .builder = builder,
-        .scene = builder->scene,
-        .assets = {.count = request->asset_count, .items = request->assets, .quick = request->quick, .uses = uses}};
+    mtl->root = (struct zr_parsed_scene){.json = {.arena = builder->arena,
+                                                  .team = builder->team,
+                                                  .cancel = request->cancel,
+                                                  .limits = kept,
+                                                  .error = &mtl->faults},
+                                         .builder = builder,
+                                         .scene = builder->scene,
+                                         .assets = {.count = request->asset_count,
+                                                    .items = request->assets,
+                                                    .images = request->images,
+                                                    .quick = request->quick,
+                                                    .uses = uses}};
     mtl->root.json.assets = &mtl->root.assets;
     zr_json_open(&mtl->root.json, "", 0);
     return mtl;
@@ -233,6 +237,6 @@ void zr_mtl_close(struct zr_mtl *mtl)
 {
     use_all_files(mtl);
     zr_mtl_warn(mtl);
-    for (size_t i = 0; i < mtl->root.assets.count; i++)
+    for (size_t i = 0; !mtl->root.builder->asset_uses && i < mtl->root.assets.count; i++)
         if (!mtl->root.assets.uses[i]) zr_warn_of_unused_asset(mtl->root.builder, &mtl->root.assets.items[i]);
 }

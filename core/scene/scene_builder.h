@@ -13,12 +13,20 @@
 #define ZR_SCENE_BUILDER_H
 
 #include "base/arena.h"
+#include "base/status.h"
 #include "base/warning_list.h"
 #include "scene/scene.h"
 
+struct zr_limits;
+struct zr_request;
+struct zr_scene_builder;
 struct zr_team;
 struct zr_keeping;    /* input/kept.h */
 struct zr_file_scene; /* input/file_scene.h */
+
+/* Reads a model file in any format of bare meshes, without a query, into a builder. */
+typedef enum zr_status zr_model_read_fn(struct zr_scene_builder *builder, const struct zr_request *request,
+                                        const struct zr_limits *limits, struct zr_error *error);
 
 struct zr_scene_builder {
     struct zr_arena *arena;
@@ -35,7 +43,8 @@ struct zr_scene_builder {
     struct zr_texture *textures;
     size_t texture_room;
     const struct zr_keeping *keeping; /* the scene is kept, or changes a kept one; or NULL */
-    uint8_t *asset_uses; /* for readers of files: one per asset of the request; NULL: they count their own */
+    zr_model_read_fn *read_model;     /* reads the files that a scene names as meshes */
+    uint8_t *asset_uses;              /* of a file in a scene: one per asset of the request; NULL: it counts its own */
     const struct zr_file_scene *file; /* nodes and materials of a bare mesh's own; or NULL */
 };
 

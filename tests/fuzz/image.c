@@ -38,7 +38,9 @@ void fuzz_image(const uint8_t *data, size_t size)
         const uint64_t texels = (uint64_t)images[0].width * images[0].height;
         fuzz_expect(texels > 0 && texels <= FUZZ_TEXELS_MAX, "there are as many texels as there may be");
         fuzz_expect(images[0].bits == 8 || images[0].bits == 16, "of 8 or 16 bits");
-        fuzz_expect(memcmp(&images[0], &images[1], offsetof(struct zr_image, texels)) == 0, "of one size");
+        fuzz_expect(images[0].width == images[1].width && images[0].height == images[1].height &&
+                        images[0].bits == images[1].bits,
+                    "of one size");
         fuzz_expect(memcmp(images[0].texels, images[1].texels, texels * images[0].bits / 2) == 0, "of the same values");
     }
     for (int i = 0; i < 2; i++)

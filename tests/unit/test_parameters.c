@@ -284,7 +284,7 @@ TEST(faults_of_the_whole_scene_name_the_parameter)
     assert_complaint(reading, ZR_BAD_SCENE, "", "parameter algorithm: painter keeps no fragments");
     reading_free(reading);
     request = (struct zr_request){.format = ZR_FORMAT_OBJ, .look = "studio"};
-    reading = read_request(request, "v 0 0 0\n", 8, zr_limits_default(), 1 << 20);
+    reading = read_request(request, "o empty\n", 8, zr_limits_default(), 1 << 20);
     assert_complaint(reading, ZR_BAD_SCENE, "", "no geometry");
     reading_free(reading);
 }
