@@ -162,8 +162,9 @@ ZRASTER_API zraster_status zraster_scene_read(zraster *renderer, const struct zr
 /* Draws a scene. `change` may be NULL. Its body is a JSON object: each key, such as view, window, outputs, look,
  * lights, materials or nodes, replaces the scene's own. "poses": {"node": matrix} replaces the matrices of named nodes.
  * Meshes and polygons stay. Parameters of its query replace those of the scene's, and its parts join those of the
- * scene. The result equals that of one scene that gives all of this. A bare mesh accepts parameters such as look in the
- * query; its change may have the other keys, but no materials, nodes, base or poses. */
+ * scene. Of a ZIP archive, a change may refer to the members that the scene uses. The result equals that of one scene
+ * that gives all of this. A bare mesh accepts parameters such as look in the query; its change may have the other keys,
+ * but no materials, nodes, base or poses. */
 ZRASTER_API zraster_status zraster_scene_draw(const zraster_scene *scene, const struct zraster_request *change,
                                               zraster_picture **picture, zraster_error **error);
 ZRASTER_API size_t zraster_scene_memory(const zraster_scene *scene); /* bytes */
