@@ -1,4 +1,4 @@
-/* The materials of a fixed OBJ, whose textures are there. */
+/* The materials of a fixed OBJ, whose textures are there. Most are drawn in the quickest look. */
 #include "fuzz/fuzz.h"
 #include "support/mtl_pictures.h"
 
@@ -14,6 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                                       .size = sizeof obj - 1,
                                       .width = "32",
                                       .height = "24",
+                                      .look = size % 8 ? "textbook" : "studio",
                                       .samples = "1",
                                       .assets = assets,
                                       .asset_count = 3});
