@@ -77,7 +77,7 @@ TEST(broken_bytes_end_the_reading)
     struct random random = random_seeded(5);
     for (int kind = 0; kind < KINDS; kind++) {
         const struct file file = make_file(64, 48, kind);
-        for (int i = 0; i < 300; i++) {
+        for (int i = 0; i < 100; i++) {
             uint8_t *at = &file.bytes[random_below(&random, (uint32_t)file.size)], before = *at;
             *at = (uint8_t)random_below(&random, 256);
             const struct image_reading reading = read_image(file.bytes, file.size);
@@ -94,9 +94,6 @@ TEST(other_files_are_refused)
                          huge[] = "RIFF\x16\0\0\0WEBPVP8X\x0A\0\0\0\0\0\0\0\xFF\x3F\0\xFF\x3F\0";
     assert_refused(moving, sizeof moving - 1, "an animated WebP; those of one picture are read");
     assert_refused(huge, sizeof huge - 1, "an image of 16384 x 16384 texels");
-    struct file file = make_file(1100, 1000, 1);
-    assert_refused(file.bytes, file.size, "1100 x 1000");
-    WebPFree(file.bytes);
 }
 
 TEST(a_ceiling_is_kept)
