@@ -178,7 +178,7 @@ struct zr_gltf {
     struct zr_file_scene *made;
     size_t made_bytes; /* bytes of the meshes' arrays so far */
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
-        bad_lights, reflectances, gloss_textures;
+        bad_lights, specular_textures, gloss_textures;
     bool has_fallbacks;         /* a material replaces others of the file, whose images may be unused */
     uint32_t unread_extensions; /* used extensions that are not read; their names: */
     struct zr_names_text extensions;

@@ -155,7 +155,7 @@ static bool read_extensions(struct zr_gltf *file, const struct zr_json_path *pat
     if (given.unlit)
         out->face_style.shading = ZR_SHADING_UNLIT;
     else if (given.ior || given.specular)
-        zr_gltf_note_reflectance(file, path, given.ior, given.specular);
+        zr_gltf_read_reflectance(file, path, given.ior, given.specular, out);
     if (given.glossiness) read_glossy(file, ZR_JSON_KEY(path, extension_fields[GLOSSINESS].key), given.glossiness, out);
     if (!given.strength) return given.glossiness != NULL;
     there = zr_json_at(&file->root.json, given.strength);

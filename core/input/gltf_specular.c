@@ -48,23 +48,41 @@ static const struct zr_json_object ior_object = ZR_JSON_OBJECT_OF("KHR_materials
 static const struct zr_json_object specular_object = ZR_JSON_OBJECT_OF("KHR_materials_specular", specular_fields);
 enum { TEXTURES = 1 << 2 | 1 << 3 };
 
-void zr_gltf_note_reflectance(struct zr_gltf *file, const struct zr_json_path *path, const char *ior,
-                              const char *specular)
+static double clamp(struct zr_gltf *file, const struct zr_json_path *path, double value, double low, double high)
+{
+    if (value >= low && value <= high) return value;
+    zr_gltf_note(&file->clamped, path);
+    return value > low ? high : low;
+}
+
+/* An index of 0 reflects all light, as the extension says. */
+static void read_ior(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
+                     struct zr_parsed_material *out)
+{
+    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct given_reflectance given = {.ior = 1.5};
+    uint64_t keys;
+    zr_gltf_fields(file, &there, path, &ior_object, &given, &keys);
+    out->ior = given.ior == 0.0 ? FLT_MAX : (float)clamp(file, ZR_JSON_KEY(path, "ior"), given.ior, 1.0, FLT_MAX);
+    out->keys |= UINT64_C(1) << ZR_MATERIAL_IOR;
+}
+
+void zr_gltf_read_reflectance(struct zr_gltf *file, const struct zr_json_path *path, const char *ior,
+                              const char *specular, struct zr_parsed_material *out)
 {
     struct given_reflectance given = {1.5, 1, {1, 1, 1}};
     uint64_t keys = 0;
-    if (ior) {
-        struct zr_json there = zr_json_at(&file->root.json, ior);
-        zr_gltf_fields(file, &there, ZR_JSON_KEY(path, ior_object.name), &ior_object, &given, &keys);
-    }
-    keys = 0;
-    if (specular) {
-        struct zr_json there = zr_json_at(&file->root.json, specular);
-        zr_gltf_fields(file, &there, ZR_JSON_KEY(path, specular_object.name), &specular_object, &given, &keys);
-    }
-    if (given.ior != 1.5 || given.factor != 1 || given.color[0] != 1 || given.color[1] != 1 || given.color[2] != 1 ||
-        keys & TEXTURES)
-        zr_gltf_note(&file->reflectances, path->parent);
+    if (ior) read_ior(file, ZR_JSON_KEY(path, ior_object.name), ior, out);
+    if (!specular) return;
+    const struct zr_json_path *at = ZR_JSON_KEY(path, specular_object.name);
+    struct zr_json there = zr_json_at(&file->root.json, specular);
+    zr_gltf_fields(file, &there, at, &specular_object, &given, &keys);
+    if (keys & TEXTURES) zr_gltf_note(&file->specular_textures, at);
+    out->specular_factor = (float)clamp(file, ZR_JSON_KEY(at, "specularFactor"), given.factor, 0.0, 1.0);
+    for (int k = 0; k < 3; k++)
+        given.color[k] = clamp(file, ZR_JSON_KEY(at, "specularColorFactor"), given.color[k], 0.0, FLT_MAX);
+    out->specular_color = (zr_vec3){(float)given.color[0], (float)given.color[1], (float)given.color[2]};
+    out->keys |= UINT64_C(1) << ZR_MATERIAL_SPECULAR_FACTOR | UINT64_C(1) << ZR_MATERIAL_SPECULAR_COLOR;
 }
 
 /* ---- KHR_materials_pbrSpecularGlossiness ---- */
@@ -84,13 +102,6 @@ static const struct zr_json_field glossiness_fields[] = {
 #undef AT
 static const struct zr_json_object glossiness_object =
     ZR_JSON_OBJECT_OF("KHR_materials_pbrSpecularGlossiness", glossiness_fields);
-
-static double clamp(struct zr_gltf *file, const struct zr_json_path *path, double value)
-{
-    if (value >= 0.0 && value <= 1.0) return value;
-    zr_gltf_note(&file->clamped, path);
-    return value > 0.0 ? 1.0 : 0.0;
-}
 
 static double within(double value)
 {
@@ -133,10 +144,10 @@ void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *pa
     uint64_t keys;
     zr_gltf_fields(file, &there, path, &glossiness_object, &given, &keys);
     for (int k = 0; k < 4; k++)
-        given.diffuse[k] = clamp(file, ZR_JSON_KEY(path, "diffuseFactor"), given.diffuse[k]);
+        given.diffuse[k] = clamp(file, ZR_JSON_KEY(path, "diffuseFactor"), given.diffuse[k], 0.0, 1.0);
     for (int k = 0; k < 3; k++)
-        given.specular[k] = clamp(file, ZR_JSON_KEY(path, "specularFactor"), given.specular[k]);
-    double glossiness = clamp(file, ZR_JSON_KEY(path, "glossinessFactor"), given.glossiness);
+        given.specular[k] = clamp(file, ZR_JSON_KEY(path, "specularFactor"), given.specular[k], 0.0, 1.0);
+    double glossiness = clamp(file, ZR_JSON_KEY(path, "glossinessFactor"), given.glossiness, 0.0, 1.0);
     if (given.texture) { /* half as glossy as its factor, and without metal: the factors only scale the texture */
         zr_gltf_note(&file->gloss_textures, path);
         for (int k = 0; k < 3; k++)

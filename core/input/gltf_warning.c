@@ -43,11 +43,12 @@ void zr_gltf_warn(struct zr_gltf *file)
     warn_of(file, colors, &file->no_texcoords, "without the texture coordinates of its material: they are 0, 0",
             "primitives lack texture coordinates of their materials, which are 0, 0");
     warn_of(file, colors, &file->no_source, "without a source, and not drawn", "textures are without a source");
-    warn_of(file, colors, &file->reflectances, "drawn without KHR_materials_ior and KHR_materials_specular",
-            "materials are drawn without KHR_materials_ior and KHR_materials_specular");
+    warn_of(file, colors, &file->specular_textures, "drawn without its textures",
+            "materials are drawn without the textures of KHR_materials_specular");
     warn_of(file, colors, &file->gloss_textures, "drawn without its specularGlossinessTexture",
             "materials are drawn without their specularGlossinessTexture");
-    warn_of(file, colors, &file->clamped, "beyond 0 to 1, and clamped", "factors are beyond 0 to 1 and are clamped");
+    warn_of(file, colors, &file->clamped, "beyond its range, and clamped",
+            "factors are beyond their ranges and are clamped");
     warn_of(file, &file->made->light_warnings, &file->bad_lights, "this light cannot be used, and is left out",
             "lights cannot be used and are left out");
     for (size_t i = 0; !builder->asset_uses && !file->has_fallbacks && i < file->root.assets.count; i++)

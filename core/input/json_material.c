@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,7 @@
 #define SHININESS_MAX 10000.0
 
 #define EMISSIVE_MAX 1e6
+#define IOR_MAX      100.0
 
 /* ---- outlines ---- */
 
@@ -58,6 +60,13 @@ static const struct zr_json_field fields[] = {
                               .text = "pbr: metalness, 0 (plastic) to 1 (metal)"},
     [ZR_MATERIAL_ROUGHNESS] = {"roughnessFactor", zr_json_float, AT(roughness), 0, 1, .otherwise = "the look's; 0.55",
                                .text = "pbr: roughness, 0 (mirror) to 1 (matt)"},
+    [ZR_MATERIAL_IOR] = {"ior", zr_json_float, AT(ior), 1, IOR_MAX, .otherwise = "1.5",
+                         .text = "pbr: index of refraction of plastics"},
+    [ZR_MATERIAL_SPECULAR_FACTOR] = {"specularFactor", zr_json_float, AT(specular_factor), 0, 1, .otherwise = "1",
+                                     .text = "pbr: factor of the reflection of plastics"},
+    [ZR_MATERIAL_SPECULAR_COLOR] = {"specularColorFactor", read_emissive, AT(specular_color), 0, EMISSIVE_MAX,
+                                    .otherwise = "[1, 1, 1]",
+                                    .text = "pbr: colour of the reflection of plastics, linear"},
     [ZR_MATERIAL_EMISSIVE] = {"emissiveFactor", read_emissive, AT(emissive), 0, EMISSIVE_MAX, .otherwise = "[0, 0, 0]",
                               .text = "pbr: emitted light, linear"},
     [ZR_MATERIAL_COOL] = {"cool", zr_json_color, AT(cool), .otherwise = "the look's; #9fb0c3",
@@ -158,6 +167,22 @@ static zr_vec3 rgb(zr_vec4 color)
     return (zr_vec3){color.x, color.y, color.z};
 }
 
+/* Source: KHR_materials_ior and KHR_materials_specular. */
+static void put_reflectance(const struct zr_parsed_material *given, struct zr_material *material)
+{
+    const bool has_ior = zr_json_gives(given->keys, ZR_MATERIAL_IOR),
+               has_factor = zr_json_gives(given->keys, ZR_MATERIAL_SPECULAR_FACTOR),
+               has_color = zr_json_gives(given->keys, ZR_MATERIAL_SPECULAR_COLOR);
+    if (!has_ior && !has_factor && !has_color) return;
+    const double ior = has_ior ? (double)given->ior : 1.5, root = (ior - 1.0) / (ior + 1.0), of_ior = root * root;
+    const double factor = has_factor ? (double)given->specular_factor : 1.0;
+    const zr_vec3 color = has_color ? given->specular_color : (zr_vec3){1, 1, 1};
+    material->reflectance = (zr_vec3){(float)(factor * fmin(of_ior * (double)color.x, 1.0)),
+                                      (float)(factor * fmin(of_ior * (double)color.y, 1.0)),
+                                      (float)(factor * fmin(of_ior * (double)color.z, 1.0))};
+    material->grazing = (float)factor;
+}
+
 /* The material's keys override the look's values. */
 static void put_values(const struct zr_parsed_material *given, struct zr_material *material)
 {
@@ -166,6 +191,7 @@ static void put_values(const struct zr_parsed_material *given, struct zr_materia
     if (zr_json_gives(given->keys, ZR_MATERIAL_METALLIC)) material->metallic = given->metallic;
     if (zr_json_gives(given->keys, ZR_MATERIAL_ROUGHNESS)) material->roughness = given->roughness;
     if (zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE)) material->emissive = given->emissive;
+    put_reflectance(given, material);
     if (zr_json_gives(given->keys, ZR_MATERIAL_COOL)) material->cool = rgb(given->cool);
 }
 
@@ -197,6 +223,9 @@ static uint32_t shadings_of(int key)
         return ZR_SHADINGS_SPECULAR;
     case ZR_MATERIAL_METALLIC:
     case ZR_MATERIAL_ROUGHNESS:
+    case ZR_MATERIAL_IOR:
+    case ZR_MATERIAL_SPECULAR_FACTOR:
+    case ZR_MATERIAL_SPECULAR_COLOR:
     case ZR_MATERIAL_EMISSIVE:
     case ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE:
     case ZR_MATERIAL_EMISSIVE_TEXTURE:

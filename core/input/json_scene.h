@@ -44,6 +44,9 @@ enum zr_material_key {
     ZR_MATERIAL_SHININESS,
     ZR_MATERIAL_METALLIC,
     ZR_MATERIAL_ROUGHNESS,
+    ZR_MATERIAL_IOR,
+    ZR_MATERIAL_SPECULAR_FACTOR,
+    ZR_MATERIAL_SPECULAR_COLOR,
     ZR_MATERIAL_EMISSIVE,
     ZR_MATERIAL_COOL,
     ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE,
@@ -59,8 +62,8 @@ struct zr_parsed_material {
     size_t number; /* index in the text's list */
     uint64_t keys; /* bit i: key i is given; the look has the others */
     zr_vec4 base_color, specular, cool;
-    float shininess, metallic, roughness;
-    zr_vec3 emissive;
+    float shininess, metallic, roughness, ior, specular_factor;
+    zr_vec3 emissive, specular_color;
     struct zr_parsed_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
     bool is_used, is_masked, is_blended; /* used by a mesh; by one with the alphaMode MASK; by one with BLEND */

@@ -85,6 +85,7 @@ static const struct zr_light outdoor_lights[] = {
                  .shininess = 32,                                                                                      \
                  .metallic = (metal),                                                                                  \
                  .roughness = (rough),                                                                                 \
+                 ZR_MATERIAL_PLASTIC,                                                                                  \
                  .cool = RGB(COOL)}
 
 /* Elevation: isometric views show cars and animals from too high, and below 25 degrees plates become slivers. Angle of
@@ -173,7 +174,11 @@ const struct zr_look zr_looks[] = {
                  OCCLUSION(false, 2),
                  EDGES(false, INK)},
      .background = OPAQUE(0xffffff),
-     .material = {.base_color = {0.7f, 0.7f, 0.7f, 1}, .shininess = 32, .roughness = 0.55f, .cool = RGB(COOL)},
+     .material = {.base_color = {0.7f, 0.7f, 0.7f, 1},
+                  .shininess = 32,
+                  .roughness = 0.55f,
+                  ZR_MATERIAL_PLASTIC,
+                  .cool = RGB(COOL)},
      .shades_by_mesh = true,
      .ambient = {0.34f, 0.34f, 0.34f},
      LIGHTS(textbook_lights),

@@ -42,6 +42,8 @@ struct zr_material {
     zr_vec3 specular;   /* ZR_SHADING_PHONG */
     float shininess;
     float metallic, roughness; /* ZR_SHADING_PBR, 0..1 */
+    zr_vec3 reflectance;       /* ZR_SHADING_PBR: of plastics, at normal incidence, 0..1 */
+    float grazing;             /* ZR_SHADING_PBR: of plastics, at grazing incidence, 0..1 */
     zr_vec3 emissive;          /* ZR_SHADING_PBR: emitted light, linear */
     zr_vec3 cool;              /* ZR_SHADING_GOOCH: colour of the side away from the light */
     enum zr_shading shading;
@@ -54,6 +56,9 @@ struct zr_material {
     float normal_scale;                  /* ZR_TEXTURE_NORMAL: factor on x and y */
     float occlusion_strength;            /* ZR_TEXTURE_OCCLUSION, 0..1 */
 };
+
+/* Initial values of a plastic with the index of refraction 1.5. */
+#define ZR_MATERIAL_PLASTIC .reflectance = {0.04f, 0.04f, 0.04f}, .grazing = 1.0f
 
 static inline bool zr_material_has_textures(const struct zr_material *material)
 {

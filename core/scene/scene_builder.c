@@ -42,6 +42,7 @@ static bool is_same(const struct zr_material *a, const struct zr_material *b)
            a->uniform_color == b->uniform_color && a->outline == b->outline && a->shininess == b->shininess &&
            a->metallic == b->metallic && a->roughness == b->roughness && zr_vec4_equal(a->base_color, b->base_color) &&
            zr_vec4_equal(a->outline_color, b->outline_color) && is_same_color(a->specular, b->specular) &&
+           is_same_color(a->reflectance, b->reflectance) && a->grazing == b->grazing &&
            is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
            a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff && a->normal_scale == b->normal_scale &&
            a->occlusion_strength == b->occlusion_strength && memcmp(a->textures, b->textures, sizeof a->textures) == 0;
@@ -50,12 +51,12 @@ static bool is_same(const struct zr_material *a, const struct zr_material *b)
 /* Returns equal values for equal materials. Source: FNV-1a, by words. */
 static uint32_t hash(const struct zr_material *m)
 {
-    const float numbers[] = {m->base_color.x,    m->base_color.y,    m->base_color.z,    m->base_color.w,
-                             m->shininess,       m->specular.x,      m->specular.y,      m->specular.z,
-                             m->outline_color.x, m->outline_color.y, m->outline_color.z, m->outline_color.w,
-                             m->metallic,        m->roughness,       m->emissive.x,      m->emissive.y,
-                             m->emissive.z,      m->cool.x,          m->cool.y,          m->cool.z,
-                             m->alpha_cutoff};
+    const float numbers[] = {
+        m->base_color.x,    m->base_color.y,    m->base_color.z,  m->base_color.w,    m->shininess,
+        m->specular.x,      m->specular.y,      m->specular.z,    m->outline_color.x, m->outline_color.y,
+        m->outline_color.z, m->outline_color.w, m->metallic,      m->roughness,       m->emissive.x,
+        m->emissive.y,      m->emissive.z,      m->cool.x,        m->cool.y,          m->cool.z,
+        m->alpha_cutoff,    m->reflectance.x,   m->reflectance.y, m->reflectance.z,   m->grazing};
     uint32_t value = 2166136261u, word;
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         const float number = numbers[i] + 0.0f; /* -0 equals 0 */

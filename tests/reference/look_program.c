@@ -63,7 +63,8 @@ static const char *const declarations =
     "uniform vec2 lamp_end[64];\n"   /* cos of the inner angle; range, or 0 */
     "uniform vec2 split[1024];\n"    /* rows of 32 columns: A, B */
     "uniform vec3 specular, emissive, cool;\n"
-    "uniform float shininess, metallic, roughness;\n"
+    "uniform float shininess, metallic, roughness, grazing;\n"
+    "uniform vec3 reflectance;\n"
     "vec3 decode(vec3 c)\n"
     "{\n"
     "    vec3 curve = pow((c + 0.055) / 1.055, vec3(2.4)), line = c / 12.92;\n"
@@ -218,7 +219,7 @@ static const char *const pbr =
     "    vec3 sine = cross(n, h);\n"
     "    float s = dot(sine, sine) + nh * nh * a2, D = nh > 0.0 ? a2 / (pi * s * s) : 0.0;\n"
     "    float V = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));\n"
-    "    vec3 f0 = mix(vec3(0.04), own, metal), F = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);\n"
+    "    vec3 f0 = mix(reflectance, own, metal), F = f0 + (mix(grazing, 1.0, metal) - f0) * pow(1.0 - vh, 5.0);\n"
     "    vec3 brdf = (1.0 - F) * (1.0 - metal) * own / pi + F * D * V;\n"
     "    return pi * lamp_light(i) * brdf * nl;\n"
     "}\n"
@@ -243,8 +244,9 @@ static const char *const pbr =
     "    L *= open;\n"
     "    vec2 AB = split_at(nv);\n"
     "    float Ems = 1.0 - AB.x - AB.y;\n"
-    "    vec3 f0 = mix(vec3(0.04), own, metal), c = own * (1.0 - metal);\n"
-    "    vec3 Fss = f0 * AB.x + AB.y, Favg = f0 + (1.0 - f0) / 21.0, Fms = Fss * Favg / (1.0 - Ems * Favg);\n"
+    "    vec3 f0 = mix(reflectance, own, metal), c = own * (1.0 - metal);\n"
+    "    float f90 = mix(grazing, 1.0, metal);\n"
+    "    vec3 Fss = f0 * AB.x + f90 * AB.y, Favg = f0 + (f90 - f0) / 21.0, Fms = Fss * Favg / (1.0 - Ems * Favg);\n"
     "    return Fss * L + (Fms * Ems + c * (1.0 - Fss - Fms * Ems)) * E + lamps;\n"
     "}\n";
 

@@ -41,6 +41,8 @@ static void set_material(GLuint program, const struct zr_material *material)
     glUniform1f(glGetUniformLocation(program, "shininess"), material->shininess);
     glUniform1f(glGetUniformLocation(program, "metallic"), material->metallic);
     glUniform1f(glGetUniformLocation(program, "roughness"), material->roughness);
+    glUniform1f(glGetUniformLocation(program, "grazing"), material->grazing);
+    glUniform3fv(glGetUniformLocation(program, "reflectance"), 1, &material->reflectance.x);
     glUniform3fv(glGetUniformLocation(program, "specular"), 1, &material->specular.x);
     glUniform3fv(glGetUniformLocation(program, "emissive"), 1, &material->emissive.x);
     glUniform3fv(glGetUniformLocation(program, "cool"), 1, &material->cool.x);

@@ -412,7 +412,7 @@ TEST(what_is_left_out_is_warned_of)
         {FILE_OF(NODE "," MESH(",\"indices\":1,\"extras\":{\"x\":1},\"extensions\":{\"Y\":{}}")), NULL},
         {FILE_OF(NODE "," MESH(",\"indices\":1,\"material\":0") ",\"materials\":[{\"pbrMetallicRoughness\":{"
                                                                 "\"baseColorFactor\":[2,0,0,1]}}]"),
-         "/materials/0/pbrMetallicRoughness/baseColorFactor: beyond 0 to 1, and clamped"}};
+         "/materials/0/pbrMetallicRoughness/baseColorFactor: beyond its range, and clamped"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct reading *reading = read_file(cases[i].text);
         assert_int_equal(reading->scene->warning_count, cases[i].warning ? 1 : 0);

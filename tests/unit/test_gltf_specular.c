@@ -45,7 +45,7 @@ TEST(specular_and_glossiness_become_metallic_and_roughness)
          0,
          0.5f},
         {GLOSSY("\"diffuseFactor\":[2,0,0,1],\"specularFactor\":[0,0,0]"),
-         "/materials/0/extensions/KHR_materials_pbrSpecularGlossiness/diffuseFactor: beyond 0 to 1, and clamped",
+         "/materials/0/extensions/KHR_materials_pbrSpecularGlossiness/diffuseFactor: beyond its range, and clamped",
          {1, 0, 0, 1},
          0,
          0}};
@@ -65,23 +65,43 @@ TEST(specular_and_glossiness_become_metallic_and_roughness)
     }
 }
 
-TEST(only_another_reflectance_is_warned_of)
+TEST(reflectances_are_read)
 {
     static const struct {
-        const char *text;
-        bool is_warned_of;
-    } cases[] = {{FILE_OF("\"KHR_materials_ior\":{\"ior\":1.5}"), false},
-                 {FILE_OF("\"KHR_materials_ior\":{\"ior\":1.33}"), true},
-                 {FILE_OF("\"KHR_materials_specular\":{\"specularFactor\":1,\"specularColorFactor\":[1,1,1]}"), false},
-                 {FILE_OF("\"KHR_materials_specular\":{\"specularFactor\":0}"), true},
-                 {FILE_OF("\"KHR_materials_specular\":{\"specularColorTexture\":{\"index\":0}}"), true},
-                 {FILE_OF("\"KHR_materials_specular\":{\"specularFactor\":0},\"KHR_materials_unlit\":{}"), false}};
+        const char *text, *warning;
+        zr_vec3 reflectance;
+        float grazing;
+    } cases[] = {{FILE_OF("\"KHR_materials_ior\":{\"ior\":1.5}"), NULL, {0.04f, 0.04f, 0.04f}, 1},
+                 {FILE_OF("\"KHR_materials_ior\":{\"ior\":3}"), NULL, {0.25f, 0.25f, 0.25f}, 1},
+                 {FILE_OF("\"KHR_materials_ior\":{\"ior\":0}"), NULL, {1, 1, 1}, 1},
+                 {FILE_OF("\"KHR_materials_ior\":{\"ior\":0.5}"),
+                  "/materials/0/extensions/KHR_materials_ior/ior: beyond its range, and clamped",
+                  {0, 0, 0},
+                  1},
+                 {FILE_OF("\"KHR_materials_ior\":{\"ior\":3},\"KHR_materials_specular\":{\"specularFactor\":0.5,"
+                          "\"specularColorFactor\":[1,2,8]}"),
+                  NULL,
+                  {0.125f, 0.25f, 0.5f},
+                  0.5f},
+                 {FILE_OF("\"KHR_materials_specular\":{\"specularColorTexture\":{\"index\":0}}"),
+                  "/materials/0/extensions/KHR_materials_specular: drawn without its textures",
+                  {0.04f, 0.04f, 0.04f},
+                  1},
+                 {FILE_OF("\"KHR_materials_specular\":{\"specularFactor\":0},\"KHR_materials_unlit\":{}"),
+                  NULL,
+                  {0.04f, 0.04f, 0.04f},
+                  1}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct reading *reading = read_file(cases[i].text);
-        assert_int_equal(reading->scene->warning_count, cases[i].is_warned_of ? 1 : 0);
-        if (cases[i].is_warned_of)
-            assert_string_equal(reading->scene->warnings[0],
-                                "/materials/0: drawn without KHR_materials_ior and KHR_materials_specular");
+        const struct zr_scene *scene = reading->scene;
+        const struct zr_material *found = &scene->materials[scene->meshes[0].material];
+        const zr_vec3 wanted = cases[i].reflectance;
+        if (fabsf(found->reflectance.x - wanted.x) > 1e-6f || fabsf(found->reflectance.y - wanted.y) > 1e-6f ||
+            fabsf(found->reflectance.z - wanted.z) > 1e-6f || found->grazing != cases[i].grazing)
+            fail_msg("case %zu: %g %g %g, %g", i, (double)found->reflectance.x, (double)found->reflectance.y,
+                     (double)found->reflectance.z, (double)found->grazing);
+        assert_int_equal(scene->warning_count, cases[i].warning ? 1 : 0);
+        if (cases[i].warning) assert_string_equal(scene->warnings[0], cases[i].warning);
         reading_free(reading);
     }
 }

@@ -233,7 +233,8 @@ TEST_EACH_ISA(strong_light_is_white)
 TEST_EACH_ISA(light_from_straight_behind_changes_nothing)
 {
     const enum zr_isa isa = isa_under_test(state);
-    static const struct zr_material metal = {.shading = ZR_SHADING_PBR, .roughness = 0.5f, .metallic = 0.5f};
+    static const struct zr_material metal = {
+        .shading = ZR_SHADING_PBR, ZR_MATERIAL_PLASTIC, .roughness = 0.5f, .metallic = 0.5f};
     static const struct zr_lamp behind = {.to_light = {0, 0, -1}, .color = {1, 1, 1}, .lights_pbr = true};
     struct zr_linear_lighting lighting = no_light(&metal);
     lighting.lights.ambient = (zr_vec3){0.5f, 0.5f, 0.5f};

@@ -29,7 +29,7 @@ static void fill(struct row *row, size_t count, uint32_t owner, uint32_t materia
 
 static void light(struct row *row, enum zr_isa isa, size_t count)
 {
-    static const struct zr_material material = {.shading = ZR_SHADING_PBR, .roughness = 0.5f};
+    static const struct zr_material material = {.shading = ZR_SHADING_PBR, ZR_MATERIAL_PLASTIC, .roughness = 0.5f};
     struct zr_gbuffer samples = {
         .width = (int32_t)count, .height = 1, .stride = ROOM, .owner = row->owner, .material = row->material};
     struct zr_linear_lighting lighting = {.materials = &material,

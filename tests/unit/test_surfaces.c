@@ -18,6 +18,7 @@ static void make_materials(struct random *r, enum zr_shading shading)
 {
     for (int i = 0; i < MATERIALS; i++)
         materials[i] = (struct zr_material){.shading = shading,
+                                            ZR_MATERIAL_PLASTIC,
                                             .metallic = i % 3 == 2 ? any(r, 0, 1) : (float)(i % 3),
                                             .roughness = i < 6 ? (float)(i / 3) : any(r, 0, 1),
                                             .specular = i % 2 ? any3(r, 0, 0.5) : (zr_vec3){0, 0, 0},
@@ -59,8 +60,10 @@ static struct zr_environment_light uniform_environment(void)
 static void furnace(enum zr_isa isa, const struct zr_linear_lighting *lighting, double *least, double *most)
 {
     for (size_t i = 0; i < MATERIALS; i++)
-        materials[i] = (struct zr_material){
-            .shading = ZR_SHADING_PBR, .metallic = (float)(i % 2), .roughness = (float)(i / 2) / (MATERIALS / 2 - 1)};
+        materials[i] = (struct zr_material){.shading = ZR_SHADING_PBR,
+                                            ZR_MATERIAL_PLASTIC,
+                                            .metallic = (float)(i % 2),
+                                            .roughness = (float)(i / 2) / (MATERIALS / 2 - 1)};
     samples_clear(&samples);
     for (size_t i = 0; i < SAMPLES; i++) {
         const float nv = 0.05f + 0.95f * (float)(i / MATERIALS) / (SAMPLES / MATERIALS - 1);

@@ -3,9 +3,9 @@
  * Lamps:   glTF 2.0, appendix B: a mix of Lambert's diffuse and GGX's specular term with height-correlated Smith and
  *          Schlick. A lamp of colour 1 has the irradiance pi at normal incidence.
  * Ambient: the split sum (dfg.h), and light that bounces between the microfacets, so that no energy is lost: Fss = F0 A
- *          + B, Ems = 1 - A - B, Favg = F0 + (1 - F0) / 21, Fms = Fss Favg / (1 - Ems Favg). The colour is Fss L(R) +
- *          (Fms Ems + c (1 - Fss - Fms Ems)) E(N).
- * Source:  Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", 2019.
+ *          + F90 B, Ems = 1 - A - B, Favg = F0 + (F90 - F0) / 21, Fms = Fss Favg / (1 - Ems Favg). The colour is Fss
+ * L(R) + (Fms Ems + c (1 - Fss - Fms Ems)) E(N). Source:  Fdez-Aguera, "A Multiple-Scattering Microfacet Model for
+ * Real-Time Image-based Lighting", 2019.
  */
 #ifndef ZR_PBR_SIMD_H
 #define ZR_PBR_SIMD_H
@@ -82,6 +82,7 @@ static inline void zr_dfg_at_each_v(zr_vf roughness, zr_vf facing, zr_vf *a, zr_
 /* Reflection properties of a surface. */
 struct zr_pbr_v {
     struct zr_vec3_v diffuse, f0; /* base (1 - metallic); reflectance at normal incidence */
+    zr_vf f90;                    /* at grazing incidence */
     zr_vf facing;                 /* N.V, above 0 */
     float alpha;                  /* of untextured surfaces */
     zr_vf alphas;                 /* of textured ones, per lane */
@@ -89,12 +90,13 @@ struct zr_pbr_v {
 
 static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, const struct zr_shading_v *s)
 {
-    const zr_vf one = zr_vf_set(1.0f), plastic = zr_vf_set(0.04f);
+    const zr_vf one = zr_vf_set(1.0f), grazing = zr_vf_set(material->grazing);
     const zr_vf metallic = s->textured ? s->textured->metallic : zr_vf_set(material->metallic);
-    const struct zr_vec3_v dielectric = {plastic, plastic, plastic};
+    const struct zr_vec3_v dielectric = zr_spread_v(material->reflectance);
     struct zr_pbr_v pbr = {.diffuse =
                                zr_scale_v(s->base, s->textured ? one - metallic : zr_vf_set(1.0f - material->metallic)),
                            .f0 = zr_mix3_v(dielectric, s->base, metallic),
+                           .f90 = zr_mix_v(grazing, one, metallic),
                            .facing = zr_vf_min(zr_vf_max(zr_dot_v(s->normal, s->to_eye), zr_vf_set(1e-4f)), one),
                            .alpha = material->roughness * material->roughness};
     if (s->textured) pbr.alphas = s->textured->roughness * s->textured->roughness;
@@ -104,10 +106,11 @@ static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, co
 /* ---- ambient light ---- */
 
 /* Returns one channel of the reflected ambient light. `ambient`: E, `mirrored`: L, both as they reach the surface. */
-static inline zr_vf zr_pbr_ambient_v(zr_vf f0, zr_vf diffuse, zr_vf a, zr_vf b, zr_vf ambient, zr_vf mirrored)
+static inline zr_vf zr_pbr_ambient_v(zr_vf f0, zr_vf f90, zr_vf diffuse, zr_vf a, zr_vf b, zr_vf ambient,
+                                     zr_vf mirrored)
 {
-    const zr_vf one = zr_vf_set(1.0f), single = f0 * a + b, lost = one - a - b;
-    const zr_vf average = f0 + (one - f0) * zr_vf_set(1.0f / 21.0f);
+    const zr_vf one = zr_vf_set(1.0f), single = f0 * a + f90 * b, lost = one - a - b;
+    const zr_vf average = f0 + (f90 - f0) * zr_vf_set(1.0f / 21.0f);
     const zr_vf several = ZR_MUTANT(bounces_once, single * average / (one - lost * average) * lost, zr_vf_set(0.0f));
     return single * mirrored + (several + diffuse * (one - single - several)) * ambient;
 }
@@ -164,9 +167,10 @@ ZR_INLINED struct zr_vec3_v zr_pbr_from_ambient_v(const struct zr_linear_lightin
     } else {
         zr_dfg_at_v(columns, pbr->facing, &a, &b);
     }
-    return (struct zr_vec3_v){zr_pbr_ambient_v(pbr->f0.x, pbr->diffuse.x, a, b, ambient.diffuse.x, ambient.specular.x),
-                              zr_pbr_ambient_v(pbr->f0.y, pbr->diffuse.y, a, b, ambient.diffuse.y, ambient.specular.y),
-                              zr_pbr_ambient_v(pbr->f0.z, pbr->diffuse.z, a, b, ambient.diffuse.z, ambient.specular.z)};
+    return (struct zr_vec3_v){
+        zr_pbr_ambient_v(pbr->f0.x, pbr->f90, pbr->diffuse.x, a, b, ambient.diffuse.x, ambient.specular.x),
+        zr_pbr_ambient_v(pbr->f0.y, pbr->f90, pbr->diffuse.y, a, b, ambient.diffuse.y, ambient.specular.y),
+        zr_pbr_ambient_v(pbr->f0.z, pbr->f90, pbr->diffuse.z, a, b, ambient.diffuse.z, ambient.specular.z)};
 }
 
 /* ---- lamps ---- */
@@ -190,9 +194,9 @@ static inline zr_vf zr_ggx_v(zr_vf square, zr_vf rest, zr_vf nh, zr_vf square_si
     return zr_vf_select(ZR_MUTANT(ggx_from_behind, zr_vf_lt(zero, nh), ZR_ALL_LANES), reflected, zero);
 }
 
-static inline zr_vf zr_pbr_reflected_v(zr_vf f0, zr_vf diffuse, zr_vf fresnel, zr_vf specular)
+static inline zr_vf zr_pbr_reflected_v(zr_vf f0, zr_vf f90, zr_vf diffuse, zr_vf fresnel, zr_vf specular)
 {
-    const zr_vf f = f0 + (zr_vf_set(1.0f) - f0) * fresnel;
+    const zr_vf f = f0 + (f90 - f0) * fresnel;
     return f * specular + (zr_vf_set(1.0f) - f) * diffuse;
 }
 
@@ -215,9 +219,9 @@ static inline struct zr_vec3_v zr_pbr_from_v(struct zr_vec3_v to_light, zr_vec3 
                                     zr_vf_max(nl, zr_vf_set(1e-6f)));
     const zr_vf away = one - vh, square = away * away;
     const zr_vf fresnel = ZR_MUTANT(fresnel_of_4th_power, square * square * away, square * square);
-    const struct zr_vec3_v reflected = {zr_pbr_reflected_v(pbr->f0.x, pbr->diffuse.x, fresnel, specular),
-                                        zr_pbr_reflected_v(pbr->f0.y, pbr->diffuse.y, fresnel, specular),
-                                        zr_pbr_reflected_v(pbr->f0.z, pbr->diffuse.z, fresnel, specular)};
+    const struct zr_vec3_v reflected = {zr_pbr_reflected_v(pbr->f0.x, pbr->f90, pbr->diffuse.x, fresnel, specular),
+                                        zr_pbr_reflected_v(pbr->f0.y, pbr->f90, pbr->diffuse.y, fresnel, specular),
+                                        zr_pbr_reflected_v(pbr->f0.z, pbr->f90, pbr->diffuse.z, fresnel, specular)};
     return zr_scale_v(zr_mul_v(zr_spread_v(color), reflected), nl * share);
 }
 
