@@ -33,19 +33,38 @@ static enum zr_status refuse(const void *bytes, size_t size, struct zr_reason *r
     return ZR_BAD_SCENE;
 }
 
-static enum zr_status decode(struct zr_arena *arena, const void *bytes, size_t size, uint64_t texels_max,
-                             struct zr_kept_image *out, struct zr_reason *reason)
+bool zr_image_head_read(const void *bytes, size_t size, uint64_t texels_max, struct zr_image *head)
+{
+    struct zr_png_head png;
+    struct zr_reason reason;
+    *head = (struct zr_image){.bits = 8};
+    if (zr_png_head_read(bytes, size, &png))
+        *head = (struct zr_image){png.width, png.height, png.bits == 16 ? 16 : 8, NULL};
+    else if (!zr_jpeg_size_read(bytes, size, &head->width, &head->height))
+        return false;
+    return zr_image_fits(head->width, head->height, texels_max, &reason);
+}
+
+enum zr_status zr_image_decode(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
+                               uint64_t texels_max, struct zr_kept_image *out, struct zr_reason *reason)
 {
     struct zr_image *image = &out->image;
     struct zr_png_head head;
     const bool is_png = zr_png_head_read(bytes, size, &head), is_jpeg = zr_jpeg_looks_so(bytes, size);
     if (!is_png && !is_jpeg && !zr_webp_looks_so(bytes, size)) return refuse(bytes, size, reason);
-    struct zr_arena scratch = zr_arena_open_scratch(arena);
-    const enum zr_status status = is_png    ? read_png(arena, &scratch, bytes, size, &head, texels_max, image, reason)
-                                  : is_jpeg ? zr_jpeg_read(arena, &scratch, bytes, size, texels_max, image, reason)
-                                            : zr_webp_read(arena, &scratch, bytes, size, texels_max, image, reason);
+    const enum zr_status status = is_png    ? read_png(arena, scratch, bytes, size, &head, texels_max, image, reason)
+                                  : is_jpeg ? zr_jpeg_read(arena, scratch, bytes, size, texels_max, image, reason)
+                                            : zr_webp_read(arena, scratch, bytes, size, texels_max, image, reason);
     out->texels_max = texels_max;
-    out->scratch_bytes = scratch.peak > scratch.held ? scratch.peak : scratch.held;
+    out->scratch_bytes = scratch->peak > scratch->held ? scratch->peak : scratch->held;
+    return status;
+}
+
+static enum zr_status decode(struct zr_arena *arena, const void *bytes, size_t size, uint64_t texels_max,
+                             struct zr_kept_image *out, struct zr_reason *reason)
+{
+    struct zr_arena scratch = zr_arena_open_scratch(arena);
+    const enum zr_status status = zr_image_decode(arena, &scratch, bytes, size, texels_max, out, reason);
     zr_arena_close_scratch(&scratch, arena);
     return status;
 }
@@ -79,14 +98,12 @@ enum zr_status zr_image_read_kept(struct zr_arena *arena, const struct zr_kept_i
 {
     struct zr_image_hash hash;
     struct zr_kept_image kept;
-    if (!images->find) return zr_image_read(arena, bytes, size, texels_max, image, reason);
-    if (images->find(images->context, bytes, size, &hash, &kept) && accept(arena, &kept, texels_max)) {
-        *image = kept.image;
-        return ZR_OK;
+    enum zr_status status = ZR_OK;
+    if (!images->find || !images->find(images->context, bytes, size, &hash, &kept) ||
+        !accept(arena, &kept, texels_max)) {
+        status = decode(arena, bytes, size, texels_max, &kept, reason);
+        if (status == ZR_OK && images->keep) images->keep(images->context, &hash, &kept);
     }
-    const enum zr_status status = decode(arena, bytes, size, texels_max, &kept, reason);
-    if (status != ZR_OK) return status;
-    images->keep(images->context, &hash, &kept);
-    *image = kept.image;
-    return ZR_OK;
+    if (status == ZR_OK) *image = kept.image;
+    return status;
 }

@@ -22,4 +22,13 @@ enum zr_status zr_image_read(struct zr_arena *arena, const void *bytes, size_t s
 enum zr_status zr_image_read_kept(struct zr_arena *arena, const struct zr_kept_images *images, const void *bytes,
                                   size_t size, uint64_t texels_max, struct zr_image *image, struct zr_reason *reason);
 
+/* Steps of zr_image_read_kept, for several images at once. */
+
+/* Reads the size and the bits of a file without decoding it. False if it may not be decoded. */
+bool zr_image_head_read(const void *bytes, size_t size, uint64_t texels_max, struct zr_image *head);
+
+/* Decodes as zr_image_read. `scratch` is for the libraries: a scratch arena of `arena`, or any other one. */
+enum zr_status zr_image_decode(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
+                               uint64_t texels_max, struct zr_kept_image *out, struct zr_reason *reason);
+
 #endif

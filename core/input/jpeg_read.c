@@ -192,6 +192,30 @@ bool zr_jpeg_looks_so(const void *bytes, size_t size)
     return size >= 3 && memcmp(bytes, "\xFF\xD8\xFF", 3) == 0;
 }
 
+bool zr_jpeg_size_read(const void *bytes, size_t size, uint32_t *width, uint32_t *height)
+{
+    enum { FRAME_HEADER = 9 }; /* marker, length, precision, height, width */
+    const unsigned char *at = bytes;
+    if (!zr_jpeg_looks_so(bytes, size)) return false;
+    for (size_t i = 2; size - i >= FRAME_HEADER && at[i] == 0xFF;) {
+        const unsigned marker = at[i + 1];
+        if (marker == 0xFF) { /* fill byte */
+            i++;
+            continue;
+        }
+        /* SOF0 to SOF15, except DHT, JPG and DAC */
+        if (marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC) {
+            *height = (uint32_t)at[i + 5] << 8 | at[i + 6];
+            *width = (uint32_t)at[i + 7] << 8 | at[i + 8];
+            return true;
+        }
+        const size_t length = 2 + ((size_t)at[i + 2] << 8 | at[i + 3]);
+        if (length > size - i) return false;
+        i += length;
+    }
+    return false;
+}
+
 /* Decodes the picture; errors jump back to the setjmp here, once. Only *reading and its targets change before the
  * jump. */
 static void run(struct reading *reading, const void *bytes, size_t size, uint64_t texels_max, struct zr_image *image)

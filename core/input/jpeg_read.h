@@ -17,6 +17,9 @@
 /* True if the bytes begin like a JPEG. */
 bool zr_jpeg_looks_so(const void *bytes, size_t size);
 
+/* Finds the size in the frame header, without decoding. */
+bool zr_jpeg_size_read(const void *bytes, size_t size, uint32_t *width, uint32_t *height);
+
 /* Decodes a baseline or progressive JPEG: grey, RGB or YCbCr, 8 bits; alpha is 255. Refuses files with a libjpeg
  * warning or without an end. Refuses more than `texels_max` texels (zr_image_fits: input/image_size.h) before it takes
  * memory for them. `scratch` is for libjpeg. ZR_OK, ZR_NO_MEMORY (scratch or arena has failed), ZR_CANCELLED

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "input/image_read.h"
+#include "input/json_image_ahead.h"
 #include "input/json_scene.h"
 
 /* Images per scene: each name is compared with all others. */
@@ -37,6 +38,18 @@ static const struct named *find_bytes(const struct zr_growing *names, const stru
     return NULL;
 }
 
+/* Takes an image that was decoded ahead, or decodes it. */
+static enum zr_status read_image(struct zr_parsed_scene *root, const struct zr_parsed_bytes *bytes, uint64_t texels_max,
+                                 struct zr_image *image, struct zr_reason *reason)
+{
+    const struct zr_image_file *ahead = zr_parsed_ahead_bytes(&root->ahead, bytes);
+    if (!ahead || !ahead->is_decoded || texels_max < ahead->kept.texels_max)
+        return zr_image_read_kept(root->json.arena, &root->assets.images, bytes->bytes, bytes->size, texels_max, image,
+                                  reason);
+    *image = ahead->kept.image;
+    return ZR_OK;
+}
+
 static bool decode(struct zr_parsed_scene *root, const struct zr_json_path *path, struct named *named)
 {
     struct zr_json *json = &root->json;
@@ -45,8 +58,7 @@ static bool decode(struct zr_parsed_scene *root, const struct zr_json_path *path
     const uint64_t quick_most = quick ? quick->image_pixels_max - root->image_pixels : most;
     struct zr_image image;
     struct zr_reason reason;
-    enum zr_status status = zr_image_read_kept(json->arena, &root->assets.images, named->bytes.bytes, named->bytes.size,
-                                               quick_most < most ? quick_most : most, &image, &reason);
+    enum zr_status status = read_image(root, &named->bytes, quick_most < most ? quick_most : most, &image, &reason);
     if (status == ZR_BAD_SCENE && quick_most < most) {
         quick->is_exceeded = true;
         status = ZR_CANCELLED;
@@ -65,7 +77,11 @@ static bool read_named(struct zr_parsed_scene *root, const struct zr_json_path *
     const struct zr_json_path *at = ZR_JSON_KEY(path, named->is_asset ? ZR_BYTES_ASSET : ZR_BYTES_URI);
     if (root->images.count == NAMES_MAX)
         return zr_json_fault(&root->json, at, "more than the %d images that are allowed", NAMES_MAX);
-    if (!zr_parsed_read_named(&root->json, path, name, &named->bytes)) return false;
+    const struct zr_image_file *ahead = zr_parsed_ahead_name(&root->ahead, name);
+    if (ahead)
+        named->bytes = (struct zr_parsed_bytes){ahead->bytes, ahead->size};
+    else if (!zr_parsed_read_named(&root->json, path, name, &named->bytes))
+        return false;
     const struct named *same = find_bytes(&root->images, &named->bytes);
     if (!same) return decode(root, at, named);
     named->image = same->image;

@@ -153,6 +153,16 @@ struct zr_parsed_assets {
     size_t array_bytes;     /* read so far, of arrays that stand for lists */
 };
 
+struct zr_image_file; /* image_ahead.h */
+
+/* Files of images that were found, and perhaps decoded, before the textures that use them are read. */
+enum { ZR_AHEAD_MAX = 128 };
+struct zr_parsed_ahead {
+    size_t count;
+    const struct zr_bytes_name *names; /* NULL: without names */
+    struct zr_image_file *files;
+};
+
 /* A JSON scene while it is read. */
 struct zr_parsed_scene {
     struct zr_json json;
@@ -188,6 +198,7 @@ struct zr_parsed_scene {
 
     struct zr_parsed_assets assets;
     struct zr_growing images; /* decoded images, private to json_image.c */
+    struct zr_parsed_ahead ahead;
     uint64_t image_pixels;    /* decoded pixels, all images */
 
     uint32_t unplaced_meshes;     /* meshes that no node places */

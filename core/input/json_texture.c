@@ -1,6 +1,7 @@
 #include <float.h>
 
 #include "base/trig.h"
+#include "input/json_image_ahead.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 
@@ -206,6 +207,7 @@ static bool find_texture(struct zr_parsed_scene *root, const struct zr_json_path
 
 void zr_parsed_find_textures(struct zr_parsed_scene *root, const struct zr_json_path *path)
 {
+    zr_parsed_read_ahead(root);
     for (size_t i = 0; i < root->material_count && !zr_json_stops(&root->json); i++) {
         struct zr_parsed_material *material = &root->materials[i];
         for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)

@@ -1,6 +1,8 @@
 /* server/images.c: images kept between requests. No answer depends on them. */
+#include "base/team.h"
 #include "images.h"
 #include "scene/image.h"
+#include "support/base64.h"
 #include "support/files.h"
 #include "support/png.h"
 #include "support/scenes.h"
@@ -10,6 +12,7 @@
 #include "input/image_read.h"
 
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -236,18 +239,20 @@ TEST(threads_share_images_and_drop_them)
 /* ---- pictures ---- */
 
 struct drawn {
+    struct zr_team *team;
     struct images *few, *many; /* keep some images of a scene, and all */
     int scenes;
 };
 
-static struct zr_answer draw(struct zr_arena *in, struct images_use *use, const char *bytes, size_t size)
+static struct zr_answer draw(struct zr_arena *in, struct zr_team *team, struct images_use *use, const char *bytes,
+                             size_t size)
 {
     const struct zr_request request = {
         .format = ZR_FORMAT_JSON, .bytes = bytes, .size = size, .images = images_lend(use)};
     const struct zr_limits limits = zr_limits_default();
     const struct zr_scene *scene;
     struct zr_error error = {.count = 0};
-    assert_int_equal(zr_scene_read(in, NULL, &request, &limits, &scene, &error), ZR_OK);
+    assert_int_equal(zr_scene_read(in, team, &request, &limits, &scene, &error), ZR_OK);
     return scene_encode(in, NULL, scene);
 }
 
@@ -259,17 +264,19 @@ static void draw_file(const char *path, void *context)
     assert_non_null(bytes);
     if (strstr(bytes, "Texture\"")) {
         struct zr_arena plain, kept;
+        size_t used = 0;
         zr_arena_init(&plain, (size_t)1 << 30);
         zr_arena_init(&kept, (size_t)1 << 30);
-        const struct zr_answer want = draw(&plain, &(struct images_use){NULL, NULL}, bytes, size);
-        struct images *const all[] = {drawn->many, drawn->many, drawn->few, drawn->few};
+        const struct zr_answer want = draw(&plain, NULL, &(struct images_use){NULL, NULL}, bytes, size);
+        struct images *const all[] = {NULL, drawn->many, drawn->many, drawn->few, drawn->few};
         for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
             struct images_use use = {all[i], NULL};
             zr_arena_reset(&kept, SIZE_MAX);
-            const struct zr_answer got = draw(&kept, &use, bytes, size);
+            const struct zr_answer got = draw(&kept, drawn->team, &use, bytes, size);
             if (got.size != want.size || memcmp(got.bytes, want.bytes, got.size) != 0)
                 fail_msg("%s: other bytes in round %zu", path, i);
-            assert_int_equal(kept.used, plain.used);
+            if (i == 0) used = kept.used;
+            assert_int_equal(kept.used, used);
             images_release(&use);
         }
         zr_arena_free(&kept);
@@ -281,7 +288,7 @@ static void draw_file(const char *path, void *context)
 
 TEST(pictures_are_the_same_with_and_without_kept_images)
 {
-    struct drawn drawn = {open_images(3 * 4096), open_images(64 << 20), 0};
+    struct drawn drawn = {zr_team_create(THREADS), open_images(3 * 4096), open_images(64 << 20), 0};
     files_each("tests/scenes", ".json", draw_file, &drawn);
     const struct images_state few = images_look(drawn.few), many = images_look(drawn.many);
     assert_true(drawn.scenes > 5);
@@ -289,6 +296,75 @@ TEST(pictures_are_the_same_with_and_without_kept_images)
     assert_true(many.hits >= many.count);
     images_close(drawn.few);
     images_close(drawn.many);
+    zr_team_destroy(drawn.team);
+}
+
+/* ---- several images at once ---- */
+
+/* A scene whose materials each have an image; those of `broken`, a set of bits, are cut off. Free it. */
+static char *scene_of(unsigned broken)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    fputs("{\"materials\":[", out);
+    for (int i = 0; i < FILES; i++) {
+        char *uri = base64_of("data:image/png;base64,", files[i], sizes[i] - (broken >> i & 1) * 20);
+        fprintf(out, "%s{\"name\":\"%d\",\"baseColorTexture\":{\"uri\":\"%s\"}}", i ? "," : "", i, uri);
+        free(uri);
+    }
+    fputs("],\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}", out);
+    fclose(out);
+    return text;
+}
+
+static enum zr_status read_scene(struct zr_team *team, const char *text, const struct zr_cancel *cancel,
+                                 struct zr_error *error)
+{
+    const struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = text, .size = strlen(text), .cancel = cancel};
+    const struct zr_limits limits = zr_limits_default();
+    const struct zr_scene *scene;
+    *error = (struct zr_error){.count = 0};
+    zr_arena_reset(&arena, SIZE_MAX);
+    return zr_scene_read(&arena, team, &request, &limits, &scene, error);
+}
+
+TEST(faults_of_images_are_those_of_one_thread)
+{
+    struct zr_team *team = zr_team_create(THREADS);
+    for (unsigned broken = 0; broken < 1u << FILES; broken++) {
+        char *text = scene_of(broken);
+        struct zr_error one, all;
+        char details[4][512], pointers[4][128];
+        const enum zr_status status = read_scene(NULL, text, NULL, &one);
+        assert_int_equal(status == ZR_OK, broken == 0);
+        const size_t count = zr_error_held(&one), used = arena.used;
+        assert_true(count <= 4);
+        for (size_t i = 0; i < count; i++) {
+            snprintf(details[i], sizeof details[i], "%s", one.items[i].detail);
+            snprintf(pointers[i], sizeof pointers[i], "%s", one.items[i].pointer);
+        }
+        assert_int_equal(read_scene(team, text, NULL, &all), status);
+        assert_int_equal(zr_error_held(&all), count);
+        assert_int_equal(arena.used, used);
+        for (size_t i = 0; i < count; i++) {
+            assert_string_equal(all.items[i].detail, details[i]);
+            assert_string_equal(all.items[i].pointer, pointers[i]);
+        }
+        free(text);
+    }
+    zr_team_destroy(team);
+}
+
+TEST(decoding_of_several_images_is_cancelled)
+{
+    struct zr_team *team = zr_team_create(THREADS);
+    const struct zr_cancel cancel = {.raised = true};
+    char *text = scene_of(0);
+    struct zr_error error;
+    assert_int_equal(read_scene(team, text, &cancel, &error), ZR_CANCELLED);
+    free(text);
+    zr_team_destroy(team);
 }
 
 RUN_TESTS(make_files, free_files)

@@ -1,0 +1,26 @@
+/* image_ahead.h - input: decodes several images at once, by all threads, before a reader asks for them one by one.
+ *
+ * Exact: the reader accepts an image only as it would have decoded it: in its order, under its limits. All others, such
+ * as broken ones, it reads again and reports in its order. So scene, errors and memory are the same for every team.
+ */
+#ifndef ZR_IMAGE_AHEAD_H
+#define ZR_IMAGE_AHEAD_H
+
+#include "base/arena.h"
+#include "base/team.h"
+#include "core.h"
+#include "scene/image.h"
+
+struct zr_image_file {
+    const void *bytes;
+    size_t size;
+    bool is_decoded; /* `kept` is set */
+    struct zr_kept_image kept;
+};
+
+/* Decodes files, or takes them from `images`. They may have `texels_max` texels together. Decodes none unless there is
+ * ample memory for all. Texels lie in the arena or in `images`. Returns early if arena->cancel is raised. */
+void zr_images_read_ahead(struct zr_arena *arena, struct zr_team *team, const struct zr_kept_images *images,
+                          uint64_t texels_max, struct zr_image_file *files, size_t count);
+
+#endif

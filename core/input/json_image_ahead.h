@@ -1,0 +1,20 @@
+/* json_image_ahead.h - input: images of a scene that are decoded before the textures that use them are read. */
+#ifndef ZR_JSON_IMAGE_AHEAD_H
+#define ZR_JSON_IMAGE_AHEAD_H
+
+#include "input/image_ahead.h"
+#include "input/json_scene.h"
+
+/* Decodes the images of all materials by several threads. Reports no faults: reading the textures
+ * does. */
+void zr_parsed_read_ahead(struct zr_parsed_scene *root);
+
+/* The same for given files: an array in the arena. */
+void zr_parsed_read_files_ahead(struct zr_parsed_scene *root, struct zr_image_file *files, size_t count);
+
+/* Returns the file with this name or these bytes, or NULL. */
+const struct zr_image_file *zr_parsed_ahead_name(const struct zr_parsed_ahead *ahead, const struct zr_bytes_name *name);
+const struct zr_image_file *zr_parsed_ahead_bytes(const struct zr_parsed_ahead *ahead,
+                                                  const struct zr_parsed_bytes *bytes);
+
+#endif
