@@ -111,10 +111,13 @@ bool zr_obj_count_part(void *context, size_t index)
         case ZR_OBJ_VT:
             counts->texcoords++;
             break;
-        case ZR_OBJ_F:
-            counts->faces++;
-            counts->corners += zr_obj_count_words(&statement, file->end);
+        case ZR_OBJ_F: {
+            const size_t corners = zr_obj_count_words(&statement, file->end);
+            counts->faces += corners >= ZR_OBJ_CORNERS_LEAST;
+            counts->corners += corners >= ZR_OBJ_CORNERS_LEAST ? corners : 0;
+            if (corners < ZR_OBJ_CORNERS_LEAST) zr_obj_note(counting.notes, ZR_OBJ_NOTE_SHORT_FACES, &whole);
             break;
+        }
         default:
             count_rare(&counting, keyword, &statement, &whole, file->end);
             break;

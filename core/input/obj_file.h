@@ -22,6 +22,7 @@ enum zr_obj_note {
     ZR_OBJ_NOTE_UNKNOWN,
     ZR_OBJ_NOTE_NAMES,
     ZR_OBJ_NOTE_RETURNS,
+    ZR_OBJ_NOTE_SHORT_FACES,
     /* found by the second pass */
     ZR_OBJ_NOTE_EMPTY_INDICES,
     ZR_OBJ_NOTE_WRONG_NORMALS,
@@ -29,6 +30,7 @@ enum zr_obj_note {
     ZR_OBJ_NOTE_BAD_NORMALS,
     ZR_OBJ_NOTE_BAD_TEXCOORDS,
     ZR_OBJ_NOTE_CLAMPED,
+    ZR_OBJ_NOTE_BAD_COLORS,
     ZR_OBJ_NOTE_BAD_LINES,
     ZR_OBJ_NOTE_BAD_POINTS,
     ZR_OBJ_NOTES,
@@ -112,6 +114,10 @@ void zr_obj_add_up(struct zr_obj_file *file);
 
 /* obj_read.c: reads a part. Stops and returns false at `faults` faults or a syntax error. */
 bool zr_obj_read_part(const struct zr_obj_file *file, size_t index, size_t faults, struct zr_error *error);
+
+/* obj_lines.c: reads the segments of l or the points of p, and adds to `count`. A wrong index discards all: false. */
+bool zr_obj_read_line(const struct zr_obj_file *file, struct zr_obj_statement *statement, struct zr_obj_counts *count);
+bool zr_obj_read_points(const struct zr_obj_file *file, struct zr_obj_statement *statement, struct zr_obj_counts *count);
 
 /* obj_notes.c: adds the warnings. */
 void zr_obj_warn(const struct zr_obj_file *file, struct zr_scene_builder *builder);

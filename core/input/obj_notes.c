@@ -16,6 +16,8 @@ static const struct words all_words[ZR_OBJ_NOTES] = {
     [ZR_OBJ_NOTE_NAMES] = {"name ends in a backslash, and does not continue on the next line",
                            "names end in a backslash, and do not continue on the next line", true},
     [ZR_OBJ_NOTE_RETURNS] = {"line ends in a carriage return alone", "lines end in a carriage return alone", false},
+    [ZR_OBJ_NOTE_SHORT_FACES] = {"face has fewer than three corners, and is not drawn",
+                                 "faces have fewer than three corners, and are not drawn", true},
     [ZR_OBJ_NOTE_EMPTY_INDICES] = {"corner has nothing behind a slash", "corners have nothing behind a slash", true},
     [ZR_OBJ_NOTE_WRONG_NORMALS] = {"corner names a normal that does not exist; it is computed",
                                    "corners name normals that do not exist; they are computed", true},
@@ -29,6 +31,8 @@ static const struct words all_words[ZR_OBJ_NOTES] = {
                              "colours are outside of their range, and "
                              "clamped",
                              true},
+    [ZR_OBJ_NOTE_BAD_COLORS] = {"colour is not of three numbers, and white",
+                                "colours are not of three numbers, and white", true},
     [ZR_OBJ_NOTE_BAD_LINES] = {"line (l) has wrong indices, and is not drawn",
                                "lines (l) have wrong indices, and are not drawn", true},
     [ZR_OBJ_NOTE_BAD_POINTS] = {"statement of points (p) has wrong indices, and is not drawn",

@@ -24,7 +24,7 @@ struct reader {
     uint32_t group;
     float color_most;
     struct zr_box box;
-    bool is_far;
+    bool is_far, has_short_faces;
     bool normal_given, normal_missing;
     bool bad_syntax; /* stops reading: any later faults would follow from this one */
 };
@@ -133,8 +133,12 @@ static bool read_vertex(struct reader *reader, struct zr_obj_statement *statemen
     const struct zr_obj_statement words = *statement;
     double v[VERTEX_NUMBERS_MAX];
     int count;
-    if (!read_numbers(reader, statement, VERTEX_NUMBERS_MAX, v, &count))
-        return word_fault(reader, statement, count == VERTEX_NUMBERS_MAX ? "the end of the line" : "a number");
+    if (!read_numbers(reader, statement, VERTEX_NUMBERS_MAX, v, &count)) {
+        if (count < 3 || !zr_obj_is_bad_color(words, reader->file->end))
+            return word_fault(reader, statement, count == VERTEX_NUMBERS_MAX ? "the end of the line" : "a number");
+        note(reader, ZR_OBJ_NOTE_BAD_COLORS);
+        count = 3;
+    }
     for (int i = 0; i < count; i++) {
         if (v[i] >= -near && v[i] <= near) continue;
         if (i >= 3 || !(v[i] >= -far && v[i] <= far)) return limit_fault(reader, words, i, i < 3 ? far : near);
@@ -262,8 +266,10 @@ ZR_INLINED bool read_plain_face(struct reader *reader, const struct zr_obj_state
 static bool read_face(struct reader *reader, struct zr_obj_statement *statement)
 {
     size_t first = reader->count.corners, corner = first;
-    reader->file->face_offsets[reader->count.faces] = (uint32_t)first;
-    if (reader->file->groups) reader->file->groups[reader->count.faces] = reader->group;
+    if (reader->has_short_faces && zr_obj_is_short_face(*statement, reader->file->end)) return true;
+    reader->count.faces++;
+    reader->file->face_offsets[reader->count.faces - 1] = (uint32_t)first;
+    if (reader->file->groups) reader->file->groups[reader->count.faces - 1] = reader->group;
 #ifdef __SSE2__
     if (read_plain_face(reader, statement)) return true;
 #endif
@@ -277,50 +283,6 @@ static bool read_face(struct reader *reader, struct zr_obj_statement *statement)
     zr_error_add(reader->error, ZR_BAD_SCENE, NULL, "line %zu: a face of %zu corners; 3 to %u are allowed",
                  statement->line, corners, reader->file->limits->polygon_vertices_max);
     return false;
-}
-
-/* ---- lines and points ---- */
-
-/* Reads the next index of l or p. Returns false at the end of the statement, and sets *is_bad at a wrong index. */
-static bool next_index(const struct reader *reader, struct zr_obj_statement *statement, uint32_t *out, bool *is_bad)
-{
-    struct zr_obj_corner corner;
-    zr_obj_skip_blanks(statement);
-    if (zr_obj_at_end(statement)) return false;
-    *is_bad = !zr_obj_read_indices(statement, false, &corner) ||
-              !zr_obj_resolve_index(corner.position, reader->count.positions, reader->file->total.positions, out);
-    return !*is_bad;
-}
-
-/* Reads the segments of a line. A wrong index discards all of them. */
-static void read_line(struct reader *reader, struct zr_obj_statement *statement)
-{
-    const size_t first = reader->count.segments;
-    size_t segment = first;
-    bool is_bad = false;
-    uint32_t from, to;
-    if (next_index(reader, statement, &from, &is_bad))
-        for (; next_index(reader, statement, &to, &is_bad); segment++, from = to) {
-            reader->file->lines[2 * segment] = from;
-            reader->file->lines[2 * segment + 1] = to;
-        }
-    if (is_bad || segment == first)
-        note(reader, ZR_OBJ_NOTE_BAD_LINES);
-    else
-        reader->count.segments = segment;
-}
-
-static void read_points(struct reader *reader, struct zr_obj_statement *statement)
-{
-    const size_t first = reader->count.points;
-    size_t point = first;
-    bool is_bad = false;
-    while (next_index(reader, statement, &reader->file->points[point], &is_bad))
-        point++;
-    if (is_bad || point == first)
-        note(reader, ZR_OBJ_NOTE_BAD_POINTS);
-    else
-        reader->count.points = point;
 }
 
 /* ---- the whole part ---- */
@@ -352,13 +314,12 @@ static void read_statement(struct reader *reader, struct zr_obj_statement *state
         break;
     case ZR_OBJ_F:
         read_face(reader, statement);
-        reader->count.faces++;
         break;
     case ZR_OBJ_LINE:
-        read_line(reader, statement);
+        if (!zr_obj_read_line(reader->file, statement, &reader->count)) note(reader, ZR_OBJ_NOTE_BAD_LINES);
         break;
     case ZR_OBJ_POINT:
-        read_points(reader, statement);
+        if (!zr_obj_read_points(reader->file, statement, &reader->count)) note(reader, ZR_OBJ_NOTE_BAD_POINTS);
         break;
     case ZR_OBJ_SMOOTH:
         zr_obj_read_group(statement, &reader->group);
@@ -382,6 +343,7 @@ bool zr_obj_read_part(const struct zr_obj_file *file, size_t index, size_t fault
                             .count = part->before,
                             .error = error,
                             .group = part->group_before,
+                            .has_short_faces = part->notes[ZR_OBJ_NOTE_SHORT_FACES].count > 0,
                             .box = zr_box_empty()};
     struct zr_obj_statement statement;
     while (!reader.bad_syntax && error->count < faults && zr_obj_next(&reader.text, &statement))

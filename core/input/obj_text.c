@@ -1,6 +1,7 @@
 #include "input/obj_text.h"
 
 #include <stdlib.h>
+#include <strings.h>
 
 #include "input/chunk.h"
 
@@ -62,6 +63,30 @@ size_t zr_obj_count_words(struct zr_obj_statement *statement, const char *end)
         space_before = marks.spaces >> (BYTES - 1);
     }
     return count;
+}
+
+bool zr_obj_is_short_face(struct zr_obj_statement face, const char *end)
+{
+    return zr_obj_count_words(&face, end) < ZR_OBJ_CORNERS_LEAST;
+}
+
+static bool is_infinite(const struct zr_obj_statement *word)
+{
+    const char *at = word->at + (word->at < word->end && (*word->at == '-' || *word->at == '+'));
+    return word->end - at >= 3 && (strncasecmp(at, "nan", 3) == 0 || strncasecmp(at, "inf", 3) == 0);
+}
+
+bool zr_obj_is_bad_color(struct zr_obj_statement vertex, const char *end)
+{
+    struct zr_obj_statement counted = vertex;
+    bool is_bad = false;
+    if (zr_obj_count_words(&counted, end) != 6) return false;
+    for (int i = 0; i < 6; i++) {
+        zr_obj_skip_blanks(&vertex);
+        const struct zr_obj_statement word = zr_obj_word(&vertex);
+        is_bad = is_bad || (i >= 3 && is_infinite(&word));
+    }
+    return is_bad;
 }
 
 struct rare_word {

@@ -63,6 +63,14 @@ bool zr_obj_ends_with_line(const char *at, const char *line_end);
 /* Counts the words left. Bytes up to `end` may be read. */
 size_t zr_obj_count_words(struct zr_obj_statement *statement, const char *end);
 
+enum { ZR_OBJ_CORNERS_LEAST = 3 }; /* of a face */
+
+/* True if the rest of a face has too few corners. Bytes up to `end` may be read. */
+bool zr_obj_is_short_face(struct zr_obj_statement face, const char *end);
+
+/* True if the rest of a vertex is three words and a colour with "nan" or "inf". Bytes up to `end` may be read. */
+bool zr_obj_is_bad_color(struct zr_obj_statement vertex, const char *end);
+
 /* Returns the keyword of a word other than v and f. */
 enum zr_obj_keyword zr_obj_rare_keyword(const struct zr_obj_statement *word);
 

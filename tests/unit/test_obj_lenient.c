@@ -37,6 +37,15 @@ static const struct {
      "OBJ: 3 colours are outside of their range, and clamped; the first is line 1: 'v 0 0 0 1.00001 0.5 0'"},
     {V "v 1 1 0 -0.001 0.5 0\nf 1 2 4\n", V "v 1 1 0 0 0.5 0\nf 1 2 4\n", "OBJ: 1 colour is outside of its range, and"},
     {V "v 1 1 0 255.5 0 0\nf 1 2 4\n", V "v 1 1 0 1 0 0\nf 1 2 4\n", "OBJ: 1 colour is outside of its range, and"},
+    {V "v 1 1 0 nan nan nan\nv 1 0 0 0.1 -NaN 0\n" F, V "v 1 1 0 1 1 1\nv 1 0 0 1 1 1\n" F,
+     "OBJ: 2 colours are not of three numbers, and white; the first is line 4: 'v 1 1 0 nan nan nan'"},
+    /* faces of fewer than three corners */
+    {V "f 1 2\nf\n" F "f 3// # 1 2\n", V F,
+     "OBJ: 3 faces have fewer than three corners, and are not drawn; the first is line 4: 'f 1 2'"},
+    {V "f 1 2\n", V, "OBJ: 1 face has fewer than three corners, and is not drawn; it is line 4: 'f 1 2'"},
+    {V "s 1\nvn 0 0 1\nvt 0 0\nf 1/1/1 9/1\nf 1/1/1 2/1/1 3/1/1\ns 2\nf 7\n" F,
+     V "s 1\nvn 0 0 1\nvt 0 0\nf 1/1/1 2/1/1 3/1/1\ns 2\n" F,
+     "OBJ: 2 faces have fewer than three corners, and are not drawn; the first is line 7: 'f 1/1/1 9/1'"},
     /* words instead of numbers in normals and texture coordinates */
     {V "vt nan nan\n" F, V F, "OBJ: 1 texture coordinate is not of numbers; it is line 4: 'vt nan nan'"},
     {V "vt\nvt a\nvt 1e9 1\n" F, V F, "OBJ: 2 texture coordinates are not of numbers; the first is line 4: 'vt'"},
