@@ -117,7 +117,8 @@ bool zr_obj_read_part(const struct zr_obj_file *file, size_t index, size_t fault
 
 /* obj_lines.c: reads the segments of l or the points of p, and adds to `count`. A wrong index discards all: false. */
 bool zr_obj_read_line(const struct zr_obj_file *file, struct zr_obj_statement *statement, struct zr_obj_counts *count);
-bool zr_obj_read_points(const struct zr_obj_file *file, struct zr_obj_statement *statement, struct zr_obj_counts *count);
+bool zr_obj_read_points(const struct zr_obj_file *file, struct zr_obj_statement *statement,
+                        struct zr_obj_counts *count);
 
 /* obj_notes.c: adds the warnings. */
 void zr_obj_warn(const struct zr_obj_file *file, struct zr_scene_builder *builder);
