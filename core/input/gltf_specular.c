@@ -63,7 +63,7 @@ static void read_ior(struct zr_gltf *file, const struct zr_json_path *path, cons
     struct given_reflectance given = {.ior = 1.5};
     uint64_t keys;
     zr_gltf_fields(file, &there, path, &ior_object, &given, &keys);
-    out->ior = given.ior == 0.0 ? FLT_MAX : (float)clamp(file, ZR_JSON_KEY(path, "ior"), given.ior, 1.0, FLT_MAX);
+    out->ior = given.ior == 0.0 ? FLT_MAX : (float)clamp(file, ZR_JSON_KEY(path, "ior"), given.ior, 1.0, (double)FLT_MAX);
     out->keys |= UINT64_C(1) << ZR_MATERIAL_IOR;
 }
 
@@ -80,7 +80,7 @@ void zr_gltf_read_reflectance(struct zr_gltf *file, const struct zr_json_path *p
     if (keys & TEXTURES) zr_gltf_note(&file->specular_textures, at);
     out->specular_factor = (float)clamp(file, ZR_JSON_KEY(at, "specularFactor"), given.factor, 0.0, 1.0);
     for (int k = 0; k < 3; k++)
-        given.color[k] = clamp(file, ZR_JSON_KEY(at, "specularColorFactor"), given.color[k], 0.0, FLT_MAX);
+        given.color[k] = clamp(file, ZR_JSON_KEY(at, "specularColorFactor"), given.color[k], 0.0, (double)FLT_MAX);
     out->specular_color = (zr_vec3){(float)given.color[0], (float)given.color[1], (float)given.color[2]};
     out->keys |= UINT64_C(1) << ZR_MATERIAL_SPECULAR_FACTOR | UINT64_C(1) << ZR_MATERIAL_SPECULAR_COLOR;
 }

@@ -68,6 +68,7 @@ static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *p
     const enum zr_status status = root->builder->read_model(&model->builder, &request, &limits, &faults);
     if (status != ZR_OK) return status == ZR_NO_MEMORY ? false : report(json, path, &faults);
     count_pixels(root, &model->scene);
+    zr_scene_builder_complete(&model->builder);
     return zr_arena_ok(json->arena);
 }
 

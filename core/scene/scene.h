@@ -71,6 +71,7 @@ static inline bool zr_material_has_textures(const struct zr_material *material)
  * 1], counter-clockwise seen from its front. * The odd-even rule over all of its rings defines its interior. */
 struct zr_mesh {
     const char *name; /* UTF-8, "" if unnamed */
+    bool is_complete; /* scene_builder.h */
 
     uint32_t position_count;
     const zr_vec4 *positions; /* object space; w = 1 if three numbers were given */

@@ -182,11 +182,12 @@ static const uint32_t *count_up(struct zr_scene_builder *builder, size_t count, 
     return counting.numbers;
 }
 
-void zr_scene_builder_close(struct zr_scene_builder *builder)
+void zr_scene_builder_complete(struct zr_scene_builder *builder)
 {
-    struct zr_scene *scene = builder->scene;
-    for (uint32_t i = 0; i < scene->mesh_count && zr_arena_ok(builder->arena); i++) {
+    for (uint32_t i = 0; i < builder->scene->mesh_count && zr_arena_ok(builder->arena); i++) {
         struct zr_mesh *mesh = &builder->meshes[i];
+        if (mesh->is_complete) continue;
+        mesh->is_complete = true;
         if (!mesh->face_offsets) mesh->face_offsets = count_up(builder, (size_t)mesh->face_count + 1, 3);
         const bool is_soup = !mesh->indices && mesh->face_count > 0;
         if (mesh->face_offsets && !mesh->indices)
@@ -194,6 +195,12 @@ void zr_scene_builder_close(struct zr_scene_builder *builder)
         if (!is_soup && mesh->indices && mesh->face_offsets)
             zr_unused_positions_move(builder->arena, builder->team, mesh, (zr_vec4 *)mesh->positions);
     }
+}
+
+void zr_scene_builder_close(struct zr_scene_builder *builder)
+{
+    struct zr_scene *scene = builder->scene;
+    zr_scene_builder_complete(builder);
     scene->materials = builder->materials;
     if (zr_arena_ok(builder->arena)) zr_doubled_faces_warn(builder->arena, scene, &builder->warnings);
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR))

@@ -70,9 +70,11 @@ uint32_t zr_scene_builder_texture(struct zr_scene_builder *builder, const struct
 void zr_scene_builder_note_normals(struct zr_scene_builder *builder, uint32_t mesh, const zr_vec3 *normals,
                                    size_t count);
 
-/* Completes the scene; its outputs must be set. Makes missing arrays, through which the kernels gather: face_offsets
- * NULL means triangles, indices NULL means that corners use consecutive positions. Moves unused positions and collects
- * the warnings. */
+/* Completes the meshes, each once. Makes missing arrays, through which the kernels gather: face_offsets NULL means
+ * triangles, indices NULL means that corners use consecutive positions. Moves unused positions. */
+void zr_scene_builder_complete(struct zr_scene_builder *builder);
+
+/* Completes the scene; its outputs must be set. Completes the meshes and collects the warnings. */
 void zr_scene_builder_close(struct zr_scene_builder *builder);
 
 #endif

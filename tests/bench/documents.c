@@ -180,6 +180,41 @@ struct document document_ply(const struct drawing *drawing)
     return finish(out, &document);
 }
 
+struct document document_glb(const struct drawing *drawing)
+{
+    struct document document = {NULL, 0};
+    const uint32_t positions = 12 * drawing->position_count, indices = 4 * drawing->corner_count;
+    char text[700];
+    int size = snprintf(
+        text, sizeof text,
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":%u}],\"bufferViews\":[{\"buffer\":0,"
+        "\"byteLength\":"
+        "%u},{\"buffer\":0,\"byteOffset\":%u,\"byteLength\":%u}],\"accessors\":[{\"bufferView\":0,\"componentType\":"
+        "5126,"
+        "\"count\":%u,\"type\":\"VEC3\"},{\"bufferView\":1,\"componentType\":5125,\"count\":%u,\"type\":\"SCALAR\"}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],\"nodes\":[{\"mesh\":0}]}",
+        positions + indices, positions, positions, indices, drawing->position_count, drawing->corner_count);
+    FILE *out = open_memstream(&document.bytes, &document.size);
+    if (!out) return document;
+    while (size % 4 != 0)
+        text[size++] = ' ';
+    fwrite("glTF\2\0\0\0", 1, 8, out);
+    put_u32(out, 12 + 8 + (uint32_t)size + 8 + positions + indices);
+    put_u32(out, (uint32_t)size);
+    fwrite("JSON", 1, 4, out);
+    fwrite(text, 1, (size_t)size, out);
+    put_u32(out, positions + indices);
+    fwrite("BIN\0", 1, 4, out);
+    for (uint32_t i = 0; i < drawing->position_count; i++) {
+        put_f32(out, drawing->positions[i].x);
+        put_f32(out, drawing->positions[i].y);
+        put_f32(out, drawing->positions[i].z);
+    }
+    for (uint32_t c = 0; c < drawing->corner_count; c++)
+        put_u32(out, drawing->indices[c]);
+    return finish(out, &document);
+}
+
 struct document document_ply_text(const struct drawing *drawing)
 {
     struct document document = {NULL, 0};

@@ -34,5 +34,6 @@ struct document document_stl(const struct drawing *drawing);
 struct document document_stl_text(const struct drawing *drawing);
 struct document document_ply(const struct drawing *drawing);
 struct document document_ply_text(const struct drawing *drawing);
+struct document document_glb(const struct drawing *drawing);
 
 #endif

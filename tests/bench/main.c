@@ -12,6 +12,7 @@
 #include "bench/arrays.h"
 #include "bench/bench.h"
 #include "bench/compare.h"
+#include "bench/formats.h"
 #include "bench/growth.h"
 #include "bench/layers.h"
 #include "bench/looks.h"
@@ -157,6 +158,7 @@ int main(int count, char **arguments)
     versus_libpng(&bench);
     versus_cjson(&bench);
     arrays_against_json(&bench);
+    formats_against_each_other(&bench);
     service_against_stock(&bench);
     looks_over_http(&bench);
     service_for_simulator(&bench);

@@ -1,0 +1,11 @@
+/* formats.h - bench: files of one mesh in several formats, read and drawn; and a kept mesh in other poses. */
+#ifndef ZR_BENCH_FORMATS_H
+#define ZR_BENCH_FORMATS_H
+
+#include "bench/bench.h"
+
+/* One thread, warm arenas, 512x512: GLB and PLY against binary STL, GLB of 1.1 M triangles against a copy of its bytes
+ * and drawing alone, smooth STL against flat STL, and another pose of a kept mesh against drawing alone. */
+void formats_against_each_other(struct bench *bench);
+
+#endif
