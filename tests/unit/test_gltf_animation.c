@@ -25,25 +25,16 @@ static struct {
 #define VIEW(at, bytes) "{\"buffer\":0,\"byteOffset\":" #at ",\"byteLength\":" #bytes "}"
 #define ACCESSOR(view, type, count, shape)                                                                             \
     "{\"bufferView\":" #view ",\"componentType\":" #type ",\"count\":" #count ",\"type\":\"" shape "\""
-#define HEAD                                                                                                                                                                                                                                                                                                                                                                                \
-    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":196,\"uri\":\"b\"}],\"bufferViews\":[" VIEW(0, 36) "," VIEW(36, 12) "," VIEW(                                                                                                                                                                                                                                            \
-        48,                                                                                                                                                                                                                                                                                                                                                                                 \
-        36) "," VIEW(84,                                                                                                                                                                                                                                                                                                                                                                    \
-                     24) "," VIEW(108, 72) "," VIEW(180,                                                                                                                                                                                                                                                                                                                                    \
-                                                    6) "," VIEW(188,                                                                                                                                                                                                                                                                                                                        \
-                                                                8) "],\"accessors\":[" ACCESSOR(0, 5126, 3,                                                                                                                                                                                                                                                                                 \
-                                                                                                "VEC3") "}," ACCESSOR(1,                                                                                                                                                                                                                                                                    \
-                                                                                                                      5126,                                                                                                                                                                                                                                                                 \
-                                                                                                                      3,                                                                                                                                                                                                                                                                    \
-                                                                                                                      "SCALAR") "}," ACCESSOR(2,                                                                                                                                                                                                                                            \
-                                                                                                                                              5126,                                                                                                                                                                                                                                         \
-                                                                                                                                              3,                                                                                                                                                                                                                                            \
-                                                                                                                                              "VEC3") "}," ACCESSOR(3, 5122, 3, "VEC4") ",\"normalized\":true}," ACCESSOR(4, 5126, 6, "VEC3") "}," ACCESSOR(5, 5121, 6, "SCALAR") ",\"normalized\":true}," ACCESSOR(1,                                                                      \
-                                                                                                                                                                                                                                                                                                                    5126, 2, "SCALAR") "}," ACCESSOR(6,                                     \
-                                                                                                                                                                                                                                                                                                                                                     5126, 2, "SCALAR") "}," ACCESSOR(2,    \
-                                                                                                                                                                                                                                                                                                                                                                                      5126, \
-                                                                                                                                                                                                                                                                                                                                                                                      2,    \
-                                                                                                                                                                                                                                                                                                                                                                                      "VEC3") "}]"
+/* clang-format off */
+#define HEAD                                                                                                           \
+    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":196,\"uri\":\"b\"}],\"bufferViews\":["              \
+    VIEW(0, 36) "," VIEW(36, 12) "," VIEW(48, 36) "," VIEW(84, 24) "," VIEW(108, 72) "," VIEW(180, 6) "," VIEW(188, 8) \
+    "],\"accessors\":["                                                                                                \
+    ACCESSOR(0, 5126, 3, "VEC3") "}," ACCESSOR(1, 5126, 3, "SCALAR") "}," ACCESSOR(2, 5126, 3, "VEC3") "},"            \
+    ACCESSOR(3, 5122, 3, "VEC4") ",\"normalized\":true}," ACCESSOR(4, 5126, 6, "VEC3") "},"                            \
+    ACCESSOR(5, 5121, 6, "SCALAR") ",\"normalized\":true}," ACCESSOR(1, 5126, 2, "SCALAR") "},"                        \
+    ACCESSOR(6, 5126, 2, "SCALAR") "}," ACCESSOR(2, 5126, 2, "VEC3") "}]"
+/* clang-format on */
 #define MESHES                                                                                                         \
     ",\"meshes\":[{\"weights\":[1],\"primitives\":[{\"attributes\":{\"POSITION\":0},\"targets\":[{\"POSITION\":0},"    \
     "{\"POSITION\":2}]}]}]"
@@ -54,22 +45,15 @@ static struct {
 #define ON(node, path)   "\"node\":" #node ",\"path\":\"" path "\""
 #define ANIMATIONS(list) HEAD MESHES NODES ",\"animations\":[" list "]}"
 
-static const char text[] = ANIMATIONS(ANIMATION("move", "\"input\":1,\"output\":2", ON(0, "translation")) "," ANIMATION(
-    "step", "\"input\":1,\"output\":2,\"interpolation\":\"STEP\"",
-    ON(0,
-       "translation")) "," ANIMATION("turn", "\"input\":1,\"output\":3",
-                                     ON(0,
-                                        "rotation")) "," ANIMATION("grow",
-                                                                   "\"input\":6,\"output\":4,\"interpolation\":"
-                                                                   "\"CUBICSPLINE\"",
-                                                                   ON(0,
-                                                                      "scale")) "," ANIMATION("melt",
-                                                                                              "\"input\":1,\"output\":"
-                                                                                              "5",
-                                                                                              ON(0,
-                                                                                                 "weights")) "," ANIMATION("",
-                                                                                                                           "\"input\":1,\"output\":2",
-                                                                                                                           "\"path\":\"pointer\""));
+/* clang-format off */
+static const char text[] = ANIMATIONS(
+    ANIMATION("move", "\"input\":1,\"output\":2", ON(0, "translation")) ","
+    ANIMATION("step", "\"input\":1,\"output\":2,\"interpolation\":\"STEP\"", ON(0, "translation")) ","
+    ANIMATION("turn", "\"input\":1,\"output\":3", ON(0, "rotation")) ","
+    ANIMATION("grow", "\"input\":6,\"output\":4,\"interpolation\":\"CUBICSPLINE\"", ON(0, "scale")) ","
+    ANIMATION("melt", "\"input\":1,\"output\":5", ON(0, "weights")) ","
+    ANIMATION("", "\"input\":1,\"output\":2", "\"path\":\"pointer\""));
+/* clang-format on */
 
 static struct zr_asset parts[] = {{.name = "b", .bytes = &numbers, .size = sizeof numbers}};
 
