@@ -1,7 +1,8 @@
 /* image_ahead.h - input: decodes several images at once, by all threads, before a reader asks for them one by one.
  *
- * Exact: the reader accepts an image only as it would have decoded it: in its order, under its limits. All others, such
- * as broken ones, it reads again and reports in its order. So scene, errors and memory are the same for every team.
+ * Exact: the reader accepts an image only as it would have decoded it: in its order, under its limits. It reads all
+ *        others again, such as broken ones, and reports them in its order. So scene, errors and memory are the same for
+ *        every team.
  */
 #ifndef ZR_IMAGE_AHEAD_H
 #define ZR_IMAGE_AHEAD_H

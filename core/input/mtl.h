@@ -1,22 +1,24 @@
 /* mtl.h - input: materials of Wavefront MTL files, converted to materials of a scene.
  *
  *     mtl = zr_mtl_open(builder, request, limits, error)
- *     zr_mtl_add(mtl, name, length) for each file that mtllib names; then zr_mtl_has_maps
+ *     zr_mtl_add(mtl, name, length) for each file that mtllib names; then mtl->has_maps
  *     zr_mtl_use(mtl, name, length) for each usemtl: the number of the material in mtl->made
  *     zr_mtl_close: the warnings
  *
  * Source: Wavefront, "MTL material format" 4.2 (1995); Clara.io, "Extending Wavefront MTL for physically-based
  *         rendering" (2013), for Pr, Pm, map_Pr, map_Pm, map_Ke and norm.
- * Colours: Kd and Ke are sRGB-encoded, as in three.js. Values are clamped to 0..1; Ke may be larger.
- * Base:   Kd; its alpha is d, or 1 - Tr if d is not given. An alpha of 0 is taken as 1, as obj2gltf does: some programs
- *         write Tr 1 or d 0 for opaque. An alpha below 1 or a map_d means BLEND. map_Kd multiplies
- *         Kd, as the format and three.js have it. A Kd of 0, 0, 0 beside a map_Kd would draw black: it is taken as 1,
- * as Blender and obj2gltf do. map_d is the alpha channel of its image if that is not 1 everywhere, else red. Roughness:
- * Pr, else that of obj2gltf: 1 - Ns / 1000, times 1 - s if the luminance s = 0.2125 r + 0.7154 g + 0.0721 b of Ks is
- * below 0.1. Without Pr and Ns, that of the look. Metal:  Pm, else 0 if Ns or Ks is given, else that of the look. Ks
- * has no other effect. Normals: norm, else map_Bump or bump, if the image has colours: files of today have normal maps
- * there. -bm is its factor. A grey image holds heights, which are not drawn. Lazy:   lines are only indexed at first. A
- * material is read at its first use, and so are its images.
+ * Values: Kd and Ke are sRGB-encoded, as in three.js. Values are clamped to 0..1; Ke may be larger.
+ * Base:   Kd; its alpha is d, or 1 - Tr if d is not given. An alpha of 0 is taken as 1, as in obj2gltf, since some
+ *         programs write Tr 1 or d 0 for opaque. An alpha below 1 or a map_d means BLEND. map_Kd multiplies Kd, as in
+ *         the format and three.js. A Kd of 0, 0, 0 beside a map_Kd would draw black: it is taken as 1, as in Blender
+ *         and obj2gltf. map_d is the alpha channel of its image if that is not 1 everywhere, else the red one.
+ * Rough:  Pr, else that of obj2gltf: 1 - Ns / 1000, times 1 - s if the luminance s = 0.2125 r + 0.7154 g + 0.0721 b of
+ *         Ks is below 0.1. Without Pr and Ns, that of the look.
+ * Metal:  Pm, else 0 if Ns or Ks is given, else that of the look. Ks has no other effect.
+ * Normal: norm, else map_Bump or bump, if the image has colours: recent programs write normal maps there. -bm is its
+ *         factor. A grey image holds heights, which are not drawn.
+ * Lazy:   zr_mtl_add only indexes lines. A material and its images are read at its first use.
+ * Thread: one struct zr_mtl belongs to one thread.
  */
 #ifndef ZR_MTL_H
 #define ZR_MTL_H
@@ -117,7 +119,8 @@ struct zr_mtl {
     struct zr_mtl_noted notes[ZR_MTL_NOTES];
 };
 
-/* Returns NULL without memory. */
+/* Opens without files; they are found among the request's assets. All memory is the builder's arena. Returns NULL
+ * without memory. */
 struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error);
 

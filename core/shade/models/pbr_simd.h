@@ -4,8 +4,8 @@
  *          Schlick. A lamp of colour 1 has the irradiance pi at normal incidence.
  * Ambient: the split sum (dfg.h), and light that bounces between the microfacets, so that no energy is lost: Fss = F0 A
  *          + F90 B, Ems = 1 - A - B, Favg = F0 + (F90 - F0) / 21, Fms = Fss Favg / (1 - Ems Favg). The colour is Fss
- * L(R) + (Fms Ems + c (1 - Fss - Fms Ems)) E(N). Source:  Fdez-Aguera, "A Multiple-Scattering Microfacet Model for
- * Real-Time Image-based Lighting", 2019.
+ *          L(R) + (Fms Ems + c (1 - Fss - Fms Ems)) E(N).
+ * Source:  Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", 2019.
  */
 #ifndef ZR_PBR_SIMD_H
 #define ZR_PBR_SIMD_H
