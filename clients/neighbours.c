@@ -218,10 +218,9 @@ static void find_all(struct search *search, const char *from, const struct bytes
 static void warn(struct input *input, size_t count, const char *first, const char *why)
 {
     if (count == 1)
-        bytes_print(&input->warnings, "a file that is referred to is not read, since %s: %s\n", why, first);
+        bytes_print(&input->warnings, "a referenced file is not read (%s): %s\n", why, first);
     else if (count > 1)
-        bytes_print(&input->warnings, "%zu files that are referred to are not read, since %s; the first is %s\n", count,
-                    why, first);
+        bytes_print(&input->warnings, "%zu referenced files are not read (%s); the first is %s\n", count, why, first);
 }
 
 static char *folder_of(const char *path)
@@ -245,8 +244,8 @@ static void search_all(struct search *search)
         const struct bytes bytes = input->parts[i].bytes;
         if (dot) find_all(search, from, &bytes, dot + 1);
     }
-    warn(input, search->outside, search->first_outside, "it is not below the folder of the file or --root");
-    warn(input, search->excess, search->first_excess, "they are too many or too large");
+    warn(input, search->outside, search->first_outside, "outside of the folder of the file or --root");
+    warn(input, search->excess, search->first_excess, "beyond the limits of number or size");
 }
 
 bool neighbours_read(struct input *input, const char *root, struct bytes *faults)

@@ -77,11 +77,11 @@ struct zr_kept_image;
 
 /* Decoded images that the caller keeps between requests, by the hash of their files. No answer depends on them. */
 struct zr_kept_images {
-    /* Computes the hash of a file, and finds its image. True: the texels stay unchanged until the caller has freed the
-     * memory of the scene. NULL: no images are kept. */
+    /* Computes the hash of a file, and finds its image, whose texels stay until the scene's memory is freed. False: none.
+     * NULL: no images are kept. Only the thread that reads the scene calls `find` and `keep`. */
     bool (*find)(void *context, const void *bytes, size_t size, struct zr_image_hash *hash,
                  struct zr_kept_image *image);
-    /* Offers an image that `find` did not have. The caller copies the texels, or not. */
+    /* Offers an image that `find` did not have. The caller may copy the texels. It keeps no pointer to them. */
     void (*keep)(void *context, const struct zr_image_hash *hash, const struct zr_kept_image *image);
     void *context;
 };

@@ -89,7 +89,7 @@ static enum zr_status read_model(struct zr_scene_builder *builder, const struct 
     if (body.format == ZR_FORMAT_UNKNOWN || body.format == ZR_FORMAT_ZIP || zr_format_rows[body.format].has_view) {
         const char *words = zr_bytes_in_words(body.bytes, body.size);
         return zr_error_add(error, ZR_BAD_SCENE, NULL, "the file looks like %s; a mesh needs a model, such as %s or %s",
-                            words ? words : "no format that is known", zr_format_rows[ZR_FORMAT_OBJ].name,
+                            words ? words : "an unknown format", zr_format_rows[ZR_FORMAT_OBJ].name,
                             zr_format_rows[ZR_FORMAT_GLB].name);
     }
     skip_byte_order_mark(&body);

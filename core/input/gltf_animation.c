@@ -280,7 +280,7 @@ struct channel {
 #define AT(member) offsetof(struct channel, member)
 static const struct zr_json_field channel_fields[] = {
     {"sampler", zr_gltf_index, AT(sampler), .required = true, .text = "number of the sampler"},
-    {"target", zr_json_place, AT(target), .required = true, .text = "what it moves"},
+    {"target", zr_json_place, AT(target), .required = true, .text = "node and property"},
     ZR_GLTF_COMMON};
 #undef AT
 static const struct zr_json_object channel_object = ZR_JSON_OBJECT_OF("channel", channel_fields);

@@ -35,7 +35,8 @@ void zr_gltf_warn(struct zr_gltf *file)
         zr_warning_list_add(arena, all, "%u of %u meshes are placed by no node of the scene and are not drawn",
                             unplaced, file->counts[ZR_GLTF_MESHES]);
     warn_of(file, all, &file->unknown, "this key is not known", "keys are not known");
-    warn_of(file, all, &file->unread_channels, "moves what is not read", "channels move what is not read");
+    warn_of(file, all, &file->unread_channels, "targets a property that is not read",
+            "channels target properties that are not read");
     warn_of(file, all, &file->no_positions, "without POSITION, and not drawn", "primitives are without POSITION");
     warn_of(file, all, &file->empty, "too few corners to draw", "primitives have too few corners to draw");
     warn_of(file, all, &file->left_over, "the last corners make no whole primitive",

@@ -27,8 +27,7 @@ static enum zr_status refuse(const void *bytes, size_t size, struct zr_reason *r
     else if (words)
         zr_reason_give(reason, "it looks like %s; a PNG, JPEG or WebP picture is needed", words);
     else
-        zr_reason_give(reason,
-                       "it begins with %s, as no picture does that is known here; a PNG, JPEG or WebP is needed",
+        zr_reason_give(reason, "it begins with %s, which is no known picture format; a PNG, JPEG or WebP is needed",
                        zr_quote(bytes, size < 8 ? size : 8).text);
     return ZR_BAD_SCENE;
 }

@@ -220,7 +220,7 @@ static void use_files(struct zr_mtl *mtl, const struct zr_mtl_entry *entry)
     }
 }
 
-/* Counts the files of materials that no face uses as used. */
+/* Counts the material libraries that no face uses as used. */
 static void use_all_files(struct zr_mtl *mtl)
 {
     struct zr_mtl_noted *kept = zr_arena_copy(mtl->root.json.arena, mtl->notes, sizeof mtl->notes);

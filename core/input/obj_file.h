@@ -86,7 +86,7 @@ struct zr_obj_file {
     uint32_t *groups;                                  /* per face; NULL: the file has no smoothing groups */
     uint32_t *lines, *points;
     struct zr_obj_name *names;
-    struct zr_mtl *mtl;       /* NULL: no file of materials is read */
+    struct zr_mtl *mtl;       /* NULL: no material library is read */
     const char *only_library; /* read instead of those that are missing; or NULL */
     struct zr_obj_noted missing_libraries, missing_materials, untextured; /* the last: faces without vt */
     zr_vec4 *texcoords;         /* u, 1 - v: v is 0 at the bottom of an image here, and at its top in a scene */

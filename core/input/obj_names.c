@@ -13,7 +13,7 @@ enum {
     NAMES_A_POLL = 256
 };
 
-/* ---- files of materials ---- */
+/* ---- material libraries ---- */
 
 /* The rest of a statement: a name, without blanks at its ends. */
 static struct zr_obj_statement name_of(struct zr_obj_statement statement)

@@ -40,13 +40,12 @@ static const struct words all_words[ZR_OBJ_NOTES] = {
 };
 
 /* About names, found once the whole text is read. */
-static const struct words missing_libraries = {"file of materials (mtllib) is no part of the request",
-                                               "files of materials (mtllib) are no parts of the request", true},
-                          missing_materials =
-                              {"material (usemtl) is in no file of materials; its faces have the look's",
-                               "materials (usemtl) are in no file of materials; their faces have the "
-                               "look's",
-                               true},
+static const struct words missing_libraries = {"material library (mtllib) is no part of the request",
+                                               "material libraries (mtllib) are no parts of the request", true},
+                          missing_materials = {"material (usemtl) is in no material library; its faces have the look's",
+                                               "materials (usemtl) are in no material library; their faces have the "
+                                               "look's",
+                                               true},
                           untextured = {"face has a texture but no texture coordinates: they are 0, 0",
                                         "faces have a texture but no texture coordinates: they are 0, 0", false};
 
@@ -83,7 +82,7 @@ void zr_obj_warn(const struct zr_obj_file *file, struct zr_scene_builder *builde
     }
     warn_of(builder, &file->missing_libraries, &missing_libraries);
     if (file->only_library)
-        zr_warning_list_add(builder->arena, &builder->warnings, "OBJ: the only file of materials, %s, is read instead",
+        zr_warning_list_add(builder->arena, &builder->warnings, "OBJ: the only material library, %s, is read instead",
                             zr_quote(file->only_library, strlen(file->only_library)).text);
     warn_of(builder, &file->missing_materials, &missing_materials);
     warn_of(builder, &file->untextured, &untextured);

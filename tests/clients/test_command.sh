@@ -82,7 +82,7 @@ check "unless --part has it" 0 "$zraster" models/one/missing.gltf -o out.png -s 
 check "--root names a folder" 1 "$zraster" models/one/exact.gltf -o out.png -s 8 --root nowhere
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nmtllib /etc/none.mtl\n' >models/two/far.obj
 "$zraster" models/two/far.obj -o far.png -s 8 2>"$complained"
-verdict "an absolute path is not read, with a warning" grep -q "^warning: a file that is referred to is not read, since it is not below the folder of the file or --root: /etc/none.mtl" "$complained"
+verdict "an absolute path is not read, with a warning" grep -q "^warning: a referenced file is not read (outside of the folder of the file or --root): /etc/none.mtl" "$complained"
 check "which --strict refuses" 3 "$zraster" models/two/far.obj -o far.png -s 8 --strict
 
 # parts

@@ -160,7 +160,7 @@ TEST(files_that_are_no_models_are_refused)
     } cases[] = {{"{\"asset\":\"m.obj\",\"positions\":[[0,0,0]]}", "/meshes/0", "two shapes: asset and positions"},
                  {"{\"uri\":\"data:;base64,e30=\"}", "/meshes/0/uri",
                   "the file looks like JSON; a mesh needs a model, such as OBJ"},
-                 {"{\"uri\":\"data:;base64,AAAA\"}", "/meshes/0/uri", "no format that is known"},
+                 {"{\"uri\":\"data:;base64,AAAA\"}", "/meshes/0/uri", "looks like an unknown format"},
                  {"{\"uri\":\"data:;base64,diAwIDAgMApmIDEgMSA5Cg==\"}", "/meshes/0/uri", "line 2"},
                  {"{\"uri\":\"data:;base64,diAwIDAgMApmIDEgMSA5Cg==\",\"asset\":\"x\"}", "/meshes/0",
                   "only one of uri and asset"},

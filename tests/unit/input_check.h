@@ -51,6 +51,16 @@ static inline struct reading *read_text(enum zr_format format, const char *text)
     return read_bytes(format, text, strlen(text));
 }
 
+/* Reads a text with one part. */
+static inline struct reading *read_with_part(enum zr_format format, struct zr_request request,
+                                             const struct zr_asset *part, const char *text)
+{
+    request.format = format;
+    request.assets = part;
+    request.asset_count = 1;
+    return read_request(request, text, strlen(text), zr_limits_default(), (size_t)1 << 28);
+}
+
 static inline void reading_free(struct reading *reading)
 {
     zr_arena_free(&input_spare);
@@ -78,6 +88,15 @@ static inline void assert_read(const struct reading *reading)
     if (reading->status != ZR_OK) fail_msg("%s: %s", reading->error.items[0].pointer, reading->error.items[0].detail);
     assert_non_null(reading->scene);
     assert_int_equal(reading->error.count, 0);
+}
+
+static inline void assert_origin(const struct reading *reading, double x, double y, double z)
+{
+    assert_read(reading);
+    const double *origin = reading->scene->origin;
+    assert_non_null(origin);
+    if (origin[0] != x || origin[1] != y || origin[2] != z)
+        fail_msg("%.17g %.17g %.17g", origin[0], origin[1], origin[2]);
 }
 
 /* Reads a text that must be refused. */

@@ -81,15 +81,6 @@ TEST(items_and_components_are_placed)
     reading_free(reading);
 }
 
-static void assert_origin(const struct reading *reading, double x, double y, double z)
-{
-    const double *origin = reading->scene->origin;
-    assert_read(reading);
-    assert_non_null(origin);
-    if (origin[0] != x || origin[1] != y || origin[2] != z)
-        fail_msg("%.17g %.17g %.17g", origin[0], origin[1], origin[2]);
-}
-
 /* Far coordinates and far transforms are subtracted in double; unused vertices do not count. */
 TEST(middle_of_far_scenes_is_their_origin)
 {
@@ -289,7 +280,7 @@ TEST(textures_of_the_package_are_drawn)
     zr_texture_transform(texture, mesh->texcoords[1].x, mesh->texcoords[1].y, at);
     assert_true(at[0] == 1.0f && at[1] == 0.75f); /* v points up */
     assert_int_equal(scene->warning_count, 1);
-    assert_true(warns(reading, "1 triangles leave textures of the tilestyle none"));
+    assert_true(warns(reading, "1 triangles extend beyond textures of the tilestyle none"));
     reading_free(reading);
     reading = read_painted(PAINTED("pid=\"3\" p1=\"0\"") PAINTED("pid=\"1\" p1=\"0\"") PAINTED(""), 77);
     mesh = &reading->scene->meshes[0];
@@ -377,7 +368,7 @@ TEST(filaments_and_paint_of_slicers_are_colours)
     assert_face(&reading->scene->meshes[1], 0, 1, 0, 0);
     assert_int_equal(reading->scene->warning_count, 2);
     assert_true(warns(reading, "1 parts or triangles are modifiers of a slicer, and are left out"));
-    assert_true(warns(reading, "1 triangles have paint that is not known"));
+    assert_true(warns(reading, "1 triangles have unknown paint"));
     reading_free(reading);
 }
 

@@ -54,10 +54,7 @@ static struct zr_asset parts[] = {{.name = "b", .bytes = &numbers, .size = sizeo
 
 static struct reading *read_over(struct zr_request request, const char *text)
 {
-    request.format = ZR_FORMAT_GLTF;
-    request.assets = parts;
-    request.asset_count = 1;
-    return read_request(request, text, strlen(text), zr_limits_default(), (size_t)1 << 28);
+    return read_with_part(ZR_FORMAT_GLTF, request, parts, text);
 }
 
 static struct reading *read_file(const char *text)

@@ -59,10 +59,7 @@ static struct zr_asset parts[] = {{.name = "b", .bytes = &numbers, .size = sizeo
 
 static struct reading *read_over(struct zr_request request, const char *of)
 {
-    request.format = ZR_FORMAT_GLTF;
-    request.assets = parts;
-    request.asset_count = 1;
-    return read_request(request, of, strlen(of), zr_limits_default(), (size_t)1 << 28);
+    return read_with_part(ZR_FORMAT_GLTF, request, parts, of);
 }
 
 TEST(a_node_has_the_pose_of_the_time)
@@ -127,7 +124,7 @@ TEST(what_an_animation_cannot_move_is_warned_of)
 {
     static const struct {
         const char *name, *of, *warning;
-    } cases[] = {{"5", text, "/animations/5/channels/0: moves what is not read"},
+    } cases[] = {{"5", text, "/animations/5/channels/0: targets a property that is not read"},
                  {NULL, HEAD MESHES NODES "}", "the parameter time has no effect: the file has no animations"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct reading *reading = read_over((struct zr_request){.animation = cases[i].name, .time = "1"}, cases[i].of);

@@ -25,10 +25,7 @@ static const char text[] = FILE_OF(SUN "," LAMP "," CONE, NODES);
 
 static struct reading *read_over(struct zr_request request, const char *of)
 {
-    request.format = ZR_FORMAT_GLTF;
-    request.assets = parts;
-    request.asset_count = 1;
-    return read_request(request, of, strlen(of), zr_limits_default(), (size_t)1 << 28);
+    return read_with_part(ZR_FORMAT_GLTF, request, parts, of);
 }
 
 static void assert_vector(zr_vec3 v, float x, float y, float z)

@@ -183,7 +183,7 @@ TEST(what_is_no_picture_is_named)
                  {"{\"a\": 1}", 8, "it looks like JSON"},
                  {"\x89PNG\r\n\x1a\n", 8, "it looks like a PNG picture"},
                  {"\xFF\xD8", 2, "it begins with '?"},
-                 {"whatever it is", 14, "it begins with 'whatever', as no picture does"}};
+                 {"whatever it is", 14, "it begins with 'whatever', which is no known picture format"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
         assert_refused(cases[i].bytes, cases[i].size, cases[i].why);
 }

@@ -205,9 +205,9 @@ TEST(what_is_not_drawn_is_warned_of)
         const char *rest, *warnings[2];
     } cases[] = {
         {"mtllib a.mtl\nusemtl red\nf 1 2 3\nusemtl blue\nf 3 2 1\n",
-         {"OBJ: 1 file of materials (mtllib) is no part of the request; it is line 4: 'mtllib a.mtl'"}},
+         {"OBJ: 1 material library (mtllib) is no part of the request; it is line 4: 'mtllib a.mtl'"}},
         {"usemtl red\nusemtl oak\nf 1 2 3\nusemtl blue\nf 3 2 1\n",
-         {"OBJ: 2 materials (usemtl) are in no file of materials; their faces have the look's; the first is line 5: "
+         {"OBJ: 2 materials (usemtl) are in no material library; their faces have the look's; the first is line 5: "
           "'oak'"}},
         {"f 1 2 3\ncurv 0 1 1 2 3\nsurf 0 1 0 1 1 2 3\n",
          {"OBJ: 2 statements of curves and surfaces are not drawn; the first is line 5: 'curv 0 1 1 2 3'"}},

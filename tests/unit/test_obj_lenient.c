@@ -108,15 +108,6 @@ TEST(files_with_faults_are_those_without_and_strict_refuses_them)
 
 /* ---- far from the origin ---- */
 
-static void assert_origin(const struct reading *reading, double x, double y, double z)
-{
-    const double *origin = reading->scene->origin;
-    assert_read(reading);
-    assert_non_null(origin);
-    if (origin[0] != x || origin[1] != y || origin[2] != z)
-        fail_msg("%.17g %.17g %.17g", origin[0], origin[1], origin[2]);
-}
-
 TEST(middle_of_far_meshes_is_their_origin)
 {
     struct reading *reading =

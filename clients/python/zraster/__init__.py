@@ -66,7 +66,7 @@ def render(
     view: a dict as in the scene format, a preset such as "front", or a 4x4 matrix from camera to world
     parts: bytes or arrays by name; a scene refers to them by {"asset": name}, glTF by a path
     root: folder of the files that a path's file may refer to, such as textures; default: its own. They are read as
-        parts. Files outside of it are not read, which is warned of
+        parts. Files outside of it cause a warning
     renderer: threads and limits of its own; default: one renderer that the process shares
     cancel: a flag that ends the call. Ctrl-C, and other signals whose handlers raise, end a call of the main thread,
         and raise this flag

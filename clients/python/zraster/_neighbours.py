@@ -103,8 +103,8 @@ class _Search:
 def _line(names: List[str], why: str) -> List[str]:
     if not names:
         return []
-    many = f"{len(names)} files that are referred to are not read, since {why}; the first is {names[0]}"
-    return [f"a file that is referred to is not read, since {why}: {names[0]}" if len(names) == 1 else many]
+    many = f"{len(names)} referenced files are not read ({why}); the first is {names[0]}"
+    return [f"a referenced file is not read ({why}): {names[0]}" if len(names) == 1 else many]
 
 
 def read(
@@ -124,5 +124,5 @@ def read(
         ending = os.path.splitext(part)[1].lstrip(".")
         if ending:
             search.find_all(os.path.dirname(part), search.files[part], ending)
-    lines = _line(search.outside, "it is not below the folder of the file or root")
-    return search.files, lines + _line(search.excess, "they are too many or too large")
+    lines = _line(search.outside, "outside of the folder of the file or root")
+    return search.files, lines + _line(search.excess, "beyond the limits of number or size")
