@@ -77,7 +77,7 @@ struct zr_kept_image;
 
 /* Decoded images that the caller keeps between requests, by the hash of their files. No answer depends on them. */
 struct zr_kept_images {
-    /* Computes the hash of a file, and finds its image, whose texels stay until the scene's memory is freed. False: none.
+    /* Computes the hash of a file and finds its image, whose texels stay until the scene is freed. False: none.
      * NULL: no images are kept. Only the thread that reads the scene calls `find` and `keep`. */
     bool (*find)(void *context, const void *bytes, size_t size, struct zr_image_hash *hash,
                  struct zr_kept_image *image);
