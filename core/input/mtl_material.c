@@ -57,9 +57,13 @@ static float given_alpha(const struct zr_mtl_values *given)
     return alpha > 0.0f ? alpha : 1.0f;
 }
 
-/* Makes the texture of map_Kd and map_d. Sets *is_see_through if its alpha counts. */
-static void put_base(struct zr_mtl *mtl, const struct zr_mtl_values *given, struct zr_parsed_material *out,
-                     bool *is_see_through)
+/* What the texture of map_Kd and map_d has. */
+struct base_map {
+    bool has_color, is_see_through; /* is_see_through: its alpha counts */
+};
+
+/* Makes the texture of map_Kd and map_d. */
+static struct base_map put_base(struct zr_mtl *mtl, const struct zr_mtl_values *given, struct zr_parsed_material *out)
 {
     const struct zr_mtl_given_map *color = &given->maps[ZR_MTL_MAP_COLOR], *alpha = &given->maps[ZR_MTL_MAP_ALPHA];
     struct zr_mtl_channel channels[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
@@ -67,24 +71,25 @@ static void put_base(struct zr_mtl *mtl, const struct zr_mtl_values *given, stru
     const bool has_color = zr_mtl_find_image(mtl, color, &of_color);
     bool has_alpha = zr_mtl_find_image(mtl, alpha, &of_alpha);
     if (has_color && has_alpha) has_alpha = is_alike(mtl, color, alpha);
-    if (mtl->status != ZR_OK || !(has_color || has_alpha)) return;
+    const struct base_map made_of = {has_color, has_alpha};
+    if (mtl->status != ZR_OK || !(has_color || has_alpha)) return (struct base_map){false, false};
     if (!has_alpha) {
         if (given_alpha(given) >= 1.0f && !zr_parsed_image_is_opaque(&mtl->root, of_color))
             zr_mtl_note(mtl, ZR_MTL_NOTE_OPAQUE, &color->whole);
         put_texture(mtl, color, ZR_TEXTURE_BASE_COLOR, of_color, out);
-        return;
+        return made_of;
     }
-    *is_see_through = true;
     const bool is_channel = !zr_parsed_image_is_opaque(&mtl->root, of_alpha);
     if (is_channel && has_color && of_color == of_alpha) {
         put_texture(mtl, color, ZR_TEXTURE_BASE_COLOR, of_color, out);
-        return;
+        return made_of;
     }
     for (uint32_t k = 0; k < 3 && has_color; k++)
         channels[k] = channel_of(of_color, k);
     channels[3] = channel_of(of_alpha, is_channel ? 3 : 0);
     if (zr_mtl_make_image(mtl, &alpha->whole, channels, &made))
         put_texture(mtl, has_color ? color : alpha, ZR_TEXTURE_BASE_COLOR, made, out);
+    return made_of;
 }
 
 /* Makes the texture of map_Pr (green) and map_Pm (blue). */
@@ -159,18 +164,17 @@ static float alpha_of(struct zr_mtl *mtl, const struct zr_mtl_values *given)
     return given_alpha(given);
 }
 
-static void put_color(struct zr_mtl *mtl, const struct zr_mtl_values *given, bool is_see_through,
+static void put_color(struct zr_mtl *mtl, const struct zr_mtl_values *given, const struct base_map *map,
                       struct zr_parsed_material *out)
 {
     const float *v = given->diffuse;
     const float alpha = alpha_of(mtl, given);
     const bool has_texture = out->textures[ZR_TEXTURE_BASE_COLOR].number > 0;
-    const bool is_black = given->has_diffuse && v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f;
-    if (is_black && has_texture) zr_mtl_note(mtl, ZR_MTL_NOTE_BLACK, &given->maps[ZR_MTL_MAP_COLOR].whole);
-    out->base_color = !given->has_diffuse || (is_black && has_texture) ? (zr_vec4){1, 1, 1, alpha}
-                                                                       : (zr_vec4){v[0], v[1], v[2], alpha};
+    const bool is_hidden = given->has_diffuse && v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f && map->has_color;
+    if (is_hidden) zr_mtl_note(mtl, ZR_MTL_NOTE_BLACK, &given->maps[ZR_MTL_MAP_COLOR].whole);
+    out->base_color = !given->has_diffuse || is_hidden ? (zr_vec4){1, 1, 1, alpha} : (zr_vec4){v[0], v[1], v[2], alpha};
     if (given->has_diffuse || has_texture || alpha < 1.0f) out->keys |= UINT64_C(1) << ZR_MATERIAL_BASE_COLOR;
-    out->face_style.alpha_mode = is_see_through || alpha < 1.0f ? ZR_ALPHA_BLEND : ZR_ALPHA_OPAQUE;
+    out->face_style.alpha_mode = map->is_see_through || alpha < 1.0f ? ZR_ALPHA_BLEND : ZR_ALPHA_OPAQUE;
 }
 
 /* Source: obj2gltf, convertTraditionalToMetallicRoughness. */
@@ -184,7 +188,6 @@ static float roughness_of(const struct zr_mtl_values *given)
 
 void zr_mtl_convert(struct zr_mtl *mtl, const struct zr_mtl_values *given, struct zr_parsed_material *out)
 {
-    bool is_see_through = false;
     if (given->has_roughness || given->has_shininess) {
         out->keys |= UINT64_C(1) << ZR_MATERIAL_ROUGHNESS;
         out->roughness = given->has_roughness ? given->roughness : roughness_of(given);
@@ -193,8 +196,8 @@ void zr_mtl_convert(struct zr_mtl *mtl, const struct zr_mtl_values *given, struc
         out->keys |= UINT64_C(1) << ZR_MATERIAL_METALLIC;
         out->metallic = given->has_metallic ? given->metallic : 0.0f;
     }
-    put_base(mtl, given, out, &is_see_through);
-    put_color(mtl, given, is_see_through, out);
+    const struct base_map map = put_base(mtl, given, out);
+    put_color(mtl, given, &map, out);
     put_metallic_roughness(mtl, given, out);
     put_normals(mtl, given, out);
     put_emission(mtl, given, out);

@@ -42,7 +42,7 @@ struct zr_quote zr_quote(const char *bytes, size_t size)
     static const char cut[] = "...";
     struct zr_quote quote;
     size_t used = 0, room = sizeof quote.text - sizeof cut - 2;
-    const char *at = bytes, *end = bytes + size;
+    const char *at = bytes, *end = size > 0 ? bytes + size : bytes; /* bytes may be NULL */
     quote.text[used++] = '\'';
     while (at < end) {
         size_t length = zr_utf8_length(at, end);

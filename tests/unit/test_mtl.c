@@ -82,6 +82,7 @@ TEST(values_become_those_of_a_material)
         {"map_Kd m.mtl", -1, 1, 1, 1, 0, 0.55f, "MTL: 1 texture cannot be read, and is not drawn; it is line 2"},
         {"Kd 0 0 0\nmap_Kd c.png", 1, 1, 1, 1, 0, 0.55f,
          "MTL: 1 Kd of 0 would hide its map_Kd, and is taken as 1; it is line 3: 'map_Kd c.png'"},
+        {"Kd 0 0 0\nmap_d g.png", 0, 0, 0, 1, 0, 0.55f, ""},
         {"map_Kd a b.png", 1, 1, 1, 1, 0, 0.55f,
          "MTL: 1 map_Kd has an alpha below 1 and no map_d that uses it: it is drawn opaque"},
         {"map_bump g.png", -1, 1, 1, 1, 0, 0.55f, "MTL: 1 height map is not drawn; normal maps are; it is line 2"},
@@ -102,7 +103,8 @@ TEST(values_become_those_of_a_material)
             fail_msg("row %zu: colour %g %g", i, (double)got->base_color.x, (double)got->base_color.w);
         if (!IS_NEAR(got->metallic, rows[i].metallic) || !IS_NEAR(got->roughness, rows[i].roughness))
             fail_msg("row %zu: metallic %g, roughness %g", i, (double)got->metallic, (double)got->roughness);
-        assert_int_equal(got->alpha_mode, rows[i].alpha < 1.0f ? ZR_ALPHA_BLEND : ZR_ALPHA_OPAQUE);
+        const bool blends = rows[i].alpha < 1.0f || strstr(rows[i].lines, "map_d g");
+        assert_int_equal(got->alpha_mode, blends ? ZR_ALPHA_BLEND : ZR_ALPHA_OPAQUE);
         assert_true(got->double_sided);
         const char *warning = warning_of(reading);
         if (strncmp(warning, rows[i].warning, strlen(rows[i].warning)) != 0 || (!*rows[i].warning && *warning))
