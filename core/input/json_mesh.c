@@ -28,9 +28,8 @@ enum {
     FILE_ASSET,
     KEYS
 };
-enum { SQUARE, ROUND, POINT_SHAPES };
 static const char *const point_shapes[] = {"square", "round"};
-static const struct zr_names point_shape_names = ZR_NAMES(POINT_SHAPES, point_shapes);
+static const struct zr_names point_shape_names = ZR_NAMES(ZR_POINT_SHAPES, point_shapes);
 
 #define AT(member) offsetof(struct zr_parsed_mesh, member)
 static const struct zr_json_field fields[] = {
@@ -78,7 +77,7 @@ static bool has_file(const struct zr_parsed_mesh *given)
     return gives(given, FILE_URI) || gives(given, FILE_ASSET);
 }
 
-/* A file has its own lists. */
+/* A file has its own lists and colours. */
 static bool check_file(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given)
 {
     const char *file = fields[gives(given, FILE_URI) ? FILE_URI : FILE_ASSET].key;
@@ -86,6 +85,10 @@ static bool check_file(struct zr_json *json, const struct zr_json_path *path, co
     for (int key = POSITIONS; key <= TANGENTS; key++)
         if (gives(given, key) && key != POINT_SIZE && key != POINT_SHAPE)
             zr_json_fault(json, path, "two shapes: %s and %s", file, fields[key].key);
+    if (given->scalars.values.items)
+        zr_json_fault(json, ZR_JSON_KEY(path, "scalars"), "two kinds of colours: %s and scalars", file);
+    else
+        zr_scalars_check_none(json, path, &given->scalars);
     return json->error->count == faults;
 }
 
@@ -235,7 +238,9 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
     if (given->material)
         style.material = zr_parsed_find_material(root, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
     if (given->model) {
-        zr_model_make(root, path, given, &style, meshes);
+        const bool has_points = zr_model_make(root, path, given, &style, meshes);
+        if (gives(given, POINT_SIZE) && !has_points)
+            zr_parsed_note_oddity(root, ZR_ODD_POINT_SIZE, style.number, false);
         return;
     }
     if (gives(given, HEIGHTS)) {
@@ -248,7 +253,7 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
         make_faces(json, path, given, mesh);
         make_points(json, path, &given->points, mesh);
         mesh->point_size = given->point_size;
-        mesh->points_are_round = given->point_shape == ROUND;
+        mesh->points_are_round = given->point_shape == ZR_POINT_ROUND;
     }
     mesh->normals = one_each(json, path, given, NORMALS, &given->normals, mesh->position_count, "positions");
     mesh->normal_count = mesh->normals ? mesh->position_count : 0;

@@ -26,6 +26,8 @@ struct zr_parsed_points {
     uint32_t positions;
 };
 
+enum { ZR_POINT_SQUARE, ZR_POINT_ROUND, ZR_POINT_SHAPES };
+
 /* A mesh as read. */
 struct zr_parsed_mesh {
     uint64_t keys;               /* bit i: key i is given */
@@ -38,7 +40,7 @@ struct zr_parsed_mesh {
     struct zr_parsed_lines lines;
     struct zr_parsed_points points;
     float point_size;
-    int point_shape;
+    int point_shape; /* ZR_POINT_ROUND ... */
     struct zr_heights heights;
     struct zr_scalars scalars;
 };
@@ -51,10 +53,11 @@ struct zr_parsed_mesh {
  *         polygons; scene->mesh_owners has their i.
  *
  * zr_model_read reads the file; `path`: of the mesh; NULL after a fault. zr_model_make fills meshes[], after
- * zr_parsed_number_models. Faces have the material of `style`, else the file's. */
+ * zr_parsed_number_models, and returns whether the file has points. Faces have the material of `style`, else the
+ * file's. */
 struct zr_model *zr_model_read(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                const struct zr_bytes_name *name);
-void zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
+bool zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
                    const struct zr_style *style, struct zr_mesh *meshes);
 
 zr_json_read_fn zr_read_mesh_positions, zr_read_mesh_colors, zr_read_mesh_normals, zr_read_mesh_texcoords,

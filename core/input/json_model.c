@@ -191,25 +191,31 @@ static void repeat_warnings(struct zr_parsed_scene *root, const struct zr_warnin
         zr_warning_list_add(root->json.arena, list, "mesh %u: %s", number, from->texts[i]);
 }
 
-void zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
+bool zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
                    const struct zr_style *style, struct zr_mesh *meshes)
 {
     const struct zr_model *model = given->model;
     const struct zr_scene *from = &model->scene;
     struct zr_parsed_material *own = take_materials(root, model);
+    bool has_points = false;
     for (uint32_t i = 0; own && i < from->mesh_count; i++) {
         struct zr_mesh *mesh = &meshes[number_of(root, style->number, i)];
         *mesh = model->builder.meshes[i];
         if (i == 0 && given->name) mesh->name = given->name;
-        if (mesh->point_count > 0) mesh->point_size = given->point_size;
+        if (mesh->point_count > 0) {
+            has_points = true;
+            mesh->point_size = given->point_size;
+            mesh->points_are_round = given->point_shape == ZR_POINT_ROUND;
+        }
         if (mesh->face_count > 0)
             zr_parsed_check_texcoords(root, path, style->material, mesh->texcoords != NULL, mesh->texcoords != NULL);
-        if (root->json.error->count > 0) return;
+        if (root->json.error->count > 0) return true;
         make_material(root, model->builder.file, i, style, own, mesh);
     }
     count_normals(root->scene, &from->counts, style->number);
     repeat_warnings(root, &model->builder.warnings, style->number, &root->builder->warnings);
     repeat_warnings(root, &model->builder.color_warnings, style->number, &root->builder->color_warnings);
+    return has_points;
 }
 
 /* ---- placing ---- */

@@ -191,15 +191,27 @@ static const struct zr_color_scale *make_scale(struct zr_json *json, const struc
     return scale;
 }
 
+static void check_none(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars,
+                       const float *z)
+{
+    if (scalars->colormap >= 0 && !z)
+        zr_json_fault(json, ZR_JSON_KEY(path, "colormap"), "a map without scalars, or heights, to colour");
+    if (scalars->has_range)
+        zr_json_fault(json, ZR_JSON_KEY(path, "range"), "a range without scalars%s", z ? " or a colormap" : "");
+}
+
+void zr_scalars_check_none(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars)
+{
+    check_none(json, path, scalars, NULL);
+}
+
 /* False if there is nothing to colour, or after a fault. */
 static bool choose(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars,
                    const float *z, const struct zr_mesh *mesh)
 {
     const bool has_values = scalars->values.items != NULL, has_map = scalars->colormap >= 0;
     if (!has_values && !(z && has_map)) {
-        if (has_map) zr_json_fault(json, ZR_JSON_KEY(path, "colormap"), "a map without scalars, or heights, to colour");
-        if (scalars->has_range)
-            zr_json_fault(json, ZR_JSON_KEY(path, "range"), "a range without scalars%s", z ? " or a colormap" : "");
+        check_none(json, path, scalars, z);
         return false;
     }
     if (!mesh->colors && !mesh->face_colors) return true;

@@ -40,6 +40,9 @@ struct zr_scalars {
     }
 zr_json_read_fn zr_read_scalars, zr_read_scalar_range; /* struct zr_scalars */
 
+/* Reports a map or range of a mesh without scalars and heights. `path`: the mesh's. */
+void zr_scalars_check_none(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars);
+
 /* Sets colors or face_colors, and scale, of a mesh with positions and faces; does nothing without scalars and map. `z`:
  * of a grid, one per position, NaN in holes, whose scalars do not count; else NULL. `path`: the mesh's. Reports faults,
  * such as other colours of the mesh, and warns of scalars outside of the range. */

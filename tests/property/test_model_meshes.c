@@ -100,6 +100,27 @@ TEST(a_camera_of_a_file_is_the_view)
         "node");
 }
 
+TEST(points_of_files_have_the_size_and_shape_of_the_mesh)
+{
+    static const char cloud[] = "\"uri\":\"data:;base64,diAwIDAgMAp2IDEgMCAwCnYgMCAxIDAKcCAxIDIgMwo=\"";
+    static const char list[] = "\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"points\":[0,1,2]";
+    static const char *const shapes[] = {"square", "round"};
+    for (int i = 0; i < 2; i++) {
+        char file[512], plain[512];
+        snprintf(file, sizeof file, SCENE("textbook", "\"meshes\":[{%s,\"pointSize\":20,\"pointShape\":\"%s\"}]"),
+                 cloud, shapes[i]);
+        snprintf(plain, sizeof plain, SCENE("textbook", "\"meshes\":[{%s,\"pointSize\":20,\"pointShape\":\"%s\"}]"),
+                 list, shapes[i]);
+        assert_same_picture(draw(request_of(file)), draw(request_of(plain)), shapes[i]);
+    }
+    zraster_picture *faces = draw(request_of("{\"meshes\":[{\"asset\":\"m.obj\",\"pointSize\":20}]}"));
+    const char *warning = "";
+    for (size_t i = 0; warning && !strstr(warning, "mesh 0: pointSize has no effect without points"); i++)
+        warning = zraster_picture_warning(faces, i);
+    assert_non_null(warning);
+    zraster_picture_free(faces);
+}
+
 /* The same three instances, by the nodes of the scene and by those of the file. */
 TEST(nodes_poses_and_materials_apply_to_files)
 {
@@ -157,21 +178,25 @@ TEST(files_that_are_no_models_are_refused)
 {
     static const struct {
         const char *mesh, *pointer, *detail;
-    } cases[] = {{"{\"asset\":\"m.obj\",\"positions\":[[0,0,0]]}", "/meshes/0", "two shapes: asset and positions"},
-                 {"{\"uri\":\"data:;base64,e30=\"}", "/meshes/0/uri",
-                  "the file looks like JSON; a mesh needs a model, such as OBJ"},
-                 {"{\"uri\":\"data:;base64,AAAA\"}", "/meshes/0/uri", "looks like an unknown format"},
-                 {"{\"uri\":\"data:;base64,diAwIDAgMApmIDEgMSA5Cg==\"}", "/meshes/0/uri", "line 2"},
-                 {"{\"uri\":\"data:;base64,diAwIDAgMApmIDEgMSA5Cg==\",\"asset\":\"x\"}", "/meshes/0",
-                  "only one of uri and asset"},
-                 {"{\"uri\":\"data:;base64,eyJhc3NldCI6eyJ2ZXJzaW9uIjoiMi4wIn0sIm1lc2hlcyI6NX0=\"}", "/meshes/0/uri",
-                  "/meshes: "},
-                 {"{\"asset\":\"m.obj\"}],\"view\":{\"camera\":\"x\"},\"lights\":[", "/view/camera",
-                  "no mesh of the scene is a file with cameras"},
-                 {"{\"asset\":\"m.gltf\"}],\"view\":{\"camera\":\"x\"},\"lights\":[", "/view/camera",
-                  "the file has no camera 'x'; its cameras: 'eye'"},
-                 {"{\"asset\":\"m.obj\"}],\"view\":{\"camera\":\"x\",\"zfar\":3},\"lights\":[", "/view",
-                  "two views: camera and zfar"}};
+    } cases[] = {
+        {"{\"asset\":\"m.obj\",\"positions\":[[0,0,0]]}", "/meshes/0", "two shapes: asset and positions"},
+        {"{\"asset\":\"m.obj\",\"scalars\":[1,2,3,4]}", "/meshes/0/scalars", "two kinds of colours: asset and scalars"},
+        {"{\"asset\":\"m.obj\",\"colormap\":\"turbo\"}", "/meshes/0/colormap", "a map without scalars"},
+        {"{\"asset\":\"m.obj\",\"range\":[0,1]}", "/meshes/0/range", "a range without scalars"},
+        {"{\"uri\":\"data:;base64,e30=\"}", "/meshes/0/uri",
+         "the file looks like JSON; a mesh needs a model, such as OBJ"},
+        {"{\"uri\":\"data:;base64,AAAA\"}", "/meshes/0/uri", "looks like an unknown format"},
+        {"{\"uri\":\"data:;base64,diAwIDAgMApmIDEgMSA5Cg==\"}", "/meshes/0/uri", "line 2"},
+        {"{\"uri\":\"data:;base64,diAwIDAgMApmIDEgMSA5Cg==\",\"asset\":\"x\"}", "/meshes/0",
+         "only one of uri and asset"},
+        {"{\"uri\":\"data:;base64,eyJhc3NldCI6eyJ2ZXJzaW9uIjoiMi4wIn0sIm1lc2hlcyI6NX0=\"}", "/meshes/0/uri",
+         "/meshes: "},
+        {"{\"asset\":\"m.obj\"}],\"view\":{\"camera\":\"x\"},\"lights\":[", "/view/camera",
+         "no mesh of the scene is a file with cameras"},
+        {"{\"asset\":\"m.gltf\"}],\"view\":{\"camera\":\"x\"},\"lights\":[", "/view/camera",
+         "the file has no camera 'x'; its cameras: 'eye'"},
+        {"{\"asset\":\"m.obj\"}],\"view\":{\"camera\":\"x\",\"zfar\":3},\"lights\":[", "/view",
+         "two views: camera and zfar"}};
     const struct zraster_part parts[] = {bytes_part("m.obj", obj, strlen(obj)),
                                          bytes_part("m.gltf", gltf, strlen(gltf)),
                                          bytes_part("corners.bin", corners, sizeof corners)};
