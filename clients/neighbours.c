@@ -122,6 +122,14 @@ static bool has_part(const struct input *input, const char *name)
     return false;
 }
 
+/* True if --part gives the name: it overrides a neighbour. */
+static bool has_own_part(const struct input *input, const char *name)
+{
+    for (size_t i = 0; i < input->part_count; i++)
+        if (!input->parts[i].is_neighbour && strcmp(input->parts[i].name, name) == 0) return true;
+    return false;
+}
+
 /* Removes parts "." and "x/.." of a path whose file exists. */
 static void tidy(char *path)
 {
@@ -177,7 +185,7 @@ static void add_file(struct search *search, const char *path, const char *name)
 static void find(struct search *search, const char *from, const char *name)
 {
     char plain[PATH_MAX], relative[2 * PATH_MAX], path[PATH_MAX];
-    if (strlen(name) >= sizeof plain || has_part(search->input, name)) return; /* --part overrides */
+    if (strlen(name) >= sizeof plain || has_own_part(search->input, name)) return;
     decode(name, plain);
     const char *base = last_part(plain);
     const char *const tries[] = {name, plain, base, base};

@@ -1,5 +1,6 @@
 #include "input/file_parts.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -121,8 +122,9 @@ static struct zr_file_names *make_index(const struct zr_parsed_assets *assets, s
     for (uint32_t i = 0; names->all && names->bases && i < assets->count; i++) {
         const struct zr_asset *asset = &assets->items[i];
         const char *path = asset->packed ? asset->packed->path : asset->name;
-        names->all[names->count++] = (struct name){asset->name, i, 0};
-        if (strcmp(path, asset->name) != 0) names->all[names->count++] = (struct name){path, i, 1};
+        const bool is_inside = strcmp(path, asset->name) != 0; /* the model's folder */
+        names->all[names->count++] = (struct name){asset->name, i, !asset->packed ? 0 : is_inside ? 1 : 2};
+        if (is_inside) names->all[names->count++] = (struct name){path, i, 3};
         names->bases[names->base_count++] = (struct name){last_part(asset->name), i, 0};
     }
     if (!zr_arena_ok(arena)) return NULL;
@@ -164,6 +166,20 @@ static const struct name *find_only(const struct name *names, size_t count, cons
 
 /* ---- interface ---- */
 
+/* The steps 1 to 3, for a name below the folder. */
+static const struct name *find_below(const struct zr_file_names *names, struct zr_arena *arena, const char *folder,
+                                     const char *name)
+{
+    const size_t size = strlen(folder) + strlen(name) + 1;
+    char *joined = zr_arena_alloc(arena, size, 1), *path = zr_arena_alloc(arena, size, 1);
+    if (!joined || !path) return NULL;
+    snprintf(joined, size, "%s%s", folder, name);
+    const struct name *found = find_exact(names->all, names->count, joined);
+    if (found || zr_file_path_clean(joined, size - 1, path) == 0) return found;
+    found = find_exact(names->all, names->count, path);
+    return found ? found : find_only(names->all, names->count, path, false);
+}
+
 static const struct name *find(const struct zr_file_names *names, struct zr_arena *arena, const char *name)
 {
     const struct name *found = find_exact(names->all, names->count, name);
@@ -195,7 +211,8 @@ static bool has_index(struct zr_parsed_assets *assets, struct zr_arena *arena)
 const struct zr_asset *zr_file_part_find(struct zr_parsed_assets *assets, struct zr_arena *arena, const char *name)
 {
     if (!has_index(assets, arena)) return NULL;
-    return use_asset(assets, arena, find(assets->names, arena, name), ZR_USED_BY_GEOMETRY);
+    const struct name *found = assets->folder ? find_below(assets->names, arena, assets->folder, name) : NULL;
+    return use_asset(assets, arena, found ? found : find(assets->names, arena, name), ZR_USED_BY_GEOMETRY);
 }
 
 const struct zr_asset *zr_file_part_named(struct zr_parsed_assets *assets, struct zr_arena *arena, const char *name,

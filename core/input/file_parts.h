@@ -5,6 +5,7 @@
  *     2. as a path: escapes such as %20 decoded, backslashes as slashes, parts "." and "x/.." removed;
  *     3. the same without regard to ASCII case;
  *     4. the last part of the path with the last parts of the names, then without regard to case.
+ * A file in a scene, such as {"asset": "arm/robot.obj"}, has the folder of its name: steps 1 to 3 are tried there first.
  * Steps 3 and 4 need exactly one asset that fits. Nothing is fetched.
  */
 #ifndef ZR_FILE_PARTS_H

@@ -109,6 +109,7 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
         .scene = builder->scene,
         .assets = {.count = request->asset_count, .items = request->assets, .quick = request->quick}};
     file->root.assets.images = request->images;
+    file->root.assets.folder = builder->asset_folder;
     struct zr_json *json = &file->root.json;
     json->assets = &file->root.assets;
     zr_json_open(json, text.bytes, text.size);

@@ -47,8 +47,20 @@ static void count_pixels(struct zr_parsed_scene *root, const struct zr_scene *sc
         root->image_pixels += (uint64_t)scene->images[i].width * scene->images[i].height;
 }
 
+/* Returns the folder of a name, with a final slash; NULL if it has none. */
+static const char *folder_of(struct zr_arena *arena, const char *name)
+{
+    const char *slash = strrchr(name, '/');
+    const size_t length = slash ? (size_t)(slash - name) + 1 : 0;
+    char *folder = length > 0 ? zr_arena_alloc(arena, length + 1, 1) : NULL;
+    if (!folder) return NULL;
+    memcpy(folder, name, length);
+    folder[length] = '\0';
+    return folder;
+}
+
 static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                      const struct zr_parsed_bytes *bytes, struct zr_model *model)
+                      const struct zr_parsed_bytes *bytes, const char *folder, struct zr_model *model)
 {
     struct zr_json *json = &root->json;
     const struct zr_request request = {.format = ZR_FORMAT_UNKNOWN,
@@ -65,6 +77,7 @@ static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *p
     limits.image_pixels_max -= root->image_pixels;
     model->builder = zr_scene_builder_open(json->arena, json->team, &model->scene);
     model->builder.asset_uses = root->assets.uses;
+    model->builder.asset_folder = folder;
     const enum zr_status status = root->builder->read_model(&model->builder, &request, &limits, &faults);
     if (status != ZR_OK) return status == ZR_NO_MEMORY ? false : report(json, path, &faults);
     count_pixels(root, &model->scene);
@@ -99,7 +112,8 @@ struct zr_model *zr_model_read(struct zr_parsed_scene *root, const struct zr_jso
     struct zr_parsed_bytes bytes;
     struct zr_model *model = zr_arena_zero(json->arena, 1, sizeof *model);
     if (!model || !zr_parsed_read_named(json, path, name, &bytes) || !is_quick(root, bytes.size)) return NULL;
-    return read_file(root, at, &bytes, model) && place(model) ? model : NULL;
+    const char *folder = name->asset ? folder_of(json->arena, name->asset) : NULL;
+    return read_file(root, at, &bytes, folder, model) && place(model) ? model : NULL;
 }
 
 /* ---- making ---- */

@@ -145,6 +145,7 @@ struct zr_parsed_assets {
     size_t count;
     const struct zr_asset *items;
     struct zr_file_names *names; /* NULL before the first search */
+    const char *folder;          /* of the file that is read, with a final slash; NULL: it is the body */
     uint8_t *uses;               /* one per asset: a sum of the above */
     uint8_t use;                 /* the sum for the part of the scene that is read now */
     struct zr_stored stored;

@@ -29,6 +29,7 @@ struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_req
                                          .scene = builder->scene,
                                          .assets = {.count = request->asset_count,
                                                     .items = request->assets,
+                                                    .folder = builder->asset_folder,
                                                     .images = request->images,
                                                     .quick = request->quick,
                                                     .uses = uses}};

@@ -174,6 +174,38 @@ TEST(a_view_fits_all_meshes_of_a_file)
     zraster_picture_free(b);
 }
 
+/* Each of two files finds its own material library, in the folder of its name. */
+TEST(a_file_refers_to_files_of_its_folder)
+{
+    static const char red[] = "newmtl m\nKd 1 0 0\n", blue[] = "newmtl m\nKd 0 0 1\n",
+                      face[] = "mtllib a.mtl\nusemtl m\n" CORNERS "f 1 2 3\nf 1 3 2\n";
+    const struct zraster_part parts[] = {
+        bytes_part("a.mtl", red, sizeof red - 1), bytes_part("one/a.mtl", blue, sizeof blue - 1),
+        bytes_part("m.obj", face, sizeof face - 1), bytes_part("one/m.obj", face, sizeof face - 1)};
+    static const char *const names[] = {"m.obj", "one/m.obj"};
+    for (int i = 0; i < 2; i++) {
+        char text[256];
+        zraster_picture *picture;
+        zraster_error *error;
+        struct zraster_array array;
+        snprintf(text, sizeof text,
+                 "{\"shading\":\"unlit\",\"view\":{\"preset\":\"front\"},\"meshes\":[{\"asset\":\"%s\"}]}", names[i]);
+        struct zraster_request request = request_of(text);
+        request.parts = parts;
+        request.part_count = 4;
+        if (zraster_draw(renderer, &request, &picture, &error) != ZRASTER_OK) fail_msg("%s", zraster_error_text(error));
+        assert_int_equal(zraster_picture_channel(picture, "color", &array), 1);
+        size_t reds = 0, blues = 0;
+        const uint8_t *rgba = array.data;
+        for (size_t k = 0; k < array.shape[0] * array.shape[1]; k++) {
+            reds += rgba[4 * k] == 255 && rgba[4 * k + 2] == 0;
+            blues += rgba[4 * k] == 0 && rgba[4 * k + 2] == 255;
+        }
+        assert_true(i == 0 ? reds > 100 && blues == 0 : blues > 100 && reds == 0);
+        zraster_picture_free(picture);
+    }
+}
+
 TEST(files_that_are_no_models_are_refused)
 {
     static const struct {
