@@ -73,6 +73,10 @@ static const struct body {
     {{TEXT("a.obj", "")}, NULL, ZR_BAD_SYNTAX, "in a.obj: the member is empty"},
     {{TEXT("a.obj", "v x\n")}, NULL, ZR_BAD_SYNTAX, "in 'a.obj': "},
     {{TEXT("a.obj", SCENE)}, NULL, ZR_BAD_SYNTAX, "the body is said to be OBJ, and looks like JSON"},
+    {{TEXT("b.bin", "short"), TEXT("a/b.gltf", GLTF_OF("b.bin")), NUMBERS("a/b.bin")},
+     NULL,
+     ZR_OK,
+     "a member of the ZIP archive is not used: 'b.bin'"},
     {{TEXT("../a.obj", OBJ)}, NULL, ZR_BAD_SYNTAX, "a broken ZIP archive: member '../a.obj'"}};
 
 static size_t count_of(const struct body *body)
