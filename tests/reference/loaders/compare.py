@@ -24,7 +24,8 @@ def type_of(path):
 def loaders_of(build):
     """Returns name: (types, command), and names what is left out."""
     modules = os.path.join(build, "loaders", "node_modules")
-    loaders = {"three": (TYPES, ["node", os.path.join(HERE, "three.mjs"), modules])}
+    loaders = {"three": (TYPES, ["node", os.path.join(HERE, "three.mjs"), modules]),
+               "validator": (("gltf", "glb"), ["node", os.path.join(HERE, "validate.mjs"), modules])}
     for name, types in (("meshio", ("ply",)), ("trimesh", ("obj", "stl", "ply", "glb"))):
         if importlib.util.find_spec(name):
             loaders[name] = (types, [sys.executable, os.path.join(HERE, "read.py"), name])
@@ -53,7 +54,13 @@ def is_near(mine, theirs):
 
 
 def differences(mine, theirs):
-    """Yields (kind, text)."""
+    """Yields (kind, text). Of the validator: errors of files that are drawn, and files without errors that are refused."""
+    if "codes" in theirs:
+        for code, pointer in theirs["codes"].items() if "error" not in mine else ():
+            yield "drawn, " + code, pointer
+        if "error" in mine and not theirs["codes"]:
+            yield "ours refuses", mine["error"]
+        return
     if "error" in mine or "error" in theirs:
         if "error" not in mine:
             yield "theirs refuse", theirs["error"]
