@@ -320,13 +320,15 @@ fuzz: ## clang's libFuzzer on all that reads strangers' bytes, FUZZ_SECONDS=20 f
 
 .PHONY: fuzzers
 fuzzers: $(fuzz_targets) $(BUILD)/tests/fuzz/seeds
-tests: fuzzers
 
 .PHONY: unit-tests
 unit-tests: $(unit_tests)
 
+.PHONY: checks
+checks: all fuzzers $(unit_tests) $(server_tests) $(BUILD)/zraster-tables $(BUILD)/failing_malloc.so $(verify)
+
 .PHONY: tests
-tests: all $(unit_tests) $(server_tests) $(BUILD)/zraster-tables $(BUILD)/failing_malloc.so $(verify) mutants $(BUILD)/zraster-bench $(bench_alone)
+tests: checks mutants $(BUILD)/zraster-bench $(bench_alone)
 
 .PHONY: needs
 needs:

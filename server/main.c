@@ -112,6 +112,7 @@ static int serve(const struct config *config)
     http_stop(http);
     slowness_end(&slowness);
     store_close(store);
+    images_close(images);
     zr_team_destroy(team);
     log_event("info", "stopped", NULL);
     log_writer_stop();

@@ -141,7 +141,6 @@ for part in "$@"; do
         verify reference-softpipe "$programs/zraster-verify" --driver softpipe --triangles $((triangles / 20)) tests/scenes
         verify reference-transform "$programs/zraster-verify" --transform independent --triangles $((triangles / 10)) tests/scenes
         run reference-lines "$programs/zraster-verify-lines" --primitives "${REFERENCE_LINES:-100000}"
-        run reference-line-faults "$build/mutant/zraster-verify-lines" --fault all --primitives 5000
         ;;
     models)
         if [ -d "$data/models" ]; then
@@ -169,6 +168,7 @@ for part in "$@"; do
         ;;
     mutants)
         run mutants tests/reference/mutants.sh "$build"
+        run line-faults "$build/mutant/zraster-verify-lines" --fault all --primitives 5000
         run fast tests/reference/fast.sh "$build"
         ;;
     *)
