@@ -15,6 +15,12 @@ echo "colour and depth of an example scene ($scene):"
 "$build/zraster" "$scene" -c color,depth --encoding png16 -o "$out/" -v
 echo "the same by the daemon:"
 . clients/start_daemon.sh
-curl -sf "$server/v1/render?preset=isometric&width=800&height=600" --data-binary @"$mesh" -o "$out/spider-http.png"
+# The mesh with its materials and their textures, each a part of one form.
+folder=${mesh%/*}
+set -- -F "scene=@$mesh;type=model/obj"
+for part in spider.mtl $(tr -d '\r' <"$folder/spider.mtl" | sed -n 's|^ *map_Kd *\.*[/\\]*||p' | sort -u); do
+    set -- "$@" -F "$part=@$folder/$part"
+done
+curl -sf "$server/v1/render?preset=isometric&width=800&height=600" "$@" -o "$out/spider-http.png"
 "$build/zraster" "$scene" --server "$server" -o "$out/solids-http.png" -c color -v
 cmp "$out/spider.png" "$out/spider-http.png" && cmp "$out/solids.png" "$out/solids-http.png" && echo "the same bytes: $out/"
