@@ -53,7 +53,8 @@ static void read_view(struct zr_gltf *file, struct zr_json *json, const struct z
     zr_gltf_fields(file, json, path, &view_object, &given, &keys);
     *view = given.view;
     if (given.extensions)
-        view->compressed = zr_gltf_find_compressed(file, ZR_JSON_KEY(path, "extensions"), given.extensions);
+        zr_gltf_find_extension(file, ZR_JSON_KEY(path, "extensions"), given.extensions, ZR_GLTF_MESHOPT,
+                               &view->compressed);
     if (zr_json_gives(keys, VIEW_STRIDE) && (view->stride < STRIDE_MIN || view->stride > STRIDE_MAX))
         zr_json_fault(json, ZR_JSON_KEY(path, view_fields[VIEW_STRIDE].key), "%u; %d to %d bytes are allowed",
                       view->stride, STRIDE_MIN, STRIDE_MAX);

@@ -7,8 +7,7 @@
 
 /* ---- gltf_meshopt.c: EXT_meshopt_compression ---- */
 
-/* Returns the place of the extension in a view's extensions, or NULL. */
-const char *zr_gltf_find_compressed(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions);
+#define ZR_GLTF_MESHOPT "EXT_meshopt_compression"
 
 /* Reads the extension of a view. `path`: of the extension. */
 struct zr_gltf_compressed {
@@ -24,8 +23,7 @@ bool zr_gltf_decompress(struct zr_gltf *file, const struct zr_json_path *path, c
 
 /* ---- gltf_instancing.c: EXT_mesh_gpu_instancing ---- */
 
-/* Returns the place of the extension in a node's extensions, or NULL. */
-const char *zr_gltf_find_instancing(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions);
+#define ZR_GLTF_INSTANCING "EXT_mesh_gpu_instancing"
 
 /* Reads the poses of a use with instancing. False after a fault. */
 bool zr_gltf_read_poses(struct zr_gltf *file, struct zr_gltf_use *use);
@@ -58,5 +56,10 @@ void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light, co
 /* Reads an object of extensions. Skips those that are not in the table, without a note. */
 bool zr_gltf_extensions(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
                         const struct zr_json_object *object, void *out, uint64_t *given);
+
+/* Finds one extension in the object of extensions at a place: sets *place to its own, or leaves it. False after a
+ * fault. */
+bool zr_gltf_find_extension(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,
+                            const char *name, const char **place);
 
 #endif

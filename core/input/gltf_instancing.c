@@ -3,24 +3,6 @@
 
 #include "input/json_matrix.h"
 
-static const char NAME[] = "EXT_mesh_gpu_instancing";
-
-struct given_extensions {
-    const char *instancing;
-};
-static const struct zr_json_field extension_fields[] = {
-    {.key = NAME, .read = zr_json_place, .offset = offsetof(struct given_extensions, instancing)}};
-static const struct zr_json_object extension_object = ZR_JSON_OBJECT_OF("extensions", extension_fields);
-
-const char *zr_gltf_find_instancing(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions)
-{
-    struct zr_json there = zr_json_at(&file->root.json, extensions);
-    struct given_extensions given = {NULL};
-    uint64_t keys;
-    zr_gltf_extensions(file, &there, path, &extension_object, &given, &keys);
-    return given.instancing;
-}
-
 struct given_instancing {
     const char *attributes;
 };
@@ -30,7 +12,7 @@ static const struct zr_json_field fields[] = {{.key = "attributes",
                                                .required = true,
                                                .text = "accessors of the poses"},
                                               ZR_GLTF_COMMON};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("EXT_mesh_gpu_instancing", fields);
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF(ZR_GLTF_INSTANCING, fields);
 
 /* Accessor numbers, or NONE. */
 struct attributes {
@@ -102,7 +84,8 @@ static bool make_poses(struct zr_gltf *file, const struct zr_json_path *path, co
 bool zr_gltf_read_poses(struct zr_gltf *file, struct zr_gltf_use *use)
 {
     const struct zr_json_path *node = ZR_GLTF_ITEM(ZR_GLTF_NODES, use->node),
-                              *extensions = ZR_JSON_KEY(node, "extensions"), *path = ZR_JSON_KEY(extensions, NAME),
+                              *extensions = ZR_JSON_KEY(node, "extensions"),
+                              *path = ZR_JSON_KEY(extensions, ZR_GLTF_INSTANCING),
                               *at = ZR_JSON_KEY(path, fields[0].key);
     struct attributes attributes = {ZR_GLTF_NONE, ZR_GLTF_NONE, ZR_GLTF_NONE};
     struct given_instancing given = {NULL};

@@ -98,12 +98,6 @@ static void read_light(struct zr_gltf *file, struct zr_json *json, const struct 
 
 /* ---- the list of the file ---- */
 
-struct place {
-    const char *at;
-};
-static const struct zr_json_field extension_fields[] = {
-    {.key = NAME, .read = zr_json_place, .offset = offsetof(struct place, at)}};
-static const struct zr_json_object extension_object = ZR_JSON_OBJECT_OF("extensions", extension_fields);
 static const struct zr_json_field list_fields[] = {{.key = "lights", .read = zr_json_place, .offset = 0},
                                                    ZR_GLTF_COMMON};
 static const struct zr_json_object list_object = ZR_JSON_OBJECT_OF(NAME, list_fields);
@@ -113,22 +107,21 @@ bool zr_gltf_read_lights(struct zr_gltf *file)
     struct zr_json *json = &file->root.json;
     const struct zr_json_path *extensions = ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_EXTENSIONS)),
                               *path = ZR_JSON_KEY(extensions, NAME), *list = ZR_JSON_KEY(path, "lights");
-    struct place found = {NULL}, lights = {NULL};
+    const char *found = NULL, *lights = NULL;
     uint64_t keys;
     size_t count;
     if (!file->places[ZR_GLTF_EXTENSIONS]) return true;
-    struct zr_json there = zr_json_at(json, file->places[ZR_GLTF_EXTENSIONS]);
-    if (!zr_gltf_extensions(file, &there, extensions, &extension_object, &found, &keys)) return false;
-    if (!found.at) return true;
-    there = zr_json_at(json, found.at);
+    if (!zr_gltf_find_extension(file, extensions, file->places[ZR_GLTF_EXTENSIONS], NAME, &found)) return false;
+    if (!found) return true;
+    struct zr_json there = zr_json_at(json, found);
     if (!zr_gltf_fields(file, &there, path, &list_object, &lights, &keys)) return false;
-    if (!lights.at) return true;
-    there = zr_json_at(json, lights.at);
+    if (!lights) return true;
+    there = zr_json_at(json, lights);
     if (!zr_json_count(&there, list, &count)) return false;
     file->light_count = (uint32_t)count;
     file->lights = zr_arena_zero(json->arena, count, sizeof *file->lights);
     file->made->lights = zr_arena_zero(json->arena, ZR_LIGHTS_MAX, sizeof *file->made->lights);
-    return zr_arena_ok(json->arena) && zr_gltf_read_items(file, lights.at, list, read_light);
+    return zr_arena_ok(json->arena) && zr_gltf_read_items(file, lights, list, read_light);
 }
 
 /* ---- lights of nodes ---- */
@@ -139,13 +132,12 @@ static const struct zr_json_object node_object = ZR_JSON_OBJECT_OF(NAME, node_fi
 
 uint32_t zr_gltf_find_light(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions)
 {
-    struct zr_json there = zr_json_at(&file->root.json, extensions);
-    struct place found = {NULL};
+    const char *found = NULL;
     uint32_t light = ZR_GLTF_NONE;
     uint64_t keys;
     const struct zr_json_path *at = ZR_JSON_KEY(path, NAME);
-    if (!zr_gltf_extensions(file, &there, path, &extension_object, &found, &keys) || !found.at) return light;
-    there = zr_json_at(&file->root.json, found.at);
+    if (!zr_gltf_find_extension(file, path, extensions, NAME, &found) || !found) return light;
+    struct zr_json there = zr_json_at(&file->root.json, found);
     zr_gltf_fields(file, &there, at, &node_object, &light, &keys);
     if (light != ZR_GLTF_NONE && light >= file->light_count)
         zr_json_bad_index(&file->root.json, ZR_JSON_KEY(at, node_fields[0].key), (double)light, file->light_count,

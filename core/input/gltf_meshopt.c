@@ -1,8 +1,6 @@
 /* EXT_meshopt_compression: buffer views whose bytes are compressed. */
 #include "input/gltf_extensions.h"
 
-static const char NAME[] = "EXT_meshopt_compression";
-
 static const char *const mode_words[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
 static const char *const filter_words[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
 static const struct zr_names modes = ZR_NAMES(3, mode_words), filters = ZR_NAMES(4, filter_words);
@@ -20,23 +18,7 @@ static const struct zr_json_field fields[] = {
     {.key = "filter", .read = zr_json_choice, .offset = AT(layout.filter), .words = &filters},
     ZR_GLTF_COMMON};
 #undef AT
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF(NAME, fields);
-
-struct given_extensions {
-    const char *meshopt;
-};
-static const struct zr_json_field extension_fields[] = {
-    {.key = NAME, .read = zr_json_place, .offset = offsetof(struct given_extensions, meshopt)}};
-static const struct zr_json_object extension_object = ZR_JSON_OBJECT_OF("extensions", extension_fields);
-
-const char *zr_gltf_find_compressed(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions)
-{
-    struct zr_json there = zr_json_at(&file->root.json, extensions);
-    struct given_extensions given = {NULL};
-    uint64_t keys;
-    zr_gltf_extensions(file, &there, path, &extension_object, &given, &keys);
-    return given.meshopt;
-}
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF(ZR_GLTF_MESHOPT, fields);
 
 bool zr_gltf_read_compressed(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_view *view,
                              struct zr_gltf_compressed *out)

@@ -114,8 +114,10 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
     if (given.camera != ZR_GLTF_NONE)
         zr_gltf_check_index(file, ZR_JSON_KEY(path, fields[CAMERA].key), given.camera, ZR_GLTF_CAMERAS);
     all->weights[number] = given.weights;
-    all->instancing[number] =
-        given.extensions ? zr_gltf_find_instancing(file, ZR_JSON_KEY(path, "extensions"), given.extensions) : NULL;
+    all->instancing[number] = NULL;
+    if (given.extensions)
+        zr_gltf_find_extension(file, ZR_JSON_KEY(path, "extensions"), given.extensions, ZR_GLTF_INSTANCING,
+                               &all->instancing[number]);
     all->lights[number] =
         given.extensions ? zr_gltf_find_light(file, ZR_JSON_KEY(path, "extensions"), given.extensions) : ZR_GLTF_NONE;
     if (given.skin != ZR_GLTF_NONE)

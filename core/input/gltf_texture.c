@@ -113,12 +113,6 @@ static const struct zr_json_field texture_fields[] = {
 #undef AT
 static const struct zr_json_object texture_object = ZR_JSON_OBJECT_OF("texture", texture_fields);
 
-struct given_webp {
-    const char *webp; /* place */
-};
-static const struct zr_json_field webp_extension_fields[] = {
-    {.key = "EXT_texture_webp", .read = zr_json_place, .offset = offsetof(struct given_webp, webp)}};
-static const struct zr_json_object webp_extension = ZR_JSON_OBJECT_OF("extensions", webp_extension_fields);
 static const struct zr_json_field webp_fields[] = {{.key = "source", .read = zr_gltf_index, .offset = 0},
                                                    ZR_GLTF_COMMON};
 static const struct zr_json_object webp_object = ZR_JSON_OBJECT_OF("EXT_texture_webp", webp_fields);
@@ -127,13 +121,12 @@ static const struct zr_json_object webp_object = ZR_JSON_OBJECT_OF("EXT_texture_
 static void read_webp(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,
                       struct zr_gltf_texture *texture)
 {
-    struct zr_json there = zr_json_at(&file->root.json, extensions);
-    struct given_webp given = {NULL};
+    const char *webp = NULL;
     uint32_t source = ZR_GLTF_NONE;
     uint64_t keys;
-    zr_gltf_extensions(file, &there, path, &webp_extension, &given, &keys);
-    if (!given.webp) return;
-    there = zr_json_at(&file->root.json, given.webp);
+    zr_gltf_find_extension(file, path, extensions, webp_object.name, &webp);
+    if (!webp) return;
+    struct zr_json there = zr_json_at(&file->root.json, webp);
     zr_gltf_fields(file, &there, ZR_JSON_KEY(path, webp_object.name), &webp_object, &source, &keys);
     if (source == ZR_GLTF_NONE) return;
     texture->source = source;
@@ -186,23 +179,17 @@ static const struct zr_json_field transform_fields[] = {
 #undef AT
 static const struct zr_json_object transform_object = ZR_JSON_OBJECT_OF("KHR_texture_transform", transform_fields);
 
-struct given_extensions {
-    const char *transform;
-};
-static const struct zr_json_field extension_fields[] = {
-    {.key = "KHR_texture_transform", .read = zr_json_place, .offset = offsetof(struct given_extensions, transform)}};
-static const struct zr_json_object extension_object = ZR_JSON_OBJECT_OF("extensions", extension_fields);
-
-static void read_transform(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
+/* `path`, `extensions`: of the extensions of a texture of a material. */
+static void read_transform(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,
                            struct zr_parsed_texture *out)
 {
-    struct given_extensions extensions = {NULL};
+    const char *transform = NULL;
     struct given_transform given = {.scale = {1, 1}, .texcoord = out->texcoord};
     uint64_t keys;
-    zr_gltf_extensions(file, json, path, &extension_object, &extensions, &keys);
-    if (!extensions.transform) return;
-    struct zr_json there = zr_json_at(json, extensions.transform);
-    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, extension_fields[0].key), &transform_object, &given, &keys);
+    zr_gltf_find_extension(file, path, extensions, transform_object.name, &transform);
+    if (!transform) return;
+    struct zr_json there = zr_json_at(&file->root.json, transform);
+    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, transform_object.name), &transform_object, &given, &keys);
     memcpy(out->offset, given.offset, sizeof out->offset);
     memcpy(out->scale, given.scale, sizeof out->scale);
     out->rotation = given.rotation;
@@ -262,10 +249,7 @@ bool zr_gltf_read_texture(struct zr_gltf *file, const char *place, const struct 
                                       .scale = {1, 1},
                                       .texcoord = given.texcoord,
                                       .strength = slot == ZR_TEXTURE_NORMAL ? given.scale : given.strength};
-    if (given.extensions) {
-        there = zr_json_at(&file->root.json, given.extensions);
-        read_transform(file, &there, ZR_JSON_KEY(path, "extensions"), out);
-    }
+    if (given.extensions) read_transform(file, ZR_JSON_KEY(path, "extensions"), given.extensions, out);
     if (out->texcoord > 1)
         return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, info_fields[SET].key),
                              "%u; texture coordinates 0 and 1 are read", out->texcoord);
