@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/hash.h"
+
 enum { NETWORK_BYTES = 8, MAPPED_BYTES = 12 };
 
 static const uint8_t MAPPED[MAPPED_BYTES] = {[10] = 0xFF, [11] = 0xFF}; /* ::ffff:0:0/96 */
@@ -43,12 +45,12 @@ static void write_address(uint8_t out[CLIENT_KEY_SIZE], const struct sockaddr *a
     }
 }
 
-/* FNV-1a. Addresses are no secrets, and a long bucket costs little beside a connection. */
+/* Addresses are no secrets, and a long bucket costs little beside a connection. */
 static struct client **bucket_of(struct clients *clients, const uint8_t key[CLIENT_KEY_SIZE])
 {
-    uint32_t hash = 2166136261u;
+    uint32_t hash = ZR_HASH_BEGIN;
     for (int i = 0; i < CLIENT_KEY_SIZE; i++)
-        hash = (hash ^ key[i]) * 16777619u;
+        hash = zr_hash_byte(hash, key[i]);
     return &clients->buckets[hash % CLIENT_BUCKETS];
 }
 

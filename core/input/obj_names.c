@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "base/hash.h"
 #include "input/mtl.h"
 #include "input/obj_file.h"
 #include "input/text.h"
@@ -118,12 +119,12 @@ struct naming {
     bool has_material; /* a face has one */
 };
 
-/* Source: FNV-1a. */
+/* Hashes a name and its end. */
 static uint32_t hash_name(uint32_t value, const struct zr_obj_statement *name)
 {
     for (const char *at = name->at; at < name->end; at++)
-        value = (value ^ (unsigned char)*at) * 16777619u;
-    return (value ^ 0xFF) * 16777619u;
+        value = zr_hash_byte(value, (uint8_t)*at);
+    return zr_hash_byte(value, 0xFF);
 }
 
 static bool is_same(const struct zr_obj_statement *a, const struct zr_obj_statement *b)
@@ -167,7 +168,7 @@ static bool grow(struct naming *naming)
 static uint32_t find_part(struct naming *naming, const struct zr_obj_statement *object,
                           const struct zr_obj_statement *group)
 {
-    const struct part part = {*object, *group, hash_name(hash_name(2166136261u, object), group)};
+    const struct part part = {*object, *group, hash_name(hash_name(ZR_HASH_BEGIN, object), group)};
     if (naming->part_count == naming->part_room && !grow(naming)) return 0;
     uint32_t *slot = find_slot(naming, &part);
     if (slot && *slot != UINT32_MAX) return *slot;

@@ -29,15 +29,13 @@ static void keep_meshes(struct zr_arena *arena, const struct zr_scene *from, str
     scene->instances = instances;
 }
 
-/* Copies the names of parts. Only encoding reads the list, which needs no hash table. */
+/* Copies the parts with their names. */
 static void keep_parts(struct zr_arena *arena, struct zr_part_list *list)
 {
     struct zr_part *parts = zr_arena_copy(arena, list->at, list->count * sizeof *parts);
     for (uint32_t i = 0; parts && i < list->count; i++)
         parts[i].name = copy_text(arena, parts[i].name);
     list->at = parts;
-    list->slots = NULL;
-    list->slot_count = 0;
 }
 
 static void keep_outputs(struct zr_arena *arena, const struct zr_view *from, struct zr_view *view)

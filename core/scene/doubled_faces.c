@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/hash.h"
 #include "scene/mesh_label.h"
 
 /* Sets of faces around a vertex: those that share its position's number, or those that share its place. */
@@ -16,10 +17,10 @@ static inline uint32_t vertex_at(const struct zr_mesh *mesh, uint32_t slot, enum
     if (sharing == SHARED_NUMBER) return position;
     const zr_vec4 *p = &mesh->positions[position];
     const float at[4] = {p->x + 0.0f, p->y + 0.0f, p->z + 0.0f, p->w}; /* -0 equals 0 */
-    uint32_t words[4], hash = 2166136261u;
+    uint32_t words[4], hash = ZR_HASH_BEGIN;
     memcpy(words, at, sizeof words);
     for (int i = 0; i < 4; i++)
-        hash = (hash ^ words[i] ^ words[i] >> 16) * 16777619u;
+        hash = zr_hash_word(hash, words[i]);
     return hash ^ hash >> 15;
 }
 

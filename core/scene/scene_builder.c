@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/hash.h"
 #include "base/team.h"
 #include "scene/doubled_faces.h"
 #include "scene/unused_positions.h"
@@ -48,7 +49,7 @@ static bool is_same(const struct zr_material *a, const struct zr_material *b)
            a->occlusion_strength == b->occlusion_strength && memcmp(a->textures, b->textures, sizeof a->textures) == 0;
 }
 
-/* Returns equal values for equal materials. Source: FNV-1a, by words. */
+/* Returns equal values for equal materials. */
 static uint32_t hash(const struct zr_material *m)
 {
     const float numbers[] = {
@@ -57,17 +58,17 @@ static uint32_t hash(const struct zr_material *m)
         m->outline_color.z, m->outline_color.w, m->metallic,      m->roughness,       m->emissive.x,
         m->emissive.y,      m->emissive.z,      m->cool.x,        m->cool.y,          m->cool.z,
         m->alpha_cutoff,    m->reflectance.x,   m->reflectance.y, m->reflectance.z,   m->grazing};
-    uint32_t value = 2166136261u, word;
+    uint32_t value = ZR_HASH_BEGIN, word;
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         const float number = numbers[i] + 0.0f; /* -0 equals 0 */
         memcpy(&word, &number, sizeof word);
-        value = (value ^ word ^ word >> 16) * 16777619u;
+        value = zr_hash_word(value, word);
     }
     word = (uint32_t)m->alpha_mode << 16 | (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 |
            (uint32_t)m->double_sided << 2 | (uint32_t)m->unfilled << 1 | (uint32_t)m->uniform_color;
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         word = word * 31u + m->textures[slot];
-    return (value ^ word) * 16777619u;
+    return zr_hash_word(value, word);
 }
 
 /* Finds the slot of an equal material, or the empty slot for a new one. */

@@ -1,0 +1,20 @@
+/* hash.h - base: hashes of the keys of tables, not of secrets. Source: FNV-1a of 32 bits. */
+#ifndef ZR_HASH_H
+#define ZR_HASH_H
+
+#include <stdint.h>
+
+#define ZR_HASH_BEGIN 2166136261u
+
+static inline uint32_t zr_hash_byte(uint32_t hash, uint8_t byte)
+{
+    return (hash ^ byte) * 16777619u;
+}
+
+/* Hashes a word at once. Its upper half is folded into the lower one, which reaches more bits of the product. */
+static inline uint32_t zr_hash_word(uint32_t hash, uint32_t word)
+{
+    return (hash ^ word ^ word >> 16) * 16777619u;
+}
+
+#endif
