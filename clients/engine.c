@@ -82,12 +82,9 @@ void engine_draw(const struct engine *engine, const struct input *input, const s
     else
         draw_here(engine, input, query, answer);
     free(query);
-    if (answer->status == STATUS_DONE)
-        bytes_add(&answer->warnings, bytes_text(&input->warnings), input->warnings.size + 1);
-    if (answer->status == STATUS_DONE) answer->warnings.size--;
+    if (answer->status == STATUS_DONE) bytes_print(&answer->warnings, "%s", bytes_text(&input->warnings));
     wording_translate(&answer->faults, options);
     if (answer->status != STATUS_DONE || !options_strict(options) || answer->warnings.size == 0) return;
-    bytes_add(&answer->faults, bytes_text(&answer->warnings), answer->warnings.size + 1);
-    answer->faults.size--;
+    bytes_print(&answer->faults, "%s", bytes_text(&answer->warnings));
     answer->status = STATUS_WARNED;
 }

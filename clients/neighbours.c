@@ -1,7 +1,6 @@
 #include "neighbours.h"
 
 #include <dirent.h>
-#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -115,19 +114,12 @@ static void note(size_t *count, char first[256], const char *name)
         if ((unsigned char)*at < ' ') *at = '?';
 }
 
-static bool has_part(const struct input *input, const char *name)
+/* Returns the part of this name, or NULL. One that --part gives overrides a neighbour. */
+static const struct input_part *find_part(const struct input *input, const char *name)
 {
     for (size_t i = 0; i < input->part_count; i++)
-        if (strcmp(input->parts[i].name, name) == 0) return true;
-    return false;
-}
-
-/* True if --part gives the name: it overrides a neighbour. */
-static bool has_own_part(const struct input *input, const char *name)
-{
-    for (size_t i = 0; i < input->part_count; i++)
-        if (!input->parts[i].is_neighbour && strcmp(input->parts[i].name, name) == 0) return true;
-    return false;
+        if (strcmp(input->parts[i].name, name) == 0) return &input->parts[i];
+    return NULL;
 }
 
 /* Removes parts "." and "x/.." of a path whose file exists. */
@@ -164,7 +156,7 @@ static void add_file(struct search *search, const char *path, const char *name)
     const char *as = strlen(relative) > SERVER_NAME_MAX ? last_part(relative) : relative;
     if (real && !is_below(search, real)) {
         note(&search->outside, search->first_outside, name);
-    } else if (real && !has_part(input, as) && stat(real, &status) == 0) {
+    } else if (real && !find_part(input, as) && stat(real, &status) == 0) {
         const bool fits = search->bytes + (unsigned long long)status.st_size <= bytes_max;
         struct input_part *part = fits && input->part_count < INPUT_PARTS_MAX ? &input->parts[input->part_count] : NULL;
         if (!part)
@@ -185,7 +177,8 @@ static void add_file(struct search *search, const char *path, const char *name)
 static void find(struct search *search, const char *from, const char *name)
 {
     char plain[PATH_MAX], relative[2 * PATH_MAX], path[PATH_MAX];
-    if (strlen(name) >= sizeof plain || has_own_part(search->input, name)) return;
+    const struct input_part *given = find_part(search->input, name);
+    if (strlen(name) >= sizeof plain || (given && !given->is_neighbour)) return;
     decode(name, plain);
     const char *base = last_part(plain);
     const char *const tries[] = {name, plain, base, base};

@@ -60,8 +60,7 @@ static const struct setting SETTINGS[] = {
      "that a worker may keep between requests; they return to the system after 2 s without a request"},
     {"keep-image-bytes", NUMBER, AT(keep_image_bytes), true, 128 * MIB, 0, 1024 * GIB, NULL, "bytes",
      "of decoded texture images kept between requests, in blocks of 4096; the least recently used are dropped first, "
-     "and "
-     "all if memory is short; 0: none"},
+     "and all if memory is short; 0: none"},
     {"answer-memory-bytes", NUMBER, AT(answer_memory_bytes), true, 512 * MIB, 1, 1024 * GIB, NULL, "bytes",
      "of all answers that wait for their readers; beyond it, no render begins"},
     {"cgroup", TEXT, AT(cgroup), false, 0, 0, 0, "/sys/fs/cgroup", "",
