@@ -31,16 +31,9 @@ static void make_materials(struct zr_parsed_scene *root)
 {
     for (uint32_t i = 0; i < root->scene->mesh_count; i++) {
         struct zr_mesh *mesh = &root->builder->meshes[i];
-        struct zr_style style = {.face_style = zr_face_style_unset,
-                                 .is_open = true,
-                                 .has_faces = mesh->face_count > 0,
-                                 .number = i,
-                                 .alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
-                                                               zr_alpha_range_of(mesh->face_colors, mesh->face_count))};
-        if (style.alpha.least < 1.0f && root->face_style.alpha_mode == ZR_UNSET)
-            style.face_style.alpha_mode = ZR_ALPHA_BLEND;
-        mesh->material = zr_parsed_make_material(root, &style, mesh->colors || mesh->face_colors,
-                                                 mesh->normal_count > 0 || mesh->colors);
+        const struct zr_style style = {.face_style = zr_face_style_unset, .is_open = true, .number = i};
+        mesh->material = zr_parsed_make_mesh_material(root, &style, mesh, mesh->normal_count > 0 || mesh->colors,
+                                                      root->face_style.alpha_mode == ZR_UNSET);
     }
 }
 

@@ -34,17 +34,10 @@ void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed
 static uint32_t make(struct zr_parsed_scene *root, const struct zr_file_scene *file, const struct zr_mesh *mesh,
                      size_t material, const struct zr_style *style)
 {
-    const bool is_colored = mesh->colors || mesh->face_colors;
-    struct zr_style of = {.material = material,
-                          .face_style = style->face_style,
-                          .is_open = true,
-                          .has_faces = mesh->face_count > 0,
-                          .number = style->number,
-                          .alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
-                                                        zr_alpha_range_of(mesh->face_colors, mesh->face_count))};
-    if (file->blends_colors && of.alpha.least < 1.0f && of.face_style.alpha_mode == ZR_UNSET)
-        of.face_style.alpha_mode = ZR_ALPHA_BLEND;
-    return zr_parsed_make_material(root, &of, is_colored, mesh->normal_count > 0 || is_colored);
+    const struct zr_style of = {
+        .material = material, .face_style = style->face_style, .is_open = true, .number = style->number};
+    return zr_parsed_make_mesh_material(root, &of, mesh, mesh->normal_count > 0 || mesh->colors || mesh->face_colors,
+                                        file->blends_colors);
 }
 
 /* Adds the uses of the file's materials to the query's, whose keys override all of them. */

@@ -30,8 +30,8 @@ bool zr_gltf_read_poses(struct zr_gltf *file, struct zr_gltf_use *use);
 
 /* ---- gltf_specular.c ---- */
 
-/* Reads the reflectance of a material. Notes textures, which are not drawn. `path`: of its extensions. `ior`, `specular`:
- * places of KHR_materials_ior and KHR_materials_specular, or NULL. */
+/* Reads the reflectance of a material. Notes textures, which are not drawn. `path`: of its extensions. `ior`,
+ * `specular`: places of KHR_materials_ior and KHR_materials_specular, or NULL. */
 void zr_gltf_read_reflectance(struct zr_gltf *file, const struct zr_json_path *path, const char *ior,
                               const char *specular, struct zr_parsed_material *out);
 

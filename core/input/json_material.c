@@ -385,3 +385,15 @@ uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_s
     material.uniform_color = style->is_uniform && zr_shading_is_at(material.shading, ZR_SHADED_NEVER);
     return zr_scene_builder_material(root->builder, &material);
 }
+
+uint32_t zr_parsed_make_mesh_material(struct zr_parsed_scene *root, const struct zr_style *style,
+                                      const struct zr_mesh *mesh, bool smooth, bool blends)
+{
+    struct zr_style of = *style;
+    of.has_faces = mesh->face_count > 0;
+    of.alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
+                                    zr_alpha_range_of(mesh->face_colors, mesh->face_count));
+    if (blends && of.alpha.least < 1.0f && of.face_style.alpha_mode == ZR_UNSET)
+        of.face_style.alpha_mode = ZR_ALPHA_BLEND;
+    return zr_parsed_make_material(root, &of, mesh->colors || mesh->face_colors, smooth);
+}

@@ -269,11 +269,8 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
     zr_scene_builder_note_normals(root->builder, style.number, mesh->normals, mesh->normal_count);
     if (gives(given, POINT_SIZE) && mesh->point_count == 0)
         zr_parsed_note_oddity(root, ZR_ODD_POINT_SIZE, style.number, false);
-    style.alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
-                                       zr_alpha_range_of(mesh->face_colors, mesh->face_count));
-    style.has_faces = mesh->face_count > 0;
-    mesh->material = zr_parsed_make_material(root, &style, mesh->colors || mesh->face_colors,
-                                             mesh->normals || mesh->colors || gives(given, HEIGHTS));
+    mesh->material =
+        zr_parsed_make_mesh_material(root, &style, mesh, mesh->normals || mesh->colors || gives(given, HEIGHTS), false);
     const uint32_t cells = mesh->face_count;
     if (gives(given, HEIGHTS)) zr_heights_drop_holes(json->arena, &given->heights, mesh);
     root->scene->counts.left_out_cells += cells - mesh->face_count;

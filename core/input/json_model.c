@@ -162,15 +162,9 @@ static struct zr_parsed_material *take_materials(struct zr_parsed_scene *root, c
 /* Makes the material of a mesh whose file has none, or with the one that the scene gives. */
 static void make_plain(struct zr_parsed_scene *root, const struct zr_style *style, struct zr_mesh *mesh)
 {
-    const bool has_colors = mesh->colors || mesh->face_colors;
-    struct zr_style of = *style;
-    of.has_faces = mesh->face_count > 0;
-    of.alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
-                                    zr_alpha_range_of(mesh->face_colors, mesh->face_count));
-    if (of.alpha.least < 1.0f && style->material == root->material_count && of.face_style.alpha_mode == ZR_UNSET &&
-        root->face_style.alpha_mode == ZR_UNSET)
-        of.face_style.alpha_mode = ZR_ALPHA_BLEND;
-    mesh->material = zr_parsed_make_material(root, &of, has_colors, mesh->normal_count > 0 || has_colors);
+    const bool blends = style->material == root->material_count && root->face_style.alpha_mode == ZR_UNSET;
+    mesh->material = zr_parsed_make_mesh_material(root, style, mesh,
+                                                  mesh->normal_count > 0 || mesh->colors || mesh->face_colors, blends);
 }
 
 /* Makes the material of one of the file's meshes: the one that the scene gives, else the file's, else the look's. */

@@ -200,7 +200,7 @@ struct zr_parsed_scene {
     struct zr_parsed_assets assets;
     struct zr_growing images; /* decoded images, private to json_image.c */
     struct zr_parsed_ahead ahead;
-    uint64_t image_pixels;    /* decoded pixels, all images */
+    uint64_t image_pixels; /* decoded pixels, all images */
 
     uint32_t unplaced_meshes;     /* meshes that no node places */
     const uint32_t *model_firsts; /* json_model.c: by mesh of the list, the number of its file's second mesh; or NULL */
@@ -276,6 +276,11 @@ size_t zr_parsed_find_material(struct zr_parsed_scene *root, const struct zr_jso
  * colours. */
 uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_style *style, bool coloured,
                                  bool smooth);
+
+/* The same for a mesh, which sets has_faces and alpha of the style. blends: colours of the mesh with an alpha below 1
+ * are blended, unless the style has an alphaMode. */
+uint32_t zr_parsed_make_mesh_material(struct zr_parsed_scene *root, const struct zr_style *style,
+                                      const struct zr_mesh *mesh, bool smooth, bool blends);
 
 /* json_oddities.c: notes an oddity of mesh or polygon `number`; warns of all that were noted, once there are meshes. */
 void zr_parsed_note_oddity(struct zr_parsed_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon);
