@@ -199,6 +199,9 @@ bool zr_gltf_fields(struct zr_gltf *file, struct zr_json *json, const struct zr_
 /* Readers of fields: skips a value; reads an index and leaves its upper bound unchecked. */
 zr_json_read_fn zr_gltf_ignore, zr_gltf_index;
 
+/* Read double[3] and double[4], of any magnitude. */
+zr_json_read_fn zr_gltf_three, zr_gltf_four;
+
 /* Rows of every object: skip `extras` and `extensions`. ZR_GLTF_NAME skips a name. */
 #define ZR_GLTF_COMMON                                                                                                 \
     {.key = "extras", .read = zr_gltf_ignore},                                                                         \
@@ -215,6 +218,9 @@ bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes);
 
 /* Counts a problem; stores the path of the first. */
 void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path);
+
+/* Returns a factor within its range; notes one beyond it. */
+double zr_gltf_clamp(struct zr_gltf *file, const struct zr_json_path *path, double value, double low, double high);
 
 /* Reads the items of a list of the root, or of the list at `place`. False after a fault. */
 typedef void zr_gltf_item_fn(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,

@@ -144,7 +144,7 @@ static bool find_range(struct zr_gltf *file, const struct zr_json_path *path, ui
 static bool decompress(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_view *view)
 {
     const struct zr_json_path *extensions = ZR_JSON_KEY(path, "extensions"),
-                              *at = ZR_JSON_KEY(extensions, "EXT_meshopt_compression");
+                              *at = ZR_JSON_KEY(extensions, ZR_GLTF_MESHOPT);
     struct zr_gltf_compressed given;
     struct zr_parsed_bytes packed;
     return zr_gltf_read_compressed(file, at, view, &given) &&

@@ -1,4 +1,4 @@
-/* Reads the names of the extensions that a glTF file uses and requires. */
+/* Checks the names of the extensions that a glTF file uses and requires, and reads objects of extensions. */
 #include "input/gltf_extensions.h"
 
 #include <string.h>

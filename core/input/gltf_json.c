@@ -39,6 +39,13 @@ void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path)
     }
 }
 
+double zr_gltf_clamp(struct zr_gltf *file, const struct zr_json_path *path, double value, double low, double high)
+{
+    if (value >= low && value <= high) return value;
+    zr_gltf_note(&file->clamped, path);
+    return value > low ? high : low;
+}
+
 /* ---- objects ---- */
 
 bool zr_gltf_ignore(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
@@ -53,6 +60,27 @@ bool zr_gltf_index(struct zr_json *json, const struct zr_json_path *path, const 
 {
     (void)field;
     return zr_json_index(json, path, ZR_GLTF_NONE, "items", out);
+}
+
+static bool read_numbers(struct zr_json *json, const struct zr_json_path *path, size_t count, double *out)
+{
+    double given[4];
+    size_t found;
+    if (!zr_json_numbers(json, path, count, count, -DBL_MAX, DBL_MAX, given, &found)) return false;
+    memcpy(out, given, count * sizeof *given);
+    return true;
+}
+
+bool zr_gltf_three(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    (void)field;
+    return read_numbers(json, path, 3, out);
+}
+
+bool zr_gltf_four(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    (void)field;
+    return read_numbers(json, path, 4, out);
 }
 
 static size_t find_field(const struct zr_json_object *object, const struct zr_json_text *key)

@@ -35,21 +35,12 @@ struct given_light {
     double color[3], intensity, range;
 };
 
-/* double[3] */
-static bool read_color(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
-{
-    size_t found;
-    (void)field;
-    return zr_json_numbers(json, path, 3, 3, -DBL_MAX, DBL_MAX, out, &found);
-}
-
 enum { TYPE, SPOT };
 #define AT(member) offsetof(struct given_light, member)
 static const struct zr_json_field fields[] = {
     [TYPE] = {"type", zr_json_string, AT(type), .required = true, .text = "directional, point or spot"},
     [SPOT] = {.key = "spot", .read = zr_json_place, .offset = AT(spot)},
-    {.key = "color", .read = read_color, .offset = AT(color)},
+    {.key = "color", .read = zr_gltf_three, .offset = AT(color)},
     {.key = "intensity", .read = zr_json_number, .offset = AT(intensity), .low = -DBL_MAX, .high = DBL_MAX},
     {.key = "range", .read = zr_json_number, .offset = AT(range), .low = -DBL_MAX, .high = DBL_MAX},
     ZR_GLTF_NAME,

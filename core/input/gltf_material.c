@@ -8,39 +8,9 @@
 
 /* ---- numbers ---- */
 
-/* Factors of a material as given, before they are clamped to 0 to 1. */
-struct factors {
-    double v[4];
-};
-
-static bool read_factors(struct zr_json *json, const struct zr_json_path *path, size_t count, void *out)
-{
-    struct factors given = {{0, 0, 0, 0}};
-    size_t found;
-    if (!zr_json_numbers(json, path, count, count, -DBL_MAX, DBL_MAX, given.v, &found)) return false;
-    *(struct factors *)out = given;
-    return true;
-}
-
-static bool read_three(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
-{
-    (void)field;
-    return read_factors(json, path, 3, out);
-}
-
-static bool read_four(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
-{
-    (void)field;
-    return read_factors(json, path, 4, out);
-}
-
 static float clamp(struct zr_gltf *file, const struct zr_json_path *path, double value)
 {
-    if (value >= 0.0 && value <= 1.0) return (float)value;
-    zr_gltf_note(&file->clamped, path);
-    return value > 0.0 ? 1.0f : 0.0f;
+    return (float)zr_gltf_clamp(file, path, value, 0.0, 1.0);
 }
 
 /* Encodes a linear colour as sRGB, the encoding of colours of a scene. */
@@ -54,14 +24,13 @@ static zr_vec4 encode(struct zr_gltf *file, const float linear[4])
 /* ---- metallic-roughness ---- */
 
 struct given_pbr {
-    struct factors base_color;
-    double metallic, roughness;
+    double base_color[4], metallic, roughness;
     const char *base_color_texture, *metallic_roughness_texture;
 };
 enum { BASE_COLOR, METALLIC, ROUGHNESS, BASE_COLOR_TEXTURE, METALLIC_ROUGHNESS_TEXTURE };
 #define AT(member) offsetof(struct given_pbr, member)
 static const struct zr_json_field pbr_fields[] = {
-    [BASE_COLOR] = {.key = "baseColorFactor", .read = read_four, .offset = AT(base_color)},
+    [BASE_COLOR] = {.key = "baseColorFactor", .read = zr_gltf_four, .offset = AT(base_color)},
     [METALLIC] =
         {.key = "metallicFactor", .read = zr_json_number, .offset = AT(metallic), .low = -DBL_MAX, .high = DBL_MAX},
     [ROUGHNESS] =
@@ -83,7 +52,7 @@ static void read_texture(struct zr_gltf *file, const struct zr_json_path *path, 
 static void read_pbr(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                      struct zr_parsed_material *out)
 {
-    struct given_pbr given = {.base_color = {{1, 1, 1, 1}}, .metallic = 1, .roughness = 1};
+    struct given_pbr given = {.base_color = {1, 1, 1, 1}, .metallic = 1, .roughness = 1};
     float color[4];
     uint64_t keys;
     if (place) {
@@ -91,7 +60,7 @@ static void read_pbr(struct zr_gltf *file, const struct zr_json_path *path, cons
         zr_gltf_fields(file, &there, path, &pbr_object, &given, &keys);
     }
     for (int k = 0; k < 4; k++)
-        color[k] = clamp(file, ZR_JSON_KEY(path, pbr_fields[BASE_COLOR].key), given.base_color.v[k]);
+        color[k] = clamp(file, ZR_JSON_KEY(path, pbr_fields[BASE_COLOR].key), given.base_color[k]);
     out->base_color = encode(file, color);
     out->metallic = clamp(file, ZR_JSON_KEY(path, pbr_fields[METALLIC].key), given.metallic);
     out->roughness = clamp(file, ZR_JSON_KEY(path, pbr_fields[ROUGHNESS].key), given.roughness);
@@ -168,7 +137,7 @@ static bool read_extensions(struct zr_gltf *file, const struct zr_json_path *pat
 
 struct given_material {
     const char *name, *pbr, *normal, *occlusion, *emissive, *extensions; /* all but the name are places */
-    struct factors emitted;
+    double emitted[3];
     int alpha_mode, is_double_sided;
     double alpha_cutoff;
 };
@@ -180,7 +149,7 @@ static const struct zr_json_field fields[] = {
     [NORMAL] = {.key = "normalTexture", .read = zr_json_place, .offset = AT(normal)},
     [OCCLUSION] = {.key = "occlusionTexture", .read = zr_json_place, .offset = AT(occlusion)},
     [EMISSIVE] = {.key = "emissiveTexture", .read = zr_json_place, .offset = AT(emissive)},
-    [EMITTED] = {.key = "emissiveFactor", .read = read_three, .offset = AT(emitted)},
+    [EMITTED] = {.key = "emissiveFactor", .read = zr_gltf_three, .offset = AT(emitted)},
     [ALPHA_MODE] = {"alphaMode", zr_json_choice, AT(alpha_mode), .words = &zr_alpha_mode_names},
     [ALPHA_CUTOFF] =
         {.key = "alphaCutoff", .read = zr_json_number, .offset = AT(alpha_cutoff), .low = 0, .high = DBL_MAX},
@@ -197,7 +166,7 @@ static void put_emission(struct zr_gltf *file, const struct zr_json_path *path, 
     float v[3];
     bool is_dark = true;
     for (int k = 0; k < 3; k++) {
-        v[k] = (float)((double)clamp(file, at, given->emitted.v[k]) * strength);
+        v[k] = (float)((double)clamp(file, at, given->emitted[k]) * strength);
         is_dark = is_dark && v[k] == 0.0f;
     }
     out->emissive = (zr_vec3){v[0], v[1], v[2]};

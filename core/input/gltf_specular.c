@@ -13,24 +13,6 @@ struct given_reflectance {
     double ior, factor, color[3];
 };
 
-/* double[3] */
-static bool read_three(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
-{
-    size_t found;
-    (void)field;
-    return zr_json_numbers(json, path, 3, 3, -DBL_MAX, DBL_MAX, out, &found);
-}
-
-/* double[4] */
-static bool read_four(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
-{
-    size_t found;
-    (void)field;
-    return zr_json_numbers(json, path, 4, 4, -DBL_MAX, DBL_MAX, out, &found);
-}
-
 #define NUMBER(name, at)                                                                                               \
     {                                                                                                                  \
         .key = (name), .read = zr_json_number, .offset = (at), .low = -DBL_MAX, .high = DBL_MAX                        \
@@ -39,7 +21,7 @@ static bool read_four(struct zr_json *json, const struct zr_json_path *path, con
 static const struct zr_json_field ior_fields[] = {NUMBER("ior", AT(ior)), ZR_GLTF_COMMON};
 static const struct zr_json_field specular_fields[] = {
     NUMBER("specularFactor", AT(factor)),
-    {.key = "specularColorFactor", .read = read_three, .offset = AT(color)},
+    {.key = "specularColorFactor", .read = zr_gltf_three, .offset = AT(color)},
     {.key = "specularTexture", .read = zr_gltf_ignore},
     {.key = "specularColorTexture", .read = zr_gltf_ignore},
     ZR_GLTF_COMMON};
@@ -47,13 +29,6 @@ static const struct zr_json_field specular_fields[] = {
 static const struct zr_json_object ior_object = ZR_JSON_OBJECT_OF("KHR_materials_ior", ior_fields);
 static const struct zr_json_object specular_object = ZR_JSON_OBJECT_OF("KHR_materials_specular", specular_fields);
 enum { TEXTURES = 1 << 2 | 1 << 3 };
-
-static double clamp(struct zr_gltf *file, const struct zr_json_path *path, double value, double low, double high)
-{
-    if (value >= low && value <= high) return value;
-    zr_gltf_note(&file->clamped, path);
-    return value > low ? high : low;
-}
 
 /* An index of 0 reflects all light, as the extension says. */
 static void read_ior(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
@@ -63,7 +38,8 @@ static void read_ior(struct zr_gltf *file, const struct zr_json_path *path, cons
     struct given_reflectance given = {.ior = 1.5};
     uint64_t keys;
     zr_gltf_fields(file, &there, path, &ior_object, &given, &keys);
-    out->ior = given.ior == 0.0 ? FLT_MAX : (float)clamp(file, ZR_JSON_KEY(path, "ior"), given.ior, 1.0, (double)FLT_MAX);
+    out->ior = given.ior == 0.0 ? FLT_MAX
+                                : (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "ior"), given.ior, 1.0, (double)FLT_MAX);
     out->keys |= UINT64_C(1) << ZR_MATERIAL_IOR;
 }
 
@@ -78,9 +54,10 @@ void zr_gltf_read_reflectance(struct zr_gltf *file, const struct zr_json_path *p
     struct zr_json there = zr_json_at(&file->root.json, specular);
     zr_gltf_fields(file, &there, at, &specular_object, &given, &keys);
     if (keys & TEXTURES) zr_gltf_note(&file->specular_textures, at);
-    out->specular_factor = (float)clamp(file, ZR_JSON_KEY(at, "specularFactor"), given.factor, 0.0, 1.0);
+    out->specular_factor = (float)zr_gltf_clamp(file, ZR_JSON_KEY(at, "specularFactor"), given.factor, 0.0, 1.0);
     for (int k = 0; k < 3; k++)
-        given.color[k] = clamp(file, ZR_JSON_KEY(at, "specularColorFactor"), given.color[k], 0.0, (double)FLT_MAX);
+        given.color[k] =
+            zr_gltf_clamp(file, ZR_JSON_KEY(at, "specularColorFactor"), given.color[k], 0.0, (double)FLT_MAX);
     out->specular_color = (zr_vec3){(float)given.color[0], (float)given.color[1], (float)given.color[2]};
     out->keys |= UINT64_C(1) << ZR_MATERIAL_SPECULAR_FACTOR | UINT64_C(1) << ZR_MATERIAL_SPECULAR_COLOR;
 }
@@ -93,8 +70,8 @@ struct given_glossiness {
 };
 #define AT(member) offsetof(struct given_glossiness, member)
 static const struct zr_json_field glossiness_fields[] = {
-    {.key = "diffuseFactor", .read = read_four, .offset = AT(diffuse)},
-    {.key = "specularFactor", .read = read_three, .offset = AT(specular)},
+    {.key = "diffuseFactor", .read = zr_gltf_four, .offset = AT(diffuse)},
+    {.key = "specularFactor", .read = zr_gltf_three, .offset = AT(specular)},
     NUMBER("glossinessFactor", AT(glossiness)),
     {.key = "diffuseTexture", .read = zr_json_place, .offset = AT(diffuse_texture)},
     {.key = "specularGlossinessTexture", .read = zr_json_place, .offset = AT(texture)},
@@ -144,10 +121,10 @@ void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *pa
     uint64_t keys;
     zr_gltf_fields(file, &there, path, &glossiness_object, &given, &keys);
     for (int k = 0; k < 4; k++)
-        given.diffuse[k] = clamp(file, ZR_JSON_KEY(path, "diffuseFactor"), given.diffuse[k], 0.0, 1.0);
+        given.diffuse[k] = zr_gltf_clamp(file, ZR_JSON_KEY(path, "diffuseFactor"), given.diffuse[k], 0.0, 1.0);
     for (int k = 0; k < 3; k++)
-        given.specular[k] = clamp(file, ZR_JSON_KEY(path, "specularFactor"), given.specular[k], 0.0, 1.0);
-    double glossiness = clamp(file, ZR_JSON_KEY(path, "glossinessFactor"), given.glossiness, 0.0, 1.0);
+        given.specular[k] = zr_gltf_clamp(file, ZR_JSON_KEY(path, "specularFactor"), given.specular[k], 0.0, 1.0);
+    double glossiness = zr_gltf_clamp(file, ZR_JSON_KEY(path, "glossinessFactor"), given.glossiness, 0.0, 1.0);
     if (given.texture) { /* half as glossy as its factor, and without metal: the factors only scale the texture */
         zr_gltf_note(&file->gloss_textures, path);
         for (int k = 0; k < 3; k++)
