@@ -99,23 +99,17 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
     if (status != ZR_OK) return status;
     file->made = made;
     file->bytes = count_bytes(request);
-    file->root = (struct zr_parsed_scene){
-        .json = {.arena = builder->arena,
-                 .team = builder->team,
-                 .cancel = request->cancel,
-                 .limits = &used,
-                 .error = error},
-        .builder = builder,
-        .scene = builder->scene,
-        .assets = {.count = request->asset_count, .items = request->assets, .quick = request->quick}};
-    file->root.assets.images = request->images;
-    file->root.assets.folder = builder->asset_folder;
+    file->root = (struct zr_parsed_scene){.json = {.arena = builder->arena,
+                                                   .team = builder->team,
+                                                   .cancel = request->cancel,
+                                                   .limits = &used,
+                                                   .error = error},
+                                          .builder = builder,
+                                          .scene = builder->scene,
+                                          .assets = zr_parsed_assets_of(builder, request)};
     struct zr_json *json = &file->root.json;
     json->assets = &file->root.assets;
     zr_json_open(json, text.bytes, text.size);
-    file->root.assets.uses = builder->asset_uses
-                                 ? builder->asset_uses
-                                 : zr_arena_zero(builder->arena, request->asset_count, sizeof *file->root.assets.uses);
     uint64_t keys;
     if (file->root.assets.uses && zr_gltf_fields(file, json, NULL, &zr_gltf_root, file->places, &keys) &&
         zr_json_end(json))

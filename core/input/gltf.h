@@ -176,7 +176,6 @@ struct zr_gltf {
     uint32_t *mesh_materials;
     const struct zr_far_move **moves; /* one per mesh of the scene, or NULL */
     struct zr_file_scene *made;
-    size_t made_bytes; /* bytes of the meshes' arrays so far */
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
         bad_lights, specular_textures, gloss_textures;
     bool has_fallbacks;         /* a material replaces others of the file, whose images may be unused */

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "input/quick.h"
+#include "input/json_array.h"
 
 bool zr_gltf_stops(struct zr_gltf *file)
 {
@@ -16,11 +16,7 @@ bool zr_gltf_stops(struct zr_gltf *file)
 
 bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes)
 {
-    struct zr_quick *quick = file->root.assets.quick;
-    file->made_bytes += bytes;
-    if (!quick || file->made_bytes <= quick->array_bytes_max) return true;
-    zr_quick_exceed(quick, file->root.json.error);
-    return false;
+    return zr_json_has_time(&file->root.json, bytes);
 }
 
 void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path)
@@ -64,7 +60,7 @@ bool zr_gltf_index(struct zr_json *json, const struct zr_json_path *path, const 
 
 static bool read_numbers(struct zr_json *json, const struct zr_json_path *path, size_t count, double *out)
 {
-    double given[4];
+    double given[4] = {0};
     size_t found;
     if (!zr_json_numbers(json, path, count, count, -DBL_MAX, DBL_MAX, given, &found)) return false;
     memcpy(out, given, count * sizeof *given);

@@ -52,6 +52,5 @@ void zr_gltf_warn(struct zr_gltf *file)
             "factors are beyond their ranges and are clamped");
     warn_of(file, &file->made->light_warnings, &file->bad_lights, "this light cannot be used, and is left out",
             "lights cannot be used and are left out");
-    for (size_t i = 0; !builder->asset_uses && !file->has_fallbacks && i < file->root.assets.count; i++)
-        if (!file->root.assets.uses[i]) zr_warn_of_unused_asset(builder, &file->root.assets.items[i]);
+    if (!file->has_fallbacks) zr_parsed_warn_of_unused_assets(&file->root.assets, builder);
 }

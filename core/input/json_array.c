@@ -60,8 +60,7 @@ static bool check_form(struct zr_json *json, const struct zr_json_path *path, st
     return true;
 }
 
-/* Counts the bytes. False, and reported, beyond the limit of struct zr_quick. */
-static bool has_time(struct zr_json *json, size_t bytes)
+bool zr_json_has_time(struct zr_json *json, size_t bytes)
 {
     struct zr_parsed_assets *assets = json->assets;
     assets->array_bytes += bytes;
@@ -83,7 +82,7 @@ bool zr_json_array_open(struct zr_json *json, const struct zr_json_path *path, c
     if (asset.array.type == ZR_BYTES && !zr_npy_open(asset.bytes, asset.size, &asset.array, &reason))
         return zr_json_fault(json, path, "%s", reason.text);
     *array = (struct zr_json_array){.wanted = wanted, .numbers = asset.array, .is_lent = asset.is_lent};
-    return check_form(json, path, array) && zr_array_bytes(&array->numbers, &bytes) && has_time(json, bytes);
+    return check_form(json, path, array) && zr_array_bytes(&array->numbers, &bytes) && zr_json_has_time(json, bytes);
 }
 
 /* ---- reading numbers ---- */

@@ -63,6 +63,26 @@ void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_a
                         zr_quote(asset->name, strlen(asset->name)).text);
 }
 
+struct zr_parsed_assets zr_parsed_assets_of(const struct zr_scene_builder *builder, const struct zr_request *request)
+{
+    uint8_t *uses = builder->asset_uses;
+    if (!uses) uses = zr_arena_zero(builder->arena, request->asset_count, sizeof *uses);
+    return (struct zr_parsed_assets){.count = request->asset_count,
+                                     .items = request->assets,
+                                     .folder = builder->asset_folder,
+                                     .uses = uses,
+                                     .use = ZR_USED,
+                                     .stored = request->stored,
+                                     .images = request->images,
+                                     .quick = request->quick};
+}
+
+void zr_parsed_warn_of_unused_assets(const struct zr_parsed_assets *assets, struct zr_scene_builder *builder)
+{
+    for (size_t i = 0; !builder->asset_uses && i < assets->count; i++)
+        if (!assets->uses[i]) zr_warn_of_unused_asset(builder, &assets->items[i]);
+}
+
 /* Finds a file or an array. */
 static bool find_named(struct zr_json *json, const struct zr_json_path *path, const struct zr_bytes_name *name,
                        struct zr_asset *out)

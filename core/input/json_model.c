@@ -5,8 +5,8 @@
 
 #include "core.h"
 #include "input/file_scene.h"
+#include "input/json_array.h"
 #include "input/json_matrix.h"
-#include "input/quick.h"
 
 struct zr_model {
     struct zr_scene scene; /* meshes, images, textures, counts, origin and instances as read */
@@ -27,16 +27,6 @@ static bool report(struct zr_json *json, const struct zr_json_path *path, const 
     for (size_t i = 0; i < zr_error_held(faults); i++)
         zr_json_fault(json, path, "%s%s%s", faults->items[i].pointer, *faults->items[i].pointer ? ": " : "",
                       faults->items[i].detail);
-    return false;
-}
-
-/* Large files are left to a request that may take its time. */
-static bool is_quick(struct zr_parsed_scene *root, size_t size)
-{
-    struct zr_quick *quick = root->assets.quick;
-    root->assets.array_bytes += size;
-    if (!quick || root->assets.array_bytes <= quick->array_bytes_max) return true;
-    zr_quick_exceed(quick, root->json.error);
     return false;
 }
 
@@ -111,7 +101,7 @@ struct zr_model *zr_model_read(struct zr_parsed_scene *root, const struct zr_jso
     const struct zr_json_path *at = ZR_JSON_KEY(path, name->asset ? ZR_BYTES_ASSET : ZR_BYTES_URI);
     struct zr_parsed_bytes bytes;
     struct zr_model *model = zr_arena_zero(json->arena, 1, sizeof *model);
-    if (!model || !zr_parsed_read_named(json, path, name, &bytes) || !is_quick(root, bytes.size)) return NULL;
+    if (!model || !zr_parsed_read_named(json, path, name, &bytes) || !zr_json_has_time(json, bytes.size)) return NULL;
     const char *folder = name->asset ? folder_of(json->arena, name->asset) : NULL;
     return read_file(root, at, &bytes, folder, model) && place(model) ? model : NULL;
 }

@@ -51,8 +51,7 @@ static void warn(struct zr_parsed_scene *root)
     if (root->unplaced_meshes > 0)
         zr_warning_list_add(root->json.arena, warnings, "%u of %u meshes are placed by no node and are not drawn",
                             root->unplaced_meshes, (uint32_t)root->meshes.count);
-    for (size_t i = 0; i < root->assets.count; i++)
-        if (!root->assets.uses[i]) zr_warn_of_unused_asset(root->builder, &root->assets.items[i]);
+    zr_parsed_warn_of_unused_assets(&root->assets, root->builder);
 }
 
 static void build(struct zr_parsed_scene *root)
@@ -105,16 +104,10 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
                                    .scene = scene,
                                    .algorithm = (int)scene->algorithm,
                                    .face_style = zr_face_style_unset,
-                                   .assets = {.count = request->asset_count,
-                                              .items = request->assets,
-                                              .use = ZR_USED,
-                                              .stored = request->stored,
-                                              .images = request->images,
-                                              .quick = request->quick}};
+                                   .assets = zr_parsed_assets_of(builder, request)};
     struct zr_json *json = &root.json;
     json->assets = &root.assets;
     zr_json_open(json, request->bytes, request->size);
-    root.assets.uses = zr_arena_zero(builder->arena, root.assets.count, sizeof *root.assets.uses);
     if (!root.assets.uses) return zr_json_close(json);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
     if (keeping && keeping->from && !zr_kept_load(keeping->from, &root)) return ZR_NO_MEMORY;

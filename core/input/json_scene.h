@@ -151,8 +151,15 @@ struct zr_parsed_assets {
     struct zr_stored stored;
     struct zr_kept_images images;
     struct zr_quick *quick; /* the request's; may be NULL */
-    size_t array_bytes;     /* read so far, of arrays that stand for lists */
+    size_t array_bytes;     /* counted by zr_json_has_time */
 };
+
+/* json_bytes.c. Returns the assets of a request for its body, or for a file in a scene, which shares the scene's uses.
+ * `uses` is NULL without memory. */
+struct zr_parsed_assets zr_parsed_assets_of(const struct zr_scene_builder *builder, const struct zr_request *request);
+
+/* Warns of assets that nothing uses. A file in a scene leaves that to the scene. */
+void zr_parsed_warn_of_unused_assets(const struct zr_parsed_assets *assets, struct zr_scene_builder *builder);
 
 struct zr_image_file; /* image_ahead.h */
 

@@ -15,9 +15,7 @@ struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_req
     struct zr_mtl *mtl = zr_arena_zero(builder->arena, 1, sizeof *mtl);
     struct zr_limits *kept = zr_arena_copy(builder->arena, limits, sizeof *limits);
     struct zr_file_scene *made = zr_arena_zero(builder->arena, 1, sizeof *made);
-    uint8_t *uses =
-        builder->asset_uses ? builder->asset_uses : zr_arena_zero(builder->arena, request->asset_count, sizeof *uses);
-    if (!mtl || !kept || !made || !uses) return NULL;
+    if (!mtl || !kept || !made) return NULL;
     mtl->made = made;
     mtl->error = error;
     mtl->root = (struct zr_parsed_scene){.json = {.arena = builder->arena,
@@ -27,12 +25,8 @@ struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_req
                                                   .error = &mtl->faults},
                                          .builder = builder,
                                          .scene = builder->scene,
-                                         .assets = {.count = request->asset_count,
-                                                    .items = request->assets,
-                                                    .folder = builder->asset_folder,
-                                                    .images = request->images,
-                                                    .quick = request->quick,
-                                                    .uses = uses}};
+                                         .assets = zr_parsed_assets_of(builder, request)};
+    if (!mtl->root.assets.uses) return NULL;
     mtl->root.json.assets = &mtl->root.assets;
     zr_json_open(&mtl->root.json, "", 0);
     return mtl;
@@ -238,6 +232,5 @@ void zr_mtl_close(struct zr_mtl *mtl)
 {
     use_all_files(mtl);
     zr_mtl_warn(mtl);
-    for (size_t i = 0; !mtl->root.builder->asset_uses && i < mtl->root.assets.count; i++)
-        if (!mtl->root.assets.uses[i]) zr_warn_of_unused_asset(mtl->root.builder, &mtl->root.assets.items[i]);
+    zr_parsed_warn_of_unused_assets(&mtl->root.assets, mtl->root.builder);
 }
