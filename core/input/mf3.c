@@ -48,20 +48,6 @@ static void warn(const struct zr_mf3 *file, struct zr_scene_builder *builder)
     }
 }
 
-/* Returns the word of info for a unit of the root part. */
-static const char *unit_word(const char *unit)
-{
-    static const char *const words[][2] = {{"millimeter", "millimetre"},
-                                           {"micron", "micron"},
-                                           {"centimeter", "centimetre"},
-                                           {"inch", "inch"},
-                                           {"foot", "foot"},
-                                           {"meter", "metre"}};
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (strcmp(words[i][0], unit) == 0) return words[i][1];
-    return NULL;
-}
-
 /* ---- interface ---- */
 
 static enum zr_status read_parts(struct zr_mf3 *file)
@@ -97,6 +83,6 @@ enum zr_status zr_read_3MF(struct zr_scene_builder *builder, const struct zr_req
     if (status == ZR_OK) status = zr_mf3_place(file, builder, request->quick);
     if (status != ZR_OK) return status;
     warn(file, builder);
-    builder->scene->file.unit = unit_word(zr_mf3_parts(file)[0].unit);
+    builder->scene->file.unit = zr_mf3_parts(file)[0].unit;
     return status;
 }

@@ -76,6 +76,13 @@ enum zr_mf3_kind {
     ZR_MF3_TEXTURE /* an image: a texture2d */
 };
 
+/* Returns a colour 0xAABBGGRR. */
+static inline zr_vec4 zr_mf3_color_of(uint32_t rgba)
+{
+    return (zr_vec4){(float)(rgba & 255) / 255.0f, (float)(rgba >> 8 & 255) / 255.0f,
+                     (float)(rgba >> 16 & 255) / 255.0f, (float)(rgba >> 24) / 255.0f};
+}
+
 /* A property of a corner: a colour, 0xAABBGGRR, times a texture. */
 struct zr_mf3_value {
     uint32_t color;
@@ -139,8 +146,8 @@ struct zr_mf3_part {
     const struct zr_zip_member *member;
     const char *bytes; /* NULL: not read yet */
     size_t size;
-    const char *unit;
-    double microns; /* of the unit; 0: not read */
+    const char *unit;       /* as info names it */
+    double microns;         /* of the unit; 0: not read */
     const char *counted_to; /* a place; `line` is its line */
     size_t line;
 };

@@ -220,9 +220,8 @@ enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builde
     const uint64_t most = (uint64_t)ZR_NODES_VISITS_AN_INSTANCE * file->limits->instances_max + nodes.count;
     const uint64_t allowed = quick && quick->node_visits_max < most ? quick->node_visits_max : most;
     struct zr_placement placement = zr_nodes_place(file->arena, &nodes, file->limits->instances_max, allowed);
-    if (placement.fault == ZR_NODES_TOO_MANY_VISITS && placement.visits <= most) {
+    if (placement.fault == ZR_NODES_TOO_MANY_VISITS && placement.visits <= most)
         return zr_quick_exceed(quick, file->error);
-    }
     if (zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
     if (!zr_arena_ok(file->arena)) return ZR_NO_MEMORY;
     if (placement.fault != ZR_NODES_GOOD) {

@@ -135,19 +135,13 @@ void zr_mf3_corners_set(struct zr_mf3_corners *corners, uint32_t triangle, uint3
 
 /* ---- the mesh ---- */
 
-static zr_vec4 color_of(uint32_t rgba)
-{
-    return (zr_vec4){(float)(rgba & 255) / 255.0f, (float)(rgba >> 8 & 255) / 255.0f,
-                     (float)(rgba >> 16 & 255) / 255.0f, (float)(rgba >> 24) / 255.0f};
-}
-
 /* Sets one colour per face. */
 static void color_faces(const struct zr_mf3_corners *corners, struct zr_mesh *mesh)
 {
     zr_vec4 *colors = zr_arena_alloc(corners->file->arena, mesh->face_count, sizeof *colors);
     for (size_t i = 0; colors && i < mesh->face_count; i++) {
         if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(corners->file->cancel)) return;
-        colors[i] = color_of(corners->colors[3 * i]);
+        colors[i] = zr_mf3_color_of(corners->colors[3 * i]);
     }
     mesh->face_colors = colors;
 }
@@ -168,7 +162,7 @@ static void expand(const struct zr_mf3_corners *corners, struct zr_mesh *mesh)
     for (size_t i = 0; i < count; i++) {
         if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(corners->file->cancel)) return;
         positions[i] = mesh->positions[mesh->indices[i]];
-        if (colors) colors[i] = color_of(corners->colors[i]);
+        if (colors) colors[i] = zr_mf3_color_of(corners->colors[i]);
         if (texcoords) texcoords[i] = (zr_vec4){corners->coords[i][0], corners->coords[i][1], 0, 0};
     }
     mesh->colors = colors;

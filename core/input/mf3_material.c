@@ -7,7 +7,6 @@ struct making {
     struct zr_mf3 *file;
     struct zr_parsed_scene *root; /* decodes images */
     struct zr_error faults;
-    struct zr_file_scene *scene;
     struct zr_mf3_list materials; /* struct zr_parsed_material */
 };
 
@@ -105,7 +104,7 @@ static struct zr_parsed_scene *open_root(struct making *making, struct zr_scene_
 bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick,
                            struct zr_file_scene *scene, uint32_t count, uint32_t **textures)
 {
-    struct making making = {.file = file, .scene = scene};
+    struct making making = {.file = file};
     bool is_any = false;
     for (uint32_t i = 0; i < count; i++)
         is_any = is_any || textures[i];

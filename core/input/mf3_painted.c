@@ -116,9 +116,7 @@ bool zr_mf3_paint_mesh(struct zr_mf3_corners *corners, struct zr_mesh *mesh)
 
 static zr_vec4 color_of(const struct zr_mf3 *file, uint32_t extruder)
 {
-    const uint32_t rgba = file->filaments[extruder > 0 && extruder <= file->filament_count ? extruder - 1 : 0];
-    return (zr_vec4){(float)(rgba & 255) / 255.0f, (float)(rgba >> 8 & 255) / 255.0f,
-                     (float)(rgba >> 16 & 255) / 255.0f, 1};
+    return zr_mf3_color_of(file->filaments[extruder > 0 && extruder <= file->filament_count ? extruder - 1 : 0]);
 }
 
 void zr_mf3_color_by_extruders(struct zr_mf3 *file, struct zr_mesh *mesh, const uint8_t *extruders,

@@ -210,10 +210,10 @@ static void check_required(struct zr_mf3 *file)
 static void read_unit(struct zr_mf3 *file)
 {
     static const struct {
-        const char *name;
+        const char *name, *word;
         double microns;
-    } units[] = {{"millimeter", 1e3}, {"micron", 1},    {"centimeter", 1e4},
-                 {"inch", 25400},     {"foot", 304800}, {"meter", 1e6}};
+    } units[] = {{"millimeter", "millimetre", 1e3}, {"micron", "micron", 1},  {"centimeter", "centimetre", 1e4},
+                 {"inch", "inch", 25400},           {"foot", "foot", 304800}, {"meter", "metre", 1e6}};
     struct zr_mf3_part *part = &zr_mf3_parts(file)[file->part];
     const struct zr_xml_text unit = zr_xml_value(&file->tag, "unit");
     size_t i = 0;
@@ -224,7 +224,7 @@ static void read_unit(struct zr_mf3 *file)
                      zr_quote(unit.at, unit.length).text);
         i = 0;
     }
-    part->unit = units[i].name;
+    part->unit = units[i].word;
     part->microns = units[i].microns;
 }
 

@@ -94,14 +94,19 @@ void zr_mf3_read_coords(struct zr_mf3 *file)
 
 /* ---- lists of numbers ---- */
 
+static bool is_blank(char c)
+{
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
 /* Reads the next number of a list; false at its end or after a fault. */
 static bool next_number(struct zr_mf3 *file, struct zr_xml_text *list, const char *name, double *out)
 {
     const char *const end = list->at + list->length;
     const char *at = list->at, *behind;
-    while (at < end && (*at == ' ' || (*at >= '\t' && *at <= '\r')))
+    while (at < end && is_blank(*at))
         at++;
-    for (behind = at; behind < end && !(*behind == ' ' || (*behind >= '\t' && *behind <= '\r'));)
+    for (behind = at; behind < end && !is_blank(*behind);)
         behind++;
     const struct zr_xml_text word = {at, (size_t)(behind - at)};
     *list = (struct zr_xml_text){behind, (size_t)(end - behind)};
@@ -237,9 +242,9 @@ static void read_methods(struct zr_mf3 *file, bool *multiplies)
     const struct zr_xml_text value = zr_xml_value(&file->tag, "blendmethods");
     const char *at = value.at, *const end = at ? at + value.length : at;
     for (int layer = 1; at < end && layer < LAYERS_MAX; at++) {
-        if (*at == ' ' || (*at >= '\t' && *at <= '\r')) continue;
+        if (is_blank(*at)) continue;
         multiplies[layer++] = *at == 'm' && end - at >= 2 && at[1] == 'u';
-        while (at<end && * at> ' ')
+        while (at != end && *at > ' ')
             at++;
     }
 }
