@@ -1,8 +1,6 @@
 /* Warns of the contents of a glTF file that are left out or changed in its picture. */
 #include "input/gltf.h"
 
-#include "input/input.h"
-
 static void warn_of(struct zr_gltf *file, struct zr_warning_list *list, const struct zr_gltf_note *note,
                     const char *one, const char *many)
 {

@@ -255,5 +255,4 @@ void zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_
                              .face_colors = soup->face_colors.items,
                              .face_materials = soup->face_styles.items,
                              .material = *(const uint32_t *)soup->face_styles.items};
-    return;
 }

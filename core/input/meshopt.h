@@ -25,7 +25,7 @@ struct zr_meshopt {
 /* Checks the layout against the number of compressed bytes. False with the reason. */
 bool zr_meshopt_check(const struct zr_meshopt *of, size_t size, struct zr_reason *reason);
 
-/* Decodes a checked layout to count * stride bytes, without its filter. False with the reason, or if cancelled. */
+/* Decodes a checked layout to count * stride bytes, and applies its filter. False with the reason, or if cancelled. */
 bool zr_meshopt_decode(const struct zr_meshopt *of, const void *bytes, size_t size, unsigned char *out,
                        const struct zr_cancel *cancel, struct zr_reason *reason);
 

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/input.h"
 #include "input/mtl.h"
 #include "input/text.h"
 

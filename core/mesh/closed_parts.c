@@ -4,6 +4,7 @@
 
 #include "base/cancel.h"
 #include "mesh/weld.h"
+#include "scene/part_list.h"
 
 enum { FACES_A_CANCEL_CHECK = 1 << 14, VERTICES_A_RANGE = 1 << 12 };
 
@@ -215,7 +216,7 @@ static bool make_rooms(struct zr_arena *arena, const struct zr_mesh *mesh, uint3
 bool zr_closed_parts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                           const struct zr_mesh *mesh, uint8_t *closed)
 {
-    const uint32_t parts = mesh->face_parts ? mesh->part_count : 1;
+    const uint32_t parts = zr_mesh_part_count(mesh);
     memset(closed, 0, parts);
     if (mesh->face_count == 0 || parts > INT32_MAX) return true;
     const struct zr_mesh_extent extent = zr_mesh_extent_of(team, mesh);
