@@ -166,30 +166,40 @@ static const struct name *find_only(const struct name *names, size_t count, cons
 
 /* ---- interface ---- */
 
+/* The steps 1 to 3. Sets *path to the clean path that they have reached, else to NULL. */
+static const struct name *find_path(const struct zr_file_names *names, struct zr_arena *arena, const char *name,
+                                    char **path)
+{
+    const struct name *found = find_exact(names->all, names->count, name);
+    const size_t length = strlen(name);
+    *path = found ? NULL : zr_arena_alloc(arena, length + 1, 1);
+    if (!*path) return found;
+    if (zr_file_path_clean(name, length, *path) == 0) {
+        *path = NULL;
+        return NULL;
+    }
+    found = find_exact(names->all, names->count, *path);
+    return found ? found : find_only(names->all, names->count, *path, false);
+}
+
 /* The steps 1 to 3, for a name below the folder. */
 static const struct name *find_below(const struct zr_file_names *names, struct zr_arena *arena, const char *folder,
                                      const char *name)
 {
     const size_t size = strlen(folder) + strlen(name) + 1;
-    char *joined = zr_arena_alloc(arena, size, 1), *path = zr_arena_alloc(arena, size, 1);
-    if (!joined || !path) return NULL;
+    char *joined = zr_arena_alloc(arena, size, 1), *path;
+    if (!joined) return NULL;
     snprintf(joined, size, "%s%s", folder, name);
-    const struct name *found = find_exact(names->all, names->count, joined);
-    if (found || zr_file_path_clean(joined, size - 1, path) == 0) return found;
-    found = find_exact(names->all, names->count, path);
-    return found ? found : find_only(names->all, names->count, path, false);
+    return find_path(names, arena, joined, &path);
 }
 
 static const struct name *find(const struct zr_file_names *names, struct zr_arena *arena, const char *name)
 {
-    const struct name *found = find_exact(names->all, names->count, name);
-    if (found) return found;
-    char *path = zr_arena_alloc(arena, strlen(name) + 1, 1);
-    if (!path || zr_file_path_clean(name, strlen(name), path) == 0) return NULL;
+    char *path;
+    const struct name *found = find_path(names, arena, name, &path);
+    if (found || !path) return found;
     const char *base = last_part(path);
-    found = find_exact(names->all, names->count, path);
-    if (!found) found = find_only(names->all, names->count, path, false);
-    if (!found) found = find_only(names->bases, names->base_count, base, true);
+    found = find_only(names->bases, names->base_count, base, true);
     return found ? found : find_only(names->bases, names->base_count, base, false);
 }
 
