@@ -1,38 +1,29 @@
 #include "input/parameters.h"
 
-#include <float.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "input/channel_list.h"
-#include "input/color_text.h"
 #include "input/formats.h"
 #include "input/json_objects.h"
 #include "input/json_writer.h"
 #include "input/kept.h"
-#include "input/number.h"
 #include "input/parameter_names.h"
-#include "input/text.h"
+#include "input/parameter_values.h"
 #include "scene/defaults.h"
 #include "scene/mesh_up.h"
 
 /* ---- the tables ---- */
 
 enum whose { ANY, MESH };
-enum kind {
-#define KIND(ID, ...) KIND_##ID,
-    ZR_PARAMETER_KINDS(KIND)
-#undef KIND
-};
 
 static const struct row {
     const char *name, *pointer;
     enum whose whose;
-    enum kind kind;
+    enum zr_parameter_kind kind;
     size_t offset; /* of its text, a const char * in struct zr_request */
 } rows[] = {
 #define PARAMETER(name, pointer, whose, kind, help)                                                                    \
-    {#name, pointer, whose, KIND_##kind, offsetof(struct zr_request, name)},
+    {#name, pointer, whose, ZR_PARAMETER_##kind, offsetof(struct zr_request, name)},
     ZR_PARAMETER_ROWS(PARAMETER)
 #undef PARAMETER
 };
@@ -71,12 +62,18 @@ static const char *text_of(const struct zr_request *request, const struct row *r
     return *(const char *const *)(const void *)((const char *)request + row->offset);
 }
 
-/* Returns the field that a pointer into a scene refers to. */
+static bool is_of_query(const char *pointer)
+{
+    return strncmp(pointer, query_prefix, strlen(query_prefix)) == 0;
+}
+
+/* Returns the field that a pointer into a scene or into /query refers to. */
 static const struct zr_json_field *field_of(const char *pointer)
 {
-    const struct zr_json_object *object = &zr_json_object_scene;
+    const bool is_in_query = is_of_query(pointer);
+    const struct zr_json_object *object = is_in_query ? &query_object : &zr_json_object_scene;
     const struct zr_json_field *field = NULL;
-    for (const char *at = pointer; *at;) {
+    for (const char *at = is_in_query ? pointer + strlen(query_prefix) - 1 : pointer; *at;) {
         const size_t length = strcspn(++at, "/");
         for (size_t i = 0; !zr_json_is_index(at) && i < object->count; i++) {
             const char *key = object->fields[i].key;
@@ -102,7 +99,7 @@ static void put_required(struct zr_json_writer *json, const char *pointer)
     }
 }
 
-/* ---- values ---- */
+/* ---- reading ---- */
 
 struct reading {
     const struct zr_request *request;
@@ -110,173 +107,6 @@ struct reading {
     struct zr_query *query;
     struct zr_error *error;
 };
-
-static bool refuse(const struct reading *r, const struct row *row, const char *text, const char *wanted)
-{
-    zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "parameter %s: %s is not %s", row->name,
-                 zr_quote(text, strlen(text)).text, wanted);
-    return false;
-}
-
-/* True if the text is exactly one number. */
-static bool is_number(const char *text, size_t length, double *value)
-{
-    return zr_number_read(text, text + length, value) == text + length;
-}
-
-static bool put_in_range(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    const struct zr_json_field *field = field_of(row->pointer);
-    double value;
-    if (is_number(text, strlen(text), &value) && value >= field->low && value <= field->high) {
-        zr_json_put_number(json, value);
-        return true;
-    }
-    char wanted[120];
-    snprintf(wanted, sizeof wanted, "a number%s%s from %g to %g", field->unit ? " of " : "",
-             field->unit ? field->unit : "", field->low, field->high);
-    return refuse(r, row, text, wanted);
-}
-
-static bool put_seconds(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    double value;
-    if (!is_number(text, strlen(text), &value) || !(value >= 0.0 && value <= TIME_MAX))
-        return refuse(r, row, text, "a number of seconds from 0 to 1e+06");
-    zr_json_put_number(json, value);
-    return true;
-}
-
-static bool put_positive(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    double value;
-    if (!is_number(text, strlen(text), &value) || !(value <= (double)FLT_MAX) || !((float)value > 0.0f))
-        return refuse(r, row, text, "a number greater than 0");
-    zr_json_put_number(json, value);
-    return true;
-}
-
-/* True for digits alone, at least one. *value is exact up to UINT32_MAX; larger numbers give some value above it. */
-static bool is_whole(const char *text, uint64_t *value)
-{
-    const char *at = text;
-    for (*value = 0; *at >= '0' && *at <= '9'; at++)
-        if (*value <= UINT32_MAX) *value = *value * 10 + (uint64_t)(*at - '0');
-    return *at == '\0' && at != text;
-}
-
-static bool put_side(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    const uint32_t most = r->limits->window_side_max;
-    uint64_t value;
-    char wanted[80];
-    snprintf(wanted, sizeof wanted, "a whole number of pixels from 1 to %u", most);
-    if (!is_whole(text, &value) || value < 1) return refuse(r, row, text, wanted);
-    if (value > most) { /* well-formed, but too large: the same status as in a scene */
-        zr_error_add(r->error, ZR_BAD_SCENE, NULL, "parameter %s: %s pixels; 1 to %u are allowed", row->name,
-                     zr_quote(text, strlen(text)).text, most);
-        return false;
-    }
-    zr_json_put_number(json, (double)value);
-    return true;
-}
-
-static bool put_pixel(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    uint64_t value;
-    if (!is_whole(text, &value) || value > UINT32_MAX)
-        return refuse(r, row, text, "the number of a pixel, counted from 0");
-    zr_json_put_number(json, (double)value);
-    return true;
-}
-
-static bool put_vector(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    const char *at = text;
-    for (int i = 0; i < 3; i++) {
-        const size_t length = strcspn(at, ",");
-        double value;
-        if (!is_number(at, length, &value) || !(value >= -(double)FLT_MAX && value <= (double)FLT_MAX) ||
-            at[length] != (i < 2 ? ',' : '\0'))
-            return refuse(r, row, text, "three numbers with commas between them");
-        zr_json_put(json, i == 0 ? "[" : ",");
-        zr_json_put_number(json, value);
-        at += length + 1;
-    }
-    zr_json_put(json, "]");
-    return true;
-}
-
-static bool put_opaque(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    zr_vec4 color;
-    if (!zr_color_of_text(text, strlen(text), &color))
-        return refuse(r, row, text, "a colour: #rrggbb, #rgb, or a name of CSS");
-    if (color.w < 1.0f) return refuse(r, row, text, "opaque, and only the background may be transparent");
-    zr_json_put_string(json, text);
-    return true;
-}
-
-static bool put_background(const struct reading *r, struct zr_json_writer *json, const struct row *row,
-                           const char *text)
-{
-    zr_vec4 color;
-    const char *const value = strcmp(text, "transparent") == 0 ? "#00000000" : text;
-    if (!zr_color_of_text(value, strlen(value), &color))
-        return refuse(r, row, text, "a colour: transparent, #rrggbb, #rrggbbaa, #rgb, #rgba, or a name of CSS");
-    zr_json_put_string(json, value);
-    return true;
-}
-
-static bool put_outline(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    if (strcmp(text, "true") != 0 && strcmp(text, "false") != 0) return put_opaque(r, json, row, text);
-    zr_json_put(json, text);
-    return true;
-}
-
-static bool put_flag(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    static const char *const words[] = {"false", "true", "0", "1"};
-    static const struct zr_names names = ZR_NAMES(4, words);
-    const int found = zr_names_of_query(row->name, &names, text, r->error);
-    if (found < 0) return false;
-    zr_json_put(json, words[found % 2]);
-    return true;
-}
-
-static bool put_count(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    if (zr_names_of_query(row->name, field_of(row->pointer)->words, text, r->error) < 0) return false;
-    zr_json_put(json, text);
-    return true;
-}
-
-static bool put_name(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    (void)r;
-    if (row->kind == KIND_NAME_OR_FALSE && strcmp(text, "false") == 0)
-        zr_json_put(json, text);
-    else
-        zr_json_put_string(json, text);
-    return true;
-}
-
-/* Writes the value as JSON; false after reporting. */
-static bool put_value(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
-{
-    static bool (*const by_kind[])(const struct reading *, struct zr_json_writer *, const struct row *,
-                                   const char *) = {
-        [KIND_NAME] = put_name,        [KIND_NAME_OR_FALSE] = put_name, [KIND_AXIS] = put_name,
-        [KIND_BOOL] = put_flag,        [KIND_COUNT] = put_count,        [KIND_NUMBER] = put_in_range,
-        [KIND_DEGREES] = put_in_range, [KIND_PIXELS] = put_in_range,    [KIND_UNITS] = put_positive,
-        [KIND_SECONDS] = put_seconds,  [KIND_SIDE] = put_side,          [KIND_PIXEL] = put_pixel,
-        [KIND_VECTOR] = put_vector,    [KIND_COLOR] = put_opaque,       [KIND_BACKGROUND] = put_background,
-        [KIND_OUTLINE] = put_outline};
-    return by_kind[row->kind](r, json, row, text);
-}
-
-/* ---- reading ---- */
 
 /* Finds the first given parameter whose key is at the fault's pointer, within it or around it. NULL if there is none.
  */
@@ -384,7 +214,8 @@ static uint64_t put_rows(const struct reading *r, const struct row *row, const s
         put_required(json, pointer->text);
         zr_json_go_to(json, pointer->text);
         const size_t used = json->used;
-        if (put_value(r, json, at, text)) continue;
+        const struct zr_parameter parameter = {at->name, at->kind, field_of(at->pointer), r->limits, r->error};
+        if (zr_parameter_put(&parameter, text, json)) continue;
         json->used = used;
         zr_json_put(json, "null");
         reported |= UINT64_C(1) << (at - rows);
@@ -412,7 +243,7 @@ static void read_rows(const struct reading *r, const struct row *row, const stru
         reported |= put_rows(r, row, end, number, &json);
     if (json.used == 0) return;
     zr_json_go_to(&json, "");
-    read_text(r, &json, strncmp(row->pointer, query_prefix, strlen(query_prefix)) == 0, reported);
+    read_text(r, &json, is_of_query(row->pointer), reported);
 }
 
 static void open_query(const struct zr_request *request, const struct zr_limits *limits,
