@@ -200,7 +200,7 @@ gltf-models: ## the models of the glTF Asset Generator beside their thumbnails: 
 	@$(PYTHON) tests/reference/gltf_models.py $(BUILD) $(DATA)/gltf/asset-generator
 
 .PHONY: loaders
-loaders: ## triangles and bounds of models beside those of three and gltf-validator (npm), meshio and trimesh: FILES="DIR..."; else those of $DATA
+loaders: ## triangles and bounds of models beside those of three and gltf-validator (npm), meshio and trimesh: FILES="DIR..." (default: models of $DATA)
 	@.ci/need $(NEED_BUILD) node=nodejs npm=npm /usr/share/doc/python3-meshio=python3-meshio "/usr/share/doc/python3-trimesh=python3-trimesh?"
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/loaders three@0.187 linkedom@0.18 gltf-validator@2.0.0-dev.3.10

@@ -37,8 +37,8 @@ static bool print_list(const cJSON *list)
     return true;
 }
 
-/* Returns true for values that only --json lists: counts of 0, empty texts and lists, and the faces. Parts have a table
- * of their own. */
+/* Returns true for values that only --json lists: counts of 0, empty texts and lists, and the faces.
+ * A separate table lists the parts. */
 static bool is_nothing(const char *path, const cJSON *value)
 {
     const bool is_count = strncmp(path, "counts.", strlen("counts.")) == 0;

@@ -7,12 +7,12 @@
 #include "bytes.h"
 #include "options.h"
 
-enum { INPUT_PARTS_MAX = 255 }; /* and the scene: as many parts as a server reads */
+enum { INPUT_PARTS_MAX = 255 }; /* with the scene, as many parts as a server reads */
 
 struct input_part {
     char *name;
     struct bytes bytes;
-    bool is_neighbour; /* read because the file refers to it (neighbours.h); else --part */
+    bool is_neighbour; /* the file refers to it (neighbours.h); false: given by --part */
 };
 
 struct input {

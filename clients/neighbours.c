@@ -10,16 +10,16 @@
 
 #include "interruption.h"
 
-/* LOOKUPS_MAX: names of one input that are looked for. */
+/* LOOKUPS_MAX: largest number of names that are looked up per input. */
 enum { LOOKUPS_MAX = 4096, SERVER_NAME_MAX = 128 };
 static const unsigned long long bytes_max = 2ull << 30;
 
 struct search {
     struct input *input;
-    char *root, *folder; /* without links */
+    char *root, *folder; /* absolute paths without symbolic links */
     size_t lookups;
     unsigned long long bytes;
-    size_t outside, excess; /* files that are not read */
+    size_t outside, excess; /* counts of files that are not read */
     char first_outside[256], first_excess[256];
     bool has_memory;
 };
@@ -83,8 +83,8 @@ static bool append_ignoring_case(const struct search *search, char path[PATH_MAX
     return true;
 }
 
-/* Walks a relative path from the search's folder. Parts that do not exist are looked for without regard to case. False:
- * there is no such file. */
+/* Walks a relative path from the search's folder. Looks up missing parts without regard to case.
+ * False if there is no such file. */
 static bool walk(const struct search *search, const char *relative, char path[PATH_MAX])
 {
     struct stat status;

@@ -1,9 +1,8 @@
 /* neighbours.h - client: files that the file to draw refers to, such as the textures of glTF, read from its folder.
  *
- * Found:  by its path from the folder of the file that refers to it; else without regard to case; else by the last part
- *         of the path alone.
+ * Found:  by its path from the folder of the referring file; else without regard to case; else by the path's last part.
  * Safe:   only regular files below the root folder are read, after all links are resolved. Paths that lead out of it,
- *         absolute ones too, cause a warning. A file that is missing is left to the renderer, which warns or refuses.
+ *         absolute ones too, cause a warning. The renderer reports a missing file by a warning or a fault.
  */
 #ifndef NEIGHBOURS_H
 #define NEIGHBOURS_H

@@ -55,12 +55,12 @@ struct zr_packed; /* input/zip_part.h */
 /* A file or an array sent with the scene; the scene refers to it by {"asset": name}. */
 struct zr_asset {
     const char *name;
-    const void *bytes; /* of a file, or of the array */
+    const void *bytes; /* bytes of a file, or of the array */
     size_t size;
     struct zr_array array;    /* type ZR_BYTES: a file; the rest is not set */
-    bool is_lent;             /* both stay unchanged as long as the scene lives: numbers need not be copied */
+    bool is_lent;             /* the data stay unchanged while the scene lives; numbers need no copy */
     bool is_optional;         /* no warning if the scene does not use it */
-    struct zr_packed *packed; /* core/read.c: a member of a ZIP body that is not unpacked yet; callers: NULL */
+    struct zr_packed *packed; /* set by core/read.c: unread member of a ZIP body; callers set NULL */
 };
 
 /* Store of assets by their SHA-256; the scene refers to one by {"asset": "sha256:..."}. `read` takes 64 lower-case
@@ -77,8 +77,8 @@ struct zr_kept_image;
 
 /* Decoded images that the caller keeps between requests, by the hash of their files. No answer depends on them. */
 struct zr_kept_images {
-    /* Computes the hash of a file and finds its image, whose texels stay until the scene is freed. False: none.
-     * NULL: no images are kept. Only the thread that reads the scene calls `find` and `keep`. */
+    /* Computes the hash of a file and finds its image, whose texels stay until the scene is freed. Returns false if
+     * there is none. NULL: no images are kept. Only the thread that reads the scene calls `find` and `keep`. */
     bool (*find)(void *context, const void *bytes, size_t size, struct zr_image_hash *hash,
                  struct zr_kept_image *image);
     /* Offers an image that `find` did not have. The caller may copy the texels. It keeps no pointer to them. */
@@ -112,11 +112,11 @@ struct zr_request {
 };
 
 /* Lists the files that a model file refers to: buffers and images of glTF, material libraries of OBJ, images of MTL,
- * and assets of scenes. Writes their names in the order of the file, each with a final zero; they may occur again. A
- * line "mtllib a b" gives "a b", "a" and "b", since names may have blanks. URIs with a scheme and stored assets are
- * left out. `type`: a media type or the ending of the file's name; NULL: detected; "mtl" or "model/mtl" for MTL.
- * Returns the bytes of all names; if they exceed `room`, some names are not written, and the caller calls again.
- * `names` may be NULL if `room` is 0. Wrong or hostile bytes give other names, or none. */
+ * and assets of scenes. Writes their names in the order of the file, each with a final zero. Names may repeat. A line
+ * "mtllib a b" gives "a b", "a" and "b", since names may have blanks. URIs with a scheme and stored assets are left
+ * out. `type`: a media type or the ending of the file's name; NULL: detected; "mtl" or "model/mtl" for MTL. Returns the
+ * bytes of all names; if they exceed `room`, some names are not written, and the caller calls again. `names` may be
+ * NULL if `room` is 0. Wrong or hostile bytes give other names, or none. */
 size_t zr_references_list(const char *bytes, size_t size, const char *type, char *names, size_t room);
 
 /* ---- the four steps, and the cost of the last two ---- */

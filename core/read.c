@@ -148,7 +148,7 @@ static enum zr_status open_body(struct zr_arena *arena, struct zr_request *body,
     return status;
 }
 
-/* Notes what a change needs: the format of the body, and the members of a ZIP archive. */
+/* Stores the data that a change needs: the format of the body, and the members of a ZIP archive. */
 static bool keep_body(struct zr_arena *arena, const struct zr_request *body, struct zr_kept *kept)
 {
     kept->request.format = body->format;

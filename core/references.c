@@ -236,7 +236,7 @@ static const char *skip_space(const char *at, const char *end)
     return at;
 }
 
-/* Reads the string at `at` and, if it is a key, a string that is its value. Returns the byte behind, or `end`. */
+/* Reads the string at `at` and, if it is a key, a string that is its value. Returns the next byte, or `end`. */
 static const char *read_string(struct json *json, const char *at, const char *end)
 {
     struct zr_json_text key = {.at = at + 1}, value;

@@ -16,9 +16,9 @@ _Static_assert(sizeof(struct zr_image_hash) == SHA256_DIGEST_SIZE, "the hash of 
 struct entry {
     struct zr_image_hash hash;
     struct zr_kept_image kept;
-    uint64_t bytes;     /* that it counts */
-    size_t users;       /* requests */
-    struct entry *next; /* in its chain */
+    uint64_t bytes;     /* size in whole blocks */
+    size_t users;       /* number of requests that use it */
+    struct entry *next; /* next entry of the chain */
     struct entry *newer, *older;
     unsigned char texels[];
 };
@@ -27,7 +27,7 @@ struct images {
     pthread_mutex_t lock;
     uint64_t max_bytes;
     struct images_state state;
-    struct entry *newest, *oldest; /* by last use */
+    struct entry *newest, *oldest; /* in the order of last use */
     struct entry *chains[CHAINS];
 };
 
@@ -98,7 +98,7 @@ static void remove_down_to(struct images *images, uint64_t bytes)
     }
 }
 
-/* The hash is that of an image that another request has kept meanwhile, or that was decoded under other limits. */
+/* Applies the stricter limits of two decodings of one image, which another request kept meanwhile or before. */
 static void widen(struct entry *entry, const struct zr_kept_image *kept)
 {
     if (kept->texels_max < entry->kept.texels_max) entry->kept.texels_max = kept->texels_max;
@@ -134,7 +134,7 @@ struct images_state images_look(struct images *images)
     return state;
 }
 
-/* ---- those of a request ---- */
+/* ---- images of one request ---- */
 
 static bool find(void *context, const void *bytes, size_t size, struct zr_image_hash *hash, struct zr_kept_image *kept)
 {

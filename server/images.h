@@ -1,6 +1,6 @@
 /* images.h - decoded images of textures, kept between requests by the SHA-256 of their files.
  *
- * Safe:   the hash covers the whole file, so a client cannot change the image of another one's file. It can only
+ * Safe:   the hash covers the whole file, so a client cannot change the image of another client's file. It can only
  *         displace images, which are then decoded again. Answers are the same with and without kept images.
  * Bounds: the bytes of all images, in blocks of 4096. The least recently used ones make room for new ones. An image
  *         that a request uses stays, and its bytes count, until that request has ended.

@@ -97,7 +97,7 @@ struct rendering {
     bool is_large;           /* gives up: small_only is set, and the request is large */
     struct zr_quick quick;   /* limits of a small request */
     struct images_use images;
-    struct zr_cost cost; /* predicted; all 0 before */
+    struct zr_cost cost; /* predicted cost; all 0 before the prediction */
 };
 
 static double ms_since(int64_t *mark_us)

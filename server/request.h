@@ -30,7 +30,7 @@ struct service {
     struct zr_team *team;
     struct store *store;   /* NULL: no assets are stored */
     struct images *images; /* decoded images; NULL: none are kept */
-    uint64_t id_base;      /* random: ids of two daemons differ */
+    uint64_t id_base;      /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };
 

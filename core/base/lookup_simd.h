@@ -1,7 +1,6 @@
 /* lookup_simd.h - base: lookups in small tables and of neighbours, for kernels.
  *
- * Gathers load lane after lane. Where a few permutations or gathers of 8 bytes replace them, these are used: the values
- * are the same.
+ * Gathers load one lane after another. A few permutations, or gathers of 8 bytes, replace them with the same values.
  */
 #ifndef ZR_LOOKUP_SIMD_H
 #define ZR_LOOKUP_SIMD_H
@@ -11,7 +10,7 @@
 #ifdef ZR_KERNEL_AVX512
 
 /* Returns table[i] of 256 floats; 0 <= i < 256. A permutation selects among 32 floats by the low 5 bits of the number.
- * All take half the time of a gather: a picture with textures in linear light takes a sixth less. */
+ * The permutations take half the time of a gather. A picture with textures in linear light takes a sixth less time. */
 static inline zr_vf zr_vf_lookup_256(const float *table, zr_vi i)
 {
     const __m512i number = (__m512i)i;
@@ -29,7 +28,7 @@ static inline zr_vf zr_vf_lookup_256(const float *table, zr_vi i)
     return (zr_vf)_mm512_mask_blend_ps(bit7, found[0], found[1]);
 }
 
-/* Loads the 4 bytes at p + 4 i[k] and the 4 behind them. Saves a tenth of such a picture, too. */
+/* Loads the 4 bytes at p + 4 i[k] and the 4 bytes after them. Saves a tenth of the time of such a picture. */
 static inline void zr_vi_gather_pairs(const void *p, zr_vi i, zr_vi *first, zr_vi *second)
 {
     const __m512i index = (__m512i)i;

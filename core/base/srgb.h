@@ -14,8 +14,8 @@ typedef void zr_srgb_ramp_fn(size_t last, float *out);
 
 ZR_KERNEL_TABLE(zr_srgb_ramp_fn, zr_srgb_ramp)
 
-/* Encodes `count` values, clamped to 0..1. Both arrays have ZR_SRGB_EXCESS more floats. Those of `linear` are read
- * and must be defined. */
+/* Encodes `count` values, clamped to 0..1. Both arrays have ZR_SRGB_EXCESS more floats.
+ * Those of `linear` are read and must be defined. */
 enum { ZR_SRGB_EXCESS = 16 };
 typedef void zr_srgb_encode_fn(const float *linear, size_t count, float *encoded);
 

@@ -5,10 +5,10 @@
 
 enum { DIRECTIONS = 8, RINGS = 3 };
 
-/* Window heights per step of a ring; the smallest step is a pixel. */
+/* Ring steps per window height. A step is at least one pixel. */
 #define STEPS_A_HEIGHT 240
 
-/* Slopes beyond count as this one. The darkening of a slope of 1 on all sides. */
+/* STEEPEST: limit of slopes. DARKENING: weight of the mean slope. */
 #define STEEPEST  6.0f
 #define DARKENING 1.6f
 
@@ -42,8 +42,8 @@ static float pixel_length(const struct job *job, ptrdiff_t at)
     return w / scale->scale;
 }
 
-/* Returns the slope from a pixel to a nearer neighbour; 0 if it is farther, uncovered or outside. Eye space looks along
- * -z. */
+/* Returns the slope from a pixel to a nearer neighbour; 0 if it is farther, uncovered or outside.
+ * Eye space looks along -z. */
 static float rise(const struct job *job, ptrdiff_t at, int32_t x, int32_t y, float over_length)
 {
     const struct zr_gbuffer *pixels = job->pixels;

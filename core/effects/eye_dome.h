@@ -1,4 +1,4 @@
-/* eye_dome.h - effects: eye-dome lighting of point clouds: pixels behind their neighbours are darker.
+/* eye_dome.h - effects: eye-dome lighting of point clouds: darkens pixels that are farther than their neighbours.
  *
  * In:     the G-buffer of pixel centres. Out: one factor per pixel, 0 (dark) .. 1, in the layout of the G-buffer.
  * How:    8 directions at 3 distances, which grow with the window. The slope towards each neighbour that is nearer to
@@ -12,7 +12,8 @@
 #include "base/team.h"
 #include "effects/occlusion.h"
 
-/* True if the scene has opaque points, and neither faces nor lines: they have no normals, so no other light. */
+/* True if the scene has opaque points, and neither faces nor lines.
+ * Such points have no normals, so no shading. */
 bool zr_eye_dome_fits(const struct zr_scene *scene);
 
 /* Computes the factors of all pixels. NULL if the arena failed. If cancelled, returns early with undefined values. */
@@ -20,8 +21,7 @@ const float *zr_eye_dome_make(struct zr_arena *arena, struct zr_team *team, cons
                               const struct zr_gbuffer *pixels, const struct zr_occlusion *occlusion,
                               const struct zr_pixel_scale *scale);
 
-/* Multiplies colours by the factors. color[k][y * stride + x] is that of a pixel. Stops early if
- * cancelled. */
+/* Multiplies colours by the factors. color[k][y * stride + x] is component k of a pixel. Stops early if cancelled. */
 void zr_eye_dome_apply(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_gbuffer *pixels,
                        const float *light, float *const color[3], size_t stride);
 

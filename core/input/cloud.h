@@ -4,16 +4,16 @@
 
 #include "input/parameters.h"
 
-/* Removes the look's edges if the scene has points only: a line around each point would hide it. True if it has
- * removed them. */
+/* Removes the look's edges if the scene has only points, since a line around each point would hide it.
+ * Returns true if it removed them. */
 bool zr_cloud_take_edges(struct zr_parsed_scene *root);
 
 /* Gives points without a colour the colour of the edges: the base colour of looks with edges may be the background's.
  */
 void zr_cloud_draw_in_ink(const struct zr_query *query);
 
-/* Sets point sizes of 0 by the density of the points. Makes points round in looks with several samples per pixel.
- * The meshes are in object space, and the builder is closed. */
+/* Replaces point sizes of 0 by a size that follows from the density of the points. Makes points round in looks with
+ * several samples per pixel. Requires meshes in object space and a closed builder. */
 void zr_cloud_size_points(const struct zr_query *query);
 
 #endif

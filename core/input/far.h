@@ -66,7 +66,7 @@ enum { ZR_FAR_HALF_EXTENTS = 1000 };
 enum zr_status zr_far_origin(struct zr_arena *arena, const struct zr_box *box, const struct zr_limits *limits,
                              const double **origin, struct zr_error *error);
 
-/* Finds and subtracts the origin of `count` positions that are floats in the file. All of them are used. */
+/* Finds and subtracts the origin of `count` positions that are floats in the file. All of them are drawn. */
 enum zr_status zr_far_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
                             zr_vec4 *positions, size_t count, const double **origin, struct zr_error *error);
 

@@ -1,6 +1,6 @@
 /* far_scene.h - input: files with nodes that are far from the origin (far.h), such as 3MF and glTF.
  *
- *     read each mesh; if one of its coordinates is beyond the limit, subtract their middle from all of them: its move
+ *     read each mesh; if a coordinate is beyond the limit, subtract the mesh's middle: struct zr_far_move
  *     place the meshes; if zr_far_instances_needed, place them again with matrices in double (scene/nodes.h)
  *     zr_far_instances subtracts the middle of the scene in double, and rounds the matrices
  *
@@ -13,17 +13,17 @@
 #include "input/far.h"
 #include "scene/scene.h"
 
-/* The point that was subtracted from the positions of a mesh, and their bounds before. */
+/* The point that was subtracted from the positions of a mesh. */
 struct zr_far_move {
     const double *by;
-    struct zr_box box; /* of the positions that are drawn */
+    struct zr_box box; /* bounds of the drawn positions before the subtraction */
 };
 
 struct zr_far_scene {
     uint32_t count;
     struct zr_instance *instances;
     const struct zr_matrix *exact;          /* one per instance: object to world, before the subtraction */
-    const struct zr_mesh *meshes;           /* of the instances; meshes without positions do not count */
+    const struct zr_mesh *meshes;           /* meshes of the instances; those without positions are ignored */
     const struct zr_far_move *const *moves; /* one per mesh; NULL: its positions were not moved */
 };
 
@@ -35,8 +35,8 @@ enum zr_status zr_far_move_floats(struct zr_arena *arena, const struct zr_cancel
                                   const struct zr_limits *limits, zr_vec4 *positions, size_t count,
                                   const struct zr_far_move **move, struct zr_error *error);
 
-/* Sets *origin, or NULL if none is subtracted, and the matrices of the instances. Refuses a scene of moved meshes that
- * is too large. */
+/* Sets the matrices of the instances, and *origin, which is NULL if nothing is subtracted. Refuses a scene that has
+ * moved meshes and is too large. */
 enum zr_status zr_far_instances(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
                                 const struct zr_far_scene *scene, const double **origin, struct zr_error *error);
 

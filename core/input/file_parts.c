@@ -8,16 +8,17 @@
 #include "input/text.h"
 #include "input/zip_part.h"
 
-/* A text by which an asset is found. `rank` 1: the full path of a member, behind names. */
+/* A name by which an asset is found. `rank`: 0: name of a part; 1: relative name of a ZIP member; 2: name that is also
+ * the member's path; 3: path of a member with a relative name. */
 struct name {
     const char *text;
     uint32_t asset, rank;
 };
 
-/* Both lists are sorted: ASCII case is ignored first, then decides, then the rank. */
+/* Both lists are sorted without regard to ASCII case, then by case, then by rank. */
 struct zr_file_names {
     size_t count, base_count;
-    struct name *all, *bases; /* names and paths; last parts of them, one per asset */
+    struct name *all, *bases; /* all: names and paths; bases: last part of each asset's name */
 };
 
 /* ---- paths ---- */
@@ -59,7 +60,7 @@ static char *drop_dots(char *text, char *end)
     return out;
 }
 
-/* Source of escapes: RFC 3986, section 2.1. Invalid ones stay. */
+/* Source of escapes: RFC 3986, section 2.1. Invalid escapes are kept. */
 size_t zr_file_path_clean(const char *name, size_t length, char *out)
 {
     char *end = out;
@@ -122,7 +123,7 @@ static struct zr_file_names *make_index(const struct zr_parsed_assets *assets, s
     for (uint32_t i = 0; names->all && names->bases && i < assets->count; i++) {
         const struct zr_asset *asset = &assets->items[i];
         const char *path = asset->packed ? asset->packed->path : asset->name;
-        const bool is_inside = strcmp(path, asset->name) != 0; /* the model's folder */
+        const bool is_inside = strcmp(path, asset->name) != 0; /* the name is relative to the model's folder */
         names->all[names->count++] = (struct name){asset->name, i, !asset->packed ? 0 : is_inside ? 1 : 2};
         if (is_inside) names->all[names->count++] = (struct name){path, i, 3};
         names->bases[names->base_count++] = (struct name){last_part(asset->name), i, 0};
@@ -155,7 +156,7 @@ static const struct name *find_exact(const struct name *names, size_t count, con
     return i < count && strcmp(names[i].text, text) == 0 ? &names[i] : NULL;
 }
 
-/* Returns the only name that fits, or NULL. */
+/* Returns the name that matches, or NULL if none or several do. */
 static const struct name *find_only(const struct name *names, size_t count, const char *text, bool exact)
 {
     int (*const order)(const char *, const char *) = exact ? strcmp : compare_ignoring_case;
@@ -166,7 +167,7 @@ static const struct name *find_only(const struct name *names, size_t count, cons
 
 /* ---- interface ---- */
 
-/* The steps 1 to 3. Sets *path to the clean path that they have reached, else to NULL. */
+/* Tries the steps 1 to 3. Sets *path to the clean path that they have reached, else to NULL. */
 static const struct name *find_path(const struct zr_file_names *names, struct zr_arena *arena, const char *name,
                                     char **path)
 {
@@ -182,7 +183,7 @@ static const struct name *find_path(const struct zr_file_names *names, struct zr
     return found ? found : find_only(names->all, names->count, *path, false);
 }
 
-/* The steps 1 to 3, for a name below the folder. */
+/* Tries the steps 1 to 3 with the name below the folder. */
 static const struct name *find_below(const struct zr_file_names *names, struct zr_arena *arena, const char *folder,
                                      const char *name)
 {

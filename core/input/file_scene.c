@@ -7,7 +7,7 @@
 #include "input/json_scene.h"
 #include "input/text.h"
 
-/* Returns the file's material with the values of the query in place of its own. */
+/* Returns the file's material, overridden by the values of the query. */
 static struct zr_parsed_material put_query(const struct zr_parsed_material *material,
                                            const struct zr_parsed_material *query)
 {
@@ -30,7 +30,7 @@ void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed
     if (!lights_surfaces(root->scene->look)) material->face_style.shading = ZR_UNSET;
 }
 
-/* Makes one material of a mesh. `style` has the keys over those of the material, and the number for warnings. */
+/* Makes one material of a mesh. `style` has the keys that override the material, and the mesh's number for warnings. */
 static uint32_t make(struct zr_parsed_scene *root, const struct zr_file_scene *file, const struct zr_mesh *mesh,
                      size_t material, const struct zr_style *style)
 {
@@ -40,7 +40,7 @@ static uint32_t make(struct zr_parsed_scene *root, const struct zr_file_scene *f
                                         file->blends_colors);
 }
 
-/* Adds the uses of the file's materials to the query's, whose keys override all of them. */
+/* Adds the usage flags of the file's materials to the query's material, whose keys override all of them. */
 static void note_uses(struct zr_parsed_material *query, const struct zr_parsed_material *all, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -112,7 +112,7 @@ void zr_parsed_drop_maps(struct zr_parsed_scene *root)
 
 /* ---- cameras ---- */
 
-/* Adds the name of an item of the file to a list for a message; its number if it has no name. */
+/* Adds the name of an item of the file to a list for a message, or its number if it has no name. */
 static void list(struct zr_names_text *names, const char *name, uint32_t number)
 {
     char digits[16];

@@ -17,7 +17,7 @@ struct zr_json_path;
 
 /* A camera that a node of the scene places. */
 struct zr_file_camera {
-    const char *name; /* of the camera, else of its node, else "" */
+    const char *name; /* the camera's name, else its node's name, else "" */
     uint32_t number;  /* in the file */
     zr_mat4 camera_to_world;
     bool is_perspective;
@@ -31,14 +31,14 @@ struct zr_file_scene {
     struct zr_instance *instances;
     uint32_t material_count;
     struct zr_parsed_material *materials;
-    bool blends_colors; /* colours of meshes with an alpha below 1 are blended */
+    bool blends_colors; /* meshes with colours whose alpha is below 1 are blended */
     uint32_t camera_count;
     struct zr_file_camera *cameras;
     uint32_t light_count;
     struct zr_light *lights;               /* directions and positions are in the file's space */
-    struct zr_warning_list light_warnings; /* if the lights are used */
-    uint32_t animation_count;              /* if the request has the parameter animation or time; else 0 */
-    const char *const *animation_names;    /* "": without a name */
+    struct zr_warning_list light_warnings; /* added if the lights are used */
+    uint32_t animation_count;              /* 0 unless the request has the parameter animation or time */
+    const char *const *animation_names;    /* "" for an animation without a name */
     const uint32_t *mesh_materials;        /* one per mesh; NONE: the look's material */
     const uint32_t *const *face_materials; /* NULL, or one per mesh: NULL, or the material of each face */
 };
@@ -46,8 +46,8 @@ struct zr_file_scene {
 /* Makes the materials of the builder's meshes from those of the file. The keys of the query override them. */
 void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_file_scene *file);
 
-/* Makes the materials of mesh `which` of the file, whose materials are the first of root->materials; the next one is
- * for faces without a material. The style's keys are over theirs. */
+/* Makes the materials of mesh `which` of the file. root->materials begins with the file's materials; the next one is
+ * for faces without a material. The keys of the style override the materials. */
 void zr_file_scene_make_mesh(struct zr_parsed_scene *root, const struct zr_file_scene *file, uint32_t which,
                              const struct zr_style *style, struct zr_mesh *mesh);
 
@@ -62,10 +62,11 @@ bool zr_file_scene_has_camera(const struct zr_file_scene *file, const char *came
 bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
                               const struct zr_file_scene *file, const char *camera, const zr_mat4 *up);
 
-/* Makes the file's lights those of the scene, as the key `lights` does; without any, warns. `up`: as above. */
+/* Replaces the scene's lights by the file's lights, as the key `lights` does.
+ * Warns if the file has none. `up`: as above. */
 void zr_file_scene_use_lights(struct zr_parsed_scene *root, const struct zr_file_scene *file, const zr_mat4 *up);
 
-/* Finds the animation of this name, else of this number; NULL: the first one. False if there is none. */
+/* Finds an animation by its name, else by its number; NULL: the first one. False if there is none. */
 bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *wanted, uint32_t *number);
 
 /* Reports at `path` that the file has no such animation. `file` may be NULL. */

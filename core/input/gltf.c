@@ -1,5 +1,5 @@
-/* Reads glTF 2.0, binary (GLB) or JSON. The bytes of buffers and images are in the body, in data: URIs or in parts of
- * the request. */
+/* Reads glTF 2.0, binary (GLB) or JSON.
+ * The body, data: URIs or parts of the request hold the bytes of buffers and images. */
 #include "input/gltf.h"
 
 #include <string.h>

@@ -1,8 +1,8 @@
 /* gltf.h - input: types and functions that the readers of glTF share; private to them.
  *
  * Source: glTF 2.0 (Khronos, ISO/IEC 12113:2022).
- * Order:  the first pass stores the places of the lists. Then each list is read: accessors, materials, nodes, meshes.
- *         So keys may come in any order.
+ * Order:  the first pass stores the positions of the lists. Later passes read accessors, materials, nodes and meshes.
+ *         Keys may therefore come in any order.
  * Keys:   unknown keys are skipped, as the format demands, and counted for one warning.
  * Lazy:   a buffer, accessor or image is checked at its first use by a drawn mesh or material.
  */
@@ -50,8 +50,8 @@ struct zr_gltf_buffer {
 struct zr_gltf_view {
     uint32_t buffer, offset, length;
     uint32_t stride;          /* 0: packed */
-    const char *compressed;   /* place of EXT_meshopt_compression, or NULL */
-    enum zr_gltf_state state; /* of the decompressed bytes: */
+    const char *compressed;   /* JSON text of EXT_meshopt_compression, or NULL */
+    enum zr_gltf_state state; /* state of `bytes`, the decompressed bytes */
     struct zr_parsed_bytes bytes;
 };
 
@@ -108,38 +108,38 @@ struct zr_gltf_texture {
     uint32_t source, sampler;
 };
 
-/* A use of a mesh of the file: one mesh of the scene per drawn primitive. Nodes without a skin, weights or instancing
- * share a use. */
+/* A mesh of the file with the skin, weights or instancing of one node. Nodes without these share one entry per mesh.
+ * Each drawn primitive of an entry becomes a mesh of the scene. */
 struct zr_gltf_use {
     uint32_t skin;                   /* or NONE */
-    uint32_t next;                   /* next use of the same mesh, or NONE */
-    const char *weights;             /* place of the node's weights, or NULL */
-    const char *instancing;          /* place of the node's instancing, or NULL */
-    const struct zr_gltf_pose *pose; /* with the weights of the animation, or NULL */
-    uint32_t node;                   /* first node of the use */
-    uint32_t pose_count;             /* of instancing */
+    uint32_t next;                   /* next entry of the same mesh, or NONE */
+    const char *weights;             /* JSON text of the node's weights, or NULL */
+    const char *instancing;          /* JSON text of the node's instancing, or NULL */
+    const struct zr_gltf_pose *pose; /* pose with the animation's weights, or NULL */
+    uint32_t node;                   /* first node of the entry */
+    uint32_t pose_count;             /* number of instances by instancing */
     const zr_mat4 *poses;
-    uint32_t first, count; /* meshes of the scene */
+    uint32_t first, count; /* range of the scene's meshes */
 };
 
 /* The pose of a node, which the animation changes. */
 struct zr_gltf_pose {
     zr_vec3 translation, scale;
     zr_vec4 rotation;
-    bool has_matrix; /* the node has one instead */
+    bool has_matrix; /* the node has a matrix instead */
     bool is_moved;   /* the animation has set a part of the pose */
     uint32_t weight_count;
-    const float *weights; /* of morph targets; NULL: the node's or the mesh's */
+    const float *weights; /* weights of morph targets; NULL: those of the node or the mesh */
 };
 
 struct zr_gltf_image {
     const char *uri;
     uint32_t view; /* or NONE */
     enum zr_gltf_state state;
-    uint32_t number; /* if READ: of the scene's image */
+    uint32_t number; /* if READ: number of the scene's image */
 };
 
-/* Path of the first problem of one kind, and their count. */
+/* Number of problems of one kind, and the path of the first one. */
 struct zr_gltf_note {
     uint32_t count;
     char first[ZR_POINTER_SIZE];
@@ -150,7 +150,7 @@ struct zr_gltf {
     const char *places[ZR_GLTF_KEYS];
     uint32_t counts[ZR_GLTF_KEYS]; /* items per list */
     struct zr_parsed_bytes chunk;  /* binary chunk of a GLB; bytes NULL if none */
-    uint64_t bytes;                /* of the request, parts included */
+    uint64_t bytes;                /* size of the request, parts included */
     struct zr_gltf_buffer *buffers;
     struct zr_gltf_view *views;
     struct zr_gltf_accessor *accessors;
@@ -165,27 +165,27 @@ struct zr_gltf {
     struct zr_gltf_pose *poses;          /* one per node; NULL: no animation is drawn */
     struct zr_gltf_nodes *nodes;         /* gltf_nodes.h */
     uint32_t scene;                      /* number of the drawn scene */
-    uint64_t primitives;                 /* of all uses of meshes */
-    uint32_t use, next_mesh;             /* use that is read now; next mesh of the scene to make */
-    const char *weights;                 /* place of the weights of the mesh that is read now, or NULL */
+    uint64_t primitives;                 /* number of primitives in all entries of `uses` */
+    uint32_t use, next_mesh;             /* entry that is read now; next mesh of the scene to make */
+    const char *weights;                 /* JSON text of the weights of the mesh that is read now, or NULL */
     struct zr_gltf_skin *skins;
     struct zr_file_camera *cameras; /* one per camera of the file */
     uint32_t light_count;
-    struct zr_light *lights; /* of the file, without a place; a hemisphere is one that cannot be used */
+    struct zr_light *lights; /* the file's lights before they are placed; ZR_LIGHT_HEMISPHERE: not usable */
     bool *placed_cameras;    /* one per camera: a node of the scene places it */
     uint32_t *mesh_materials;
     const struct zr_far_move **moves; /* one per mesh of the scene, or NULL */
     struct zr_file_scene *made;
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
         bad_lights, specular_textures, gloss_textures;
-    bool has_fallbacks;         /* a material replaces others of the file, whose images may be unused */
-    uint32_t unread_extensions; /* used extensions that are not read; their names: */
-    struct zr_names_text extensions;
+    bool has_fallbacks;              /* an extension replaces textures, so their images may be unused */
+    uint32_t unread_extensions;      /* number of used extensions that are not read */
+    struct zr_names_text extensions; /* names of these */
 };
 
 /* ---- gltf_container.c ---- */
 
-/* Finds the JSON and the binary chunk of a GLB. Other bytes are taken as JSON. Warns of bytes behind the end. */
+/* Finds the JSON and the binary chunk of a GLB. Other bytes are taken as JSON. Warns of bytes after the end. */
 enum zr_status zr_gltf_unpack(struct zr_scene_builder *builder, const char *bytes, size_t size,
                               struct zr_parsed_bytes *text, struct zr_parsed_bytes *chunk, struct zr_error *error);
 
@@ -195,7 +195,7 @@ enum zr_status zr_gltf_unpack(struct zr_scene_builder *builder, const char *byte
 bool zr_gltf_fields(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
                     const struct zr_json_object *object, void *out, uint64_t *given);
 
-/* Readers of fields: skips a value; reads an index and leaves its upper bound unchecked. */
+/* Readers of fields. zr_gltf_ignore skips a value. zr_gltf_index reads an index without a check of its upper bound. */
 zr_json_read_fn zr_gltf_ignore, zr_gltf_index;
 
 /* Read double[3] and double[4], of any magnitude. */
@@ -246,11 +246,11 @@ bool zr_gltf_stops(struct zr_gltf *file);
 /* Reads the lists of buffers and views. */
 bool zr_gltf_read_buffers(struct zr_gltf *file);
 
-/* Finds the bytes of a view. `path`: of the key with its number. */
+/* Finds the bytes of a view. `path` leads to the key with its number. */
 bool zr_gltf_find_view(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number,
                        struct zr_parsed_bytes *out);
 
-/* Finds the bytes of a URI: a data: URI or a part of the request. `path`: of the key with the URI. */
+/* Finds the bytes of a URI: a data: URI or a part of the request. `path` leads to the key with the URI. */
 bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const char *uri,
                       struct zr_parsed_bytes *out);
 
@@ -258,7 +258,7 @@ bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, con
 
 bool zr_gltf_read_accessors(struct zr_gltf *file);
 
-/* Checks that all elements of an accessor are within its view. `path`: of the key with its number. */
+/* Checks that all elements of an accessor are within its view. `path` leads to the key with its number. */
 bool zr_gltf_open(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, struct zr_gltf_values *out);
 
 /* Returns the bytes per component, or 0 if glTF has no such type. */
@@ -275,7 +275,7 @@ bool zr_gltf_read_indices(struct zr_gltf *file, const struct zr_gltf_values *val
 
 /* ---- gltf_node.c; gltf_place.c ---- */
 
-/* Reads the nodes and the scene, and finds the uses of meshes. */
+/* Reads the nodes and the scene, and makes the entries of file->uses. */
 bool zr_gltf_read_nodes(struct zr_gltf *file);
 
 /* Makes the instances of the meshes, after zr_gltf_read_meshes. */
@@ -316,7 +316,7 @@ struct zr_gltf_attributes {
 struct zr_gltf_primitive {
     struct zr_gltf_attributes attributes;
     uint32_t indices, material, mode;
-    const char *targets; /* place, or NULL */
+    const char *targets; /* JSON text, or NULL */
 };
 
 /* Vertices that a primitive uses. */
@@ -325,24 +325,25 @@ struct zr_gltf_range {
     uint32_t all; /* elements of its attribute POSITION */
 };
 
-/* Opens an attribute of the primitive, of the type `shape` or `other`. `path`: of the object with the attributes. */
+/* Opens an attribute of the primitive, of the type `shape` or `other`.
+ * `path` leads to the object with the attributes. */
 bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
                             int shape, int other, uint32_t vertices, struct zr_gltf_values *out);
 
 /* ---- gltf_morph.c, gltf_skin.c: both change the positions, normals and tangents of a mesh ---- */
 
-/* Adds the primitive's targets, times the weights of the node or the mesh. `path`: of the primitive. */
+/* Adds the primitive's targets, times the weights of the node or the mesh. `path` leads to the primitive. */
 bool zr_gltf_morph(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given,
                    const struct zr_gltf_range *range, struct zr_mesh *mesh);
 
-/* Checks the moved vertices. `by`: the cause, such as "a skin". `path`: of the primitive. */
+/* Checks the moved vertices. `by`: the cause, such as "a skin". `path` leads to the primitive. */
 bool zr_gltf_check_moved(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_mesh *mesh,
                          const char *by);
 
 /* Reads the list of skins. */
 bool zr_gltf_read_skins(struct zr_gltf *file);
 
-/* Moves vertices to world space by the joints of the use that is read now. */
+/* Moves vertices to world space by the joints of the entry of file->uses that is read now. */
 bool zr_gltf_bend(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given,
                   const struct zr_gltf_range *range, struct zr_mesh *mesh);
 
@@ -351,7 +352,7 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
                             const struct zr_gltf_primitive *given, struct zr_mesh *mesh, uint32_t number);
 
 /* Makes faces, lines or points of `count` corners: the indices `corners`, or consecutive vertices if NULL. False if
- * memory is lacking, or if there are too few corners, which are noted. */
+ * memory is lacking, or if there are too few corners, which a warning counts. */
 bool zr_gltf_make_topology(struct zr_gltf *file, const struct zr_json_path *path, uint32_t mode, uint32_t *corners,
                            uint32_t count, struct zr_mesh *mesh);
 
@@ -359,7 +360,7 @@ bool zr_gltf_make_topology(struct zr_gltf *file, const struct zr_json_path *path
 
 bool zr_gltf_read_materials(struct zr_gltf *file);
 
-/* Returns a material, and reads it at its first use. NULL after a fault. `path`: of the key with its number. */
+/* Returns a material, and reads it at its first use. NULL after a fault. `path` leads to the key with its number. */
 const struct zr_parsed_material *zr_gltf_find_material(struct zr_gltf *file, const struct zr_json_path *path,
                                                        uint32_t number);
 
@@ -381,12 +382,13 @@ bool zr_gltf_read_cameras(struct zr_gltf *file);
 /* Removes the cameras that no node of the scene places. */
 void zr_gltf_keep_cameras(struct zr_gltf *file);
 
-/* Sets a camera's pose and missing name by the first node that places it. `name`: of the node, or NULL. */
+/* Sets a camera's pose from the first node that places it, and its name if it has none.
+ * `name`: the node's name, or NULL. */
 void zr_gltf_place_camera(struct zr_gltf *file, uint32_t camera, const char *name, const zr_mat4 *camera_to_world);
 
-/* ---- gltf_extension.c, gltf_light.c: those of the root; others are in gltf_extensions.h ---- */
+/* ---- gltf_extension.c, gltf_light.c: extensions of the root; gltf_extensions.h has the others ---- */
 
-/* Refuses required extensions that are not read. Lists such used ones for a warning. */
+/* Refuses required extensions that are not read. Lists used extensions that are not read for a warning. */
 void zr_gltf_check_extensions(struct zr_gltf *file);
 
 /* Reads the list of lights of KHR_lights_punctual. */

@@ -154,7 +154,7 @@ static bool open_sparse(struct zr_gltf *file, const struct zr_json_path *path, s
     return true;
 }
 
-/* Limits elements without a view by the size of the request: they use no bytes of it. */
+/* Limits the number of elements without a view, which use no bytes, by the size of the request. */
 static bool zeros_are_few(struct zr_gltf *file, const struct zr_json_path *path, uint32_t count)
 {
     return count <= file->bytes ||

@@ -11,7 +11,7 @@
 /* ---- the animation of the request ---- */
 
 struct given_animation {
-    const char *name, *channels, *samplers; /* the last two are places */
+    const char *name, *channels, *samplers; /* channels and samplers: JSON text */
 };
 enum { CHANNELS, SAMPLERS };
 #define AT(member) offsetof(struct given_animation, member)
@@ -24,7 +24,7 @@ static const struct zr_json_field fields[] = {
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("animation", fields);
 
 struct zr_gltf_animation {
-    const char **names; /* "": without a name */
+    const char **names; /* "" for an animation without a name */
     const char **places;
     uint32_t number;
     double time;
@@ -79,15 +79,15 @@ static const struct zr_json_field sampler_fields[] = {
 #undef AT
 static const struct zr_json_object sampler_object = ZR_JSON_OBJECT_OF("sampler", sampler_fields);
 
-/* The place of the time among the keys of an accessor: `share` of the way from `key` to the next one, which is `span`
- * seconds later. span 0: the time is not between two keys. */
+/* Position of the time among the keys of an accessor. `share` is the fraction of the way from `key` to the next key,
+ * which is `span` seconds later. A `span` of 0 means that the time is not between two keys. */
 struct moment {
     bool is_found, is_refused;
     uint32_t count, key;
     double share, span;
 };
 
-/* The reading of one animation. */
+/* State of reading one animation. */
 struct reading {
     struct zr_gltf *file;
     uint32_t sampler_count;
@@ -155,7 +155,7 @@ static const struct moment *find_moment(const struct reading *r, const struct zr
 
 /* ---- values ---- */
 
-/* Normalises a quaternion; one of no length stays. */
+/* Normalises a quaternion. A zero quaternion is kept. */
 static void normalize(double q[4])
 {
     const double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
@@ -163,8 +163,8 @@ static void normalize(double q[4])
         q[k] /= length;
 }
 
-/* Writes the rotation at `share` of the shorter arc from a to b. Halves the arc until it is short enough for a straight
- * line, so that no sine is needed, whose last bits differ between systems. */
+/* Writes the rotation at `share` of the shorter arc from a to b. Halves the arc until linear interpolation is exact
+ * enough. This avoids sines, whose last bits differ between systems. */
 static void slerp(const float *a, const float *b, double share, float *out)
 {
     enum { HALVINGS = 20 };
@@ -191,7 +191,7 @@ static void slerp(const float *a, const float *b, double share, float *out)
         out[k] = (float)middle[k];
 }
 
-/* Each key has the tangent that enters it, its value, and the tangent that leaves it, `n` numbers each. */
+/* Each key has an in-tangent, a value and an out-tangent of `n` numbers each. */
 static void put_cubic(const float *from, const float *to, size_t n, const struct moment *at, float *out)
 {
     const double u = at->share, u2 = u * u, u3 = u2 * u;
@@ -207,7 +207,7 @@ static void put_linear(const float *from, const float *to, size_t n, const struc
         out[k] = (float)((1 - at->share) * (double)from[k] + at->share * (double)to[k]);
 }
 
-/* Returns the value of a sampler: `*width` numbers per key, and sets *width if it is 0. NULL after a fault. */
+/* Returns the value of a sampler, *width numbers. Sets *width if it is 0. NULL after a fault. */
 static float *find_value(const struct reading *r, const struct zr_json_path *path, const struct sampler *sampler,
                          int shape, bool is_rotation, uint32_t *width)
 {
@@ -225,7 +225,7 @@ static float *find_value(const struct reading *r, const struct zr_json_path *pat
                       sampler->output, keys, values.count, values.width);
         return NULL;
     }
-    values.is_normalized = true; /* the format requires it of integers */
+    values.is_normalized = true; /* glTF requires this for integers */
     const size_t n = (size_t)each / parts * values.width, count = (size_t)each * values.width;
     float *from = zr_gltf_note_bytes(file, 2 * count * sizeof *from)
                       ? zr_arena_alloc(json->arena, 2 * count, sizeof *from)
@@ -275,7 +275,7 @@ static const struct zr_json_object target_object = ZR_JSON_OBJECT_OF("target", t
 
 struct channel {
     uint32_t sampler;
-    const char *target; /* place */
+    const char *target; /* JSON text */
 };
 #define AT(member) offsetof(struct channel, member)
 static const struct zr_json_field channel_fields[] = {
@@ -330,7 +330,7 @@ static bool read_channel(const struct reading *r, struct zr_json *json, const st
         zr_gltf_note(&file->unread_channels, path);
         return true;
     }
-    if (target.node == ZR_GLTF_NONE || target.path < 0) return true; /* the format says so */
+    if (target.node == ZR_GLTF_NONE || target.path < 0) return true; /* glTF: such channels are ignored */
     if (!zr_gltf_check_index(file, ZR_JSON_KEY(at, target_fields[NODE].key), target.node, ZR_GLTF_NODES)) return false;
     if (file->poses[target.node].has_matrix && target.path != WEIGHTS)
         return zr_json_fault(json, at, "node %u has a matrix; translation, rotation and scale can move", target.node);
@@ -360,12 +360,12 @@ bool zr_gltf_animate(struct zr_gltf *file)
                               *channels = ZR_JSON_KEY(path, fields[CHANNELS].key);
     struct zr_json there = zr_json_at(&file->root.json, file->animation->places[number]);
     struct given_animation given = {.name = ""};
-    const struct zr_gltf_note before = file->unknown; /* read_name has noted the unknown keys */
+    const struct zr_gltf_note before = file->unknown; /* read_name has counted the unknown keys */
     struct reading r = {.file = file};
     uint64_t keys;
     zr_gltf_fields(file, &there, path, &object, &given, &keys);
     file->unknown = before;
-    if (!given.channels || !given.samplers) return true; /* it moves nothing */
+    if (!given.channels || !given.samplers) return true; /* moves no node */
     if (!read_samplers(&r, ZR_JSON_KEY(path, fields[SAMPLERS].key), given.samplers)) return false;
     there = zr_json_at(&file->root.json, given.channels);
     if (!zr_json_list(&there, channels)) return false;

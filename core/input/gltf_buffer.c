@@ -30,7 +30,7 @@ enum { VIEW_BUFFER, VIEW_LENGTH, VIEW_OFFSET, VIEW_STRIDE };
 enum { STRIDE_MIN = 4, STRIDE_MAX = 252 };
 struct given_view {
     struct zr_gltf_view view;
-    const char *extensions; /* place */
+    const char *extensions; /* JSON text */
 };
 #define AT(member) offsetof(struct given_view, member)
 static const struct zr_json_field view_fields[] = {
@@ -122,7 +122,7 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, ui
     return true;
 }
 
-/* Finds bytes of a buffer. `path`: of the object that has its number in the key `buffer`. */
+/* Finds bytes of a buffer. `path` leads to the object whose key `buffer` has its number. */
 static bool find_range(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t offset,
                        uint32_t length, struct zr_parsed_bytes *out)
 {

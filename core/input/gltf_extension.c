@@ -18,7 +18,7 @@ static const char *const known[] = {"EXT_mesh_gpu_instancing",
                                     "KHR_mesh_quantization",
                                     "KHR_texture_transform"};
 
-/* Extensions that files often require, and what to do about them. */
+/* Extensions that files often require, with advice for the message. */
 static const struct {
     const char *name, *advice;
 } unread[] = {{"KHR_draco_mesh_compression", "; export it without Draco compression"},

@@ -9,7 +9,7 @@
 
 #define ZR_GLTF_MESHOPT "EXT_meshopt_compression"
 
-/* Reads the extension of a view. `path`: of the extension. */
+/* Reads the extension of a view. `path` leads to the extension. */
 struct zr_gltf_compressed {
     uint32_t buffer, offset, length;
     struct zr_meshopt layout;
@@ -25,20 +25,20 @@ bool zr_gltf_decompress(struct zr_gltf *file, const struct zr_json_path *path, c
 
 #define ZR_GLTF_INSTANCING "EXT_mesh_gpu_instancing"
 
-/* Reads the poses of a use with instancing. False after a fault. */
+/* Reads the poses of an entry of file->uses with instancing. False after a fault. */
 bool zr_gltf_read_poses(struct zr_gltf *file, struct zr_gltf_use *use);
 
 /* ---- gltf_specular.c ---- */
 
-/* Reads the reflectance of a material. Notes textures, which are not drawn. `path`: of its extensions. `ior`,
- * `specular`: places of KHR_materials_ior and KHR_materials_specular, or NULL. */
+/* Reads the reflectance of a material. Counts textures for a warning, since they are not drawn. `path` leads to its
+ * extensions. `ior`, `specular`: JSON text of KHR_materials_ior and KHR_materials_specular, or NULL. */
 void zr_gltf_read_reflectance(struct zr_gltf *file, const struct zr_json_path *path, const char *ior,
                               const char *specular, struct zr_parsed_material *out);
 
 /* KHR_materials_pbrSpecularGlossiness, converted to a metallic-roughness material; the colour is linear. */
 struct zr_gltf_glossiness {
     float color[4], metallic, roughness;
-    const char *texture; /* place of the texture of the colour, or NULL */
+    const char *texture; /* JSON text of the colour's texture, or NULL */
 };
 void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                              struct zr_gltf_glossiness *out);
@@ -48,12 +48,12 @@ void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *pa
 /* Returns the light of a node's extensions, or NONE. */
 uint32_t zr_gltf_find_light(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions);
 
-/* Adds a light to those of the file's scene, in the pose of a node. */
+/* Adds a light to the lights of the file's scene, in the pose of a node. */
 void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light, const zr_mat4 *world);
 
 /* ---- gltf_extension.c ---- */
 
-/* Reads an object of extensions. Skips those that are not in the table, without a note. */
+/* Reads an object of extensions. Skips extensions that are not in the table, without a warning. */
 bool zr_gltf_extensions(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
                         const struct zr_json_object *object, void *out, uint64_t *given);
 

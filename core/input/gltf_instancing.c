@@ -26,7 +26,8 @@ static const struct zr_json_field attribute_fields[] = {
 #undef AT
 static const struct zr_json_object attribute_object = ZR_JSON_OBJECT_OF("attributes", attribute_fields);
 
-/* Reads an attribute of all instances, four floats each. Without it, all are `otherwise`. Sets *count if it is 0. */
+/* Reads an attribute of all instances, four floats each. Without the attribute, each instance gets `otherwise`.
+ * Sets *count if it is 0. */
 static zr_vec4 *read_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
                                int shape, zr_vec4 otherwise, uint32_t *count)
 {

@@ -12,7 +12,7 @@ bool zr_gltf_stops(struct zr_gltf *file)
     return zr_json_stops(&file->root.json);
 }
 
-/* ---- notes ---- */
+/* ---- counts of problems ---- */
 
 bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes)
 {

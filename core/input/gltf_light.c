@@ -6,8 +6,8 @@
 
 static const char NAME[] = "KHR_lights_punctual";
 
-/* The format has lux and candela: a matt white surface then reflects 1 / pi of them. A light of the scene of intensity
- * 1 makes it white. */
+/* Intensities of the format are in lux and candela, of which a matt white surface reflects 1 / pi. In a scene, a light
+ * of intensity 1 lights such a surface to white. */
 #define SHARE      0.31830988618379067
 #define TO_DEGREES 57.295779513082321
 
@@ -31,7 +31,7 @@ static const struct zr_json_object spot_object = ZR_JSON_OBJECT_OF("spot", spot_
 static const char *const types[] = {"directional", "hemisphere", "point", "spot"};
 
 struct given_light {
-    const char *type, *spot; /* the second is a place */
+    const char *type, *spot; /* spot: JSON text */
     double color[3], intensity, range;
 };
 
@@ -48,7 +48,7 @@ static const struct zr_json_field fields[] = {
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("light", fields);
 
-/* Converts the light. False if its values are beyond those that a scene has. */
+/* Converts the light. False if a value is beyond the limits of a scene. */
 static bool convert(const struct given_light *given, const struct given_spot *spot, struct zr_light *out)
 {
     const bool is_placed = zr_light_has_place(out);
@@ -83,7 +83,7 @@ static void read_light(struct zr_gltf *file, struct zr_json *json, const struct 
     *light = (struct zr_light){.type = type < 0 ? ZR_LIGHT_HEMISPHERE : (enum zr_light_type)type};
     if (light->type == ZR_LIGHT_HEMISPHERE || !convert(&given, &spot, light)) {
         zr_gltf_note(&file->bad_lights, path);
-        light->type = ZR_LIGHT_HEMISPHERE; /* none that the format has: not placed */
+        light->type = ZR_LIGHT_HEMISPHERE; /* no type of the format: marks lights that are not placed */
     }
 }
 
@@ -149,7 +149,7 @@ void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light, co
     struct zr_light placed = file->lights[light];
     const zr_vec3 axis = {-m[8], -m[9], -m[10]};
     const float squared = zr_vec3_dot(axis, axis);
-    if (placed.type == ZR_LIGHT_HEMISPHERE) return; /* noted */
+    if (placed.type == ZR_LIGHT_HEMISPHERE) return; /* counted when it was read */
     if (!is_near(file, &m[12]) || made->light_count == ZR_LIGHTS_MAX ||
         (placed.type != ZR_LIGHT_POINT && !(squared > 0.0f && squared <= FLT_MAX))) {
         zr_gltf_note(&file->bad_lights, ZR_GLTF_ITEM(ZR_GLTF_NODES, node));

@@ -71,7 +71,7 @@ static void read_pbr(struct zr_gltf *file, const struct zr_json_path *path, cons
 /* ---- extensions ---- */
 
 struct given_extensions {
-    const char *unlit, *strength, *ior, *specular, *glossiness; /* places */
+    const char *unlit, *strength, *ior, *specular, *glossiness; /* JSON text */
 };
 enum { UNLIT, STRENGTH, IOR, SPECULAR, GLOSSINESS };
 #define AT(member) offsetof(struct given_extensions, member)

@@ -35,7 +35,7 @@ static const struct zr_json_field fields[] = {
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("primitive", fields);
 
-/* Skips other attributes, such as TEXCOORD_2 or _TEMPERATURE, without a note. */
+/* Skips other attributes, such as TEXCOORD_2 or _TEMPERATURE, without a warning. */
 static void read_attributes(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                             struct zr_gltf_attributes *out)
 {
@@ -125,7 +125,7 @@ static void read_mesh(struct zr_gltf *file, struct zr_json *json, const struct z
         zr_json_skip(json);
         return;
     }
-    const struct zr_gltf_note before = file->unknown; /* count_mesh has noted the unknown keys */
+    const struct zr_gltf_note before = file->unknown; /* count_mesh has counted the unknown keys */
     zr_gltf_fields(file, json, path, &mesh_object, &given, &keys);
     file->unknown = before;
     for (uint32_t i = file->first_uses[number]; i != ZR_GLTF_NONE && !zr_gltf_stops(file); i = file->uses[i].next)

@@ -15,7 +15,7 @@ struct given_node {
     zr_mat4 matrix;
     zr_vec3 translation, scale;
     zr_vec4 rotation;
-    double exact[3]; /* the translation, or that of the matrix */
+    double exact[3]; /* translation of the node or of its matrix */
 };
 
 /* Reads the translation of a node, also in double. `out`: the node. */
@@ -282,8 +282,8 @@ static bool is_shared(const struct zr_gltf_use *use)
     return use->skin == ZR_GLTF_NONE && !use->weights && !use->instancing && !use->pose;
 }
 
-/* Returns the use of a node's mesh: a new one if the node has a skin, weights or instancing of its own, else the shared
- * one. */
+/* Returns the entry of file->uses for a node's mesh.
+ * Nodes with a skin, weights or instancing get a new entry. Others share one. */
 static uint32_t use_of(struct zr_gltf *file, uint32_t node)
 {
     const struct zr_gltf_nodes *all = file->nodes;
@@ -297,14 +297,14 @@ static uint32_t use_of(struct zr_gltf *file, uint32_t node)
                                                        .pose = pose,
                                                        .node = node,
                                                        .next = *next};
-    if (is_own && *next != ZR_GLTF_NONE && is_shared(&file->uses[*next])) { /* insert it behind the shared one */
+    if (is_own && *next != ZR_GLTF_NONE && is_shared(&file->uses[*next])) { /* inserts it after the shared one */
         file->uses[file->use_count].next = file->uses[*next].next;
         next = &file->uses[*next].next;
     }
     return *next = file->use_count++;
 }
 
-/* Sets the use of each node's mesh; removes the meshes of nodes outside the scene. */
+/* Replaces the mesh of each node by an entry of file->uses. Removes the meshes of nodes outside the scene. */
 static void find_uses(struct zr_gltf *file)
 {
     struct zr_gltf_nodes *all = file->nodes;

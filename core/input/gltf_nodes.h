@@ -7,9 +7,9 @@
 
 struct zr_gltf_nodes {
     uint32_t count, child_count;
-    struct zr_node *nodes; /* `mesh`: number of a mesh of the file, later of its use */
+    struct zr_node *nodes; /* `mesh`: number of a mesh of the file, later of an entry of file->uses */
     uint32_t *children;
-    const char **places;                /* places of the lists of children, or NULL */
+    const char **places;                /* JSON text of the lists of children, or NULL */
     uint32_t *parents;                  /* or NONE */
     bool *is_drawn;                     /* the node is a root of the scene or its descendant */
     uint32_t *skins, *cameras, *lights; /* or NONE */

@@ -55,8 +55,8 @@ static bool expand(struct zr_gltf *file, const struct zr_placement *placement, s
 
 /* ---- far from the origin ---- */
 
-/* Makes the local matrices of all nodes in double. The translation of the file is exact unless an animation moves it.
- */
+/* Makes the local matrices of all nodes in double.
+ * Uses the exact translation of the file unless an animation moves the node. */
 static struct zr_matrix *find_exact(struct zr_gltf *file)
 {
     const struct zr_gltf_nodes *all = file->nodes;
@@ -70,7 +70,7 @@ static struct zr_matrix *find_exact(struct zr_gltf *file)
     return exact;
 }
 
-/* Subtracts the origin from the places of the cameras. */
+/* Subtracts the origin from the positions of the cameras. */
 static void move_cameras(struct zr_gltf *file, const struct zr_matrix *locals, const double *origin)
 {
     const struct zr_gltf_nodes *all = file->nodes;
@@ -88,7 +88,7 @@ static void move_cameras(struct zr_gltf *file, const struct zr_matrix *locals, c
     }
 }
 
-/* The same for lights, whose places are rounded to float before. */
+/* Subtracts the origin from the positions of the lights, which were rounded to float before. */
 static void move_lights(struct zr_file_scene *made, const double *origin)
 {
     for (uint32_t i = 0; i < made->light_count; i++) {
@@ -98,7 +98,7 @@ static void move_lights(struct zr_file_scene *made, const double *origin)
     }
 }
 
-/* Places the meshes again, in double, if they are far from the origin, whose middle is then subtracted. */
+/* Places the meshes again with matrices in double if they are far from the origin, and subtracts their middle. */
 static void place_far(struct zr_gltf *file, struct zr_nodes *hierarchy)
 {
     struct zr_json *json = &file->root.json;

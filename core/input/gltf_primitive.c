@@ -124,7 +124,7 @@ static bool read_colors(struct zr_gltf *file, const struct zr_json_path *path, u
         return false;
     zr_vec4 *colors = allocate(file, range->count, sizeof *colors);
     if (!colors) return false;
-    values.is_normalized = true; /* the format requires it of integers */
+    values.is_normalized = true; /* glTF requires this for integers */
     for (uint32_t i = 0; i < range->count; i++)
         colors[i].w = 1.0f;
     if (!zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &colors[0].x, 4) ||
@@ -195,7 +195,7 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
     if (!corners && given->mode == ZR_GLTF_TRIANGLES) range.count = 3 * mesh->face_count;
     mesh->positions = read_positions(file, &positions, &range, number);
     mesh->position_count = range.count;
-    mesh->point_size = mesh->point_count > 0 ? 0.0f : 1.0f; /* 0: by their density */
+    mesh->point_size = mesh->point_count > 0 ? 0.0f : 1.0f; /* 0: by the density of the points */
     return mesh->positions && read_attributes(file, attributes, given, positions.count, &range, mesh, number) &&
            zr_gltf_morph(file, path, given, &range, mesh) && zr_gltf_bend(file, attributes, given, &range, mesh) &&
            zr_arena_ok(file->root.json.arena);

@@ -1,10 +1,10 @@
-/* Reads the extensions of glTF for the reflection of materials that are no metals. */
+/* Reads the extensions of glTF that set the reflectance of non-metals. */
 #include "input/gltf_extensions.h"
 
 #include <float.h>
 #include <math.h>
 
-/* Reflectance of a plastic at normal incidence: that of the shading pbr, and of KHR_materials_ior's 1.5. */
+/* Reflectance at normal incidence for an index of 1.5, the default of the shading pbr and of KHR_materials_ior. */
 #define PLASTIC 0.04
 
 /* ---- KHR_materials_ior and KHR_materials_specular ---- */
@@ -30,7 +30,7 @@ static const struct zr_json_object ior_object = ZR_JSON_OBJECT_OF("KHR_materials
 static const struct zr_json_object specular_object = ZR_JSON_OBJECT_OF("KHR_materials_specular", specular_fields);
 enum { TEXTURES = 1 << 2 | 1 << 3 };
 
-/* An index of 0 reflects all light, as the extension says. */
+/* By the extension, an index of 0 reflects all light. */
 static void read_ior(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                      struct zr_parsed_material *out)
 {
@@ -66,7 +66,7 @@ void zr_gltf_read_reflectance(struct zr_gltf *file, const struct zr_json_path *p
 
 struct given_glossiness {
     double diffuse[4], specular[3], glossiness;
-    const char *diffuse_texture, *texture; /* places */
+    const char *diffuse_texture, *texture; /* JSON text */
 };
 #define AT(member) offsetof(struct given_glossiness, member)
 static const struct zr_json_field glossiness_fields[] = {
@@ -90,7 +90,7 @@ static double brightness(const double *color)
     return sqrt(0.299 * color[0] * color[0] + 0.587 * color[1] * color[1] + 0.114 * color[2] * color[2]);
 }
 
-/* Returns the share of metal that reflects like both colours: the root of a quadratic equation. */
+/* Returns the metalness that reflects like both colours: the root of a quadratic equation. */
 static double find_metallic(double diffuse, double specular, double rest)
 {
     if (specular < PLASTIC) return 0.0;

@@ -100,7 +100,7 @@ static bool find_image(struct zr_gltf *file, const struct zr_json_path *path, ui
 
 struct listed_texture {
     struct zr_gltf_texture texture;
-    const char *extensions; /* place */
+    const char *extensions; /* JSON text */
 };
 enum { SOURCE, SAMPLER };
 #define AT(member) offsetof(struct listed_texture, member)
@@ -117,7 +117,7 @@ static const struct zr_json_field webp_fields[] = {{.key = "source", .read = zr_
                                                    ZR_GLTF_COMMON};
 static const struct zr_json_object webp_object = ZR_JSON_OBJECT_OF("EXT_texture_webp", webp_fields);
 
-/* Takes the image of EXT_texture_webp in place of the texture's. */
+/* Replaces the texture's image by the image of EXT_texture_webp. */
 static void read_webp(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,
                       struct zr_gltf_texture *texture)
 {

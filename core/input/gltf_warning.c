@@ -1,4 +1,4 @@
-/* Warns of the contents of a glTF file that are left out or changed in its picture. */
+/* Warns of contents of a glTF file that the picture lacks or changes. */
 #include "input/gltf.h"
 
 static void warn_of(struct zr_gltf *file, struct zr_warning_list *list, const struct zr_gltf_note *note,

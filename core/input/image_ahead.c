@@ -8,11 +8,11 @@ struct job {
     struct zr_image_file *file;
     struct zr_image_hash hash;
     struct zr_arena texels; /* in the request's memory */
-    size_t scratch_bytes;   /* that decoding may take; files that need more are not decoded here */
+    size_t scratch_bytes;   /* limit for decoding; files that need more are not decoded here */
     const struct zr_cancel *cancel;
 };
 
-/* Scratch memory of decoding: blocks, and coefficients of a progressive JPEG. */
+/* Scratch memory per file: blocks, and the coefficients of a progressive JPEG. */
 enum { SCRATCH_BYTES = 2 * ZR_ARENA_BLOCK, SCRATCH_PER_TEXEL = 8 };
 
 static void decode(void *context, size_t begin, size_t end)
@@ -31,8 +31,8 @@ static void decode(void *context, size_t begin, size_t end)
     }
 }
 
-/* Allocates the texels. False if there is no ample memory for the image and those before it, which take `before` bytes
- * of scratch memory. */
+/* Allocates the texels. `before`: scratch bytes of the images before this one.
+ * False if memory for all of them is not ample. */
 static bool prepare(struct zr_arena *arena, const struct zr_image *head, size_t before, struct job *job)
 {
     const size_t texels = (size_t)head->width * head->height, bytes = zr_image_bytes(head) + 2 * ZR_ARENA_BLOCK;

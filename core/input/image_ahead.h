@@ -1,8 +1,8 @@
 /* image_ahead.h - input: decodes several images at once, by all threads, before a reader asks for them one by one.
  *
- * Exact: the reader accepts an image only as it would have decoded it: in its order, under its limits. It reads all
- *        others again, such as broken ones, and reports them in its order. So scene, errors and memory are the same for
- *        every team.
+ * Exact: the reader takes an image only if its own decoding would have the same result, in its order and under its
+ *        limits. It decodes all other files itself, such as broken ones, and reports their faults. So scene, errors and
+ *        memory are the same for every team.
  */
 #ifndef ZR_IMAGE_AHEAD_H
 #define ZR_IMAGE_AHEAD_H
@@ -19,8 +19,8 @@ struct zr_image_file {
     struct zr_kept_image kept;
 };
 
-/* Decodes files, or takes them from `images`. They may have `texels_max` texels together. Decodes none unless there is
- * ample memory for all. Texels lie in the arena or in `images`. Returns early if arena->cancel is raised. */
+/* Decodes files, or takes them from `images`. All files together may have `texels_max` texels. Decodes none unless
+ * memory is ample for all. Texels lie in the arena or in `images`. Returns early if arena->cancel is raised. */
 void zr_images_read_ahead(struct zr_arena *arena, struct zr_team *team, const struct zr_kept_images *images,
                           uint64_t texels_max, struct zr_image_file *files, size_t count);
 

@@ -77,11 +77,11 @@ enum zr_status zr_image_read(struct zr_arena *arena, const void *bytes, size_t s
     return status;
 }
 
-/* Free parts of blocks that decoding may leave. */
+/* Bytes at the ends of blocks that decoding may leave unused. */
 enum { SLACK_BYTES = 4 * ZR_ARENA_BLOCK };
 
-/* True if decoding would succeed. Then takes as much memory as decoding, though nothing is stored in it: a request has
- * the same memory left, with and without kept images. */
+/* True if decoding would succeed. Charges the arena for as much memory as decoding, so that a request has the same
+ * memory left with and without kept images. */
 static bool accept(struct zr_arena *arena, const struct zr_kept_image *kept, uint64_t texels_max)
 {
     const size_t bytes = zr_image_bytes(&kept->image), left = zr_arena_left(arena);

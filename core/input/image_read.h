@@ -17,8 +17,8 @@
 enum zr_status zr_image_read(struct zr_arena *arena, const void *bytes, size_t size, uint64_t texels_max,
                              struct zr_image *image, struct zr_reason *reason);
 
-/* The same for an image that the caller may have kept. Takes it from `images`, or decodes it and offers it to them.
- * Both have the same result and take the same memory of the arena. */
+/* Reads an image that the caller may have kept: takes it from `images`, or decodes it and offers it to them. Both ways
+ * have the same result and take the same memory from the arena. */
 enum zr_status zr_image_read_kept(struct zr_arena *arena, const struct zr_kept_images *images, const void *bytes,
                                   size_t size, uint64_t texels_max, struct zr_image *image, struct zr_reason *reason);
 
@@ -27,7 +27,7 @@ enum zr_status zr_image_read_kept(struct zr_arena *arena, const struct zr_kept_i
 /* Reads the size and the bits of a file without decoding it. False if it may not be decoded. */
 bool zr_image_head_read(const void *bytes, size_t size, uint64_t texels_max, struct zr_image *head);
 
-/* Decodes as zr_image_read. `scratch` is for the libraries: a scratch arena of `arena`, or any other one. */
+/* Decodes as zr_image_read. The libraries allocate from `scratch`, which may be a scratch arena of `arena`. */
 enum zr_status zr_image_decode(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
                                uint64_t texels_max, struct zr_kept_image *out, struct zr_reason *reason);
 

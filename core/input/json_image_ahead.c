@@ -36,7 +36,7 @@ void zr_parsed_read_files_ahead(struct zr_parsed_scene *root, struct zr_image_fi
                          count);
 }
 
-/* Adds the file of a texture, unless it is there. False if it cannot be read. */
+/* Adds the file of a texture unless the list has it. False if it cannot be read. */
 static bool add_file(struct zr_parsed_scene *root, struct zr_bytes_name *names, const struct zr_bytes_name *name)
 {
     struct zr_parsed_ahead *ahead = &root->ahead;

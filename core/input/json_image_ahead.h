@@ -5,11 +5,10 @@
 #include "input/image_ahead.h"
 #include "input/json_scene.h"
 
-/* Decodes the images of all materials by several threads. Reports no faults: reading the textures
- * does. */
+/* Decodes the images of all materials by several threads. Faults are reported when the textures are read. */
 void zr_parsed_read_ahead(struct zr_parsed_scene *root);
 
-/* The same for given files: an array in the arena. */
+/* Decodes the given files, an array in the arena. */
 void zr_parsed_read_files_ahead(struct zr_parsed_scene *root, struct zr_image_file *files, size_t count);
 
 /* Returns the file with this name or these bytes, or NULL. */

@@ -77,7 +77,7 @@ static bool has_file(const struct zr_parsed_mesh *given)
     return gives(given, FILE_URI) || gives(given, FILE_ASSET);
 }
 
-/* A file has its own lists and colours. */
+/* A model file brings its lists and colours, so the mesh must not give any. */
 static bool check_file(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given)
 {
     const char *file = fields[gives(given, FILE_URI) ? FILE_URI : FILE_ASSET].key;

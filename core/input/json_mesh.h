@@ -49,12 +49,12 @@ struct zr_parsed_mesh {
  *
  * Order:  a file is read with the list of meshes; its materials and instances are made once the root is read.
  * Axes:   those of the file. A far origin (far.h) is added to its instances again.
- * Meshes: mesh i of the list is mesh i of the scene. Further meshes of its file are behind those of the list and the
- *         polygons; scene->mesh_owners has their i.
+ * Meshes: mesh i of the list is mesh i of the scene. The other meshes of its file follow the list and the polygons.
+ *         Their entries of scene->mesh_owners are i.
  *
- * zr_model_read reads the file; `path`: of the mesh; NULL after a fault. zr_model_make fills meshes[], after
- * zr_parsed_number_models, and returns whether the file has points. Faces have the material of `style`, else the
- * file's. */
+ * zr_model_read reads the file, and returns NULL after a fault. `path` leads to the mesh. zr_model_make is called after
+ * zr_parsed_number_models. It fills meshes[], and returns true if the file has points.
+ * Faces have the material of `style`, else the file's material. */
 struct zr_model *zr_model_read(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                const struct zr_bytes_name *name);
 bool zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_parsed_mesh *given,

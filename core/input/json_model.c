@@ -17,7 +17,7 @@ enum { INSTANCES_A_LOOK = 1 << 14 };
 
 /* ---- reading ---- */
 
-/* Repeats the faults of a file at `path`, with their places in the file. */
+/* Repeats the faults of a file at `path`, with their paths in the file. */
 static bool report(struct zr_json *json, const struct zr_json_path *path, const struct zr_error *faults)
 {
     if (faults->status == ZR_CANCELLED || faults->status == ZR_INTERNAL) {
@@ -114,8 +114,8 @@ static uint32_t number_of(const struct zr_parsed_scene *root, uint32_t listed, u
     return part == 0 ? listed : root->model_firsts[listed] + part - 1;
 }
 
-/* Adds the file's images and textures to the scene. Returns the scene's numbers of its textures, plus 1, by the file's
- * numbers plus 1; 0 stays 0. */
+/* Adds the file's images and textures to the scene. Returns a table from the file's texture numbers plus 1 to the
+ * scene's texture numbers plus 1; 0 maps to 0. */
 static uint32_t *add_textures(struct zr_parsed_scene *root, const struct zr_model *model)
 {
     const struct zr_scene *from = &model->scene;
@@ -149,7 +149,7 @@ static struct zr_parsed_material *take_materials(struct zr_parsed_scene *root, c
     return all;
 }
 
-/* Makes the material of a mesh whose file has none, or with the one that the scene gives. */
+/* Makes the material of a mesh if its file has none or the scene gives one. */
 static void make_plain(struct zr_parsed_scene *root, const struct zr_style *style, struct zr_mesh *mesh)
 {
     const bool blends = style->material == root->material_count && root->face_style.alpha_mode == ZR_UNSET;
@@ -157,7 +157,7 @@ static void make_plain(struct zr_parsed_scene *root, const struct zr_style *styl
                                                   mesh->normal_count > 0 || mesh->colors || mesh->face_colors, blends);
 }
 
-/* Makes the material of one of the file's meshes: the one that the scene gives, else the file's, else the look's. */
+/* Makes the material of one of the file's meshes: the scene's, else the file's, else the look's. */
 static void make_material(struct zr_parsed_scene *root, const struct zr_file_scene *file, uint32_t which,
                           const struct zr_style *style, struct zr_parsed_material *own, struct zr_mesh *mesh)
 {
@@ -274,7 +274,7 @@ void zr_parsed_use_model_camera(struct zr_parsed_scene *root, const struct zr_js
         return;
     }
     if (file)
-        zr_file_scene_use_camera(root, path, file, root->camera, NULL); /* reports the cameras that there are */
+        zr_file_scene_use_camera(root, path, file, root->camera, NULL); /* reports the names of the cameras */
     else
         zr_json_fault(&root->json, path, "no mesh of the scene is a file with cameras");
 }

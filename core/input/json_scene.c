@@ -10,7 +10,7 @@ enum { DEPTH_OF_LISTS = 6 };
 
 /* ---- references ---- */
 
-/* Makes the meshes of the list, one more of all polygons, and those of model files beyond the first. */
+/* Makes the meshes of the list, one mesh of all polygons, and the second and later meshes of each model file. */
 static void make_meshes(struct zr_parsed_scene *root)
 {
     const uint32_t listed = (uint32_t)root->meshes.count, first = listed + zr_parsed_has_polygons(root);

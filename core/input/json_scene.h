@@ -145,9 +145,9 @@ struct zr_parsed_assets {
     size_t count;
     const struct zr_asset *items;
     struct zr_file_names *names; /* NULL before the first search */
-    const char *folder;          /* of the file that is read, with a final slash; NULL: it is the body */
-    uint8_t *uses;               /* one per asset: a sum of the above */
-    uint8_t use;                 /* the sum for the part of the scene that is read now */
+    const char *folder;          /* folder of the file that is read, with a final slash; NULL: the body is read */
+    uint8_t *uses;               /* one per asset: a sum of ZR_USED and ZR_USED_BY_GEOMETRY */
+    uint8_t use;                 /* sum for the part of the scene that is read now */
     struct zr_stored stored;
     struct zr_kept_images images;
     struct zr_quick *quick; /* the request's; may be NULL */
@@ -210,7 +210,7 @@ struct zr_parsed_scene {
     uint64_t image_pixels; /* decoded pixels, all images */
 
     uint32_t unplaced_meshes;     /* meshes that no node places */
-    const uint32_t *model_firsts; /* json_model.c: by mesh of the list, the number of its file's second mesh; or NULL */
+    const uint32_t *model_firsts; /* per mesh of the list: number of its file's second mesh; or NULL (json_model.c) */
 };
 
 extern const struct zr_json_field zr_scene_fields[]; /* json_scene_fields.c: enum zr_scene_key, then other keys */
@@ -296,8 +296,8 @@ void zr_parsed_warn_of_oddities(struct zr_parsed_scene *root);
 /* json_material.c: warns of unused materials, and of keys without effect in the shadings of their meshes. */
 void zr_parsed_warn_of_materials(struct zr_parsed_scene *root);
 
-/* json_mesh.c, json_polygons.c and json_soup.c: read a list; make its meshes once the root is read. Meshes:
- * root->meshes.count of them, and those of model files. Polygons: one mesh, if there are any. */
+/* json_mesh.c, json_polygons.c and json_soup.c: read a list; make its meshes once the root is read. The list `meshes`
+ * makes root->meshes.count meshes, and more if model files have several. Polygons make one mesh, if there are any. */
 zr_json_read_fn zr_read_meshes, zr_read_polygons;
 void zr_parsed_make_meshes(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes);
 bool zr_parsed_has_polygons(const struct zr_parsed_scene *root);
@@ -307,7 +307,8 @@ void zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_
  * scene->mesh_owners, or leaves it NULL if there are no files; returns their count. */
 uint32_t zr_parsed_number_models(struct zr_parsed_scene *root, uint32_t first);
 
-/* Makes root->camera the view: of the first instance of a file with this camera. A fault at `path` if there is none. */
+/* Sets the view to root->camera, in the first instance of a file that has this camera.
+ * A fault at `path` if there is none. */
 void zr_parsed_use_model_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                 const struct zr_instance *instances, uint32_t count);
 

@@ -53,7 +53,7 @@ struct zr_parsed_view {
     double pixel_center;
     struct zr_intrinsics intrinsics;
     const char *fit_mesh; /* name of the mesh to fit; NULL: all geometry */
-    const char *camera;   /* name or number of a camera of a model file; NULL: the view has its own */
+    const char *camera;   /* name or number of a camera of a model file; NULL: the view gives pose and projection */
 };
 
 extern const struct zr_json_field zr_view_fields[]; /* enum zr_view_key, then the keys that are not supported */

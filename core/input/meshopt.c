@@ -9,7 +9,7 @@ struct stream {
     bool ends_early;
 };
 
-/* Returns the next `count` bytes; NULL behind the end. */
+/* Returns the next `count` bytes; NULL after the end. */
 static const unsigned char *take(struct stream *stream, size_t count)
 {
     const unsigned char *at = stream->at;
@@ -27,7 +27,7 @@ static unsigned take_byte(struct stream *stream)
     return at ? *at : 0;
 }
 
-/* Returns a number of 7 bits a byte, the lowest first; its last byte has no high bit. */
+/* Reads a number of 7 bits per byte, the lowest bits first. The last byte has no high bit. */
 static uint32_t take_number(struct stream *stream)
 {
     uint32_t value = 0;
@@ -39,7 +39,7 @@ static uint32_t take_number(struct stream *stream)
     return value;
 }
 
-/* Decodes signed numbers that alternate: 0, -1, 1, -2 and so on. */
+/* Decodes zigzag numbers: 0, -1, 1, -2 and so on. */
 static uint32_t unzigzag(uint32_t v)
 {
     return v & 1 ? ~(v >> 1) : v >> 1;
@@ -49,7 +49,8 @@ static uint32_t unzigzag(uint32_t v)
 
 enum { BLOCK_BYTES = 8192, BLOCK_MOST = 256, GROUP = 16, STRIDE_MOST = 256, TAIL_LEAST = 32 };
 
-/* Reads 16 deltas of `bits` bits, from the highest bits of each byte; all bits set: a byte behind them. */
+/* Reads 16 deltas of `bits` bits, from the highest bits of each byte.
+ * A delta with all bits set is a byte after them. */
 static bool read_packed(struct stream *stream, unsigned bits, unsigned char deltas[GROUP])
 {
     const unsigned char *packed = take(stream, GROUP * bits / 8);
@@ -75,7 +76,8 @@ static bool read_group(struct stream *stream, unsigned mode, unsigned char delta
     return bytes;
 }
 
-/* Decodes one byte of `count` elements. *before: that byte of the element before them, later of the last one. */
+/* Decodes one byte of each of `count` elements.
+ * *before: this byte of the previous element; set to that of the last one. */
 static bool read_column(struct stream *stream, uint32_t count, uint32_t stride, unsigned char *before,
                         unsigned char *out)
 {
@@ -141,7 +143,7 @@ static bool read_indices(const struct zr_meshopt *of, struct stream *stream, uns
     return true;
 }
 
-/* Edges and vertices of the last triangles. `edge` and `vertex` count those that came so far, modulo 16. */
+/* Recent edges and vertices, in ring buffers. `edge` and `vertex` count all entries so far, modulo 16. */
 struct history {
     uint32_t edges[FIFO][2], vertices[FIFO];
     unsigned edge, vertex;
@@ -166,7 +168,7 @@ static uint32_t take_index(struct history *h, struct stream *stream)
     return h->last += unzigzag(take_number(stream));
 }
 
-/* A triangle of an edge of the last ones and a third vertex. */
+/* Decodes a triangle of a recent edge and a third vertex. */
 static void read_third(struct history *h, struct stream *stream, unsigned code, uint32_t out[3])
 {
     const uint32_t *edge = h->edges[(h->edge + FIFO - 1 - (code >> 4)) % FIFO];
@@ -189,7 +191,7 @@ static void read_third(struct history *h, struct stream *stream, unsigned code, 
     out[2] = c;
 }
 
-/* Returns a vertex of its own code: 0: the next one; 15: a number behind the codes; else one of the last ones. */
+/* Returns the vertex of a code. 0: the next vertex; 15: a number after the codes; others: a recent vertex. */
 static uint32_t read_vertex(struct history *h, struct stream *stream, unsigned code)
 {
     if (code == 0) return h->next++;
@@ -197,7 +199,7 @@ static uint32_t read_vertex(struct history *h, struct stream *stream, unsigned c
     return h->vertices[(h->vertex + FIFO - code) % FIFO];
 }
 
-/* A triangle of three vertices. */
+/* Decodes a triangle of three vertices. */
 static void read_three(struct history *h, struct stream *stream, unsigned code, const unsigned char *table,
                        uint32_t out[3])
 {

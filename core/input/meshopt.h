@@ -1,7 +1,6 @@
 /* meshopt.h - input: decodes the compressed buffer views of EXT_meshopt_compression (Khronos, ratified 2022).
  *
- * Bounds: the compressed bytes limit the decoded ones, by 64 to 1 at most. So the size is checked before any memory is
- *         taken for it.
+ * Bounds: decoded bytes are at most 64 times the compressed bytes. The size is checked before memory is allocated.
  */
 #ifndef ZR_MESHOPT_H
 #define ZR_MESHOPT_H

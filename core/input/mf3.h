@@ -51,7 +51,7 @@ enum zr_mf3_note {
     ZR_MF3_NOTE_SPACES, /* one per namespace */
     ZR_MF3_NOTE_UNKNOWN = ZR_MF3_NOTE_SPACES + ZR_MF3_SPACE_COUNT,
     ZR_MF3_NOTE_REQUIRED,
-    ZR_MF3_NOTE_WORDS, /* those before it name a word */
+    ZR_MF3_NOTE_WORDS, /* the warnings before it quote a word */
     ZR_MF3_NOTE_IMAGE = ZR_MF3_NOTE_WORDS,
     ZR_MF3_NOTE_TILES,
     ZR_MF3_NOTE_LAYERS,
@@ -111,16 +111,16 @@ struct zr_mf3_resource {
     int wrap_s, wrap_t, filter;        /* indices of the words of mf3_texture.c */
     bool ends;                         /* its tilestyle is none */
     bool is_over;                      /* it lies over a colour of multiproperties */
-    uint32_t material;                 /* of the file scene, or ZR_MF3_NONE */
-    bool has_material;                 /* it is made, or cannot be */
+    uint32_t material;                 /* number in the file scene, or ZR_MF3_NONE */
+    bool has_material;                 /* the material is made, or cannot be made */
 
     /* An object: a mesh, or components. */
     const char *name;
-    bool is_left_out;  /* of the type `other` */
+    bool is_left_out;  /* its type is `other` */
     uint32_t mesh;     /* or ZR_MF3_NONE */
     uint32_t extruder; /* or 0 */
     uint32_t first_link, link_count;
-    uint32_t first_node; /* of its links; ZR_MF3_NONE: not added yet */
+    uint32_t first_node; /* node of its first link; ZR_MF3_NONE: not added yet */
 };
 
 /* A slicer's setting of an object, of a part of it, or of a range of its triangles. */
@@ -146,9 +146,9 @@ struct zr_mf3_part {
     const struct zr_zip_member *member;
     const char *bytes; /* NULL: not read yet */
     size_t size;
-    const char *unit;       /* as info names it */
-    double microns;         /* of the unit; 0: not read */
-    const char *counted_to; /* a place; `line` is its line */
+    const char *unit;       /* name in the channel info */
+    double microns;         /* length of the unit in micrometres; 0: not read */
+    const char *counted_to; /* byte whose line is `line` */
     size_t line;
 };
 
@@ -170,7 +170,7 @@ struct zr_mf3 {
     struct zr_mf3_list parts;     /* struct zr_mf3_part */
     struct zr_mf3_list resources; /* struct zr_mf3_resource */
     struct zr_mf3_list links;     /* struct zr_mf3_link: those of one object follow each other */
-    struct zr_mf3_list items;     /* likewise, of the build */
+    struct zr_mf3_list items;     /* struct zr_mf3_link: the build items */
     struct zr_mf3_list meshes;    /* struct zr_mesh */
     struct zr_mf3_list textures;  /* uint32_t *: one per mesh: the texture of each face, or NULL */
     struct zr_mf3_list moves;     /* const struct zr_far_move *: one per mesh, or NULL */
@@ -185,7 +185,7 @@ struct zr_mf3 {
         struct zr_xml_text word;
     } notes[ZR_MF3_NOTE_COUNT];
 
-    /* Of the current part. */
+    /* State of the current part. */
     uint32_t part;
     struct zr_xml xml;
     struct zr_xml_tag tag;
@@ -196,19 +196,19 @@ struct zr_mf3 {
 struct zr_mf3_paint {
     const char *at;
     uint32_t length;
-    uint8_t extruder; /* of what is not painted; 0: that of the part */
+    uint8_t extruder; /* extruder of unpainted areas; 0: the part's extruder */
     bool is_left_out;
 };
 
 /* Properties of the triangles of a mesh. */
 struct zr_mf3_corners {
     struct zr_mf3 *file;
-    const struct zr_mf3_setting *volumes; /* of ranges of triangles, in their order */
-    uint32_t volume_count, volume;        /* `volume`: that of the last triangle, or before it */
+    const struct zr_mf3_setting *volumes; /* settings of ranges of triangles, ascending */
+    uint32_t volume_count, volume;        /* `volume`: index of the setting at or before the last triangle */
     struct zr_mf3_paint *paints;          /* NULL: no triangle so far has paint or a volume */
-    uint32_t room;                        /* triangles */
+    uint32_t room;                        /* capacity in triangles */
     uint32_t *colors;                     /* 0xAABBGGRR, one per corner; NULL: no triangle has one so far */
-    uint32_t *textures;                   /* one per triangle, or ZR_MF3_NONE; NULL: likewise */
+    uint32_t *textures;                   /* one per triangle, or ZR_MF3_NONE; NULL: no triangle has one so far */
     float (*coords)[2];                   /* one per corner, if there are textures */
     uint32_t given;                       /* triangles with a property */
     bool has_gradients;
@@ -236,7 +236,7 @@ bool zr_mf3_fault_in(struct zr_mf3 *file, uint32_t part, const char *at, const c
 /* Counts an occurrence for a warning, at a place of the current part. */
 void zr_mf3_note(struct zr_mf3 *file, int note, const char *at, struct zr_xml_text word);
 
-/* True after a syntax fault, a cancel or the last fault that fits the list, or without memory. */
+/* True if reading must stop: after a syntax fault, a cancel or a full list of faults, or without memory. */
 bool zr_mf3_stops(const struct zr_mf3 *file);
 
 /* mf3_package.c: opens the archive, and adds the root part that the relationships name. */
@@ -279,14 +279,14 @@ struct zr_mf3_resource *zr_mf3_find(const struct zr_mf3 *file, uint32_t part, ui
 /* Reads the current element as a group of colours: children with this name and colour attribute. */
 void zr_mf3_read_colors(struct zr_mf3 *file, enum zr_mf3_space space, const char *child, const char *attribute);
 
-/* mf3_texture.c: read the current element, a texture2d, a texture2dgroup, composite materials or multiproperties. */
+/* mf3_texture.c: read the current element: a texture2d, a texture2dgroup, composite materials or multiproperties. */
 void zr_mf3_read_texture(struct zr_mf3 *file);
 void zr_mf3_read_coords(struct zr_mf3 *file);
 void zr_mf3_read_composites(struct zr_mf3 *file);
 void zr_mf3_read_multi(struct zr_mf3 *file);
 
-/* mf3_corners.c: sets the properties of triangle `triangle`, for which there is room. `p`: indices into the group
- * `pid`, or ZR_MF3_NONE. */
+/* mf3_corners.c: sets the properties of triangle `triangle`, for which there is room.
+ * `p`: indices into the group `pid`, or ZR_MF3_NONE. */
 void zr_mf3_corners_set(struct zr_mf3_corners *corners, uint32_t triangle, uint32_t pid, const uint32_t p[3]);
 void zr_mf3_corners_paint(struct zr_mf3_corners *corners, uint32_t triangle, struct zr_xml_text paint);
 void zr_mf3_corners_grow(struct zr_mf3_corners *corners, uint32_t count, uint32_t room);
@@ -294,14 +294,14 @@ void zr_mf3_corners_grow(struct zr_mf3_corners *corners, uint32_t count, uint32_
 /* Gives a mesh its colours and texture coordinates, and adds its entry of file->textures. False without memory. */
 bool zr_mf3_corners_finish(struct zr_mf3_corners *corners, struct zr_mesh *mesh);
 
-/* mf3_slicer.c: reads the settings of slicers; finds those of an object and its triangles,
- * in their order, or that of a part. */
+/* mf3_slicer.c: reads the settings of slicers.
+ * Finds the settings of an object and its triangles, ascending, or of a part. */
 void zr_mf3_read_slicer(struct zr_mf3 *file);
 const struct zr_mf3_setting *zr_mf3_find_settings(const struct zr_mf3 *file, uint32_t object, uint32_t part,
                                                   uint32_t *count);
 
-/* mf3_paint.c: cuts a triangle into pieces by its paint, and returns their number; 0 for wrong text. `positions`: three
- * per piece; `extruders`: one, 0 for that of the part. Both may be NULL. */
+/* mf3_paint.c: cuts a triangle into pieces by its paint, and returns their number, or 0 if the text is invalid.
+ * `positions`: three per piece. `extruders`: one per piece; 0: the part's extruder. Both may be NULL. */
 uint32_t zr_mf3_paint_read(struct zr_xml_text text, const zr_vec4 corners[3], zr_vec4 *positions, uint8_t *extruders);
 
 /* mf3_painted.c: replaces a mesh by its painted pieces, and adds its entry of file->extruders. False without memory. */
@@ -311,13 +311,13 @@ bool zr_mf3_paint_mesh(struct zr_mf3_corners *corners, struct zr_mesh *mesh);
 void zr_mf3_color_by_extruders(struct zr_mf3 *file, struct zr_mesh *mesh, const uint8_t *extruders,
                                const struct zr_mf3_resource *object);
 
-/* mf3_material.c: makes the materials of `count` meshes. textures[i]: the texture of each face of mesh i, or NULL; it
- * becomes the list of materials. Without textures, leaves the scene without materials. */
+/* mf3_material.c: makes the materials of `count` meshes. textures[i]: the texture of each face of mesh i, or NULL.
+ * Materials replace the textures in this list. Without textures, leaves the scene without materials. */
 bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick,
                            struct zr_file_scene *scene, uint32_t count, uint32_t **textures);
 
-/* mf3_mesh.c: reads the mesh of an object, and its entry of `moves`; `object`: its id; `pid`, `pindex`: its default
- * property, or ZR_MF3_NONE. Returns its number, or ZR_MF3_NONE after a fault. */
+/* mf3_mesh.c: reads the mesh of an object, and its entry of `moves`; `object`: its id. `pid`, `pindex`: its default
+ * property, or ZR_MF3_NONE. Returns the mesh's number, or ZR_MF3_NONE after a fault. */
 uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t object, uint32_t pid, uint32_t pindex);
 
 /* mf3_build.c: places the meshes that the build uses, in builder->file. */

@@ -187,7 +187,7 @@ static struct zr_matrix *find_exact(const struct build *build)
     return exact;
 }
 
-/* Places the meshes again, in double, if they are far from the origin, whose middle is then subtracted. */
+/* Places the meshes again with matrices in double if they are far from the origin, and subtracts their middle. */
 static enum zr_status place_far(const struct build *build, struct zr_scene_builder *builder, struct zr_nodes *nodes,
                                 uint64_t allowed, struct zr_placement *placement)
 {

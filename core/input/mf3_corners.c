@@ -70,7 +70,7 @@ static bool check_index(struct zr_mf3_corners *corners, uint32_t triangle, const
                         triangle, has_colors ? "colour" : "property", index, group->id, count);
 }
 
-/* Sets the colours and the texture of a triangle of values. Its first corner decides the texture. */
+/* Sets the colours and the texture of a triangle from its values. The first corner decides the texture. */
 static void set_values(struct zr_mf3_corners *corners, uint32_t triangle, const struct zr_mf3_resource *group,
                        const uint32_t p[3])
 {

@@ -65,7 +65,7 @@ static void make_material(struct making *making, struct zr_mf3_resource *texture
     texture->material = making->materials.count - 1;
 }
 
-/* Turns the textures of faces into materials. True if all have the same, *first. */
+/* Turns the textures of faces into materials. True if all faces have the same material, *first. */
 static bool number_faces(struct making *making, uint32_t *textures, uint32_t faces, uint32_t *first)
 {
     enum { FACES_AT_ONCE = 1 << 14 };

@@ -12,8 +12,8 @@ struct mesh {
     uint32_t *corners;
     struct zr_mf3_corners properties;
     bool is_far;          /* a coordinate is beyond the limit (far.h) */
-    struct zr_xml *again; /* if so: the state at the begin of the vertices */
-    bool finds_box;       /* vertices are read for the bounds of the used ones */
+    struct zr_xml *again; /* if is_far: state at the begin of the vertices */
+    bool finds_box;       /* vertices are read to find the bounds of used ones */
     const uint8_t *used;  /* one per vertex */
     const double *origin; /* subtracted from positions; NULL: none */
     struct zr_far_move *move;

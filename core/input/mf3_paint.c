@@ -1,9 +1,9 @@
 /* Paint of slicers on triangles of 3MF (paint_color, mmu_segmentation).
  *
  * Text:   hexadecimal digits, from the last to the first. A digit is a node of a tree: its lower two bits are the
- *         number of split sides, 0 for a leaf. The upper bits of a leaf are its extruder, 0 for that of the part. If
- *         they are 3, the extruder is the next digit plus 3. The upper bits of other nodes are the corner from which
- *         sides count. A node with n split sides has n + 1 children, the last one first.
+ *         number of split sides, 0 for a leaf. The upper bits of a leaf are its extruder; 0 means the part's extruder.
+ *         If they are 3, the extruder is the next digit plus 3. The upper bits of an inner node are the corner from
+ *         which its sides are counted. A node with n split sides has n + 1 children, the last one first.
  * Source: PrusaSlicer 2.9, TriangleSelector::serialize and perform_split. */
 #include "input/mf3.h"
 #include "input/text.h"

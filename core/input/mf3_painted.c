@@ -48,7 +48,7 @@ static void find_corners(const struct zr_mesh *mesh, uint32_t triangle, zr_vec4 
         corners[i] = mesh->positions[mesh->indices[3 * (size_t)triangle + i]];
 }
 
-/* Counts the pieces of all triangles. Wrong paint is forgotten. */
+/* Counts the pieces of all triangles. Removes invalid paint. */
 static uint64_t count_pieces(struct zr_mf3_corners *corners, const struct zr_mesh *mesh)
 {
     uint64_t sum = 0;

@@ -21,7 +21,7 @@ static const struct {
 
 /* ---- elements ---- */
 
-/* Counts an unread element: of an extension that is not drawn, or unknown in the core. */
+/* Counts an unread element, which belongs to an extension that is not drawn or is unknown in the core. */
 static void note_unread(struct zr_mf3 *file)
 {
     const int space = file->tag.space;
@@ -184,7 +184,7 @@ static void read_resources(struct zr_mf3 *file)
     }
 }
 
-/* Refuses required extensions that are not known; notes those that are known and not read. */
+/* Refuses required extensions that are not known. Counts known extensions that are not read for a warning. */
 static void check_required(struct zr_mf3 *file)
 {
     const struct zr_xml_text words = zr_xml_value(&file->tag, "requiredextensions");

@@ -122,7 +122,7 @@ void zr_mf3_read_slicer(struct zr_mf3 *file)
 
 /* ---- finding ---- */
 
-/* Returns the first setting of an object and a part, or behind. */
+/* Returns the position of the first setting of an object and a part, or where it would be. */
 static const struct zr_mf3_setting *find_from(const struct zr_mf3 *file, uint32_t object, uint32_t part)
 {
     const struct zr_mf3_setting *settings = file->settings.items;
@@ -145,7 +145,8 @@ const struct zr_mf3_setting *zr_mf3_find_settings(const struct zr_mf3 *file, uin
     if (file->settings.count == 0) return NULL;
     const struct zr_mf3_setting *first = find_from(file, object, part);
     const struct zr_mf3_setting *end = (const struct zr_mf3_setting *)file->settings.items + file->settings.count;
-    const uint32_t most = part == ZR_MF3_NONE ? file->settings.count : 1; /* of repeated parts, the first */
+    const uint32_t most =
+        part == ZR_MF3_NONE ? file->settings.count : 1; /* a repeated part has the setting of the first */
     while (*count < most && first + *count < end && first[*count].object == object && first[*count].part == part)
         ++*count;
     return first;

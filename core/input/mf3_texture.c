@@ -6,7 +6,7 @@ enum { LAYERS_MAX = 16 };
 
 #define WHITE 0xFFFFFFFFu
 
-/* True if the current element has this name, of the materials or, as some programs write, of the core. */
+/* True if the current element has this name, in the namespace of materials or of the core, as some programs write. */
 static bool is_child(const struct zr_mf3 *file, const char *name)
 {
     return zr_mf3_is(file, ZR_MF3_SPACE_MATERIAL, name) || zr_mf3_is(file, ZR_MF3_SPACE_CORE, name);
@@ -46,7 +46,7 @@ void zr_mf3_read_texture(struct zr_mf3 *file)
 
 /* ---- groups ---- */
 
-/* Sets the values of the group, by its number, since groups move as their list grows. */
+/* Sets the values of a group. Takes the group's number, since groups move as their list grows. */
 static void set_values(struct zr_mf3 *file, uint32_t group, const struct zr_mf3_list *values)
 {
     zr_mf3_resources(file)[group].values = values->items;
@@ -220,7 +220,7 @@ static void add_layer(struct zr_mf3 *file, struct zr_mf3_value *value, const str
     }
 }
 
-/* Reads the property of one layer: an index into its group. False, with a note, if there is none. */
+/* Reads the property of one layer: an index into its group. False if there is none, which a warning counts. */
 static bool find_layer(struct zr_mf3 *file, uint32_t number, uint32_t index, struct zr_mf3_value *out)
 {
     const struct zr_mf3_resource *group = number == ZR_MF3_NONE ? NULL : &zr_mf3_resources(file)[number];

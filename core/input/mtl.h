@@ -12,9 +12,9 @@
  *         programs write Tr 1 or d 0 for opaque. An alpha below 1 or a map_d means BLEND. map_Kd multiplies Kd, as in
  *         the format and three.js. A Kd of 0, 0, 0 beside a map_Kd would draw black: it is taken as 1, as in Blender
  *         and obj2gltf. map_d is the alpha channel of its image if that is not 1 everywhere, else the red one.
- * Rough:  Pr, else that of obj2gltf: 1 - Ns / 1000, times 1 - s if the luminance s = 0.2125 r + 0.7154 g + 0.0721 b of
- *         Ks is below 0.1. Without Pr and Ns, that of the look.
- * Metal:  Pm, else 0 if Ns or Ks is given, else that of the look. Ks has no other effect.
+ * Rough:  Pr, else the formula of obj2gltf: 1 - Ns / 1000, times 1 - s if the luminance s = 0.2125 r + 0.7154 g +
+ *         0.0721 b of Ks is below 0.1. Without Pr and Ns, the look's roughness.
+ * Metal:  Pm, else 0 if Ns or Ks is given, else the look's metalness. Ks has no other effect.
  * Normal: norm, else map_Bump or bump, if the image has colours: recent programs write normal maps there. -bm is its
  *         factor. A grey image holds heights, which are not drawn.
  * Lazy:   zr_mtl_add only indexes lines. A material and its images are read at its first use.
@@ -39,7 +39,7 @@ enum zr_mtl_map {
     ZR_MTL_MAPS
 };
 
-/* Kinds of faults and of contents that are not drawn. Each causes one warning (mtl_notes.c). */
+/* Kinds of faults and of properties that are not drawn. Each causes one warning (mtl_notes.c). */
 enum zr_mtl_note {
     ZR_MTL_NOTE_UNKNOWN,
     ZR_MTL_NOTE_LEFT_OUT,
@@ -62,23 +62,23 @@ enum zr_mtl_note {
 /* A line without blanks at its ends, or a part of it. */
 struct zr_mtl_text {
     const char *at, *end;
-    size_t line; /* from 1 */
+    size_t line; /* number from 1 */
 };
 
 struct zr_mtl_noted {
     size_t count;
     struct zr_mtl_text first;
-    struct zr_reason reason; /* BAD_IMAGE */
+    struct zr_reason reason; /* set by BAD_IMAGE */
 };
 
 /* A material of a file: its name, and the lines below it. */
 struct zr_mtl_entry {
     struct zr_mtl_text name, lines;
     uint32_t number; /* in mtl->made, or ZR_FILE_MATERIAL_NONE: not used yet */
-    uint32_t order;  /* in the files */
+    uint32_t order;  /* position in the files */
 };
 
-/* A map as written, its options read. */
+/* A map as written, with its options. */
 struct zr_mtl_given_map {
     bool is_given, is_clamped;
     struct zr_mtl_text whole, name; /* the statement; the file */
@@ -100,7 +100,7 @@ struct zr_mtl_channel {
     uint32_t channel;
 };
 
-/* An image made of others. */
+/* An image that is made of channels of other images. */
 struct zr_mtl_made_image {
     struct zr_mtl_channel channels[4];
     uint32_t number;
@@ -109,7 +109,7 @@ struct zr_mtl_made_image {
 struct zr_mtl {
     struct zr_parsed_scene root; /* for images and assets; its errors go to `faults` */
     struct zr_file_scene *made;
-    struct zr_mtl_entry *entries; /* sorted by name once the first is sought */
+    struct zr_mtl_entry *entries; /* sorted by name at the first search */
     uint32_t count, room, material_room, file_count, sought_count;
     bool is_sorted, has_maps;
     enum zr_status status; /* other than OK: reading stopped */
@@ -119,13 +119,13 @@ struct zr_mtl {
     struct zr_mtl_noted notes[ZR_MTL_NOTES];
 };
 
-/* Opens without files; they are found among the request's assets. All memory is the builder's arena. Returns NULL
- * without memory. */
+/* Makes a reader without files; zr_mtl_add finds them among the request's assets.
+ * Allocates from the builder's arena. Returns NULL without memory. */
 struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error);
 
-/* mtl_index.c: indexes the file of this name; false if the request has none, after a failure (mtl->status), or beyond
- * ZR_MTL_SOUGHT_MAX names. */
+/* mtl_index.c: indexes the file of this name.
+ * False if the request has none, after a failure (mtl->status), or beyond ZR_MTL_SOUGHT_MAX names. */
 enum { ZR_MTL_SOUGHT_MAX = 4096 };
 bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length);
 
@@ -135,7 +135,7 @@ const char *zr_mtl_add_only(struct zr_mtl *mtl);
 /* Returns the number of a material in mtl->made, or ZR_FILE_MATERIAL_NONE. */
 uint32_t zr_mtl_use(struct zr_mtl *mtl, const char *name, size_t length);
 
-/* Warns of the contents that are not drawn, and of unused assets. */
+/* Warns of properties that are not drawn, and of unused assets. */
 void zr_mtl_close(struct zr_mtl *mtl);
 
 /* ---- private to mtl*.c ---- */
@@ -159,9 +159,9 @@ void zr_mtl_read_map(struct zr_mtl *mtl, const struct zr_mtl_text *whole, struct
 /* mtl_material.c: converts a material. */
 void zr_mtl_convert(struct zr_mtl *mtl, const struct zr_mtl_values *given, struct zr_parsed_material *out);
 
-/* mtl_image.c. zr_mtl_find_image: decodes the image of a map once; NULL and a note if it cannot be drawn.
- * zr_mtl_make_image: the image of four channels, with the size of the largest; the same one for the same channels.
- * zr_mtl_is_grey: true if no texel has a colour. */
+/* mtl_image.c. zr_mtl_find_image: decodes the image of a map once. False, and counted for a warning, if it cannot be
+ * drawn. zr_mtl_make_image: makes an image of four channels, with the size of the largest image. Equal channels share
+ * one image. zr_mtl_is_grey: true if no texel has a colour. */
 bool zr_mtl_find_image(struct zr_mtl *mtl, const struct zr_mtl_given_map *map, uint32_t *number);
 bool zr_mtl_make_image(struct zr_mtl *mtl, const struct zr_mtl_text *whole, const struct zr_mtl_channel channels[4],
                        uint32_t *number);

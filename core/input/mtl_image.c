@@ -1,4 +1,4 @@
-/* Finds the images of maps, and makes images of the channels of others. */
+/* Finds the images of maps, and makes images of channels of other images. */
 #include <string.h>
 
 #include "base/cancel.h"
@@ -8,12 +8,12 @@
 enum {
     MADE_MAX = 1024, /* each is compared with all others */
     MADE_AT_FIRST = 4,
-    GREY_TOLERANCE = 16 << 8 /* of 16 bits: JPEG adds a little colour */
+    GREY_TOLERANCE = 16 << 8 /* in 16-bit values: JPEG adds a little colour */
 };
 
 /* ---- images of maps ---- */
 
-/* Notes a fault of an image. Other failures stop reading. */
+/* Counts a fault of an image for a warning. Other failures stop reading. */
 static void note_bad(struct zr_mtl *mtl, const struct zr_mtl_text *whole)
 {
     struct zr_error *faults = &mtl->faults;

@@ -115,7 +115,7 @@ static int compare_names(const struct zr_mtl_text *a, const struct zr_mtl_text *
     return order != 0 ? order : left < right ? -1 : left > right;
 }
 
-/* Of equal names, the last of the files comes first. */
+/* Of several materials with one name, the last one comes first. */
 static int compare_entries(const void *left, const void *right)
 {
     const struct zr_mtl_entry *a = left, *b = right;
@@ -214,7 +214,7 @@ static void use_files(struct zr_mtl *mtl, const struct zr_mtl_entry *entry)
     }
 }
 
-/* Counts the material libraries that no face uses as used. */
+/* Marks files of materials that no face uses as used, so that no warning follows. */
 static void use_all_files(struct zr_mtl *mtl)
 {
     struct zr_mtl_noted *kept = zr_arena_copy(mtl->root.json.arena, mtl->notes, sizeof mtl->notes);

@@ -11,7 +11,7 @@
 
 struct option {
     const char *word;
-    int words;     /* words behind it; NUMBERS: up to three numbers */
+    int words;     /* number of words after it; NUMBERS: up to three numbers */
     bool is_noted; /* not drawn */
 };
 enum { NUMBERS = -1, NAME_MAX_BYTES = 4096 };
@@ -38,7 +38,7 @@ static bool read_number(const struct zr_mtl_text *word, float *out)
     return true;
 }
 
-/* Reads up to three numbers. The last word of the line is the file's name, whatever it is. */
+/* Reads up to three numbers. The last word of the line is always the file's name. */
 static int read_numbers(struct zr_mtl_text *line, float out[3])
 {
     int count = 0;
@@ -59,7 +59,7 @@ static bool is_within(const float v[3], int count, float most)
     return count > 0;
 }
 
-/* False if the option has no value that can be used. */
+/* False if the option's value is invalid. */
 static bool read_option(struct zr_mtl_text *line, const struct option *option, struct zr_mtl_given_map *out)
 {
     float v[3] = {0, 0, 0};

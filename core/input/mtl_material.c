@@ -6,12 +6,12 @@
 
 #define SHININESS_MOST   1000.0f
 #define SPECULAR_LEAST   0.1f
-#define TOLERANCE_OF_ONE 1e-3f /* of d + Tr */
+#define TOLERANCE_OF_ONE 1e-3f /* for d + Tr */
 
 /* ---- textures ---- */
 
-/* Sets a texture of an image. `map` gives its place. In an image v counts from the top, so v' = s v + o, with v from
- * the bottom, becomes s v + (1 - s - o). */
+/* Sets a texture to an image, placed by the options of `map`. In MTL, v' = s v + o, and v counts from the bottom. In a
+ * scene, v counts from the top, so this becomes s v + (1 - s - o). */
 static void put_texture(struct zr_mtl *mtl, const struct zr_mtl_given_map *map, enum zr_texture_slot slot,
                         uint32_t image, struct zr_parsed_material *out)
 {
@@ -35,7 +35,8 @@ static void put_texture(struct zr_mtl *mtl, const struct zr_mtl_given_map *map, 
     out->textures[slot] = given;
 }
 
-/* True if both maps have the same options. Notes the second one otherwise: one image cannot have two places. */
+/* True if both maps have the same options.
+ * Otherwise counts the second one for a warning, since one image has only one transform. */
 static bool is_alike(struct zr_mtl *mtl, const struct zr_mtl_given_map *a, const struct zr_mtl_given_map *b)
 {
     bool same = a->is_clamped == b->is_clamped;
@@ -57,9 +58,9 @@ static float given_alpha(const struct zr_mtl_values *given)
     return alpha > 0.0f ? alpha : 1.0f;
 }
 
-/* What the texture of map_Kd and map_d has. */
+/* Contents of the texture of map_Kd and map_d. */
 struct base_map {
-    bool has_color, is_see_through; /* is_see_through: its alpha counts */
+    bool has_color, is_see_through; /* is_see_through: its alpha is used */
 };
 
 /* Makes the texture of map_Kd and map_d. */

@@ -7,7 +7,7 @@ static bool is_blank(char byte)
     return byte == ' ' || byte == '\t' || byte == '\v' || byte == '\f';
 }
 
-/* Sets *line to the next line without its end, and moves behind it. */
+/* Sets *line to the next line without its end, and moves *rest after it. */
 static void cut_line(struct zr_mtl_text *rest, struct zr_mtl_text *line)
 {
     const char *at = rest->at;

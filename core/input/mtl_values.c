@@ -7,9 +7,9 @@
 
 enum kind {
     COLOR,       /* one number, or three */
-    NUMBER,      /* also behind -halo */
+    NUMBER,      /* one number, possibly after -halo */
     MAP,         /* an image */
-    SILENT,      /* without effect on the picture of a renderer of today */
+    SILENT,      /* without effect, and without a warning */
     LEFT_OUT,    /* not drawn */
     UNLESS_ZERO, /* not drawn, except for 0 */
     UNLESS_ONE   /* not drawn, except for 1 */
@@ -88,7 +88,8 @@ static const struct row *find_row(const struct zr_mtl_text *key)
     return NULL;
 }
 
-/* Reads up to `most` numbers; words behind them are left. Returns their count; 0 if one is none or is not finite. */
+/* Reads up to `most` numbers, and leaves the words after them.
+ * Returns their count, or 0 if a word is not a finite number. */
 static int read_numbers(struct zr_mtl_text line, int most, float *out)
 {
     int count = 0;
@@ -145,7 +146,7 @@ static void read_number(struct zr_mtl *mtl, const struct zr_mtl_text *whole, str
     if (row->offset == AT(alpha) || row->offset == AT(transparency)) out->alpha_line = *whole;
 }
 
-/* Notes a value other than 0 or 1 everywhere, whichever has no effect. */
+/* Counts a value for a warning, unless all its numbers are `idle`, which has no effect. */
 static void read_idle(struct zr_mtl *mtl, const struct zr_mtl_text *whole, const struct zr_mtl_text *line, float idle)
 {
     float v[3];

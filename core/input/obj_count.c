@@ -31,7 +31,7 @@ bool zr_obj_read_group(struct zr_obj_statement *statement, uint32_t *group)
     return true;
 }
 
-/* Notes a name that ends in a backslash. The line is not continued. */
+/* Counts a name that ends in a backslash for a warning. The line is not continued. */
 static void note_name(struct counting *counting, const struct zr_obj_statement *whole, const char *end)
 {
     if (whole->end < end && zr_obj_hides_line_end(whole->at, whole->end) && !zr_obj_has_comment(whole->at, whole->end))

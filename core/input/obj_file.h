@@ -62,7 +62,7 @@ struct zr_obj_part {
     bool has_colors, has_groups;
     uint32_t group_before, group; /* smoothing group at the begin, and at the end if has_groups */
     /* Set by the second pass. */
-    bool normal_given, normal_missing; /* at a corner */
+    bool normal_given, normal_missing; /* a corner has a normal; a corner has none */
     bool is_far;                       /* a coordinate is beyond the limit */
     float color_most;                  /* largest component */
     size_t segments, points;           /* read so far, at most those of `holds` */
@@ -79,7 +79,7 @@ struct zr_obj_file {
     struct zr_obj_part *parts;
     struct zr_obj_counts total;
     bool has_colors, has_groups;
-    bool is_cloud;               /* vertices only: all are points */
+    bool is_cloud;               /* the file has only vertices, which are drawn as points */
     zr_vec4 *positions, *colors; /* NULL: no vertex has a colour */
     zr_vec3 *normals;
     uint32_t *face_offsets, *indices, *normal_indices; /* NULL: the file has no normals */
@@ -87,9 +87,9 @@ struct zr_obj_file {
     uint32_t *lines, *points;
     struct zr_obj_name *names;
     struct zr_mtl *mtl;       /* NULL: no material library is read */
-    const char *only_library; /* read instead of those that are missing; or NULL */
-    struct zr_obj_noted missing_libraries, missing_materials, untextured; /* the last: faces without vt */
-    zr_vec4 *texcoords;         /* u, 1 - v: v is 0 at the bottom of an image here, and at its top in a scene */
+    const char *only_library; /* name of the library that replaces missing ones, or NULL */
+    struct zr_obj_noted missing_libraries, missing_materials, untextured; /* untextured: faces without vt */
+    zr_vec4 *texcoords;         /* u, 1 - v: v counts from the bottom in OBJ, from the top in a scene */
     uint32_t *texcoord_indices; /* NULL: texture coordinates are not read */
     float color_scale;          /* colours are divided by it */
     const double *origin;       /* subtracted from positions; NULL: 0 */
@@ -123,14 +123,14 @@ bool zr_obj_read_points(const struct zr_obj_file *file, struct zr_obj_statement 
 /* obj_notes.c: adds the warnings. */
 void zr_obj_warn(const struct zr_obj_file *file, struct zr_scene_builder *builder);
 
-/* obj_names.c: opens the files that mtllib names; NULL if there is none, or after a failure. Then sets the parts and
- * the materials of the mesh's faces, once the text is read. */
+/* obj_names.c: zr_obj_open_materials opens the files that mtllib names. file->mtl stays NULL if there is none.
+ * zr_obj_name_faces is called once the text is read. It sets the parts and the materials of the mesh's faces. */
 enum zr_status zr_obj_open_materials(struct zr_obj_file *file, struct zr_scene_builder *builder,
                                      const struct zr_request *request, struct zr_error *error);
 enum zr_status zr_obj_name_faces(struct zr_obj_file *file, struct zr_scene_builder *builder, struct zr_mesh *mesh);
 
-/* obj_texcoords.c: gives each pair of a position and a texture coordinate a position of its own, if the material of a
- * face has a texture. `materials`: per face; NULL: `material` for all. */
+/* obj_texcoords.c: makes one position per pair of a position and a texture coordinate, if the material of a face has a
+ * texture. `materials`: one per face; NULL: `material` for all. */
 enum zr_status zr_obj_put_texcoords(struct zr_obj_file *file, struct zr_arena *arena, struct zr_mesh *mesh,
                                     const uint32_t *materials, uint32_t material);
 

@@ -9,8 +9,8 @@
 
 enum {
     PARTS_AT_FIRST = 16,
-    PROBES_MAX = 256, /* names that collide more often make a part each */
-    NAME_BYTES = 128, /* of an object and of a group in the name of a part */
+    PROBES_MAX = 256, /* names that collide more often become separate parts */
+    NAME_BYTES = 128, /* limit for an object's or a group's name within a part's name */
     NAMES_A_POLL = 256
 };
 
@@ -116,7 +116,7 @@ struct naming {
     uint32_t *face_parts;     /* NULL: no o or g yet */
     uint32_t *face_materials; /* NULL: all faces so far have `material` */
     uint32_t material;
-    bool has_material; /* a face has one */
+    bool has_material; /* a face has a material */
 };
 
 /* Hashes a name and its end. */
@@ -200,7 +200,7 @@ static bool put_material(struct naming *naming, size_t begin, size_t end, uint32
 
 /* ---- names ---- */
 
-/* The names that hold for the next faces. */
+/* Names that apply to the next faces. */
 struct state {
     struct zr_obj_statement object, group, use;
     bool has_part, has_use;
@@ -300,7 +300,7 @@ static size_t copy_name(const struct zr_obj_statement *name, char *out)
     return used;
 }
 
-/* Writes "object/group", or the one that is given. Returns its length, without the final zero. */
+/* Writes "object/group", or the only name that is given. Returns its length, without the final zero. */
 static size_t join_names(const struct part *part, char out[2 * NAME_BYTES + 2])
 {
     size_t used = copy_name(&part->object, out);

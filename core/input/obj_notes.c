@@ -39,7 +39,7 @@ static const struct words all_words[ZR_OBJ_NOTES] = {
                                 "statements of points (p) have wrong indices, and are not drawn", true},
 };
 
-/* About names, found once the whole text is read. */
+/* Warnings about names, which are found after the whole text is read. */
 static const struct words missing_libraries = {"material library (mtllib) is no part of the request",
                                                "material libraries (mtllib) are no parts of the request", true},
                           missing_materials = {"material (usemtl) is in no material library; its faces have the look's",
@@ -49,7 +49,7 @@ static const struct words missing_libraries = {"material library (mtllib) is no 
                           untextured = {"face has a texture but no texture coordinates: they are 0, 0",
                                         "faces have a texture but no texture coordinates: they are 0, 0", false};
 
-/* Sums the notes of all parts. */
+/* Sums the counts of all parts. */
 static struct zr_obj_noted noted(const struct zr_obj_file *file, enum zr_obj_note note)
 {
     struct zr_obj_noted all = {.count = 0};

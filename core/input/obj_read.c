@@ -168,8 +168,8 @@ static bool read_normal(struct reader *reader, struct zr_obj_statement *statemen
     return true;
 }
 
-/* Reads u, and v if it is given. Other words than numbers count as zero, and so do numbers beyond the limit if textures
- * use them. */
+/* Reads u, and v if it is given. Words that are no numbers count as zero.
+ * Numbers beyond the limit also do, if textures use them. */
 static void read_texcoord(struct reader *reader, struct zr_obj_statement *statement)
 {
     const double most = (double)ZR_TEXCOORD_MAX;

@@ -1,5 +1,5 @@
-/* Texture coordinates. OBJ has an index of them per corner, a mesh of a scene has them per position: a position with
- * several of them is repeated. */
+/* Texture coordinates. OBJ has one index per corner; a mesh of a scene has one texture coordinate per position. A
+ * position with several texture coordinates is copied. */
 #include <string.h>
 
 #include "base/cancel.h"
@@ -7,7 +7,7 @@
 #include "input/obj_file.h"
 
 enum {
-    COPIES_MAX = 64, /* of one position that are compared; further corners make a copy each */
+    COPIES_MAX = 64, /* compared copies per position; further corners make one copy each */
     FACES_A_POLL = 1 << 14
 };
 
@@ -67,7 +67,7 @@ static bool place_corners(struct placing *placing)
     return true;
 }
 
-/* Returns a copy of `count` vectors with those of the copies behind them; `old` may be NULL. */
+/* Returns a new array: the `count` vectors, then the vectors of the copies. `old` may be NULL. */
 static zr_vec4 *repeat(const struct placing *placing, struct zr_arena *arena, const zr_vec4 *old)
 {
     const size_t count = placing->file->total.positions;
@@ -96,7 +96,7 @@ static bool put(const struct placing *placing, struct zr_arena *arena, struct zr
     return zr_arena_ok(arena);
 }
 
-/* Counts the corners of faces with a texture: no more copies are made. */
+/* Counts the corners of faces with a texture, which bound the number of copies. */
 static size_t count_corners(const struct placing *placing)
 {
     const struct zr_obj_file *file = placing->file;

@@ -14,8 +14,8 @@
 
 #include "base/inlined.h"
 
-/* Counts carriage returns that end a line alone: their run is followed neither by a line feed nor by `end`, the end of
- * the file. */
+/* Counts carriage returns that end a line alone.
+ * Neither a line feed nor `end`, the end of the file, follows their run. */
 size_t zr_obj_count_returns(const char *at, const char *behind, const char *end);
 
 /* Replaces carriage returns that end a line alone by line feeds. */
@@ -63,7 +63,7 @@ bool zr_obj_ends_with_line(const char *at, const char *line_end);
 /* Counts the words left. Bytes up to `end` may be read. */
 size_t zr_obj_count_words(struct zr_obj_statement *statement, const char *end);
 
-enum { ZR_OBJ_CORNERS_LEAST = 3 }; /* of a face */
+enum { ZR_OBJ_CORNERS_LEAST = 3 }; /* corners per face */
 
 /* True if the rest of a face has too few corners. Bytes up to `end` may be read. */
 bool zr_obj_is_short_face(struct zr_obj_statement face, const char *end);

@@ -37,8 +37,8 @@ static bool check_properties(struct zr_ply_file *file, const struct zr_ply_plan 
     return false;
 }
 
-/* Checks that the remaining bytes can hold all records of an element. A text value takes at least two bytes: a
- * character and a separator. */
+/* Checks that the remaining bytes can hold all records of an element.
+ * A text value takes at least two bytes: a character and a separator. */
 static bool check_bytes(struct zr_ply_file *file, const struct zr_ply_element *element)
 {
     const size_t left = (size_t)(file->end - file->at), values = element->property_count;

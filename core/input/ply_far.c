@@ -1,9 +1,9 @@
-/* Moves PLY that is far from the origin (far.h). Vertices are read twice more: for the bounds of the drawn ones, and
- * with the middle subtracted. */
+/* Moves PLY that is far from the origin (far.h).
+ * Vertices are read twice more: for the bounds of the drawn ones, and with the middle subtracted. */
 #include "input/ply_file.h"
 #include "scene/unused_positions.h"
 
-/* Reads the vertices again; leaves the place and the counts of oddities as they were. */
+/* Reads the vertices again. Restores the position and the counts for warnings. */
 static enum zr_status read_again(struct zr_ply_file *file)
 {
     const struct zr_ply_place place = {file->at, file->line, file->last_line};

@@ -63,7 +63,7 @@ struct zr_ply_oddities {
     size_t trailing_bytes;
 };
 
-/* A place in the file, and the lines there. */
+/* A position in the file, and the lines there. */
 struct zr_ply_place {
     const char *at;
     size_t line, last_line;
@@ -89,7 +89,7 @@ struct zr_ply_file {
     const struct zr_ply_element *vertices;
     const double *origin; /* subtracted from positions; NULL: none */
     bool finds_box;       /* vertices are read for their bounds: one thread */
-    const uint8_t *used;  /* if so: one per vertex, 1 if it counts; NULL: all count */
+    const uint8_t *used;  /* if finds_box: one per vertex, 1 if it is drawn; NULL: all are */
     struct zr_box box;
     bool faces_have_colors;
     struct zr_ply_faces faces;

@@ -9,7 +9,7 @@ enum { ITEMS_A_LOOK = 1 << 16 };
 /* A float colour above this means a range of 0 to 255, not a rounding error at 1. */
 static const float BRIGHT = 2.0f;
 
-/* Adds a warning of a count: `one` or `many` follow it. */
+/* Adds a warning of a count, followed by `one` or `many`. */
 static void warn(struct zr_scene_builder *builder, size_t count, const char *one, const char *many)
 {
     if (count > 0)

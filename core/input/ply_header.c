@@ -27,7 +27,7 @@ struct reader {
     struct zr_ply_header *header;
     struct zr_error *error;
     bool has_form;
-    struct zr_ply_property *properties; /* room for those of later elements */
+    struct zr_ply_property *properties; /* free rest of the array, for later elements */
 };
 
 bool zr_ply_word_is(struct zr_ply_word word, const char *text)

@@ -1,4 +1,4 @@
-/* ply_header.h - input: the header of a PLY file: its elements, their properties and the place of the values.
+/* ply_header.h - input: the header of a PLY file: its elements, their properties and the position of the values.
  *
  * Source: Turk, "The PLY Polygon File Format", 1994, and the type names of later programs (int32, float64).
  */
@@ -78,8 +78,8 @@ const struct zr_ply_property *zr_ply_find(const struct zr_ply_element *element, 
 /* True if the bytes begin as every PLY file does. */
 bool zr_ply_begins(const char *bytes, size_t size);
 
-/* Reads the header. Errors of ZR_BAD_SYNTAX name the line. Names point into the bytes. The caller checks the counts
- * against the bytes that follow. */
+/* Reads the header. Errors of ZR_BAD_SYNTAX name the line. Names point into the bytes.
+ * The caller checks the counts against the bytes that follow. */
 enum zr_status zr_ply_read_header(struct zr_arena *arena, const char *bytes, size_t size, struct zr_ply_header *header,
                                   struct zr_error *error);
 

@@ -4,7 +4,7 @@
 /* Keywords that are valid only within a facet. */
 static const char *const within_facets[] = {"normal", "outer", "loop", "vertex", "endloop", "endfacet"};
 
-/* Notes an oddity whose text begins at `at`. NULL: it has no text. */
+/* Counts an oddity whose text begins at `at`; NULL: it has no text. */
 static void note_at(struct zr_stl_reader *reader, enum zr_stl_oddity oddity, size_t line, const char *at)
 {
     enum { QUOTED = sizeof(struct zr_quote) };

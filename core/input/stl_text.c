@@ -91,8 +91,8 @@ static size_t count_letter(const char *at, const char *end, char letter)
     return count;
 }
 
-/* Bounds the number of vertices of a part by its letters x, one per "vertex", and by its length. An x in a name only
- * raises the bound. */
+/* Bounds the number of vertices of a part by its letters x, one per "vertex", and by its length.
+ * An x in a name only raises the bound. */
 static bool make_room(void *context, size_t index)
 {
     const struct file *file = context;

@@ -32,7 +32,7 @@ struct zr_stl_reader {
     const double *origin;       /* subtracted from positions; NULL: none */
     bool is_far;                /* a coordinate is beyond the limit (far.h) */
     bool finds_box;             /* bounds are computed, too */
-    struct zr_box box;          /* if so: of the vertices read here */
+    struct zr_box box;          /* if finds_box: bounds of the vertices read here */
     size_t vertices_before;     /* before this text */
     size_t facets_most;         /* upper bound of the facets before and here */
     uint32_t *offsets;          /* vertices before each facet of the file; NULL: all facets are triangles */
@@ -109,8 +109,8 @@ static inline bool zr_stl_begins_comment(struct zr_stl_word word)
 /* stl_facets.c: reports that `expected`, in `quotes`, was not found. Returns false. */
 bool zr_stl_fault(struct zr_stl_reader *reader, struct zr_stl_word found, const char *quotes, const char *expected);
 
-/* stl_facets.c: reads the numbers of a vertex. False at a syntax error. Reports coordinates out of range and returns
- * true. */
+/* stl_facets.c: reads the numbers of a vertex. False at a syntax error.
+ * Reports coordinates out of range and returns true. */
 bool zr_stl_read_vertex(struct zr_stl_reader *reader, zr_vec4 *out);
 
 /* stl_facets.c: reads a facet of three corners after "facet", by the syntax of the source, and counts it. */
@@ -119,7 +119,8 @@ bool zr_stl_read_facet(struct zr_stl_reader *reader);
 /* stl_facets.c: reads all solids by the syntax of the source. Stops at a fault, a cancellation or the end. */
 void zr_stl_read_solids(struct zr_stl_reader *reader);
 
-/* stl_lenient.c: reads all solids, also with syntax beyond the source that many programs accept, which it notes. */
+/* stl_lenient.c: reads all solids, also with syntax beyond the source that many programs accept.
+ * Counts each kind for a warning. */
 void zr_stl_read_leniently(struct zr_stl_reader *reader);
 
 #endif

@@ -7,7 +7,8 @@
 
 #include <webp/decode.h>
 
-/* Bytes between checks for cancellation; libwebp's own memory beside 4 bytes a texel and STRIP_BYTES a column. */
+/* AT_ONCE: bytes between checks for cancellation.
+ * libwebp's memory: OWN_BYTES, 4 bytes per texel and STRIP_BYTES per column. */
 enum { AT_ONCE = 1 << 14, OWN_BYTES = 1 << 20, STRIP_BYTES = 256 };
 
 bool zr_webp_looks_so(const void *bytes, size_t size)
@@ -16,7 +17,7 @@ bool zr_webp_looks_so(const void *bytes, size_t size)
     return size >= 12 && memcmp(text, "RIFF", 4) == 0 && memcmp(text + 8, "WEBP", 4) == 0;
 }
 
-/* True if the bytes reach the end that their head says. */
+/* True if the file is as long as its header says. */
 static bool is_whole(const unsigned char *bytes, size_t size)
 {
     const uint32_t rest =
@@ -34,7 +35,7 @@ static enum zr_status refuse(VP8StatusCode status, struct zr_reason *reason)
     return ZR_BAD_SCENE;
 }
 
-/* Decodes longer and longer parts. libwebp reads the head again in each part, until rows come. So parts double until
+/* Decodes the file in parts. libwebp parses the header again for each part until it returns rows. Parts double until
  * then, which keeps the work linear. */
 static enum zr_status decode(WebPIDecoder *decoder, const uint8_t *bytes, size_t size, const struct zr_cancel *cancel,
                              struct zr_reason *reason)

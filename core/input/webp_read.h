@@ -16,10 +16,10 @@
 /* True if the bytes begin like a WebP. */
 bool zr_webp_looks_so(const void *bytes, size_t size);
 
-/* Decodes a lossy or lossless picture with or without alpha. Refuses animations and files that are broken or without
- * an end. Refuses more than `texels_max` texels (zr_image_fits: input/image_size.h) before it takes memory for them.
- * `scratch` is charged for libwebp's memory. ZR_OK, ZR_NO_MEMORY (scratch or arena has failed), ZR_CANCELLED
- * (arena->cancel), or ZR_BAD_SCENE with the reason. */
+/* Decodes a lossy or lossless picture with or without alpha. Refuses animations, and files that are broken or cut off.
+ * Refuses more than `texels_max` texels (zr_image_fits: input/image_size.h) before it takes memory for them. `scratch`
+ * is charged for libwebp's memory. Returns ZR_OK, ZR_CANCELLED (arena->cancel), ZR_BAD_SCENE with the reason, or
+ * ZR_NO_MEMORY if scratch or arena has failed. */
 enum zr_status zr_webp_read(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
                             uint64_t texels_max, struct zr_image *image, struct zr_reason *reason);
 

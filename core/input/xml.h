@@ -61,13 +61,13 @@ struct zr_xml {
     } bindings[ZR_XML_NAMESPACES_MAX];
     bool ends_next; /* the next event is the end of an empty element */
     bool has_root;
-    unsigned steps;          /* since the last check of `cancel` */
-    struct zr_reason reason; /* of a fault */
+    unsigned steps;          /* steps since the last check of `cancel` */
+    struct zr_reason reason; /* reason of a fault */
 };
 
 enum zr_xml_event {
     ZR_XML_BEGIN,
-    ZR_XML_END,      /* of the innermost open element; xml->depth is its parent's */
+    ZR_XML_END,      /* end of the innermost open element; xml->depth is its parent's */
     ZR_XML_DONE,     /* end of the document */
     ZR_XML_FAULT,    /* xml->reason; the place is xml->at */
     ZR_XML_CANCELLED /* possible at any time */

@@ -10,13 +10,13 @@
 #include "input/sniff.h"
 #include "input/text.h"
 
-/* UPS_MAX: most folders above the model's that a relative name leaves; other members have only their full path. */
+/* UPS_MAX: most steps ".." of a relative name; members further away have only their full path. */
 enum { NAMED_MAX = 8, UPS_MAX = 16 };
 
 struct archive {
     struct zr_zip zip;
     const struct zr_zip_member *model;
-    enum zr_format format; /* of the model */
+    enum zr_format format; /* format of the model */
     struct zr_unpacked *unpacked;
 };
 
@@ -136,7 +136,7 @@ static size_t count_models(struct archive *archive)
     return count;
 }
 
-/* The same without JSON that is no scene, such as lists of files. */
+/* Counts the models again, without JSON that is no scene, such as lists of files. */
 static enum zr_status count_scenes(struct archive *archive, struct zr_arena *arena, size_t *count,
                                    struct zr_reason *reason)
 {
@@ -220,7 +220,7 @@ static bool add_asset(struct zr_arena *arena, const struct archive *archive, con
     return name != NULL;
 }
 
-/* Adds the members behind the parts of the request. */
+/* Appends the members to the parts of the request. */
 static bool add_assets(struct zr_arena *arena, const struct archive *archive, struct zr_request *request)
 {
     enum { CHECKED_AT_ONCE = 1 << 10 };

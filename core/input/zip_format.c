@@ -1,5 +1,5 @@
-/* Detects ZIP archives. core/read.c replaces them by the model in them (zip_body.h); only an archive within one comes
- * to the reader here. */
+/* Detects ZIP archives. core/read.c replaces an archive by the model in it (zip_body.h). The reader here therefore gets
+ * only an archive within an archive. */
 #include <string.h>
 
 #include "input/input.h"

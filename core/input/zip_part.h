@@ -5,21 +5,21 @@
 #include "core.h"
 #include "input/zip_read.h"
 
-/* What is unpacked of an archive. */
+/* Bytes unpacked from one archive, and their limit. */
 struct zr_unpacked {
-    struct zr_quick *quick; /* the request's; may be NULL */
+    struct zr_quick *quick; /* limits of the request; may be NULL */
     uint64_t bytes;
 };
 
 /* A member that may be unpacked. */
 struct zr_packed {
-    struct zr_unpacked *unpacked; /* of all members */
+    struct zr_unpacked *unpacked; /* shared by all members */
     const struct zr_zip_member *member;
-    const char *path;      /* in the archive */
-    bool is_closed;        /* a kept scene is read: members that were not used cannot be any more */
-    enum zr_status status; /* of unpacking; ZR_CANCELLED also beyond the limit of struct zr_quick */
-    const char *reason;    /* of ZR_BAD_SYNTAX */
-    struct zr_asset asset; /* unpacked; bytes NULL before */
+    const char *path;      /* path in the archive */
+    bool is_closed;        /* the scene is kept: unused members cannot be unpacked any more */
+    enum zr_status status; /* result of unpacking; ZR_CANCELLED also beyond the limit of struct zr_quick */
+    const char *reason;    /* reason of ZR_BAD_SYNTAX */
+    struct zr_asset asset; /* the unpacked file; bytes NULL before */
 };
 
 /* Unpacks a member as zr_zip_read does. Returns ZR_CANCELLED beyond the limit of struct zr_quick. */

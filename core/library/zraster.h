@@ -136,7 +136,7 @@ enum { ZRASTER_LEND = 1, ZRASTER_OPTIONAL = 2 };
 struct zraster_part {
     const char *name;
     struct zraster_array array;
-    uint32_t flags; /* a sum of the above */
+    uint32_t flags; /* sum of ZRASTER_LEND and ZRASTER_OPTIONAL */
 };
 
 struct zraster_request {
@@ -162,7 +162,7 @@ ZRASTER_API zraster_status zraster_scene_read(zraster *renderer, const struct zr
 /* Draws a scene. `change` may be NULL. Its body is a JSON object: each key, such as view, window, outputs, look,
  * lights, materials or nodes, replaces the scene's own. "poses": {"node": matrix} replaces the matrices of named nodes.
  * Meshes and polygons stay. Parameters of its query replace those of the scene's, and its parts join those of the
- * scene. Of a ZIP archive, a change may refer to the members that the scene uses. The result equals that of one scene
+ * scene. A change may refer to the members of a ZIP archive that the scene uses. The result equals that of one scene
  * that gives all of this. A bare mesh accepts parameters such as look in the query; its change may have the other keys,
  * but no materials, nodes, base or poses. */
 ZRASTER_API zraster_status zraster_scene_draw(const zraster_scene *scene, const struct zraster_request *change,

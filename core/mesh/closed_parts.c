@@ -8,7 +8,7 @@
 
 enum { FACES_A_CANCEL_CHECK = 1 << 14, VERTICES_A_RANGE = 1 << 12 };
 
-/* A use of an edge, in the list of its lower vertex: the higher vertex, the part, and the direction in bit 0. */
+/* An occurrence of an edge, listed at its lower vertex: the higher vertex, the part, and the direction in bit 0. */
 typedef uint64_t use;
 
 struct finding {
@@ -48,7 +48,7 @@ static struct place place_of(const struct zr_mesh *mesh, uint32_t slot)
     return (struct place){(double)at.x, (double)at.y, (double)at.z};
 }
 
-/* Twice the area, as a vector. */
+/* Returns twice the area, as a vector. */
 static struct place area_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end)
 {
     const struct place o = place_of(mesh, begin);
@@ -169,7 +169,7 @@ static void check_range(void *context, size_t begin, size_t end)
         check_list(f, f->uses + f->ends[v], f->ends[v + 1] - f->ends[v]);
 }
 
-/* ---- the whole ---- */
+/* ---- all steps ---- */
 
 static void find(struct zr_team *team, struct finding *f)
 {
@@ -183,7 +183,7 @@ static void find(struct zr_team *team, struct finding *f)
     zr_team_ranges(team, f->vertex_count, VERTICES_A_RANGE, check_range, f);
 }
 
-/* One allocation, so that it can be trimmed as the newest one. Welding and the lists of edges share `rest`. */
+/* Arrays in one allocation, which can be trimmed while it is the newest. Welding and the edge lists share `rest`. */
 struct rooms {
     char *all;
     size_t size;

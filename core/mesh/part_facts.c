@@ -19,11 +19,11 @@ struct sums {
     double area, volume, color[3], plain_color[3]; /* color: times the area */
     double min[3], max[3];
     uint64_t triangles, faces;
-    bool is_lost; /* a face has no place */
+    bool is_lost; /* a corner of a face is not finite */
 };
 
 struct task {
-    uint32_t part; /* listed */
+    uint32_t part; /* index into the list of parts */
     uint32_t begin, end;
     struct sums sums;
 };
@@ -36,7 +36,7 @@ struct measuring {
     struct task *tasks;
 };
 
-/* ---- places ---- */
+/* ---- positions ---- */
 
 /* Transforms a position to world space. False if it is infinite there, or beyond the range of float. */
 static bool place_of(const zr_mat4 *m, zr_vec4 p, struct place *out)
@@ -80,15 +80,14 @@ static void extend(struct sums *sums, struct place p)
 
 /* ---- faces ---- */
 
-/* Sums of one ring: twice its area as a vector, twice the sum of its triangles' areas, and six times the volume of its
- * pyramid. */
+/* Sums of one ring: twice its area vector, twice its triangles' areas, and six times the volume of its pyramid. */
 struct fan {
     struct place area;
     double areas, volume;
     bool turns_both_ways;
 };
 
-/* False if a corner has no place. */
+/* Adds a fan to the sums. False if a corner is not finite. */
 static bool sum_fan(const zr_mat4 *m, const struct zr_mesh *mesh, uint32_t begin, uint32_t end, struct place apex,
                     struct sums *sums, struct fan *fan)
 {

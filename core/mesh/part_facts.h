@@ -1,14 +1,12 @@
 /* part_facts.h - mesh: measures of the parts of a scene (scene/part_list.h).
  *
- * Space:  world space, in double precision. `box` has the positions of faces. If the mesh is one part, it also has the
- *         ends of lines and the points.
- * How:    a face is the fan of each of its rings, from the ring's first corner. Holes count as negative. The area of a
- *         fan that turns in both directions, as that of a concave face, is the length of its area vector. The volume is
- *         a sum of pyramids over the fans (divergence theorem). Their apex is a corner of the part.
- * Lost:   a face with a corner at infinity, or beyond the range of float, has no area. A part with such a face is not
- *         closed.
- * Exact:  each task of ZR_FACES_A_TASK faces has sums of its own, which are added in order. So the numbers are the same
- *         for all threads and instruction sets.
+ * Space:  world space, in double precision. `box` contains faces; if the mesh is one part, also its lines and points.
+ * How:    a face is the fan of each of its rings, from the ring's first corner. Holes count as negative. If a fan turns
+ *         in both directions, such as a concave face, its area is the length of its area vector. The volume is a sum of
+ *         pyramids over the fans (divergence theorem). Their apex is a corner of the part.
+ * Lost:   a face with a corner beyond the range of float has no area. A part with such a face is not closed.
+ * Exact:  each task of ZR_FACES_A_TASK faces has separate sums, which are added in order. The results are therefore the
+ *         same for all numbers of threads and instruction sets.
  */
 #ifndef ZR_PART_FACTS_H
 #define ZR_PART_FACTS_H
@@ -23,16 +21,16 @@ enum { ZR_FACES_A_TASK = 4096 };
 struct zr_part_facts {
     bool has_box; /* false: no face, line or point */
     zr_vec3 min, max;
-    uint64_t triangles; /* of its faces: corners - 2, plus 2 per hole */
+    uint64_t triangles; /* sum over its faces: corners - 2, plus 2 per hole */
     double area;
-    bool is_closed; /* mesh/closed_parts.h */
+    bool is_closed; /* by the rule of mesh/closed_parts.h */
     double volume;  /* if closed; negative if its faces are turned inside out */
-    zr_vec3 color;  /* base colour of material, faces and vertices, sRGB-encoded: mean by area, without textures; of a
-                       part without area, mean of its faces, or of its lines and points */
+    zr_vec3 color;  /* mean base colour by area, without textures, sRGB-encoded; without area, mean over faces, or over
+                       lines and points */
 };
 
-/* Fills in facts[0 .. parts->count - 1]. Leaves up to 4 bytes per face and a task per
- * ZR_FACES_A_TASK faces in the arena. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Fills in facts[0 .. parts->count - 1]. Leaves up to 4 bytes per face, and one task per ZR_FACES_A_TASK faces, in the
+ * arena. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_part_facts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                   const struct zr_scene *scene, const struct zr_part_list *parts,
                                   struct zr_part_facts *facts);

@@ -247,7 +247,7 @@ static void print_box(struct zr_print *print, const char *key, zr_vec3 min, zr_v
     zr_print_end(print, '}');
 }
 
-/* The id equals that of the channel instanceId as long as all meshes before it are one part. */
+/* The id equals the value of the channel instanceId as long as all meshes before it are one part. */
 static void print_part(struct zr_print *print, const struct zr_frame_parts *parts, uint32_t number)
 {
     const struct zr_part_facts *facts = &parts->facts[number];

@@ -34,7 +34,7 @@ void zr_print_count(struct zr_print *print, const char *key, uint64_t count);
  * value is finite. */
 void zr_print_float(struct zr_print *print, const char *key, float value);
 
-/* The same for a double, with 6 to 17 digits. */
+/* Prints a double with 6 to 17 digits. */
 void zr_print_double(struct zr_print *print, const char *key, double value);
 
 /* Prints null. */

@@ -22,7 +22,7 @@ static struct owner *list_owners(struct zr_arena *arena, const struct zr_scene *
     return owners;
 }
 
-/* Returns the instance of an owner id; `count` if it has none, as pixels of a base. */
+/* Returns the instance of an owner id, or `count` if it has none, such as pixels of a base. */
 static uint32_t instance_of(const struct owner *owners, uint32_t count, uint32_t number)
 {
     uint32_t low = 0, high = count;

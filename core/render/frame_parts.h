@@ -5,11 +5,11 @@
 #include "base/team.h"
 #include "shade/frame.h"
 
-/* Maximum number of listed parts, the first ones. */
+/* Maximum number of listed parts. Later parts are omitted. */
 enum { ZR_FRAME_PARTS_MAX = 1000 };
 
-/* Fills in frame->parts; the list lies in `arena`. Pixels are counted in frame->face_id, if there is one. Fails with
- * ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Fills in frame->parts; the list lies in `arena`. Counts pixels in frame->face_id, if there is one.
+ * Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_frame_parts_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
                                    const struct zr_scene *scene, const struct zr_cancel *cancel,
                                    struct zr_frame *frame);

@@ -11,7 +11,7 @@
 /* Sets a scene without geometry: window 640 x 480, one output, color as PNG, and the look textbook. */
 void zr_scene_defaults(struct zr_scene *scene);
 
-/* Once all keys are read: replaces the default output color by info, if nothing is drawn. */
+/* Replaces the default output color by info if nothing is drawn. Called once all keys are read. */
 void zr_default_output_use(struct zr_scene *scene);
 
 /* Returns the ambient light of a scene that gives `lights` but no `ambient`. */

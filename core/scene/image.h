@@ -19,8 +19,8 @@ struct zr_image_hash {
 /* A decoded image with the limits under which its file was accepted. */
 struct zr_kept_image {
     struct zr_image image;
-    uint64_t texels_max;  /* most texels that were allowed; with more, the file is accepted, too */
-    size_t scratch_bytes; /* upper bound of the memory that decoding took beside the texels */
+    uint64_t texels_max;  /* limit of texels at decoding; a larger limit accepts the file, too */
+    size_t scratch_bytes; /* upper bound of the memory of decoding, without the texels */
 };
 
 static inline size_t zr_image_bytes(const struct zr_image *image)

@@ -54,7 +54,7 @@ static const char *make_unique(struct listing *l, uint32_t *slot)
     return made;
 }
 
-/* False without memory. */
+/* Adds a part to the list. False without memory. */
 static bool add(struct listing *l, const struct zr_scene *scene, uint32_t count, struct zr_part part)
 {
     part.name = given_name(scene, &part);

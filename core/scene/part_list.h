@@ -1,10 +1,9 @@
 /* part_list.h - scene: the parts of a scene by name: each placed mesh, or each part of its mesh (zr_mesh.face_parts).
  *
- * Order:  by instance, then by number within the mesh. So the parts of a scene without face_parts have the order of the
- *         channel instanceId.
- * Names:  a part of a mesh has its own name. Others have that of the node that placed the mesh, else that of the mesh.
- *         Without any, it is "part". A name that an earlier part has gets the first free number from 2: "wheel",
- *         "wheel.2". So names are unique, and do not depend on later parts.
+ * Order:  by instance, then by number within the mesh. Without face_parts, this is the order of the channel instanceId.
+ * Names:  a part of a mesh has its own name, else the name of the node that placed the mesh, else the mesh's name, else
+ *         "part". A name that an earlier part has gets the first free number from 2: "wheel", "wheel.2". Names are
+ *         therefore unique, and do not depend on later parts.
  */
 #ifndef ZR_PART_LIST_H
 #define ZR_PART_LIST_H

@@ -42,8 +42,8 @@ struct zr_material {
     zr_vec3 specular;   /* ZR_SHADING_PHONG */
     float shininess;
     float metallic, roughness; /* ZR_SHADING_PBR, 0..1 */
-    zr_vec3 reflectance;       /* ZR_SHADING_PBR: of plastics, at normal incidence, 0..1 */
-    float grazing;             /* ZR_SHADING_PBR: of plastics, at grazing incidence, 0..1 */
+    zr_vec3 reflectance;       /* ZR_SHADING_PBR: reflectance of plastics at normal incidence, 0..1 */
+    float grazing;             /* ZR_SHADING_PBR: reflectance of plastics at grazing incidence, 0..1 */
     zr_vec3 emissive;          /* ZR_SHADING_PBR: emitted light, linear */
     zr_vec3 cool;              /* ZR_SHADING_GOOCH: colour of the side away from the light */
     enum zr_shading shading;
@@ -114,7 +114,7 @@ struct zr_mesh {
     uint32_t material;
 
     /* Named parts of the mesh: groups of an OBJ. face_parts: face_count, the part of each face, below part_count; NULL:
-     * the mesh is one part, and its lines and points belong to that. With parts, lines and points belong to none. */
+     * the mesh is one part, with its lines and points. If there are named parts, lines and points belong to no part. */
     const uint32_t *face_parts;
     uint32_t part_count;           /* 0 without face_parts; a part may be without faces */
     const char *const *part_names; /* part_count, UTF-8, never NULL, "" if unnamed, may repeat */
@@ -291,7 +291,7 @@ struct zr_view {
     bool has_znear, has_zfar; /* false: taken from the bounds */
     float znear, zfar;        /* distances in front of the camera */
     float fit_padding;        /* share of the window left free on each side */
-    bool fit_to_mesh; /* the view is fitted to the instances of fit_mesh, and of the meshes that it owns, only */
+    bool fit_to_mesh;         /* the view is fitted only to instances of fit_mesh and of meshes that it owns */
     uint32_t fit_mesh;
 };
 
@@ -327,9 +327,9 @@ struct zr_read_counts {
     uint64_t left_out_cells;        /* cells of height grids beside a hole */
 };
 
-/* What is known about a bare mesh's file, for the channel info. All texts are literals. */
+/* Facts about a bare mesh's file, for the channel info. All texts are literals. */
 struct zr_file_facts {
-    const char *unit;      /* of its lengths: "millimetre"; NULL: unknown */
+    const char *unit;      /* unit of its lengths: "millimetre"; NULL: unknown */
     const char *up;        /* its axis that points up: "z"; NULL: not a bare mesh */
     const char *up_source; /* "format", "parameter" or "auto" */
 };
@@ -351,7 +351,7 @@ struct zr_scene {
     enum zr_compress compress;   /* of all PNG outputs */
     const char *const *warnings; /* of input/ and scene/ */
     bool is_strict;              /* warnings are errors */
-    bool is_undrawn;             /* facts only: nothing is drawn, and all outputs are info */
+    bool is_undrawn;             /* nothing is drawn, and all outputs are info */
     struct zr_read_counts counts;
     struct zr_file_facts file;
     const double *origin; /* three numbers that the reader subtracted from all positions; NULL: none */

@@ -97,7 +97,7 @@ static void check_layers(const struct zr_scene *scene, const struct zr_view *vie
                          zr_channel_rows[channels[i]].name);
 }
 
-/* Without drawing, there are facts only. */
+/* A request without drawing has only facts as outputs. */
 static void check_undrawn(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
     for (uint32_t i = 0; scene->is_undrawn && i < view->output_count; i++)

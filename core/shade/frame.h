@@ -37,7 +37,7 @@ struct zr_pixel_fragments {
 struct zr_frame_parts {
     struct zr_part_list list;
     const struct zr_part_facts *facts; /* per listed part */
-    const uint64_t *pixels;            /* per listed part: pixel centres at which it is visible; NULL: nothing is drawn */
+    const uint64_t *pixels; /* per listed part: pixel centres at which it is visible; NULL: nothing is drawn */
 };
 
 struct zr_frame {
@@ -71,7 +71,7 @@ struct zr_resolved_view;
 /* Copies the view's data. The frame has no channels, and no spans. */
 void zr_frame_open(const struct zr_resolved_view *resolved, struct zr_frame *frame);
 
-/* The same, and allocates the channels that the outputs need. Returns ZR_OK or ZR_NO_MEMORY. */
+/* Copies the view's data, and allocates the channels that the outputs need. Returns ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_view *resolved, struct zr_frame *frame);
 
 /* Returns the space of a channel, as set in the view. */

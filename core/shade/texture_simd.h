@@ -153,7 +153,7 @@ static inline struct zr_vec3_v zr_lerp3_v(struct zr_vec3_v a, struct zr_vec3_v b
     return (struct zr_vec3_v){a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
 }
 
-/* Returns the mix of two neighbouring texels of a row. Only those at a seam are no neighbours in memory. */
+/* Returns the mix of two neighbouring texels of a row. All but those at a seam are neighbours in memory. */
 static inline struct zr_vec3_v zr_sample_row_v(const struct zr_texture_map *map, const struct zr_texture_level *level,
                                                const struct zr_taps_v *x, zr_vi y)
 {

@@ -14,7 +14,7 @@ static const size_t ARENA_BYTES = (size_t)4 << 30;
 
 enum side { READ_AND_DRAW, COPY_AND_DRAW, POSE_AND_DRAW, DRAW };
 
-/* A row: two ways to one picture. */
+/* A row: two requests with the same picture. */
 static const struct {
     const char *name;
     bool is_dense; /* 1.1 M triangles, else 69 k */
@@ -66,7 +66,7 @@ struct contest {
     enum side side;
     struct document file;
     struct zr_request request;
-    struct zr_asset asset; /* of a scene that names the file as a mesh */
+    struct zr_asset asset; /* the file, for a scene that names it as a mesh */
     struct zr_arena arena, kept_arena;
     struct zr_kept *kept;
     const struct zr_scene *scene; /* read before */

@@ -1,4 +1,4 @@
-/* formats.h - bench: files of one mesh in several formats, read and drawn; and a kept mesh in other poses. */
+/* formats.h - bench: reads and draws files of one mesh in several formats, and draws a kept mesh in other poses. */
 #ifndef ZR_BENCH_FORMATS_H
 #define ZR_BENCH_FORMATS_H
 

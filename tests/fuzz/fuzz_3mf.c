@@ -1,4 +1,4 @@
-/* The model part of a 3MF, beside the settings of a slicer: the bytes are packed first. */
+/* Packs the bytes as the model part of a 3MF, with the settings of a slicer, and reads it. */
 #include <stdlib.h>
 
 #include "fuzz/fuzz.h"

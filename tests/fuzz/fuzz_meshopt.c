@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     unsigned char *packed = malloc(size - 6), *out = malloc((size_t)of.count * of.stride + 1);
     if (packed && out) {
-        memcpy(packed, data + 6, size - 6); /* of its own, so that reads behind it are seen */
+        memcpy(packed, data + 6, size - 6); /* exact size, so that sanitizers find reads beyond it */
         fuzz_accepted = zr_meshopt_decode(&of, packed, size - 6, out, NULL, &reason);
         fuzz_expect(fuzz_accepted || *reason.text, "a refusal says why");
     }

@@ -1,4 +1,4 @@
-/* The materials of a fixed OBJ, whose textures are there. Most are drawn in the quickest look. */
+/* Reads materials of a fixed OBJ, whose textures are in the request. Draws most of them in the fastest look. */
 #include "fuzz/fuzz.h"
 #include "support/mtl_pictures.h"
 

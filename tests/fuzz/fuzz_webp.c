@@ -1,4 +1,4 @@
-/* A WebP as the image of a texture. */
+/* Reads a WebP as the image of a texture. */
 #include "fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -1,5 +1,5 @@
-/* A ZIP archive as a body. The input has its members, each as a name, a zero, the bytes and the byte 0xFF: they are
- * packed first. The references of each member are listed, too. */
+/* Reads a ZIP archive as a body. Packs the archive from the input: each member is a name, a zero, its bytes and the
+ * byte 0xFF. Lists the references of each member, too. */
 #include <stdlib.h>
 #include <string.h>
 

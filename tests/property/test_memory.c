@@ -70,7 +70,7 @@ static const struct sample samples[] = {
     {"glTF with a skin and targets", ZR_FORMAT_GLTF, SKINNED_GLTF},
 };
 
-/* Parts of each request; only one sample uses them. */
+/* Parts of every request. Only one sample uses them. */
 #define MTL "newmtl a\nmap_Kd c.png\nmap_d g.png\nmap_Pr g.png\nnewmtl b\nKd 1 0 0\nd 0.5\n"
 static const struct zr_asset assets[] = {{.name = "m.mtl", .bytes = MTL, .size = sizeof MTL - 1},
                                          {.name = "c.png", .bytes = PICTURE_COLORS, .size = sizeof PICTURE_COLORS - 1},

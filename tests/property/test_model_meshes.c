@@ -1,5 +1,5 @@
-/* Meshes of JSON scenes that are model files: pictures equal those of the bare files, and poses, materials and cameras
- * apply. */
+/* Meshes of JSON scenes that are model files.
+ * Pictures equal those of the bare files; poses, materials and cameras apply. */
 #include <stdio.h>
 
 #include "support/renderer.h"
@@ -13,7 +13,7 @@ static const char ply[] =
     "vertex_indices\nend_header\n0 0 0 255 0 0 255\n1 0 0 0 255 0 90\n0 1 0.5 0 0 255 255\n1 1 1 9 99 200 255\n"
     "3 0 1 2\n3 1 3 2\n";
 
-/* Two meshes, one of two primitives; three nodes; a material with a texture. */
+/* Two meshes, one with two primitives; three nodes; a material with a texture. */
 #define TRIANGLE "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}"
 static const char gltf[] =
     "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36,\"uri\":\"corners.bin\"}],"
@@ -121,7 +121,7 @@ TEST(points_of_files_have_the_size_and_shape_of_the_mesh)
     zraster_picture_free(faces);
 }
 
-/* The same three instances, by the nodes of the scene and by those of the file. */
+/* Three instances, placed by the scene's nodes and by the file's nodes. */
 TEST(nodes_poses_and_materials_apply_to_files)
 {
     static const char placed[] =

@@ -10,8 +10,8 @@ trap 'rm -rf "$logs"' EXIT
 here=$(dirname "$0")
 export logs program here
 
-# What valgrind finds is status 9. A second run, twice as slow, then tells where the memory came from. New memory is full
-# of floats between 0 and 1: see harmless.supp.
+# Status 9 means that valgrind found an error. A second run, twice as slow, then reports the origin of the memory. New
+# memory is filled with floats between 0 and 1: see harmless.supp.
 cat >"$logs/one" <<'END'
 log=$logs/$(basename "$1").log
 watch() { valgrind -q --error-exitcode=9 "$1" --malloc-fill=3e --suppressions="$here/harmless.supp" "$program" "$scene" $left >"$log" 2>&1; }

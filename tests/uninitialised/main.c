@@ -69,7 +69,7 @@ static void leave_color(struct zr_arena *arena, struct zr_scene *scene)
     scene->materials = materials;
 }
 
-/* Memory of the arena may have been written before. */
+/* The arena may reuse memory that was written before. */
 static void leave_pixel(const struct zr_frame *frame)
 {
     float *unwritten = realloc(NULL, sizeof *unwritten);

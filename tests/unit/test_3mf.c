@@ -76,12 +76,12 @@ TEST(items_and_components_are_placed)
         for (int axis = 0; axis < 3; axis++)
             assert_true(instance->object_to_world.m[12 + axis] == places[i][axis]);
     }
-    /* the second rotates x to y and is scaled by 2 */
+    /* the second instance rotates x to y and scales by 2 */
     assert_true(reading->scene->instances[1].object_to_world.m[1] == 2.0f);
     reading_free(reading);
 }
 
-/* Far coordinates and far transforms are subtracted in double; unused vertices do not count. */
+/* The middle of far coordinates and transforms is subtracted in double. Unused vertices are ignored. */
 TEST(middle_of_far_scenes_is_their_origin)
 {
     static const char far[] =
@@ -99,7 +99,7 @@ TEST(middle_of_far_scenes_is_their_origin)
     assert_memory_equal(reading->scene->meshes[0].positions, want, sizeof want);
     assert_true(reading->scene->instances[0].object_to_world.m[13] == 0.0f);
     reading_free(reading);
-    /* a transform back, and one that is far itself */
+    /* a transform back to the origin, and a far transform */
     snprintf(model, sizeof model,
              "<model " CORE "><resources><object id=\"1\">%s</object><object id=\"2\">" MESH "</object></resources>"
              "<build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 -408205.25 -4080925.5 0\"/>"
@@ -186,7 +186,7 @@ TEST(parts_named_by_paths_are_read)
     reading_free(reading);
 }
 
-/* Coordinates of another part are converted from its unit to that of the part that places it. */
+/* Coordinates of a part are converted to the unit of the part that places it. */
 TEST(units_of_parts_are_converted)
 {
     const char *root = "<model " CORE PRODUCTION "unit=\"centimeter\"><resources/><build><item objectid=\"1\" "
@@ -238,7 +238,7 @@ TEST(what_is_not_drawn_is_warned_of)
     "values=\"3 1\"/></m:compositematerials><m:multiproperties id=\"5\" pids=\"1 3\" blendmethods=\"multiply\">"       \
     "<m:multi pindices=\"1 2\"/><multi pindices=\"1 1\"/></m:multiproperties>"
 
-/* Reads a mesh with these triangles, beside an image of one opaque texel, or a translucent one. */
+/* Reads a mesh with these triangles and an image of one texel, opaque or translucent. */
 static struct reading *read_painted(const char *triangles, uint8_t alpha)
 {
     const uint8_t texel[4] = {10, 20, 30, alpha};
@@ -336,7 +336,7 @@ static void assert_face(const struct zr_mesh *mesh, uint32_t face, float r, floa
     "z=\"0\"/></vertices><triangles>"
 #define TRIANGLE_OF(attributes) "<triangle v1=\"0\" v2=\"1\" v3=\"2\" " attributes "/>"
 
-/* Parts have the filaments of their extruders; paint is over them, and cuts triangles; modifiers are left out. */
+/* Parts have the filaments of their extruders. Paint overrides them and cuts triangles. Modifiers are left out. */
 TEST(filaments_and_paint_of_slicers_are_colours)
 {
     const char project[] = "{\"filament_colour\": [\"#FF0000\", \"#0000FFFF\", \"#00FF00\"], \"other\": \"#FFFFFF\"}";
@@ -356,14 +356,14 @@ TEST(filaments_and_paint_of_slicers_are_colours)
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
     assert_int_equal(reading->scene->mesh_count, 2);
     assert_int_equal(mesh->face_count, 7);
-    assert_face(mesh, 0, 0, 0, 1); /* the part's */
+    assert_face(mesh, 0, 0, 0, 1); /* the part's filament */
     assert_face(mesh, 1, 1, 0, 0); /* painted */
     assert_face(mesh, 2, 0, 0, 1); /* the piece in the middle */
     assert_true(mesh->positions[6].x == 2.0f && mesh->positions[6].y == 0.0f && mesh->positions[7].y == 2.0f);
     assert_face(mesh, 3, 1, 0, 0);
     assert_true(mesh->positions[11].x == 0.0f && mesh->positions[11].y == 2.0f);
     assert_face(mesh, 4, 0, 0, 1); /* not painted */
-    assert_face(mesh, 5, 0, 1, 0); /* of the third extruder, two digits */
+    assert_face(mesh, 5, 0, 1, 0); /* the third extruder, written in two digits */
     assert_face(mesh, 6, 0, 0, 1); /* wrong paint */
     assert_face(&reading->scene->meshes[1], 0, 1, 0, 0);
     assert_int_equal(reading->scene->warning_count, 2);

@@ -52,7 +52,7 @@ static void open_plane(struct cloud *cloud, uint32_t side, float distance)
         cloud->positions[i] = (zr_vec4){distance * (float)(i % side), 7, distance * (float)(i / side), 1};
 }
 
-/* The diagonal is 480 pixels, and the size of points is 1.5 times their distance. */
+/* The diagonal is 480 pixels. The size of a point is 1.5 times the distance of neighbours. */
 TEST_AROUND(size_follows_the_density, open_arena, close_arena)
 {
     static const struct {

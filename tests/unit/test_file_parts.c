@@ -54,7 +54,7 @@ TEST(references_find_parts)
 TEST(files_list_their_references)
 {
     static const struct {
-        const char *type, *text, *names; /* with a comma behind each */
+        const char *type, *text, *names; /* each followed by a comma */
     } cases[] = {
         {"gltf",
          "{\"buffers\":[{\"uri\":\"a b.bin\",\"name\":\"n\"}],\"images\":[{\"uri\":\"data:x\"},{\"uri\" : "

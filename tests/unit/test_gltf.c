@@ -132,7 +132,7 @@ TEST(every_mode_has_its_primitives)
         struct reading *reading = read_file(text);
         const struct zr_mesh *mesh = &reading->scene->meshes[0];
         assert_int_equal(mesh->point_count, cases[i].points);
-        if (mesh->point_count) assert_true(mesh->point_size > 2.0f); /* by their density */
+        if (mesh->point_count) assert_true(mesh->point_size > 2.0f); /* by the density of the points */
         assert_int_equal(mesh->line_count, cases[i].lines);
         assert_int_equal(mesh->face_count, cases[i].faces);
         const uint32_t last = mesh->point_count  ? mesh->points[mesh->point_count - 1]

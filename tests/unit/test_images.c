@@ -18,7 +18,8 @@
 
 TEST_ARENA((size_t)1 << 28)
 
-enum { SIDE = 64, FILES = 4, TEXELS_MAX = 1 << 20, ENTRY_BYTES = 5 * 4096 }; /* 64 x 64 x 4 bytes and the entry */
+/* ENTRY_BYTES: 64 x 64 x 4 bytes and the header of an entry, in whole blocks. */
+enum { SIDE = 64, FILES = 4, TEXELS_MAX = 1 << 20, ENTRY_BYTES = 5 * 4096 };
 
 static uint8_t *files[FILES];
 static size_t sizes[FILES];
@@ -116,7 +117,7 @@ TEST(an_image_in_use_stays_whatever_others_send)
     struct zr_arena other;
     zr_arena_init(&other, (size_t)1 << 28);
     struct images_use others = {images, NULL};
-    read_file(&others, &other, 1); /* for which there is no room */
+    read_file(&others, &other, 1); /* does not fit */
     images_release(&others);
     assert_false(images_drop(images));
     expect(images, 1, 2, 2, 0);
@@ -159,7 +160,7 @@ TEST(a_request_has_the_same_memory_left_with_a_kept_image)
     images_close(images);
 }
 
-/* With the limits of the request that kept it, an image need not be allowed in another one. */
+/* An image that one request keeps may exceed the limits of another request. */
 TEST(limits_and_memory_hold_for_kept_images)
 {
     struct images *images = open_images(1 << 20);
@@ -301,7 +302,8 @@ TEST(pictures_are_the_same_with_and_without_kept_images)
 
 /* ---- several images at once ---- */
 
-/* A scene whose materials each have an image; those of `broken`, a set of bits, are cut off. Free it. */
+/* Returns a scene whose materials have one image each. `broken`: a bit per image that is cut off.
+ * The caller frees it. */
 static char *scene_of(unsigned broken)
 {
     char *text = NULL;

@@ -182,7 +182,7 @@ TEST_AROUND(info_lists_the_first_thousand_instances, open_arena, close_arena)
 
 /* ---- parts ---- */
 
-/* A part of no faces, the left triangle and a line, the right triangle; and the same again above. */
+/* A mesh with three parts: no faces; the left triangle and a line; the right triangle. A mesh of one part is above. */
 TEST_AROUND(pixels_are_counted_for_each_part, open_arena, close_arena)
 {
     static const char want[] =
@@ -339,7 +339,7 @@ TEST_AROUND(picture_is_missing_where_color_is_no_output, open_arena, close_arena
 
 /* ---- where the camera stands ---- */
 
-/* The info of a request whose bytes are a text. */
+/* Returns the info of a request whose body is a text. */
 static struct zr_answer answer_of(struct zr_request request)
 {
     const struct zr_limits limits = zr_limits_default();
@@ -352,7 +352,7 @@ static struct zr_answer answer_of(struct zr_request request)
     return scene_encode(&arena, NULL, scene);
 }
 
-/* The same, parsed and to be deleted. */
+/* Returns the parsed info, which the caller deletes. */
 static cJSON *info_of_text(enum zr_format format, const char *text, const char *look)
 {
     const struct zr_answer answer = answer_of((struct zr_request){.format = format, .bytes = text, .look = look});
@@ -396,7 +396,7 @@ TEST_AROUND(default_views_of_looks_are_seen_in_info, open_arena, close_arena)
 
 /* ---- facts without a picture ---- */
 
-/* info is the default output. All keys about pixels are left out, and the camera and the parts stay. */
+/* info is the default output. It lacks all keys about pixels, and has the camera and the parts. */
 TEST_AROUND(without_a_picture_info_has_no_pixels, open_arena, close_arena)
 {
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 3 2 1\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
@@ -413,7 +413,7 @@ TEST_AROUND(without_a_picture_info_has_no_pixels, open_arena, close_arena)
         if (!strstr(answer.bytes, present[i])) fail_msg("no %s in %s", present[i], (const char *)answer.bytes);
 }
 
-/* The key of a scene is overridden by the parameter. */
+/* The parameter overrides the key of a scene. */
 TEST_AROUND(the_picture_is_left_out_by_key_or_parameter, open_arena, close_arena)
 {
     static const char not_drawn[] = "{\"render\":false,\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,1]]}],"

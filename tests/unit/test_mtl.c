@@ -36,7 +36,7 @@ static const struct zr_material *material_of(const struct reading *reading, uint
     return zr_material_of_face(reading->scene, &reading->scene->meshes[0], face);
 }
 
-/* Returns the first warning other than those of unused assets, or "". */
+/* Returns the first warning that is not about unused assets, or "". */
 static const char *warning_of(const struct reading *reading)
 {
     for (uint32_t i = 0; i < reading->scene->warning_count; i++)
@@ -136,7 +136,7 @@ TEST(maps_become_textures)
     static const struct {
         const char *lines;
         enum zr_texture_slot slot;
-        unsigned char texels[16]; /* of the image */
+        unsigned char texels[16]; /* texels of the expected image */
         enum zr_alpha_mode mode;
     } rows[] = {
         {"map_Kd ./tex\\c.png",
@@ -192,7 +192,7 @@ TEST(maps_become_textures)
     }
 }
 
-/* u and v of the four corners of the square, in the image, where v counts from the top. */
+/* u and v of the square's four corners. v counts from the top of the image. */
 TEST(options_place_the_image)
 {
     static const struct {
@@ -236,7 +236,7 @@ TEST(an_image_is_decoded_once)
     assert_read(reading);
     assert_int_equal(reading->scene->image_count, 3); /* c.png, g.png, and both in one */
     assert_int_equal(reading->scene->texture_count, 2);
-    assert_int_equal(reading->scene->material_count, 4); /* with that of lines and points */
+    assert_int_equal(reading->scene->material_count, 4); /* one of them is for lines and points */
     reading_free(reading);
 }
 
@@ -274,7 +274,7 @@ TEST(materials_are_found_by_their_names)
 {
     static const struct {
         const char *obj, *mtl;
-        float red[2]; /* of the two faces; -1: the look's */
+        float red[2]; /* red of the two faces; -1: the look's */
         const char *warning;
     } rows[] = {
         {"mtllib m.mtl\nusemtl a b\n" V "f 1 2 3\nusemtl c\nf 1 3 4\n",
@@ -312,7 +312,7 @@ TEST(materials_are_found_by_their_names)
         if (strncmp(warning_of(reading), rows[i].warning, strlen(rows[i].warning)) != 0 ||
             (!*rows[i].warning && *warning_of(reading)))
             fail_msg("row %zu: '%s'", i, warning_of(reading));
-        assert_int_equal(strict->status, ZR_BAD_SCENE); /* of unused parts at least */
+        assert_int_equal(strict->status, ZR_BAD_SCENE); /* a warning of unused parts, if no other */
         reading_free(reading);
         reading_free(strict);
     }

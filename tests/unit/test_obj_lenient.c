@@ -116,7 +116,7 @@ TEST(middle_of_far_meshes_is_their_origin)
     assert_origin(reading, 408205.25, 4080925.5, 2);
     assert_memory_equal(reading->scene->meshes[0].positions, want, sizeof want);
     reading_free(reading);
-    /* A far position that is not drawn is ignored. */
+    /* Far positions that are not drawn are ignored. */
     reading = read_as("v 2e6 0 0\nv 2000002 0 0\nv 2e6 2 2\nv -1e15 1 1\n" F, "1");
     assert_origin(reading, 2000001, 1, 1);
     reading_free(reading);
@@ -154,7 +154,7 @@ TEST(vertices_alone_are_points)
     assert_origin(reading, 408205.25, 4080925.5, 2);
     assert_int_equal(reading->scene->meshes[0].point_count, 3);
     reading_free(reading);
-    refuses(ZR_FORMAT_OBJ, "v 0 0 0\np 7\n", ZR_BAD_SCENE, "", "no geometry"); /* its points are wrong */
+    refuses(ZR_FORMAT_OBJ, "v 0 0 0\np 7\n", ZR_BAD_SCENE, "", "no geometry"); /* p has a wrong index */
 }
 
 /* ---- smoothing groups ---- */
@@ -165,7 +165,7 @@ TEST(vertices_alone_are_points)
 #define L4(n) "f 1//" n " 2//" n " 6//" n " 5//" n "\n"
 #define R4(n) "f 3//" n " 4//" n " 5//" n " 6//" n "\n"
 
-/* Groups give the same picture as explicit normals: those of the faces, or downwards at the ridge. */
+/* Groups give the same picture as explicit normals: normals of the faces, or downwards at the ridge. */
 TEST(groups_are_smooth_within_and_flat_if_off)
 {
     static const char flat[] = ROOF "vn 0 -1 1.6\nvn 0 -1 -1.6\n" L4("1") R4("2");

@@ -1,4 +1,4 @@
-/* The parts of a scene: their names, what is closed, and areas and volumes beside formulas. */
+/* The parts of a scene: their names, which are closed, and areas and volumes compared with formulas. */
 #include <math.h>
 #include <string.h>
 
@@ -141,7 +141,7 @@ static void make_faces(struct zr_mesh *mesh, const uint32_t *faces, size_t count
                              .position_count = sizeof places / sizeof *places,
                              .face_offsets = offsets,
                              .indices = indices};
-    while (count > 0 && faces[count - 1] == 0) /* of a shorter row */
+    while (count > 0 && faces[count - 1] == 0) /* unused end of the row */
         count--;
     for (size_t i = 0; i < count; i++) {
         if (faces[i] != 0) indices[corner++] = faces[i] - 1;
@@ -286,7 +286,7 @@ TEST_AROUND(a_sphere_has_nearly_the_area_and_volume_of_the_formula, open_arena, 
     assert_true(fabs(facts->volume / (4 * M_PI / 3) - 1) < 1e-3);
 }
 
-/* Parts: the upper and the lower half, open; a part without faces. */
+/* Three parts: the upper and the lower half, which are open, and a part without faces. */
 TEST_AROUND(parts_are_measured_alone_and_alike_by_all_teams, open_arena, close_arena)
 {
     static uint32_t parts[SPHERE_FACES];
@@ -363,7 +363,7 @@ static uint32_t random_below(uint32_t most)
     return (random_state >> 8) % most;
 }
 
-/* Counts the uses of each edge in a table of all pairs of places. */
+/* Counts the occurrences of each edge in a table of all pairs of positions. */
 static void find_closed_plainly(const struct zr_mesh *mesh, bool closed[RANDOM_PARTS])
 {
     static int uses[RANDOM_PARTS][RANDOM_PLACES][RANDOM_PLACES];
@@ -384,7 +384,7 @@ static void find_closed_plainly(const struct zr_mesh *mesh, bool closed[RANDOM_P
     }
 }
 
-/* Few places, so that many of the parts are closed. */
+/* Few positions, so that many parts are closed. */
 TEST_AROUND(closed_parts_are_those_of_a_plain_count, open_arena, close_arena)
 {
     static const zr_vec4 at[RANDOM_PLACES] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
@@ -402,7 +402,7 @@ TEST_AROUND(closed_parts_are_those_of_a_plain_count, open_arena, close_arena)
             parts[f] = random_below(RANDOM_PARTS);
             if (f == 0 || random_below(3) != 0) continue;
             const uint32_t of = 3 * random_below(f), to[3] = {indices[of], indices[of + 2], indices[of + 1]};
-            memcpy(indices + 3 * f, to, sizeof to); /* the same face, turned */
+            memcpy(indices + 3 * f, to, sizeof to); /* the same face with rotated corners */
             parts[f] = parts[of / 3];
         }
         const struct zr_mesh mesh = {.name = "random",

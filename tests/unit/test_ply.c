@@ -405,7 +405,7 @@ TEST(what_is_not_drawn_or_odd_is_warned_of)
 
 /* ---- bounds ---- */
 
-/* The middle of far meshes is subtracted in double precision; vertices that no face uses do not count. */
+/* The middle of far meshes is subtracted in double precision. Vertices that no face uses are ignored. */
 TEST(middle_of_far_meshes_is_their_origin)
 {
     static const double v[][3] = {{408200.25, 4080920.5, 0}, {408210.25, 4080920.5, 0}, {408200.25, 4080930.5, 4}};

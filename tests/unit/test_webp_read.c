@@ -1,4 +1,4 @@
-/* WebPs that libwebp writes, and files that are not quite one. */
+/* WebPs that libwebp writes, and broken ones. */
 #include <webp/decode.h>
 #include <webp/encode.h>
 

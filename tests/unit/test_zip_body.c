@@ -166,7 +166,7 @@ TEST(a_quick_reading_unpacks_little)
     free(file);
 }
 
-/* The archive's bytes are gone when a kept scene is changed. */
+/* A change of a kept scene does not read the archive's bytes, which are gone. */
 TEST(a_kept_archive_does_without_its_bytes)
 {
     static const char scene[] =

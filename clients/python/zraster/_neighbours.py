@@ -1,7 +1,7 @@
 """Files that a file refers to, such as the textures of glTF, read from its folder.
 
-Only regular files below the root folder are read, after all links are resolved. A file that is missing is left to the
-renderer.
+Only regular files below the root folder are read, after all links are resolved. The renderer reports
+missing files.
 """
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def _is_absolute(path: str) -> bool:
 
 
 def _walk(folder: str, path: str) -> Optional[str]:
-    """Returns the path of a file. Parts that do not exist are looked for without regard to case."""
+    """Returns the path of a file. Looks up missing parts without regard to case."""
     at = folder
     for part in path.split("/"):
         if part in ("", "."):
@@ -97,7 +97,7 @@ class _Search:
             try:
                 self._find(beside, name)
             except OSError:
-                pass  # as a missing file
+                pass  # like a missing file
 
 
 def _line(names: List[str], why: str) -> List[str]:

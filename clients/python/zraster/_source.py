@@ -11,7 +11,7 @@ from ._errors import OptionTypeError
 from ._renderer import shared
 
 SPACE = b" \t\r\n"
-LOOK_MAX = 64 << 10  # bytes
+LOOK_MAX = 64 << 10  # bytes in which formats are detected
 _TOKEN = re.compile(rb'"((?:[^"\\]|\\.)*)"(\s*:)?|[{}\[\]]', re.S)
 _GLTF_KEYS = (b"asset", b"accessors", b"bufferViews", b"buffers", b"scenes")
 

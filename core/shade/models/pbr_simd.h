@@ -82,7 +82,7 @@ static inline void zr_dfg_at_each_v(zr_vf roughness, zr_vf facing, zr_vf *a, zr_
 /* Reflection properties of a surface. */
 struct zr_pbr_v {
     struct zr_vec3_v diffuse, f0; /* base (1 - metallic); reflectance at normal incidence */
-    zr_vf f90;                    /* at grazing incidence */
+    zr_vf f90;                    /* reflectance at grazing incidence */
     zr_vf facing;                 /* N.V, above 0 */
     float alpha;                  /* of untextured surfaces */
     zr_vf alphas;                 /* of textured ones, per lane */

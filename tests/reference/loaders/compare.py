@@ -1,9 +1,9 @@
-"""Compares the triangles and bounds of model files with what other loaders make of them.
+"""Compares the triangles and bounds of model files with the results of other loaders.
 
-    compare.py BUILD FOLDER...     BUILD/loaders has the packages of npm; prints TAP
+    compare.py BUILD FOLDER...     prints TAP; BUILD/loaders has the npm packages
 
-A difference is explained by the first row of differences.txt that fits, or fails. y is up for all, as other loaders
-turn nothing.
+A difference fails unless a row of differences.txt matches it. All files are read with y up, since other loaders do
+not rotate them.
 """
 import collections
 import fnmatch
@@ -54,7 +54,7 @@ def is_near(mine, theirs):
 
 
 def differences(mine, theirs):
-    """Yields (kind, text). Of the validator: errors of files that are drawn, and files without errors that are refused."""
+    """Yields (kind, text). Validator: errors of files that are drawn, and files without errors that are refused."""
     if "codes" in theirs:
         for code, pointer in theirs["codes"].items() if "error" not in mine else ():
             yield "drawn, " + code, pointer

@@ -1,4 +1,4 @@
-"""Reads names of model files, one a line, and prints what a package of Python makes of each, in the form of three.mjs.
+"""Reads names of model files, one per line. Prints the result of a Python package for each, in the form of three.mjs.
 
     read.py meshio|trimesh <names
 """

@@ -1,5 +1,5 @@
-// Reads names of model files, one a line, and prints what three's loaders make of each, as a line of JSON:
-// {"triangles", "points", "lines", "min", "max", "colors"} or {"error"}. No picture is decoded.
+// Reads names of model files, one per line, and prints the result of three's loaders for each, as a line of JSON:
+// {"triangles", "points", "lines", "min", "max", "colors"} or {"error"}. Pictures are not decoded.
 //     node three.mjs NODE_MODULES <names
 import fs from 'node:fs';
 import path from 'node:path';
@@ -15,9 +15,9 @@ const { MeshoptDecoder } = await load('three/examples/jsm/libs/meshopt_decoder.m
 const OBJ = await loader('OBJLoader'), STL = await loader('STLLoader'), PLY = await loader('PLYLoader');
 const GLTF = await loader('GLTFLoader'), MF3 = (await load('three/examples/jsm/loaders/3MFLoader.js')).ThreeMFLoader;
 
-// What a browser has and Node lacks. Files are read, data URIs are decoded, nothing else is fetched.
+// Browser functions that Node lacks. fetch reads files and data URIs only.
 globalThis.self = globalThis;
-// A selector of a browser ignores the prefix of an element; linkedom's does not.
+// Selectors in browsers ignore the prefix of an element; selectors in linkedom do not.
 globalThis.DOMParser = class extends DOMParser {
     parseFromString(text, type) {
         return super.parseFromString(text.replace(/<(\/?)[A-Za-z_][\w.-]*:/g, '<$1'), type);
@@ -37,7 +37,7 @@ const bytesOf = (file) => {
     const bytes = fs.readFileSync(file);
     return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
 };
-// A plugin of GLTFLoader that gives each texture no picture.
+// A plugin of GLTFLoader that loads textures without pictures.
 const noPictures = () => ({ name: 'none', loadTexture: async () => new THREE.Texture() });
 const readers = {
     obj: async (file) => new OBJ().parse(fs.readFileSync(file, 'utf8')),
@@ -55,7 +55,7 @@ const readers = {
 };
 readers.glb = readers.gltf;
 
-// The places of an object: one, or those of EXT_mesh_gpu_instancing.
+// Returns the matrices of an object: one, or one per instance of EXT_mesh_gpu_instancing.
 function matricesOf(object) {
     if (!object.isInstancedMesh) return [object.matrixWorld];
     return Array.from({ length: object.count }, (_, i) => {

@@ -1,4 +1,4 @@
-// Reads names of glTF files, one a line, and prints what Khronos' validator calls errors: {"codes": {CODE: pointer}}.
+// Reads names of glTF files, one per line, and prints the errors of Khronos' validator: {"codes": {CODE: pointer}}.
 //
 //     node validate.mjs MODULES <names
 import { readFileSync } from 'node:fs';
