@@ -129,6 +129,7 @@ server_support := $(filter-out $(BUILD)/tests/server/test_%,$(call objects,tests
 unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/property/test_*.c))
 fuzz_targets := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 fuzz_support := $(call objects,tests/fuzz/request.c tests/fuzz/image.c)
+fuzz_seeds := $(call objects,tests/fuzz/seeds*.c)
 server_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/server/test_*.c))
 
 # Objects before archives, whatever the order that rules name them in.
@@ -485,7 +486,7 @@ $(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/
 	$(LINK) $(if $(FUZZ),-fsanitize=fuzzer) $(CORE_LIBS) -lz
 $(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/gunzip.o
 $(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/multipart.o
-$(BUILD)/tests/fuzz/seeds: $(BUILD)/tests/fuzz/seeds.o $(BUILD)/libsupport.a
+$(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a
 	$(LINK) -lcmocka -lpng -ljpeg -lwebp -lz
 
 # Of the server's files, those that can do without a daemon around them are tested as units.
@@ -531,4 +532,4 @@ endef
 $(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 
 -include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(BUILD)/tests/cross/same.o $(BUILD)/tests/make/tables.o $(BUILD)/tests/uninitialised/main.o $(server_support) \
-	$(fuzz_support) $(fuzz_main) $(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone) $(fuzz_targets) $(BUILD)/tests/fuzz/seeds))
+	$(fuzz_support) $(fuzz_seeds) $(fuzz_main) $(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone) $(fuzz_targets)))
