@@ -1,6 +1,6 @@
 /* Tests the scenes of glTF files: numbers of accessors, nodes, materials and warnings. */
-#include "change.h"
 #include "input_check.h"
+#include "kept_check.h"
 #include "support/tests.h"
 
 /* Bytes of the part "b": four corners of a square, indices, colours, and pairs of coordinates. */
@@ -426,24 +426,15 @@ TEST(a_kept_file_keeps_nodes_and_materials)
     static const char text[] =
         FILE_OF("\"nodes\":[{\"mesh\":0,\"translation\":[0,0,5]}]," MATERIALS "," THREE_PRIMITIVES);
     static const char change[] = "{\"window\":{\"width\":64,\"height\":48}}";
-    const struct zr_request request = {
-        .format = ZR_FORMAT_GLTF, .bytes = text, .size = sizeof text - 1, .assets = parts, .asset_count = 1};
-    const struct zr_request changed = {.bytes = change, .size = sizeof change - 1};
-    const struct zr_limits limits = zr_limits_default();
-    struct zr_arena arena, other;
-    struct zr_error error = {0};
-    struct zr_kept *kept;
-    const struct zr_scene *scene;
-    zr_arena_init(&arena, (size_t)1 << 26);
-    zr_arena_init(&other, (size_t)1 << 26);
-    assert_int_equal(zr_scene_keep(&arena, NULL, &request, &limits, &kept, &error), ZR_OK);
-    assert_int_equal(zr_scene_change(&other, NULL, kept, &changed, &scene, &error), ZR_OK);
+    const struct zr_request request = {.format = ZR_FORMAT_GLTF, .assets = parts, .asset_count = 1};
+    struct keeping *keeping = keep(request, text, sizeof text - 1);
+    assert_int_equal(keeping_change(keeping, (struct zr_request){.bytes = change, .size = sizeof change - 1}), ZR_OK);
+    const struct zr_scene *scene = keeping->scene;
     assert_int_equal(scene->views[0].width, 64);
     assert_int_equal(scene->instance_count, 3);
     assert_true(scene->instances[2].object_to_world.m[14] == 5.0f);
     assert_int_equal(scene->materials[scene->meshes[1].material].shading, ZR_SHADING_UNLIT);
-    zr_arena_free(&other);
-    zr_arena_free(&arena);
+    keeping_free(keeping);
 }
 
 TEST(a_file_that_needs_more_memory_says_so)

@@ -1,6 +1,6 @@
 /* Tests the poses of animations of glTF files: curves, times, targets and refusals. */
-#include "change.h"
 #include "input_check.h"
+#include "kept_check.h"
 #include "support/tests.h"
 
 /* Bytes of the part "b". */
@@ -168,20 +168,12 @@ TEST(wrong_animations_are_refused)
 
 TEST(a_kept_file_keeps_its_pose)
 {
-    const struct zr_request request = {
-        .format = ZR_FORMAT_GLTF, .bytes = text, .size = sizeof text - 1, .assets = parts, .asset_count = 1};
-    const struct zr_limits limits = zr_limits_default();
-    struct zr_arena arena, other;
-    struct zr_error error = {0};
-    struct zr_kept *kept;
-    const struct zr_scene *scene;
-    zr_arena_init(&arena, (size_t)1 << 26);
-    zr_arena_init(&other, (size_t)1 << 26);
-    assert_int_equal(zr_scene_keep(&arena, NULL, &request, &limits, &kept, &error), ZR_OK);
-    const struct zr_request change = {.bytes = "", .time = "1"};
-    assert_int_equal(zr_scene_change(&other, NULL, kept, &change, &scene, &error), ZR_BAD_REQUEST);
-    zr_arena_free(&other);
-    zr_arena_free(&arena);
+    const struct zr_request request = {.format = ZR_FORMAT_GLTF, .assets = parts, .asset_count = 1, .time = "2"};
+    struct keeping *keeping = keep(request, text, sizeof text - 1);
+    assert_int_equal(keeping_change(keeping, (struct zr_request){.bytes = "", .time = "1"}), ZR_BAD_REQUEST);
+    assert_int_equal(keeping_change(keeping, (struct zr_request){.bytes = "", .look = "clay"}), ZR_OK);
+    assert_true(keeping->scene->instances[0].object_to_world.m[12] == 10.0f);
+    keeping_free(keeping);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -1,6 +1,6 @@
 /* Tests OBJ with its materials: values, textures, names and faults of MTL, and the parts that o and g name. */
-#include "change.h"
 #include "input_check.h"
+#include "kept_check.h"
 #include "support/mtl_pictures.h"
 #include "support/tests.h"
 
@@ -131,6 +131,10 @@ TEST(emission_is_decoded)
 
 /* ---- textures ---- */
 
+/* Texels of c.png, and with the greys of g.png as alphas. */
+#define OPAQUE_COLORS    255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 250, 250, 0, 255
+#define COLORS_AND_GREYS 255, 0, 0, 255, 0, 255, 0, 0, 0, 0, 255, 128, 250, 250, 0, 64
+
 TEST(maps_become_textures)
 {
     static const struct {
@@ -139,22 +143,13 @@ TEST(maps_become_textures)
         unsigned char texels[16]; /* texels of the expected image */
         enum zr_alpha_mode mode;
     } rows[] = {
-        {"map_Kd ./tex\\c.png",
-         ZR_TEXTURE_BASE_COLOR,
-         {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 250, 250, 0, 255},
-         ZR_ALPHA_OPAQUE},
-        {"map_Kd c.png\nmap_d g.png",
-         ZR_TEXTURE_BASE_COLOR,
-         {255, 0, 0, 255, 0, 255, 0, 0, 0, 0, 255, 128, 250, 250, 0, 64},
-         ZR_ALPHA_BLEND},
+        {"map_Kd ./tex\\c.png", ZR_TEXTURE_BASE_COLOR, {OPAQUE_COLORS}, ZR_ALPHA_OPAQUE},
+        {"map_Kd c.png\nmap_d g.png", ZR_TEXTURE_BASE_COLOR, {COLORS_AND_GREYS}, ZR_ALPHA_BLEND},
         {"map_Kd a b.png\nmap_d a b.png",
          ZR_TEXTURE_BASE_COLOR,
          {255, 0, 0, 255, 0, 255, 0, 0, 0, 0, 255, 128, 9, 9, 9, 64},
          ZR_ALPHA_BLEND},
-        {"map_Kd c.png\nmap_d a b.png",
-         ZR_TEXTURE_BASE_COLOR,
-         {255, 0, 0, 255, 0, 255, 0, 0, 0, 0, 255, 128, 250, 250, 0, 64},
-         ZR_ALPHA_BLEND},
+        {"map_Kd c.png\nmap_d a b.png", ZR_TEXTURE_BASE_COLOR, {COLORS_AND_GREYS}, ZR_ALPHA_BLEND},
         {"map_d \"g.png\"",
          ZR_TEXTURE_BASE_COLOR,
          {255, 255, 255, 255, 255, 255, 255, 0, 255, 255, 255, 128, 255, 255, 255, 64},
@@ -163,18 +158,9 @@ TEST(maps_become_textures)
          ZR_TEXTURE_METALLIC_ROUGHNESS,
          {255, 255, 255, 255, 255, 0, 0, 255, 255, 128, 0, 255, 255, 64, 250, 255},
          ZR_ALPHA_OPAQUE},
-        {"norm c.png",
-         ZR_TEXTURE_NORMAL,
-         {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 250, 250, 0, 255},
-         ZR_ALPHA_OPAQUE},
-        {"map_Bump -bm 0.5 c.png",
-         ZR_TEXTURE_NORMAL,
-         {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 250, 250, 0, 255},
-         ZR_ALPHA_OPAQUE},
-        {"Ke 1 1 1\nmap_Ke c.png",
-         ZR_TEXTURE_EMISSIVE,
-         {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 250, 250, 0, 255},
-         ZR_ALPHA_OPAQUE},
+        {"norm c.png", ZR_TEXTURE_NORMAL, {OPAQUE_COLORS}, ZR_ALPHA_OPAQUE},
+        {"map_Bump -bm 0.5 c.png", ZR_TEXTURE_NORMAL, {OPAQUE_COLORS}, ZR_ALPHA_OPAQUE},
+        {"Ke 1 1 1\nmap_Ke c.png", ZR_TEXTURE_EMISSIVE, {OPAQUE_COLORS}, ZR_ALPHA_OPAQUE},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct reading *reading = read_square(rows[i].lines, NULL);
@@ -371,20 +357,11 @@ TEST(a_kept_file_keeps_parts_and_materials)
     static const char obj[] = "mtllib m.mtl\n" V "o x\nusemtl a\nf 1/1 2/2 3/3\no y\nusemtl b\nf 1/1 2/2 3/3\n",
                       mtl[] = "newmtl a\nmap_Kd c.png\nnewmtl b\nKd 1 0 0\nd 0.5\n";
     const struct zr_asset assets[] = {FILE_OF("m.mtl", mtl), FILE_OF("c.png", PICTURE_COLORS)};
-    struct zr_request request = {
-        .format = ZR_FORMAT_OBJ, .bytes = obj, .size = sizeof obj - 1, .assets = assets, .asset_count = 2};
-    const struct zr_limits limits = zr_limits_default();
-    struct zr_arena arena, other;
-    struct zr_error error = {.count = 0};
-    const struct zr_scene *scene;
-    struct zr_kept *kept;
-    zr_arena_init(&arena, (size_t)1 << 28);
-    zr_arena_init(&other, (size_t)1 << 28);
-    assert_int_equal(zr_scene_keep(&arena, NULL, &request, &limits, &kept, &error), ZR_OK);
+    const struct zr_request request = {.format = ZR_FORMAT_OBJ, .assets = assets, .asset_count = 2};
+    struct keeping *keeping = keep(request, obj, sizeof obj - 1);
     for (int i = 0; i < 2; i++) {
-        const struct zr_request changed = {.look = i ? "technical" : "clay"};
-        zr_arena_reset(&other, 0);
-        assert_int_equal(zr_scene_change(&other, NULL, kept, &changed, &scene, &error), ZR_OK);
+        assert_int_equal(keeping_change(keeping, (struct zr_request){.look = i ? "technical" : "clay"}), ZR_OK);
+        const struct zr_scene *scene = keeping->scene;
         const struct zr_mesh *mesh = &scene->meshes[0];
         assert_int_equal(mesh->part_count, 2);
         assert_string_equal(mesh->part_names[1], "y");
@@ -392,8 +369,7 @@ TEST(a_kept_file_keeps_parts_and_materials)
         assert_true(zr_material_of_face(scene, mesh, 1)->base_color.w == 0.5f);
         assert_int_equal(zr_material_of_face(scene, mesh, 1)->alpha_mode, ZR_ALPHA_BLEND);
     }
-    zr_arena_free(&other);
-    zr_arena_free(&arena);
+    keeping_free(keeping);
 }
 
 /* ---- hostile files ---- */

@@ -1,7 +1,7 @@
 /* input/zip_body.h: ZIP archives as bodies. */
 #include "base/cancel.h"
-#include "change.h"
 #include "input_check.h"
+#include "kept_check.h"
 #include "support/npy.h"
 #include "support/tests.h"
 #include "support/zip_file.h"
@@ -175,28 +175,17 @@ TEST(a_kept_archive_does_without_its_bytes)
     size_t npy_size;
     char *npy = (char *)npy_file("<f4", "False", "(3, 3)", corners, sizeof corners, &npy_size);
     const struct zip_entry entries[] = {TEXT("s.json", scene), {"p.npy", npy, npy_size, false}};
-    const struct zr_limits limits = zr_limits_default();
-    struct zr_request request = {.format = ZR_FORMAT_UNKNOWN};
-    const struct zr_request changed = {.bytes = change, .size = sizeof change - 1};
-    struct zr_arena arena, other;
-    struct zr_error error = {0};
-    struct zr_kept *kept;
-    const struct zr_scene *made;
-    size_t directory;
-    unsigned char *file = zip_file(entries, 2, &request.size, &directory);
-    request.bytes = (const char *)file;
-    zr_arena_init(&arena, (size_t)1 << 26);
-    zr_arena_init(&other, (size_t)1 << 26);
-    const enum zr_status status = zr_scene_keep(&arena, NULL, &request, &limits, &kept, &error);
-    if (status != ZR_OK) fail_msg("%s: %s", error.items[0].pointer, error.items[0].detail);
+    size_t size, directory;
+    unsigned char *file = zip_file(entries, 2, &size, &directory);
+    struct keeping *keeping = keep((struct zr_request){.format = ZR_FORMAT_UNKNOWN}, file, size);
     free(file);
     free(npy);
-    assert_int_equal(zr_scene_change(&other, NULL, kept, &changed, &made, &error), ZR_OK);
+    assert_int_equal(keeping_change(keeping, (struct zr_request){.bytes = change, .size = sizeof change - 1}), ZR_OK);
+    const struct zr_scene *made = keeping->scene;
     assert_int_equal(made->views[0].width, 64);
     assert_int_equal(made->meshes[0].face_count, 1);
     assert_int_equal(made->warning_count, 0);
-    zr_arena_free(&other);
-    zr_arena_free(&arena);
+    keeping_free(keeping);
 }
 
 RUN_TESTS(NULL, NULL)
