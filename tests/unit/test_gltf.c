@@ -218,8 +218,7 @@ TEST(middle_of_far_scenes_is_their_origin)
                           "\"nodes\":[{\"translation\":[408200.25,4080920.5,0],\"children\":[1,2,3]},{\"mesh\":0},"
                           "{\"mesh\":0,\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,9.0625,9,4,1]},"
                           "{\"camera\":0,\"translation\":[1,0.125,0]}]," MESH("")));
-    const double *origin = reading->scene->origin;
-    assert_true(origin && origin[0] == 408205.28125 && origin[1] == 4080925.5 && origin[2] == 2);
+    assert_origin(reading, 408205.28125, 4080925.5, 2);
     assert_true(reading->scene->instances[0].object_to_world.m[12] == -5.03125f);
     assert_true(reading->scene->instances[1].object_to_world.m[12] == 4.03125f);
     assert_true(reading->scene->instances[1].object_to_world.m[13] == 4.0f);
@@ -238,8 +237,7 @@ TEST(middle_of_far_scenes_is_their_origin)
         numbers.corners[i][1] += 4080920.0f;
     reading = read_file(FILE_OF("\"nodes\":[{\"mesh\":0}]," MESH("")));
     memcpy(numbers.corners, before, sizeof before);
-    origin = reading->scene->origin;
-    assert_true(origin && origin[0] == 0.5 && origin[1] == 4080920.5 && origin[2] == 0);
+    assert_origin(reading, 0.5, 4080920.5, 0);
     assert_position(&reading->scene->meshes[0], 0, -0.5f, -0.5f, 0);
     reading_free(reading);
 }

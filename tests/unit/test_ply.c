@@ -232,9 +232,7 @@ TEST(middle_of_far_meshes_is_their_origin)
             if (has_face) put_list(&text, form, ZR_PLY_U8, ZR_PLY_I32, all_three, 3);
             if (has_face) end_line(&text, form);
             struct reading *reading = read_bytes(ZR_FORMAT_PLY, text.bytes, text.size);
-            assert_read(reading);
-            const double *origin = reading->scene->origin;
-            assert_true(origin && origin[0] == 408205.25 && origin[1] == 4080925.5 && origin[2] == 2);
+            assert_origin(reading, 408205.25, 4080925.5, 2);
             assert_memory_equal(reading->scene->meshes[0].positions, want, sizeof want);
             assert_int_equal(reading->scene->warning_count, 0);
             reading_free(reading);

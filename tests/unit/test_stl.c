@@ -143,9 +143,7 @@ TEST(far_binary_meshes_are_moved_to_their_middle)
     for (uint32_t corner = 0; corner < 3; corner++)
         put_f32(bytes + 84 + 12 + 12 * corner, corner == 1 ? 4080930.0f : 4080920.0f);
     struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, size);
-    assert_read(reading);
-    const double *origin = reading->scene->origin;
-    assert_true(origin && origin[0] == 4080925.0 && origin[1] == 4 && origin[2] == 5);
+    assert_origin(reading, 4080925.0, 4, 5);
     assert_memory_equal(reading->scene->meshes[0].positions, want, sizeof want);
     reading_free(reading);
 }

@@ -160,9 +160,7 @@ TEST(middle_of_far_meshes_is_their_origin)
             at += sprintf(at, "%s%s", facet, ends[k + 1 == count ? i % 2 : 0]);
         sprintf(at, "endsolid\n");
         struct reading *reading = read_text(ZR_FORMAT_STL, text);
-        assert_read(reading);
-        const double *origin = reading->scene->origin;
-        assert_true(origin && origin[0] == 408205.25 && origin[1] == 4080925.5 && origin[2] == 2);
+        assert_origin(reading, 408205.25, 4080925.5, 2);
         assert_int_equal(reading->scene->meshes[0].face_count, count);
         assert_memory_equal(reading->scene->meshes[0].positions + 3 * (count - 1), want, sizeof want);
         assert_int_equal(reading->scene->warning_count, i % 2);
