@@ -54,9 +54,8 @@ static const struct sample samples[] = {
      "{" OUTPUTS ", \"samples\": 16, \"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}]}"},
     {"OBJ", ZR_FORMAT_OBJ, "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 2\n"},
     {"OBJ with materials", ZR_FORMAT_OBJ,
-     "mtllib m.mtl\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl a\nf 1/1 2/2 3/3\ng b\nusemtl b\nf "
-     "1/2 "
-     "2/3 3/1\n"},
+     "mtllib m.mtl\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl a\nf 1/1 2/2 3/3\ng b\nusemtl b\n"
+     "f 1/2 2/3 3/1\n"},
     {"STL", ZR_FORMAT_STL,
      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
      "0\nendloop\nendfacet\nendsolid\n"},

@@ -43,6 +43,7 @@ TEST(references_find_parts)
     struct zr_parsed_assets parsed = {.count = 8, .items = assets, .uses = uses};
     zr_arena_init(&arena, CEILING);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        memset(uses, 0, sizeof uses);
         const struct zr_asset *found = zr_file_part_find(&parsed, &arena, cases[i].reference);
         const char *name = found ? found->name : "", *wanted = cases[i].found ? cases[i].found : "";
         if (strcmp(name, wanted) != 0) fail_msg("'%s' finds '%s'", cases[i].reference, name);

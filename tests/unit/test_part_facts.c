@@ -4,6 +4,7 @@
 
 #include "mesh/closed_parts.h"
 #include "render/frame_parts.h"
+#include "support/random.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
@@ -355,15 +356,7 @@ TEST_AROUND(a_closed_cone_of_many_faces_takes_no_time, open_arena, close_arena)
 
 enum { RANDOM_FACES = 12, RANDOM_PARTS = 3, RANDOM_PLACES = 5 };
 
-static uint32_t random_state = 1;
-
-static uint32_t random_below(uint32_t most)
-{
-    random_state = random_state * 1664525u + 1013904223u;
-    return (random_state >> 8) % most;
-}
-
-/* Counts the occurrences of each edge in a table of all pairs of positions. */
+/* Counts the uses of each edge in a table of all pairs of places. */
 static void find_closed_plainly(const struct zr_mesh *mesh, bool closed[RANDOM_PARTS])
 {
     static int uses[RANDOM_PARTS][RANDOM_PLACES][RANDOM_PLACES];
@@ -390,19 +383,20 @@ TEST_AROUND(closed_parts_are_those_of_a_plain_count, open_arena, close_arena)
     static const zr_vec4 at[RANDOM_PLACES] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
     static const char *const names[RANDOM_PARTS] = {"a", "b", "c"};
     uint32_t offsets[RANDOM_FACES + 1], indices[3 * RANDOM_FACES], parts[RANDOM_FACES], closed_count = 0;
+    struct random random = random_seeded(1);
     for (int round = 0; round < 20000; round++) {
         uint8_t found[RANDOM_PARTS];
         bool want[RANDOM_PARTS];
-        const uint32_t faces = 1 + random_below(RANDOM_FACES);
+        const uint32_t faces = 1 + random_below(&random, RANDOM_FACES);
         for (uint32_t f = 0; f <= faces; f++)
             offsets[f] = 3 * f;
         for (uint32_t i = 0; i < 3 * faces; i++)
-            indices[i] = random_below(RANDOM_PLACES);
+            indices[i] = random_below(&random, RANDOM_PLACES);
         for (uint32_t f = 0; f < faces; f++) {
-            parts[f] = random_below(RANDOM_PARTS);
-            if (f == 0 || random_below(3) != 0) continue;
-            const uint32_t of = 3 * random_below(f), to[3] = {indices[of], indices[of + 2], indices[of + 1]};
-            memcpy(indices + 3 * f, to, sizeof to); /* the same face with rotated corners */
+            parts[f] = random_below(&random, RANDOM_PARTS);
+            if (f == 0 || random_below(&random, 3) != 0) continue;
+            const uint32_t of = 3 * random_below(&random, f), to[3] = {indices[of], indices[of + 2], indices[of + 1]};
+            memcpy(indices + 3 * f, to, sizeof to); /* the same face, turned */
             parts[f] = parts[of / 3];
         }
         const struct zr_mesh mesh = {.name = "random",
