@@ -43,14 +43,19 @@ static const char triangle[] =
     "\"nodes\": [{\"name\": \"n\", \"mesh\": 0}], "
     "\"meshes\": [{\"positions\": [[0,0,0],[1,0.25,0],[0,1,0.5]], \"faces\": [[0,1,2]]}]}";
 
+static inline zraster_picture *picture_of_request(zraster *by, const struct zraster_request *request, const char *name)
+{
+    zraster_picture *picture;
+    zraster_error *error;
+    if (zraster_draw(by, request, &picture, &error) != ZRASTER_OK) fail_msg("%s: %s", name, zraster_error_text(error));
+    assert_null(error);
+    return picture;
+}
+
 static inline zraster_picture *picture_of(zraster *by, const char *text)
 {
     const struct zraster_request request = request_of(text);
-    zraster_picture *picture;
-    zraster_error *error;
-    if (zraster_draw(by, &request, &picture, &error) != ZRASTER_OK) fail_msg("%s", zraster_error_text(error));
-    assert_null(error);
-    return picture;
+    return picture_of_request(by, &request, "a text");
 }
 
 static inline struct zraster_bytes bytes_of(zraster_picture *picture, const char *channel)
@@ -63,6 +68,15 @@ static inline struct zraster_bytes bytes_of(zraster_picture *picture, const char
 static inline bool is_same_bytes(struct zraster_bytes a, struct zraster_bytes b)
 {
     return a.size == b.size && memcmp(a.data, b.data, a.size) == 0;
+}
+
+/* The first of the channels color, depth and faceId that differs; NULL: none does. */
+static inline const char *channel_that_differs(zraster_picture *a, zraster_picture *b)
+{
+    static const char *const channels[] = {"color", "depth", "faceId"};
+    for (int i = 0; i < 3; i++)
+        if (!is_same_bytes(bytes_of(a, channels[i]), bytes_of(b, channels[i]))) return channels[i];
+    return NULL;
 }
 
 #endif
