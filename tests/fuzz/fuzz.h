@@ -1,8 +1,8 @@
 /* fuzz.h - tests/fuzz: what the targets share.
  *
  * A target is one file fuzz_NAME.c with LLVMFuzzerTestOneInput. `make fuzz` links it with clang's libFuzzer, which
- * makes inputs up; `make test` links it with replay.c, which hands it the seeds (seeds.c) and the crashers that were
- * found before (crashers/NAME). It may only end the process where something is wrong.
+ * makes inputs up; `make test` links it with replay.c, which hands it the seeds (seeds.c, seeds_models.c) and
+ * the crashers that were found before (crashers/NAME). It may only end the process where something is wrong.
  */
 #ifndef ZR_FUZZ_H
 #define ZR_FUZZ_H

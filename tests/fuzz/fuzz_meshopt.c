@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         fuzz_expect(*reason.text, "a refusal says why");
         return 0;
     }
-    unsigned char *packed = malloc(size - 6), *out = malloc((size_t)of.count * of.stride + 1);
+    unsigned char *packed = malloc(size - 6), *out = malloc((size_t)of.count * of.stride);
     if (packed && out) {
         memcpy(packed, data + 6, size - 6); /* exact size, so that sanitizers find reads beyond it */
         fuzz_accepted = zr_meshopt_decode(&of, packed, size - 6, out, NULL, &reason);
