@@ -252,7 +252,7 @@ static void write_gltf(void)
 
 /* ---- compressed views ---- */
 
-/* A layout, as fuzz_meshopt.c has it, and the bytes. */
+/* The six bytes of a layout for fuzz_meshopt.c, then the compressed bytes. */
 static void write_meshopt(void)
 {
     static const unsigned char attributes[68 + 6] = {0,    0,    16,       0,         4,    0,    0xA0, 2,

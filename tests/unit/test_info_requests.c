@@ -12,7 +12,7 @@ TEST_ARENA(1 << 27)
 
 #define SCENE(view) "{\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,1]]}]," view "}"
 
-/* The info of a request whose bytes are a text. */
+/* Returns the info of a request whose body is a text. */
 static struct zr_answer answer_of(struct zr_request request)
 {
     const struct zr_limits limits = zr_limits_default();
@@ -25,7 +25,7 @@ static struct zr_answer answer_of(struct zr_request request)
     return scene_encode(&arena, NULL, scene);
 }
 
-/* The same, parsed and to be deleted. */
+/* Returns the parsed info, which the caller deletes. */
 static cJSON *info_of_text(enum zr_format format, const char *text, const char *look)
 {
     const struct zr_answer answer = answer_of((struct zr_request){.format = format, .bytes = text, .look = look});
@@ -108,7 +108,7 @@ TEST_AROUND(eye_is_where_the_view_has_it, open_arena, close_arena)
 
 /* ---- facts without a picture ---- */
 
-/* info is the default output. All keys about pixels are left out, and the camera and the parts stay. */
+/* info is the default output. It lacks all keys about pixels, and has the camera and the parts. */
 TEST_AROUND(without_a_picture_info_has_no_pixels, open_arena, close_arena)
 {
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 3 2 1\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
@@ -125,7 +125,7 @@ TEST_AROUND(without_a_picture_info_has_no_pixels, open_arena, close_arena)
         if (!strstr(answer.bytes, present[i])) fail_msg("no %s in %s", present[i], (const char *)answer.bytes);
 }
 
-/* The key of a scene is overridden by the parameter. */
+/* The parameter overrides the key of a scene. */
 TEST_AROUND(the_picture_is_left_out_by_key_or_parameter, open_arena, close_arena)
 {
     static const char not_drawn[] = "{\"render\":false,\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,1]]}],"

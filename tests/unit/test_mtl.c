@@ -305,7 +305,7 @@ TEST(materials_are_found_by_their_names)
         if (strncmp(warning_of(reading), rows[i].warning, strlen(rows[i].warning)) != 0 ||
             (!*rows[i].warning && *warning_of(reading)))
             fail_msg("row %zu: '%s'", i, warning_of(reading));
-        assert_int_equal(strict->status, ZR_BAD_SCENE); /* of unused parts at least */
+        assert_int_equal(strict->status, ZR_BAD_SCENE); /* a warning of unused parts, if no other */
         assert_true(complains(strict, rows[i].warning));
         reading_free(reading);
         reading_free(strict);

@@ -356,7 +356,7 @@ TEST_AROUND(a_closed_cone_of_many_faces_takes_no_time, open_arena, close_arena)
 
 enum { RANDOM_FACES = 12, RANDOM_PARTS = 3, RANDOM_PLACES = 5 };
 
-/* Counts the uses of each edge in a table of all pairs of places. */
+/* Counts the occurrences of each edge in a table of all pairs of positions. */
 static void find_closed_plainly(const struct zr_mesh *mesh, bool closed[RANDOM_PARTS])
 {
     static int uses[RANDOM_PARTS][RANDOM_PLACES][RANDOM_PLACES];
@@ -396,7 +396,7 @@ TEST_AROUND(closed_parts_are_those_of_a_plain_count, open_arena, close_arena)
             parts[f] = random_below(&random, RANDOM_PARTS);
             if (f == 0 || random_below(&random, 3) != 0) continue;
             const uint32_t of = 3 * random_below(&random, f), to[3] = {indices[of], indices[of + 2], indices[of + 1]};
-            memcpy(indices + 3 * f, to, sizeof to); /* the same face, turned */
+            memcpy(indices + 3 * f, to, sizeof to); /* the same face with rotated corners */
             parts[f] = parts[of / 3];
         }
         const struct zr_mesh mesh = {.name = "random",
