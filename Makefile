@@ -326,10 +326,10 @@ fuzzers: $(fuzz_targets) $(BUILD)/tests/fuzz/seeds
 unit-tests: $(unit_tests)
 
 .PHONY: checks
-checks: all fuzzers $(unit_tests) $(server_tests) $(BUILD)/zraster-tables $(BUILD)/failing_malloc.so $(verify)
+checks: all fuzzers $(unit_tests) $(server_tests) $(BUILD)/zraster-tables $(BUILD)/failing_malloc.so $(verify) mutants
 
 .PHONY: tests
-tests: checks mutants $(BUILD)/zraster-bench $(bench_alone)
+tests: checks $(BUILD)/zraster-bench $(bench_alone)
 
 .PHONY: needs
 needs:
