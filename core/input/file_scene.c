@@ -36,7 +36,7 @@ static uint32_t make(struct zr_parsed_scene *root, const struct zr_file_scene *f
 {
     const struct zr_style of = {
         .material = material, .face_style = style->face_style, .is_open = true, .number = style->number};
-    return zr_parsed_make_mesh_material(root, &of, mesh, mesh->normal_count > 0 || mesh->colors || mesh->face_colors,
+    return zr_parsed_make_mesh_material(root, &of, mesh, mesh->normal_count > 0 || mesh->colors,
                                         file->blends_colors);
 }
 

@@ -153,8 +153,7 @@ static struct zr_parsed_material *take_materials(struct zr_parsed_scene *root, c
 static void make_plain(struct zr_parsed_scene *root, const struct zr_style *style, struct zr_mesh *mesh)
 {
     const bool blends = style->material == root->material_count && root->face_style.alpha_mode == ZR_UNSET;
-    mesh->material = zr_parsed_make_mesh_material(root, style, mesh,
-                                                  mesh->normal_count > 0 || mesh->colors || mesh->face_colors, blends);
+    mesh->material = zr_parsed_make_mesh_material(root, style, mesh, mesh->normal_count > 0 || mesh->colors, blends);
 }
 
 /* Makes the material of one of the file's meshes: the scene's, else the file's, else the look's. */

@@ -13,6 +13,12 @@ static const char ply[] =
     "vertex_indices\nend_header\n0 0 0 255 0 0 255\n1 0 0 0 255 0 90\n0 1 0.5 0 0 255 255\n1 1 1 9 99 200 255\n"
     "3 0 1 2\n3 1 3 2\n";
 
+/* Colours of faces alone. */
+static const char flat_ply[] =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+    "property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0.5\n1 1 1\n3 0 1 2 255 0 0\n3 1 3 2 0 99 200\n";
+
 /* Two meshes, one with two primitives; three nodes; a material with a texture. */
 #define TRIANGLE "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}"
 static const char gltf[] =
@@ -33,7 +39,7 @@ static const float corners[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5f}};
 
 static const struct file {
     const char *name, *text;
-} files[] = {{"m.obj", obj}, {"m.ply", ply}, {"m.gltf", gltf}};
+} files[] = {{"m.obj", obj}, {"m.ply", ply}, {"flat.ply", flat_ply}, {"m.gltf", gltf}};
 enum { FILES = sizeof files / sizeof *files };
 
 static struct zraster_part bytes_part(const char *name, const void *bytes, size_t size)
