@@ -418,7 +418,10 @@ class Processes(unittest.TestCase):
                 copy.render(size=200)
 
     def test_memory(self):
-        """pictures, errors, scenes and views leave no memory behind"""
+        """pictures, errors, scenes and views leave no memory behind
+
+        A leak grows in each third. Scratch of a thread that draws for the first time is taken once.
+        """
         held = []
         for number in range(RENDERS):
             zraster.render(OBJ, ["color", "depth"], size=64).content
@@ -433,4 +436,4 @@ class Processes(unittest.TestCase):
                 gc.collect()
                 held.append(support.rss_kb())
         print(f"# resident kB after each third of {RENDERS} rounds: {held}")
-        self.assertLess(held[2] - held[0], 1500)
+        self.assertLess(min(held[1] - held[0], held[2] - held[1]), 750)
