@@ -109,19 +109,40 @@ static enum zr_status refuse_models(const struct zr_zip *zip, size_t count, stru
                         endings.text);
 }
 
-/* Finds the member of this path, else the only one whose last part is the name. */
-static const struct zr_zip_member *find_member(const struct zr_zip *zip, const char *name)
+/* The members that a name fits: the one of this path, else all whose last part is the name. */
+struct matches {
+    size_t count;
+    const struct zr_zip_member *first[2];
+};
+
+static struct matches find_member(const struct zr_zip *zip, const char *name)
 {
-    const struct zr_zip_member *found = zr_zip_find(zip, name, strlen(name));
-    for (size_t i = 0, count = 0; !found || count > 0; i++) {
+    const struct zr_zip_member *of_path = zr_zip_find(zip, name, strlen(name));
+    struct matches matches = {.count = of_path != NULL, .first = {of_path}};
+    for (size_t i = 0; !of_path && i < zip->count; i++) {
         size_t length;
-        if (i == zip->count) return count == 1 ? found : NULL;
         const char *part = last_part(&zip->members[i], &length);
         if (length != strlen(name) || memcmp(part, name, length) != 0) continue;
-        found = &zip->members[i];
-        count++;
+        if (matches.count < 2) matches.first[matches.count] = &zip->members[i];
+        matches.count++;
     }
-    return found;
+    return matches;
+}
+
+/* Refuses a name that fits no member, or several. */
+static enum zr_status refuse_member(const struct zr_zip *zip, const char *name, const struct matches *matches,
+                                    struct zr_error *error)
+{
+    const struct zr_quote quote = zr_quote(name, strlen(name));
+    const struct zr_names_text models = list_models(zip);
+    if (matches->count == 0)
+        return zr_error_add(error, ZR_BAD_REQUEST, NULL, "parameter member: the ZIP archive has no %s; its models: %s",
+                            quote.text, *models.text ? models.text : "none");
+    const struct zr_zip_member *a = matches->first[0], *b = matches->first[1];
+    return zr_error_add(error, ZR_BAD_REQUEST, NULL,
+                        "parameter member: %zu members have the name %s; choose one by its path: %s, %s%s",
+                        matches->count, quote.text, zr_quote(a->name, a->name_length).text,
+                        zr_quote(b->name, b->name_length).text, matches->count > 2 ? ", ..." : "");
 }
 
 /* Counts the models; finds one. */
@@ -160,6 +181,7 @@ static enum zr_status choose(struct archive *archive, struct zr_arena *arena, co
                              struct zr_reason *reason, struct zr_error *error)
 {
     const struct zr_zip *zip = &archive->zip;
+    if (zip->count == 0) return zr_error_add(error, ZR_BAD_SCENE, NULL, "the ZIP archive is empty");
     size_t count = name ? 1 : count_models(archive);
     if (count > 1) {
         const size_t all = count;
@@ -168,11 +190,9 @@ static enum zr_status choose(struct archive *archive, struct zr_arena *arena, co
         if (count == 0) count = all;
     }
     if (name) {
-        archive->model = find_member(zip, name);
-        if (!archive->model)
-            return zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                                "parameter member: the ZIP archive has no %s; its models: %s",
-                                zr_quote(name, strlen(name)).text, list_models(zip).text);
+        const struct matches matches = find_member(zip, name);
+        if (matches.count != 1) return refuse_member(zip, name, &matches, error);
+        archive->model = matches.first[0];
     } else if (count != 1) {
         return refuse_models(zip, count, error);
     }

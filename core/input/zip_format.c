@@ -4,9 +4,10 @@
 
 #include "input/input.h"
 
+/* An archive begins with a member, or with its end if it is empty. */
 bool zr_looks_so_ZIP(const char *bytes, size_t size)
 {
-    return size >= 4 && memcmp(bytes, "PK\3\4", 4) == 0;
+    return size >= 4 && (memcmp(bytes, "PK\3\4", 4) == 0 || memcmp(bytes, "PK\5\6", 4) == 0);
 }
 
 enum zr_status zr_read_ZIP(struct zr_scene_builder *builder, const struct zr_request *request,

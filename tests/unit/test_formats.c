@@ -100,6 +100,7 @@ TEST(bytes_look_like_what_they_are)
                  {"\x89PN", ZR_FORMAT_UNKNOWN, NULL},
                  {"\x89PNG", ZR_FORMAT_UNKNOWN, "a PNG picture"},
                  {"PK\x03\x04", ZR_FORMAT_ZIP, "ZIP"},
+                 {"PK\x05\x06", ZR_FORMAT_ZIP, "ZIP"},
                  {"GIF89a", ZR_FORMAT_UNKNOWN, "a GIF picture"},
                  {"RIFF", ZR_FORMAT_UNKNOWN, "a RIFF file, as WebP pictures are"},
                  {"#?RADIANCE\n", ZR_FORMAT_UNKNOWN, "a Radiance picture"},
