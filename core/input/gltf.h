@@ -177,7 +177,7 @@ struct zr_gltf {
     const struct zr_far_move **moves; /* one per mesh of the scene, or NULL */
     struct zr_file_scene *made;
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
-        bad_lights, specular_textures, gloss_textures;
+        bad_lights, clamped_spots, specular_textures, gloss_textures;
     bool has_fallbacks;              /* an extension replaces textures, so their images may be unused */
     uint32_t unread_extensions;      /* number of used extensions that are not read */
     struct zr_names_text extensions; /* names of these */

@@ -48,7 +48,19 @@ static const struct zr_json_field fields[] = {
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("light", fields);
 
-/* Converts the light. False if a value is beyond the limits of a scene. */
+/* Brings the angles of a spot light to 0 <= inner < outer <= 90. A cone that is wider inside than outside gets a sharp
+ * edge, as by the format's formula. Returns true if an angle was beyond its range. */
+static bool clamp_angles(struct zr_light *light)
+{
+    const double most = 90.0, rounding = 1e-5; /* of pi / 2 as float, which is above it */
+    const double inner = light->inner_degrees, outer = light->outer_degrees;
+    if (outer > most) light->outer_degrees = most;
+    if (inner < 0.0) light->inner_degrees = 0.0;
+    if (inner >= light->outer_degrees) light->inner_degrees = nextafter(light->outer_degrees, 0.0);
+    return inner < 0.0 || inner >= outer || outer > most + rounding;
+}
+
+/* Converts the light, but does not clamp its angles. False if a value is beyond the limits of a scene. */
 static bool convert(const struct given_light *given, const struct given_spot *spot, struct zr_light *out)
 {
     const bool is_placed = zr_light_has_place(out);
@@ -61,10 +73,10 @@ static bool convert(const struct given_light *given, const struct given_spot *sp
     }
     out->color = (zr_vec3){color[0], color[1], color[2]};
     out->inner_degrees = spot->inner * TO_DEGREES;
-    out->outer_degrees = spot->outer * TO_DEGREES < 90.0 ? spot->outer * TO_DEGREES : 90.0;
+    out->outer_degrees = spot->outer * TO_DEGREES;
     out->range = (float)given->range;
     if (is_placed && !(given->range >= 0.0 && given->range <= (double)FLT_MAX)) return false;
-    return out->type != ZR_LIGHT_SPOT || (out->inner_degrees >= 0.0 && out->inner_degrees < out->outer_degrees);
+    return out->type != ZR_LIGHT_SPOT || out->outer_degrees > 0.0;
 }
 
 static void read_light(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
@@ -85,6 +97,7 @@ static void read_light(struct zr_gltf *file, struct zr_json *json, const struct 
         zr_gltf_note(&file->bad_lights, path);
         light->type = ZR_LIGHT_HEMISPHERE; /* no type of the format: marks lights that are not placed */
     }
+    if (light->type == ZR_LIGHT_SPOT && clamp_angles(light)) zr_gltf_note(&file->clamped_spots, path);
 }
 
 /* ---- the list of the file ---- */

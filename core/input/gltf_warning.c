@@ -50,5 +50,8 @@ void zr_gltf_warn(struct zr_gltf *file)
             "factors are beyond their ranges and are clamped");
     warn_of(file, &file->made->light_warnings, &file->bad_lights, "this light cannot be used, and is left out",
             "lights cannot be used and are left out");
+    warn_of(file, &file->made->light_warnings, &file->clamped_spots,
+            "its cone angles are beyond their ranges, and clamped",
+            "spot lights have cone angles beyond their ranges, which are clamped");
     if (!file->has_fallbacks) zr_parsed_warn_of_unused_assets(&file->root.assets, builder);
 }

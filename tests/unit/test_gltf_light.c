@@ -100,4 +100,47 @@ TEST(wrong_lights_are_refused)
     reading_free(reading);
 }
 
+TEST(angles_of_spot_lights_are_clamped)
+{
+    static const struct {
+        const char *spot;
+        double inner, outer; /* degrees */
+        const char *warning; /* NULL: none */
+    } cases[] = {
+        {"\"innerConeAngle\":0.5,\"outerConeAngle\":0.25", 14.32394, 14.32394, "lights/0: its cone angles are beyond"},
+        {"\"innerConeAngle\":0.25,\"outerConeAngle\":0.25", 14.32394, 14.32394, "lights/0: its cone angles are beyond"},
+        {"\"innerConeAngle\":1,\"outerConeAngle\":0.99", 56.72282, 56.72282, "lights/0: its cone angles are beyond"},
+        {"\"innerConeAngle\":1", 45, 45, "lights/0: its cone angles are beyond their ranges, and clamped"},
+        {"\"outerConeAngle\":2", 0, 90, "lights/0: its cone angles are beyond"},
+        {"\"innerConeAngle\":1.8,\"outerConeAngle\":2", 90, 90, "lights/0: its cone angles are beyond"},
+        {"\"innerConeAngle\":-1", 0, 45, "lights/0: its cone angles are beyond"},
+        {"\"outerConeAngle\":1.5707963705062866", 0, 90, NULL}, /* pi / 2 as float */
+        {"\"outerConeAngle\":-1", 0, 0, "lights/0: this light cannot be used, and is left out"},
+        {"\"outerConeAngle\":0", 0, 0, "lights/0: this light cannot be used, and is left out"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char of[1024];
+        snprintf(of, sizeof of,
+                 FILE_OF("{\"type\":\"spot\",\"spot\":{%s}}"
+                         "," SUN,
+                         ",{" LIGHT(0) "},{" LIGHT(1) "}"),
+                 cases[i].spot);
+        struct reading *reading = read_over((struct zr_request){.fileLights = "1"}, of);
+        assert_read(reading);
+        const struct zr_scene *scene = reading->scene;
+        const struct zr_light *light = &scene->lights[0];
+        const char *says = scene->warning_count > 0 ? scene->warnings[0] : "";
+        const bool is_bad = cases[i].warning ? !strstr(says, cases[i].warning) : *says != '\0';
+        if (is_bad || scene->warning_count > 1) fail_msg("case %zu: %s", i, says);
+        if (cases[i].outer > 0)
+            if (fabs(light->inner_degrees - cases[i].inner) > 1e-4 ||
+                fabs(light->outer_degrees - cases[i].outer) > 1e-4 || light->inner_degrees >= light->outer_degrees)
+                fail_msg("case %zu: %g %g", i, light->inner_degrees, light->outer_degrees);
+        reading_free(reading);
+        reading = read_over((struct zr_request){.fileLights = "1", .strict = "1"}, of);
+        if (cases[i].warning) assert_complaint(reading, ZR_BAD_SCENE, "", cases[i].warning);
+        reading_free(reading);
+    }
+}
+
 RUN_TESTS(NULL, NULL)
