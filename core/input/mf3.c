@@ -20,6 +20,7 @@ static const char *const texts[ZR_MF3_NOTE_COUNT] = {
     [ZR_MF3_NOTE_NO_LAYER] = "layers of multiproperties name no property, and are not drawn",
     [ZR_MF3_NOTE_OVER] = "translucent textures lie over colours of multiproperties, which are not drawn",
     [ZR_MF3_NOTE_PLAIN] = "objects have some triangles without a colour, which are drawn white",
+    [ZR_MF3_NOTE_CLEAR] = "objects have only base materials of alpha 0, and are drawn opaque",
     [ZR_MF3_NOTE_PAINT] = "triangles have unknown paint, which is not drawn",
     [ZR_MF3_NOTE_EXTRUDER] = "objects have extruders without a filament, and the colour of the first one",
     [ZR_MF3_NOTE_PAINTED] = "triangles are painted for a slicer (paint_color), and the file names no colours",

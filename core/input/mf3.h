@@ -58,6 +58,7 @@ enum zr_mf3_note {
     ZR_MF3_NOTE_NO_LAYER,
     ZR_MF3_NOTE_OVER,
     ZR_MF3_NOTE_PLAIN,
+    ZR_MF3_NOTE_CLEAR,
     ZR_MF3_NOTE_PAINT,
     ZR_MF3_NOTE_EXTRUDER,
     ZR_MF3_NOTE_PAINTED,
@@ -212,6 +213,8 @@ struct zr_mf3_corners {
     float (*coords)[2];                   /* one per corner, if there are textures */
     uint32_t given;                       /* triangles with a property */
     bool has_gradients;
+    bool has_base, has_clear_base; /* a triangle has a base material of alpha above 0; of alpha 0 */
+    bool has_clear;                /* a corner has another property of alpha 0 */
     uint32_t last_pid;
     const struct zr_mf3_resource *last;
 };

@@ -93,6 +93,7 @@ static void set_values(struct zr_mf3_corners *corners, uint32_t triangle, const 
             at[1] = values[i].v;
         }
         if (corners->colors) corners->colors[3 * (size_t)triangle + (size_t)i] = values[i].color;
+        corners->has_clear |= values[i].color >> 24 == 0;
         corners->has_gradients |= values[i].color != values[0].color;
     }
     if (corners->textures) corners->textures[triangle] = texture;
@@ -110,6 +111,10 @@ static void set_colors(struct zr_mf3_corners *corners, uint32_t triangle, const 
         const uint32_t index = p[i] == ZR_MF3_NONE || group->is_base ? p[0] : p[i];
         if (!check_index(corners, triangle, group, index)) return;
         colors[i] = group->colors[index];
+        const bool is_clear = colors[i] >> 24 == 0;
+        corners->has_base |= group->is_base && !is_clear;
+        corners->has_clear_base |= group->is_base && is_clear;
+        corners->has_clear |= !group->is_base && is_clear;
     }
     corners->has_gradients |= colors[0] != colors[1] || colors[0] != colors[2];
     corners->given++;
@@ -172,12 +177,25 @@ static void expand(const struct zr_mf3_corners *corners, struct zr_mesh *mesh)
     mesh->indices = NULL;
 }
 
+/* Makes base materials opaque if all that the mesh uses have alpha 0, as writers of printable parts leave it. */
+static void show_bases(struct zr_mf3_corners *corners, uint32_t triangles)
+{
+    const size_t count = (size_t)triangles * 3;
+    if (!corners->has_clear_base || corners->has_clear || corners->has_base) return;
+    for (size_t i = 0; i < count; i++) {
+        if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(corners->file->cancel)) return;
+        if (corners->colors[i] >> 24 == 0) corners->colors[i] |= 0xFF000000u;
+    }
+    zr_mf3_note(corners->file, ZR_MF3_NOTE_CLEAR, corners->file->xml.at, corners->file->tag.name);
+}
+
 bool zr_mf3_corners_finish(struct zr_mf3_corners *corners, struct zr_mesh *mesh)
 {
     struct zr_mf3 *file = corners->file;
     uint32_t **textures = zr_mf3_list_add(file->arena, &file->textures, sizeof *textures);
     if (!textures) return false;
     *textures = corners->textures;
+    show_bases(corners, mesh->face_count);
     if (!zr_mf3_paint_mesh(corners, mesh)) return false;
     if (corners->textures || (corners->colors && corners->has_gradients))
         expand(corners, mesh);

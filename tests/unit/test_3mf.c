@@ -229,6 +229,51 @@ TEST(what_is_not_drawn_is_warned_of)
 
 /* ---- materials ---- */
 
+TEST(base_materials_that_are_all_clear_are_opaque)
+{
+    static const char says[] =
+        "3MF: 1 objects have only base materials of alpha 0, and are drawn opaque; the first is in "
+        "3D/3dmodel.model, line 2";
+    static const struct {
+        const char *triangles;
+        float alpha; /* of the first triangle */
+        bool warns;
+    } cases[] = {
+        {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" p1=\"0\"/>", 1, true},
+        {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" p1=\"0\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" "
+         "p1=\"1\"/>" TRIANGLE,
+         1, true},
+        {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" p1=\"0\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" "
+         "p1=\"2\"/>",
+         0, false},
+        {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" p1=\"0\"/>", 0, false},
+        {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" p1=\"0\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" "
+         "p1=\"1\"/>",
+         1, true},
+        {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" p1=\"0\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" "
+         "p1=\"0\"/>",
+         0, false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char model[2048];
+        snprintf(model, sizeof model,
+                 "<model " CORE MATERIAL "><resources><basematerials id=\"1\"><base name=\"a\" "
+                 "displaycolor=\"#FF000000\"/><base name=\"b\" displaycolor=\"#00FF0000\"/><base name=\"c\" "
+                 "displaycolor=\"#0000FF\"/></basematerials><m:colorgroup id=\"2\"><m:color color=\"#FF000000\"/>"
+                 "<m:color color=\"#FF000080\"/></m:colorgroup><object id=\"9\"><mesh>" VERTICES
+                 "<triangles>\n%s</triangles></mesh></object></resources><build><item objectid=\"9\"/></build></model>",
+                 cases[i].triangles);
+        struct reading *reading = read_model(model);
+        assert_read(reading);
+        const struct zr_mesh *mesh = &reading->scene->meshes[0];
+        if (mesh->face_colors[0].w != cases[i].alpha || warns(reading, says) != cases[i].warns)
+            fail_msg("case %zu: alpha %g, %s", i, (double)mesh->face_colors[0].w,
+                     reading->scene->warning_count ? reading->scene->warnings[0] : "");
+        assert_true(mesh->face_colors[0].x == 1.0f && mesh->face_colors[0].y == 0.0f);
+        reading_free(reading);
+    }
+}
+
 #define GROUPS                                                                                                         \
     "<basematerials id=\"1\"><base name=\"r\" displaycolor=\"#FF0000\"/><base name=\"b\" displaycolor=\"#0000FF\"/>"   \
     "</basematerials><m:texture2d id=\"2\" path=\"/3D/Texture/a%%20b.png\" contenttype=\"image/png\" "                 \
