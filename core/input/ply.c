@@ -113,10 +113,11 @@ static enum zr_status read_element(struct zr_ply_file *file, const struct zr_ply
     return zr_ply_read_records(file, &plan, first);
 }
 
-/* Counts the bytes after the last element, in text without trailing white space. */
+/* Counts the bytes after the last element, in text without comments, and without white space around them. */
 static void note_trailing(struct zr_ply_file *file)
 {
     const char *end = file->end;
+    if (is_text(file)) zr_ply_skip_comments(file);
     while (is_text(file) && end > file->at && (end[-1] == ' ' || (end[-1] >= '\t' && end[-1] <= '\r')))
         end--;
     file->odd.trailing_bytes = (size_t)(end - file->at);

@@ -60,6 +60,7 @@ struct zr_ply_oddities {
     size_t broken_lines, first_broken_line; /* records of ASCII that are not one line each */
     size_t broken_record;
     struct zr_ply_word broken_name;
+    size_t comments, first_comment; /* lines of ASCII */
     size_t trailing_bytes;
 };
 
@@ -130,6 +131,9 @@ size_t zr_ply_read_triangles(struct zr_ply_file *file, const struct zr_ply_plan 
 
 /* Reads the records of any element from number `first` on. */
 enum zr_status zr_ply_read_records(struct zr_ply_file *file, const struct zr_ply_plan *plan, size_t first);
+
+/* ASCII: skips white space, and lines of comments if a line begins here. Counts the comments. */
+void zr_ply_skip_comments(struct zr_ply_file *file);
 
 /* ply_far.c: if a coordinate is beyond the limit, subtracts the middle of the drawn positions from all. */
 enum zr_status zr_ply_adjust(struct zr_ply_file *file, struct zr_scene_builder *builder);

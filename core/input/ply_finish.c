@@ -186,6 +186,8 @@ static void warn_of_oddities(const struct zr_ply_file *file, struct zr_scene_bui
                   "faces have fewer than 3 corners and are left out", "face", odd->first_small_face);
     warn_of_first(builder, odd->broken_lines, "line has another number of values than the header says",
                   "lines have another number of values than the header says", "line", odd->first_broken_line);
+    warn_of_first(builder, odd->comments, "comment between the values is skipped",
+                  "comments between the values are skipped", "line", odd->first_comment);
     warn(builder, odd->trailing_bytes, "byte behind the last element is not read",
          "bytes behind the last element are not read");
     warn_of_elements(file, builder);

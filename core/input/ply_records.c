@@ -7,7 +7,7 @@
 #include "input/ply_values.h"
 #include "input/text.h"
 
-enum { RECORDS_A_LOOK = 1 << 10, VALUES_A_LOOK = 1 << 12 };
+enum { RECORDS_A_LOOK = 1 << 10, VALUES_A_LOOK = 1 << 12, CHARACTERS_A_LOOK = 1 << 18 };
 
 struct reader {
     struct zr_ply_file *file;
@@ -70,6 +70,24 @@ static void skip_spaces(struct zr_ply_file *file)
 {
     for (; file->at < file->end && is_space(*file->at); file->at++)
         file->line += *file->at == '\n' || (*file->at == '\r' && (file->at + 1 == file->end || file->at[1] != '\n'));
+}
+
+/* True at a line that begins with `comment`, as in the header. */
+static bool is_comment(const struct zr_ply_file *file)
+{
+    static const char word[] = "comment";
+    const size_t left = (size_t)(file->end - file->at), length = sizeof word - 1;
+    return file->line > file->last_line && left >= length && memcmp(file->at, word, length) == 0 &&
+           (left == length || is_space(file->at[length]));
+}
+
+void zr_ply_skip_comments(struct zr_ply_file *file)
+{
+    for (skip_spaces(file); is_comment(file) && !zr_is_cancelled(file->cancel); skip_spaces(file)) {
+        if (file->odd.comments++ == 0) file->odd.first_comment = file->line;
+        for (size_t i = 0; file->at < file->end && *file->at != '\n' && *file->at != '\r'; i++, file->at++)
+            if (i % CHARACTERS_A_LOOK == 0 && zr_is_cancelled(file->cancel)) return;
+    }
 }
 
 /* Reads the spellings of NaN and infinity: nan, -nan(ind), inf, 1.#QNAN. */
@@ -327,7 +345,7 @@ enum zr_status zr_ply_read_records(struct zr_ply_file *file, const struct zr_ply
     find_slots(plan, slots);
     for (reader.record = first; reader.record < plan->element->count; reader.record++) {
         if (reader.record % RECORDS_A_LOOK == 0 && zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
-        if (reader.is_text) skip_spaces(file);
+        if (reader.is_text) zr_ply_skip_comments(file);
         const size_t line = file->line;
         if (!read_record(&reader, slots) || file->error->count >= ZR_ERROR_ITEMS) break;
         if (reader.is_text) note_lines(&reader, line);
