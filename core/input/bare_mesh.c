@@ -26,14 +26,13 @@ static bool has_materials(const struct zr_parsed_scene *root)
     return root->builder->file && root->builder->file->mesh_materials;
 }
 
-/* Blends colours with an alpha below 1; no parameter sets this. */
+/* Blends colours with an alpha below 1. */
 static void make_materials(struct zr_parsed_scene *root)
 {
     for (uint32_t i = 0; i < root->scene->mesh_count; i++) {
         struct zr_mesh *mesh = &root->builder->meshes[i];
         const struct zr_style style = {.face_style = zr_face_style_unset, .is_open = true, .number = i};
-        mesh->material = zr_parsed_make_mesh_material(root, &style, mesh, mesh->normal_count > 0 || mesh->colors,
-                                                      root->face_style.alpha_mode == ZR_UNSET);
+        mesh->material = zr_parsed_make_mesh_material(root, &style, mesh, mesh->normal_count > 0 || mesh->colors, true);
     }
 }
 

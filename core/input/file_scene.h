@@ -31,7 +31,7 @@ struct zr_file_scene {
     struct zr_instance *instances;
     uint32_t material_count;
     struct zr_parsed_material *materials;
-    bool blends_colors; /* meshes with colours whose alpha is below 1 are blended */
+    bool blends_colors; /* colours with an alpha below 1 are blended, unless an alphaMode applies */
     uint32_t camera_count;
     struct zr_file_camera *cameras;
     uint32_t light_count;

@@ -373,6 +373,7 @@ uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_s
                            zr_json_gives(given->keys, ZR_MATERIAL_BASE_COLOR_TEXTURE);
     struct zr_face_style faces = zr_face_style_merge(&style->face_style, &given->face_style);
     faces = zr_face_style_merge(&faces, &root->face_style);
+    if (faces.alpha_mode == ZR_UNSET && (style->blends || given->blends)) faces.alpha_mode = ZR_ALPHA_BLEND;
     if (faces.double_sided == ZR_UNSET) faces.double_sided = style->is_open;
     struct zr_material material =
         zr_face_style_material(&faces, look, has_color ? given->base_color : none.base_color, smooth);
@@ -393,7 +394,6 @@ uint32_t zr_parsed_make_mesh_material(struct zr_parsed_scene *root, const struct
     of.has_faces = mesh->face_count > 0;
     of.alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
                                     zr_alpha_range_of(mesh->face_colors, mesh->face_count));
-    if (blends && of.alpha.least < 1.0f && of.face_style.alpha_mode == ZR_UNSET)
-        of.face_style.alpha_mode = ZR_ALPHA_BLEND;
+    of.blends = blends && of.alpha.least < 1.0f;
     return zr_parsed_make_material(root, &of, mesh->colors || mesh->face_colors, smooth);
 }

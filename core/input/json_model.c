@@ -152,7 +152,7 @@ static struct zr_parsed_material *take_materials(struct zr_parsed_scene *root, c
 /* Makes the material of a mesh if its file has none or the scene gives one. */
 static void make_plain(struct zr_parsed_scene *root, const struct zr_style *style, struct zr_mesh *mesh)
 {
-    const bool blends = style->material == root->material_count && root->face_style.alpha_mode == ZR_UNSET;
+    const bool blends = style->material == root->material_count;
     mesh->material = zr_parsed_make_mesh_material(root, style, mesh, mesh->normal_count > 0 || mesh->colors, blends);
 }
 

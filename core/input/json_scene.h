@@ -66,6 +66,7 @@ struct zr_parsed_material {
     zr_vec3 emissive, specular_color;
     struct zr_parsed_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
+    bool blends;                         /* of a file: blended, unless an alphaMode applies */
     bool is_used, is_masked, is_blended; /* used by a mesh; by one with the alphaMode MASK; by one with BLEND */
     uint32_t shadings;                   /* bit i: a mesh with filled faces and shading i uses it */
 };
@@ -232,6 +233,7 @@ struct zr_style {
     bool has_faces;  /* false: it has only lines and points */
     uint32_t number; /* number of the mesh, or of the first polygon, with this style */
     bool is_polygon;
+    bool blends;                 /* blended, unless an alphaMode applies */
     struct zr_alpha_range alpha; /* alpha range of its own colours */
 };
 
@@ -285,7 +287,7 @@ uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_s
                                  bool smooth);
 
 /* The same for a mesh, which sets has_faces and alpha of the style. blends: colours of the mesh with an alpha below 1
- * are blended, unless the style has an alphaMode. */
+ * are blended, unless an alphaMode applies. */
 uint32_t zr_parsed_make_mesh_material(struct zr_parsed_scene *root, const struct zr_style *style,
                                       const struct zr_mesh *mesh, bool smooth, bool blends);
 

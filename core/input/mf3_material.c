@@ -59,7 +59,7 @@ static void make_material(struct making *making, struct zr_mf3_resource *texture
                                    .strength = 1,
                                    .number = 1 + zr_scene_builder_texture(making->root->builder, &of)};
     if (!zr_parsed_image_is_opaque(making->root, of.image)) {
-        material->face_style.alpha_mode = ZR_ALPHA_BLEND;
+        material->blends = true;
         if (texture->is_over) zr_mf3_note(file, ZR_MF3_NOTE_OVER, texture->at, (struct zr_xml_text){"", 0});
     }
     texture->material = making->materials.count - 1;

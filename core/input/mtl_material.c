@@ -175,7 +175,8 @@ static void put_color(struct zr_mtl *mtl, const struct zr_mtl_values *given, con
     if (is_hidden) zr_mtl_note(mtl, ZR_MTL_NOTE_BLACK, &given->maps[ZR_MTL_MAP_COLOR].whole);
     out->base_color = !given->has_diffuse || is_hidden ? (zr_vec4){1, 1, 1, alpha} : (zr_vec4){v[0], v[1], v[2], alpha};
     if (given->has_diffuse || has_texture || alpha < 1.0f) out->keys |= UINT64_C(1) << ZR_MATERIAL_BASE_COLOR;
-    out->face_style.alpha_mode = map->is_see_through || alpha < 1.0f ? ZR_ALPHA_BLEND : ZR_ALPHA_OPAQUE;
+    out->blends = map->is_see_through || alpha < 1.0f;
+    if (!out->blends) out->face_style.alpha_mode = ZR_ALPHA_OPAQUE;
 }
 
 /* Source: obj2gltf, convertTraditionalToMetallicRoughness. */
