@@ -178,6 +178,8 @@ struct zr_gltf {
     struct zr_file_scene *made;
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
         bad_lights, clamped_spots, specular_textures, gloss_textures;
+    uint32_t baked_count;
+    struct zr_gltf_baked *baked;     /* of specular and glossiness */
     bool has_fallbacks;              /* an extension replaces textures, so their images may be unused */
     uint32_t unread_extensions;      /* number of used extensions that are not read */
     struct zr_names_text extensions; /* names of these */
@@ -370,8 +372,8 @@ uint32_t zr_gltf_texcoords_of(const struct zr_parsed_material *material);
 /* Reads the lists of textures, samplers and images. */
 bool zr_gltf_read_textures(struct zr_gltf *file);
 
-/* Reads a texture of a material: {"index", "texCoord", ...}. False after a fault. */
-bool zr_gltf_read_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
+/* Reads a texture of a material: {"index", "texCoord", ...}. */
+void zr_gltf_read_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
                           enum zr_texture_slot slot, struct zr_parsed_texture *out);
 
 /* ---- gltf_camera.c ---- */

@@ -38,10 +38,40 @@ void zr_gltf_read_reflectance(struct zr_gltf *file, const struct zr_json_path *p
 /* KHR_materials_pbrSpecularGlossiness, converted to a metallic-roughness material; the colour is linear. */
 struct zr_gltf_glossiness {
     float color[4], metallic, roughness;
-    const char *texture; /* JSON text of the colour's texture, or NULL */
+    struct zr_parsed_texture color_texture, rough_texture;
 };
 void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                              struct zr_gltf_glossiness *out);
+
+/* Converts linear colours within 0..1. Sets color[0..2] and metallic.
+ * Source: the conversion that Khronos published with the extension (examples/convert-between-workflows). */
+void zr_gltf_convert_glossiness(const double diffuse[3], const double specular[3], struct zr_gltf_glossiness *out);
+
+/* gltf_texture.c: the two halves of zr_gltf_read_texture. find reads it and decodes its image; false after a fault, or
+ * without an image, which is counted. add makes a texture of the scene; false after a fault. */
+bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
+                          enum zr_texture_slot slot, struct zr_parsed_texture *out, struct zr_texture *texture);
+bool zr_gltf_add_texture(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_texture *texture,
+                         struct zr_parsed_texture *out);
+
+/* ---- gltf_gloss.c ---- */
+
+struct zr_gltf_gloss {
+    double diffuse[3], specular[3], glossiness; /* factors of both textures */
+};
+
+/* Images that are made of two others; all are numbers of the scene's images. */
+struct zr_gltf_baked {
+    struct zr_gltf_gloss factors;
+    bool has_diffuse;
+    uint32_t diffuse, specular; /* the given images */
+    uint32_t color, rough;      /* the made images: sRGB and alpha; roughness in green, metalness in blue */
+};
+
+/* Converts each texel of a specular-glossiness image and of a diffuse image (NULL: white). Equal ones are made once.
+ * NULL if they are more than 64, beyond the limit of texels, without memory, or after a cancel. */
+const struct zr_gltf_baked *zr_gltf_bake_glossiness(struct zr_gltf *file, const struct zr_gltf_gloss *factors,
+                                                    const uint32_t *diffuse, uint32_t specular);
 
 /* ---- gltf_light.c: KHR_lights_punctual ---- */
 

@@ -107,9 +107,8 @@ static void read_glossy(struct zr_gltf *file, const struct zr_json_path *path, c
     out->base_color = encode(file, found.color);
     out->metallic = found.metallic;
     out->roughness = found.roughness;
-    if (found.texture)
-        zr_gltf_read_texture(file, found.texture, ZR_JSON_KEY(path, "diffuseTexture"), ZR_TEXTURE_BASE_COLOR,
-                             &out->textures[ZR_TEXTURE_BASE_COLOR]);
+    out->textures[ZR_TEXTURE_BASE_COLOR] = found.color_texture;
+    out->textures[ZR_TEXTURE_METALLIC_ROUGHNESS] = found.rough_texture;
 }
 
 /* Sets *strength to the factor of the emitted light. True if an extension replaces metallic-roughness. */

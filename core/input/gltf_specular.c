@@ -3,6 +3,9 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
+
+#include "scene/texture.h"
 
 /* Reflectance at normal incidence for an index of 1.5, the default of the shading pbr and of KHR_materials_ior. */
 #define PLASTIC 0.04
@@ -99,8 +102,7 @@ static double find_metallic(double diffuse, double specular, double rest)
     return within((-b + sqrt(d > 0.0 ? d : 0.0)) / (2.0 * a));
 }
 
-/* Source: the conversion that Khronos published with the extension (examples/convert-between-workflows). */
-static void convert(const double *diffuse, const double *specular, struct zr_gltf_glossiness *out)
+void zr_gltf_convert_glossiness(const double diffuse[3], const double specular[3], struct zr_gltf_glossiness *out)
 {
     const double least = 1e-6, most = fmax(specular[0], fmax(specular[1], specular[2])), rest = 1.0 - most,
                  metallic = find_metallic(brightness(diffuse), brightness(specular), rest),
@@ -113,26 +115,80 @@ static void convert(const double *diffuse, const double *specular, struct zr_glt
     out->metallic = (float)metallic;
 }
 
+/* True if both textures have the same place on the surface, so that their texels can be joined. */
+static bool is_alike(const struct zr_texture *a, const struct zr_texture *b)
+{
+    return a->texcoord == b->texcoord && a->wrap_s == b->wrap_s && a->wrap_t == b->wrap_t &&
+           memcmp(a->rows, b->rows, sizeof a->rows) == 0;
+}
+
+/* Makes the textures of both given ones; `diffuse` may be NULL. False if that cannot be done. */
+static bool bake(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_gloss *factors,
+                 const struct zr_texture *diffuse, const struct zr_texture *specular, struct zr_gltf_glossiness *out)
+{
+    struct zr_texture made = diffuse ? *diffuse : *specular;
+    if (diffuse && !is_alike(diffuse, specular)) return false;
+    const struct zr_gltf_baked *baked =
+        zr_gltf_bake_glossiness(file, factors, diffuse ? &diffuse->image : NULL, specular->image);
+    if (!baked) return false;
+    made.image = baked->color;
+    zr_gltf_add_texture(file, path, &made, &out->color_texture);
+    made.image = baked->rough;
+    made.is_color = false;
+    zr_gltf_add_texture(file, path, &made, &out->rough_texture);
+    out->color[0] = out->color[1] = out->color[2] = out->metallic = out->roughness = 1.0f;
+    return true;
+}
+
+/* Sets colour, metallic and roughness from the factors. */
+static void use_factors(const struct zr_gltf_gloss *factors, struct zr_gltf_glossiness *out)
+{
+    zr_gltf_convert_glossiness(factors->diffuse, factors->specular, out);
+    out->roughness = (float)(1.0 - factors->glossiness);
+}
+
+static void read_textures(struct zr_gltf *file, const struct zr_json_path *path, const struct given_glossiness *given,
+                          struct zr_gltf_gloss *factors, struct zr_gltf_glossiness *out)
+{
+    const struct zr_json_path *of_diffuse = ZR_JSON_KEY(path, "diffuseTexture");
+    struct zr_texture diffuse, specular;
+    const bool has_diffuse =
+                   given->diffuse_texture && zr_gltf_find_texture(file, given->diffuse_texture, of_diffuse,
+                                                                  ZR_TEXTURE_BASE_COLOR, &out->color_texture, &diffuse),
+               has_specular = given->texture &&
+                              zr_gltf_find_texture(file, given->texture, ZR_JSON_KEY(path, "specularGlossinessTexture"),
+                                                   ZR_TEXTURE_BASE_COLOR, &out->rough_texture, &specular);
+    if (has_specular && !has_diffuse) out->color_texture = out->rough_texture;
+    if (has_specular && bake(file, path, factors, has_diffuse ? &diffuse : NULL, &specular, out)) return;
+    if (given->texture) { /* half as glossy as its factor, and without metal: the factors only scale the texture */
+        zr_gltf_note(&file->gloss_textures, path);
+        for (int k = 0; k < 3; k++)
+            factors->specular[k] = PLASTIC;
+        factors->glossiness *= 0.5;
+    }
+    use_factors(factors, out);
+    if (has_diffuse) zr_gltf_add_texture(file, of_diffuse, &diffuse, &out->color_texture);
+}
+
 void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                              struct zr_gltf_glossiness *out)
 {
     struct zr_json there = zr_json_at(&file->root.json, place);
     struct given_glossiness given = {{1, 1, 1, 1}, {1, 1, 1}, 1, NULL, NULL};
+    struct zr_gltf_gloss factors;
     uint64_t keys;
+    *out = (struct zr_gltf_glossiness){.roughness = 1};
     zr_gltf_fields(file, &there, path, &glossiness_object, &given, &keys);
     for (int k = 0; k < 4; k++)
         given.diffuse[k] = zr_gltf_clamp(file, ZR_JSON_KEY(path, "diffuseFactor"), given.diffuse[k], 0.0, 1.0);
-    for (int k = 0; k < 3; k++)
-        given.specular[k] = zr_gltf_clamp(file, ZR_JSON_KEY(path, "specularFactor"), given.specular[k], 0.0, 1.0);
-    double glossiness = zr_gltf_clamp(file, ZR_JSON_KEY(path, "glossinessFactor"), given.glossiness, 0.0, 1.0);
-    if (given.texture) { /* half as glossy as its factor, and without metal: the factors only scale the texture */
-        zr_gltf_note(&file->gloss_textures, path);
-        for (int k = 0; k < 3; k++)
-            given.specular[k] = PLASTIC;
-        glossiness *= 0.5;
+    for (int k = 0; k < 3; k++) {
+        factors.diffuse[k] = given.diffuse[k];
+        factors.specular[k] = zr_gltf_clamp(file, ZR_JSON_KEY(path, "specularFactor"), given.specular[k], 0.0, 1.0);
     }
-    convert(given.diffuse, given.specular, out);
+    factors.glossiness = zr_gltf_clamp(file, ZR_JSON_KEY(path, "glossinessFactor"), given.glossiness, 0.0, 1.0);
     out->color[3] = (float)given.diffuse[3];
-    out->roughness = (float)(1.0 - glossiness);
-    out->texture = given.diffuse_texture;
+    if (given.texture || given.diffuse_texture)
+        read_textures(file, path, &given, &factors, out);
+    else
+        use_factors(&factors, out);
 }

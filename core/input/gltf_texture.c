@@ -213,33 +213,37 @@ static const struct zr_json_field info_fields[] = {
 #undef AT
 static const struct zr_json_object info_object = ZR_JSON_OBJECT_OF("textureInfo", info_fields);
 
-static bool make(struct zr_gltf *file, const struct zr_json_path *path, enum zr_texture_slot slot, uint32_t number,
-                 struct zr_parsed_texture *given)
+/* Finds the image and the sampler of a texture. False after a fault, or without an image, which is counted. */
+static bool find(struct zr_gltf *file, enum zr_texture_slot slot, uint32_t number,
+                 const struct zr_parsed_texture *given, struct zr_texture *out)
 {
     const struct zr_gltf_texture *of = &file->textures[number];
     const struct zr_json_path *at = ZR_GLTF_ITEM(ZR_GLTF_TEXTURES, number);
     const struct zr_parsed_sampler *sampler =
         of->sampler < file->counts[ZR_GLTF_SAMPLERS] ? &file->samplers[of->sampler] : &sampler_default;
-    struct zr_texture texture = {.texcoord = given->texcoord,
-                                 .wrap_s = (enum zr_wrap)sampler->wrap_s,
-                                 .wrap_t = (enum zr_wrap)sampler->wrap_t,
-                                 .magnify = (enum zr_filter)sampler->magnify,
-                                 .minify = (enum zr_filter)sampler->minify,
-                                 .is_color = slot == ZR_TEXTURE_BASE_COLOR || slot == ZR_TEXTURE_EMISSIVE};
-    if (of->source == ZR_GLTF_NONE) {
-        zr_gltf_note(&file->no_source, at);
-        return true;
-    }
-    if (!find_image(file, ZR_JSON_KEY(at, texture_fields[SOURCE].key), of->source, &texture.image)) return false;
+    *out = (struct zr_texture){.texcoord = given->texcoord,
+                               .wrap_s = (enum zr_wrap)sampler->wrap_s,
+                               .wrap_t = (enum zr_wrap)sampler->wrap_t,
+                               .magnify = (enum zr_filter)sampler->magnify,
+                               .minify = (enum zr_filter)sampler->minify,
+                               .is_color = slot == ZR_TEXTURE_BASE_COLOR || slot == ZR_TEXTURE_EMISSIVE};
+    zr_parsed_put_transform(given, out);
+    if (of->source == ZR_GLTF_NONE) zr_gltf_note(&file->no_source, at);
+    return of->source != ZR_GLTF_NONE &&
+           find_image(file, ZR_JSON_KEY(at, texture_fields[SOURCE].key), of->source, &out->image);
+}
+
+bool zr_gltf_add_texture(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_texture *texture,
+                         struct zr_parsed_texture *out)
+{
     if (file->root.scene->texture_count >= ZR_TEXTURES_MAX)
         return zr_json_fault(&file->root.json, path, "more than the %d textures that are allowed", ZR_TEXTURES_MAX);
-    zr_parsed_put_transform(given, &texture);
-    given->number = 1 + zr_scene_builder_texture(file->root.builder, &texture);
+    out->number = 1 + zr_scene_builder_texture(file->root.builder, texture);
     return zr_arena_ok(file->root.json.arena);
 }
 
-bool zr_gltf_read_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
-                          enum zr_texture_slot slot, struct zr_parsed_texture *out)
+bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
+                          enum zr_texture_slot slot, struct zr_parsed_texture *out, struct zr_texture *texture)
 {
     struct zr_json there = zr_json_at(&file->root.json, place);
     struct given_texture given = {.scale = 1, .strength = 1};
@@ -254,5 +258,12 @@ bool zr_gltf_read_texture(struct zr_gltf *file, const char *place, const struct 
         return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, info_fields[SET].key),
                              "%u; texture coordinates 0 and 1 are read", out->texcoord);
     return zr_gltf_check_index(file, ZR_JSON_KEY(path, info_fields[INDEX].key), given.index, ZR_GLTF_TEXTURES) &&
-           make(file, path, slot, given.index, out);
+           find(file, slot, given.index, out, texture);
+}
+
+void zr_gltf_read_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
+                          enum zr_texture_slot slot, struct zr_parsed_texture *out)
+{
+    struct zr_texture texture;
+    if (zr_gltf_find_texture(file, place, path, slot, out, &texture)) zr_gltf_add_texture(file, path, &texture, out);
 }

@@ -31,4 +31,11 @@ bool zr_image_head_read(const void *bytes, size_t size, uint64_t texels_max, str
 enum zr_status zr_image_decode(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
                                uint64_t texels_max, struct zr_kept_image *out, struct zr_reason *reason);
 
+/* Returns a channel of a texel as 16 bits. */
+static inline uint32_t zr_image_texel(const struct zr_image *image, size_t x, size_t y, uint32_t channel)
+{
+    const size_t at = 4 * (y * image->width + x) + channel;
+    return image->bits == 8 ? ((const uint8_t *)image->texels)[at] * 257u : ((const uint16_t *)image->texels)[at];
+}
+
 #endif

@@ -4,6 +4,7 @@
 #include "input/image_read.h"
 #include "input/json_image_ahead.h"
 #include "input/json_scene.h"
+#include "input/quick.h"
 
 /* Images per scene: each name is compared with all others. */
 enum { NAMES_MAX = 1024 };
@@ -111,6 +112,19 @@ bool zr_parsed_image_is_opaque(const struct zr_parsed_scene *root, uint32_t numb
             names[i].opacity = is_opaque(&root->scene->images[number]) ? OPAQUE : SEE_THROUGH;
         return names[i].opacity == OPAQUE;
     }
+    return true;
+}
+
+bool zr_parsed_count_pixels(struct zr_parsed_scene *root, uint64_t pixels)
+{
+    struct zr_quick *quick = root->assets.quick;
+    if (pixels > root->json.limits->image_pixels_max - root->image_pixels) return false;
+    if (quick &&
+        (quick->image_pixels_max < root->image_pixels || pixels > quick->image_pixels_max - root->image_pixels)) {
+        zr_quick_exceed(quick, root->json.error);
+        return false;
+    }
+    root->image_pixels += pixels;
     return true;
 }
 

@@ -407,6 +407,10 @@ bool zr_parsed_find_image(struct zr_parsed_scene *root, const struct zr_json_pat
 bool zr_parsed_add_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
                          const struct zr_parsed_bytes *bytes, uint32_t *number);
 
+/* Counts the texels of a made image as those of a decoded one. False beyond the limit. False, too, and reported, beyond
+ * the limit of a quick reading. */
+bool zr_parsed_count_pixels(struct zr_parsed_scene *root, uint64_t pixels);
+
 /* True if all alphas of the image are 1. Scans its texels once. */
 bool zr_parsed_image_is_opaque(const struct zr_parsed_scene *root, uint32_t number);
 

@@ -2,8 +2,8 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "input/image_read.h"
 #include "input/mtl.h"
-#include "input/quick.h"
 
 enum {
     MADE_MAX = 1024, /* each is compared with all others */
@@ -46,13 +46,6 @@ bool zr_mtl_find_image(struct zr_mtl *mtl, const struct zr_mtl_given_map *map, u
 
 /* ---- texels ---- */
 
-/* Returns a channel of a texel, 16 bits. */
-static uint32_t texel(const struct zr_image *image, size_t x, size_t y, uint32_t channel)
-{
-    const size_t at = 4 * (y * image->width + x) + channel;
-    return image->bits == 8 ? ((const uint8_t *)image->texels)[at] * 257u : ((const uint16_t *)image->texels)[at];
-}
-
 static uint32_t distance(uint32_t a, uint32_t b)
 {
     return a < b ? b - a : a - b;
@@ -63,9 +56,9 @@ bool zr_mtl_is_grey(const struct zr_mtl *mtl, uint32_t number)
     const struct zr_image *image = &mtl->root.scene->images[number];
     for (uint32_t y = 0; y < image->height && !zr_is_cancelled(mtl->root.json.cancel); y++)
         for (uint32_t x = 0; x < image->width; x++) {
-            const uint32_t green = texel(image, x, y, 1);
-            if (distance(texel(image, x, y, 0), green) > GREY_TOLERANCE ||
-                distance(texel(image, x, y, 2), green) > GREY_TOLERANCE)
+            const uint32_t green = zr_image_texel(image, x, y, 1);
+            if (distance(zr_image_texel(image, x, y, 0), green) > GREY_TOLERANCE ||
+                distance(zr_image_texel(image, x, y, 2), green) > GREY_TOLERANCE)
                 return false;
         }
     return true;
@@ -113,7 +106,7 @@ static bool put_channel(const struct zr_mtl *mtl, const struct zr_image *out, vo
         for (uint32_t x = 0; x < out->width; x++) {
             const size_t column = from ? (size_t)((uint64_t)x * from->width / out->width) : 0,
                          at = 4 * ((size_t)y * out->width + x) + (size_t)k;
-            const uint32_t value = from ? texel(from, column, row, of->channel) : UINT16_MAX;
+            const uint32_t value = from ? zr_image_texel(from, column, row, of->channel) : UINT16_MAX;
             if (out->bits == 8)
                 ((uint8_t *)texels)[at] = (uint8_t)(value >> 8);
             else
@@ -123,29 +116,15 @@ static bool put_channel(const struct zr_mtl *mtl, const struct zr_image *out, vo
     return true;
 }
 
-/* Counts the texels as those of decoded images. False beyond a limit. */
-static bool count_pixels(struct zr_mtl *mtl, uint64_t pixels)
-{
-    struct zr_parsed_scene *root = &mtl->root;
-    struct zr_quick *quick = root->assets.quick;
-    if (pixels > root->json.limits->image_pixels_max - root->image_pixels) {
-        zr_error_add(&mtl->faults, ZR_BAD_SCENE, NULL, "the images have more pixels than are allowed");
-        return false;
-    }
-    if (quick &&
-        (quick->image_pixels_max < root->image_pixels || pixels > quick->image_pixels_max - root->image_pixels)) {
-        zr_quick_exceed(quick, &mtl->faults);
-        return false;
-    }
-    root->image_pixels += pixels;
-    return true;
-}
-
 static bool fill(struct zr_mtl *mtl, const struct zr_mtl_channel channels[4], uint32_t *number)
 {
     struct zr_image out = size_of(mtl, channels);
     const uint64_t pixels = (uint64_t)out.width * out.height;
-    if (!count_pixels(mtl, pixels)) return false;
+    if (!zr_parsed_count_pixels(&mtl->root, pixels)) {
+        if (mtl->faults.count == 0)
+            zr_error_add(&mtl->faults, ZR_BAD_SCENE, NULL, "the images have more pixels than are allowed");
+        return false;
+    }
     void *texels = zr_arena_alloc(mtl->root.json.arena, (size_t)pixels, 4 * (out.bits / 8));
     if (!texels) return false;
     for (int k = 0; k < 4; k++)
