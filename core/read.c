@@ -142,7 +142,9 @@ static enum zr_status open_body(struct zr_arena *arena, struct zr_request *body,
     if (body->size == 0) body->bytes = ""; /* no arithmetic on a null pointer */
     enum zr_status status = find_format(body, error);
     if (status == ZR_OK) status = refuse_utf16(body, error);
-    if (status == ZR_OK) status = zr_zip_body_open(arena, body, model, error);
+    if (status != ZR_OK) return status;
+    status = zr_zip_body_open(arena, body, model, error);
+    if (status != ZR_OK && body->format == ZR_FORMAT_ZIP) status = name_bytes(body, status, error);
     if (status == ZR_OK && *model) status = refuse_utf16(body, error);
     if (status == ZR_OK) skip_byte_order_mark(body);
     return status;

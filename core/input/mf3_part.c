@@ -196,9 +196,13 @@ static void check_required(struct zr_mf3 *file)
         const struct zr_xml_text prefix = {word, (size_t)(at - word)};
         const int space = zr_xml_space(&file->xml, prefix);
         const struct zr_xml_text uri = zr_xml_uri(&file->xml, prefix);
-        if (prefix.length > 0 && space < 0)
-            zr_mf3_fault(file, file->tag.at, "the required extension %s (%.*s) is not known",
-                         zr_quote(prefix.at, prefix.length).text, uri.length > 200 ? 0 : (int)uri.length, uri.at);
+        const struct zr_quote quote = zr_quote(prefix.at, prefix.length);
+        if (prefix.length > 0 && uri.length == 0)
+            zr_mf3_fault(file, file->tag.at, "the required extension %s has no namespace (xmlns:%.*s)", quote.text,
+                         prefix.length > 40 ? 0 : (int)prefix.length, prefix.at);
+        else if (prefix.length > 0 && space < 0)
+            zr_mf3_fault(file, file->tag.at, "the required extension %s (%.*s) is not known", quote.text,
+                         uri.length > 200 ? 0 : (int)uri.length, uri.at);
         else if (prefix.length > 0 && !spaces[space].is_read)
             zr_mf3_note(file, ZR_MF3_NOTE_REQUIRED, file->tag.at,
                         (struct zr_xml_text){spaces[space].text, strlen(spaces[space].text)});

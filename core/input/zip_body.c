@@ -109,24 +109,33 @@ static enum zr_status refuse_models(const struct zr_zip *zip, size_t count, stru
                         endings.text);
 }
 
-/* The members that a name fits: the one of this path, else all whose last part is the name. */
+/* The members that a name fits: the one of this path, else all whose last part is the name, in the case given or else
+ * in any. */
 struct matches {
     size_t count;
     const struct zr_zip_member *first[2];
 };
 
-static struct matches find_member(const struct zr_zip *zip, const char *name)
+static struct matches find_last_parts(const struct zr_zip *zip, const char *name, bool any_case)
 {
-    const struct zr_zip_member *of_path = zr_zip_find(zip, name, strlen(name));
-    struct matches matches = {.count = of_path != NULL, .first = {of_path}};
-    for (size_t i = 0; !of_path && i < zip->count; i++) {
+    struct matches matches = {.count = 0};
+    for (size_t i = 0; i < zip->count; i++) {
         size_t length;
         const char *part = last_part(&zip->members[i], &length);
-        if (length != strlen(name) || memcmp(part, name, length) != 0) continue;
+        if (length != strlen(name)) continue;
+        if (any_case ? strncasecmp(part, name, length) != 0 : memcmp(part, name, length) != 0) continue;
         if (matches.count < 2) matches.first[matches.count] = &zip->members[i];
         matches.count++;
     }
     return matches;
+}
+
+static struct matches find_member(const struct zr_zip *zip, const char *name)
+{
+    const struct zr_zip_member *of_path = zr_zip_find(zip, name, strlen(name));
+    if (of_path) return (struct matches){.count = 1, .first = {of_path}};
+    const struct matches matches = find_last_parts(zip, name, false);
+    return matches.count > 0 ? matches : find_last_parts(zip, name, true);
 }
 
 /* Refuses a name that fits no member, or several. */

@@ -71,6 +71,12 @@ static const struct body {
      ZR_BAD_REQUEST,
      "3 members have the name 'a.obj'; choose one by its path: 'x/a.obj', 'y/a.obj', ..."},
     {{TEXT("x/a.obj", OBJ), TEXT("y/a.obj", OBJ)}, "y/a.obj", ZR_OK, NULL},
+    {{TEXT("x/a.obj", OBJ), TEXT("y/b.obj", OBJ)}, "A.OBJ", ZR_OK, NULL},
+    {{TEXT("x/a.obj", OBJ), TEXT("y/A.OBJ", "x")}, "a.obj", ZR_OK, NULL},
+    {{TEXT("x/a.obj", OBJ), TEXT("y/a.obj", OBJ)},
+     "A.obj",
+     ZR_BAD_REQUEST,
+     "2 members have the name 'A.obj'; choose one by its path: 'x/a.obj', 'y/a.obj'"},
     {{TEXT("x/a.obj", OBJ), TEXT("y/a.obj", OBJ)},
      "b.obj",
      ZR_BAD_REQUEST,
@@ -133,6 +139,18 @@ TEST(a_broken_member_is_named)
     file = zip_file(bodies[2].entries, 2, &size, &directory);
     assert_true(smallest_ceiling((struct zr_request){.format = ZR_FORMAT_ZIP}, file, size, 1 << 18) > 0);
     free(file);
+}
+
+TEST(another_format_is_named)
+{
+    static const char *const bodies_of_others[][2] = {{OBJ, "the body is said to be ZIP, and looks like OBJ"},
+                                                      {"PK\3\4", "a broken ZIP archive: its end is missing"}};
+    for (size_t i = 0; i < 2; i++) {
+        struct reading *reading = read_bytes(ZR_FORMAT_ZIP, bodies_of_others[i][0], strlen(bodies_of_others[i][0]));
+        assert_complaint(reading, ZR_BAD_SYNTAX, "", bodies_of_others[i][1]);
+        assert_int_equal(reading->error.count, i == 0 ? 2 : 1);
+        reading_free(reading);
+    }
 }
 
 TEST(parts_of_the_request_replace_members)
