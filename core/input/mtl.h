@@ -68,7 +68,7 @@ struct zr_mtl_text {
 struct zr_mtl_noted {
     size_t count;
     struct zr_mtl_text first;
-    struct zr_reason reason; /* set by BAD_IMAGE */
+    struct zr_reason reason; /* set by BAD_IMAGE and STRAY */
 };
 
 /* A material of a file: its name, and the lines below it. */

@@ -4,6 +4,7 @@
 
 #include "base/cancel.h"
 #include "input/mtl.h"
+#include "input/sniff.h"
 #include "input/text.h"
 
 enum { ENTRIES_AT_FIRST = 16, LINES_A_POLL = 1024, REPORT_MAX = 64 };
@@ -88,6 +89,8 @@ bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length)
     if (!asset) return false;
     const char *bytes = asset->bytes;
     const size_t mark = zr_byte_order_mark(bytes, asset->size);
+    if (zr_is_utf16(bytes, asset->size))
+        zr_reason_give(&mtl->notes[ZR_MTL_NOTE_STRAY].reason, "the file is UTF-16 text; UTF-8 is read");
     index_lines(mtl, (struct zr_mtl_text){bytes + mark, bytes + asset->size, 1});
     mtl->file_count++;
     return mtl->status == ZR_OK;

@@ -292,6 +292,12 @@ TEST(materials_are_found_by_their_names)
          "Kd 1 1 1\nnewmtl a\nKd .25 0 0",
          {0.25f, 0.25f},
          "MTL: 1 line is before the first newmtl, and is not read; it is line 1: 'Kd 1 1 1'"},
+        {"mtllib m.mtl\nusemtl a\n" V "f 1 2 3\nf 1 3 4\n",
+         "\xFF\xFEn\nnewmtl a\nKd .25 0 0",
+         {0.25f, 0.25f},
+         "MTL: 1 line is before the first newmtl, and is not read; it is line 1: '??n' (the file is UTF-16 text; UTF-8 "
+         "is "
+         "read)"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct reading *reading = read_with(rows[i].obj, rows[i].mtl, NULL),
