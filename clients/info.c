@@ -13,10 +13,22 @@ static bool is_plain(const cJSON *value)
     return !cJSON_IsArray(value) && !cJSON_IsObject(value);
 }
 
+/* Prints a byte of a text. Control characters, which would command the terminal, become '?'. */
+static void print_byte(unsigned char byte)
+{
+    putchar(byte < ' ' || byte == 0x7F ? '?' : byte);
+}
+
+static void print_text(const char *text)
+{
+    for (; *text; text++)
+        print_byte((unsigned char)*text);
+}
+
 static void print_value(const cJSON *value)
 {
     if (cJSON_IsString(value))
-        fputs(value->valuestring, stdout);
+        print_text(value->valuestring);
     else if (cJSON_IsNumber(value))
         printf(value->valuedouble == (double)(long)value->valuedouble ? "%.0f" : "%.6g", value->valuedouble);
     else
@@ -83,7 +95,7 @@ static void print_name(const char *name)
         const bool begins = (byte & 0xC0) != 0x80;
         if (begins && columns == NAME_COLUMNS) break;
         columns += begins;
-        putchar(byte < ' ' || byte == 0x7F ? '?' : byte);
+        print_byte(byte);
     }
     printf("%*s", NAME_COLUMNS - columns, "");
 }
