@@ -11,6 +11,7 @@
 #include "input/parts.h"
 #include "input/stl_color.h"
 #include "input/stl_text.h"
+#include "input/text.h"
 
 enum {
     HEADER_BYTES = 80,
@@ -60,8 +61,7 @@ static uint16_t attribute_of(const struct binary *binary, size_t triangle)
 }
 
 /* Reads triangles begin..end - 1, up to `faults` faults. Returns the bits that any attribute has. */
-static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, size_t faults,
-                               struct zr_error *error)
+static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, size_t faults, struct zr_error *error)
 {
     unsigned any = 0;
     const float near = binary->limits->coordinate_max, limit = (float)zr_far_limit(binary->limits);
@@ -199,6 +199,19 @@ bool zr_looks_so_STL(const char *bytes, size_t size)
     return wanted == size || zr_stl_is_text(bytes, size) || (wanted < size && has_model_triangles(bytes));
 }
 
+/* Returns the length of the first line within the header if header and count are printable, as in a text; else 0. */
+static size_t text_header_line(const char *bytes)
+{
+    size_t line = COUNT_END;
+    for (size_t i = COUNT_END; i-- > 0;) {
+        if (bytes[i] == '\n' || bytes[i] == '\r')
+            line = i;
+        else if (bytes[i] != '\t' && ((unsigned char)bytes[i] < ' ' || bytes[i] == 0x7F))
+            return 0;
+    }
+    return line;
+}
+
 static enum zr_status read_any(struct zr_scene_builder *builder, const struct zr_request *request,
                                const struct zr_limits *limits, struct zr_stl *out, struct zr_error *error)
 {
@@ -212,6 +225,11 @@ static enum zr_status read_any(struct zr_scene_builder *builder, const struct zr
                             size);
     const uint32_t count = read_u32(bytes + HEADER_BYTES);
     const uint64_t wanted = size_wanted(bytes);
+    const size_t line = text_header_line(bytes);
+    if (wanted > size && line > 0)
+        return zr_error_add(error, ZR_BAD_SYNTAX, NULL,
+                            "neither 'solid' nor a binary header: a text that begins with %s",
+                            zr_quote(bytes, line).text);
     if (wanted > size || (count == 0 && wanted < size))
         return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "%llu bytes expected for %u triangles, got %zu; they hold %zu",
                             (unsigned long long)wanted, count, size, (size - COUNT_END) / TRIANGLE_BYTES);
