@@ -136,7 +136,8 @@ struct zr_gltf_image {
     const char *uri;
     uint32_t view; /* or NONE */
     enum zr_gltf_state state;
-    uint32_t number; /* if READ: number of the scene's image */
+    uint32_t number;              /* if READ: number of the scene's image */
+    struct zr_parsed_bytes bytes; /* of its file, once they are found */
 };
 
 /* Number of problems of one kind, and the path of the first one. */
@@ -157,6 +158,7 @@ struct zr_gltf {
     struct zr_gltf_texture *textures;
     struct zr_parsed_sampler *samplers;
     struct zr_gltf_image *images;
+    struct zr_gltf_listing *listing; /* gltf_image_ahead.h; NULL: images are decoded */
     const char **material_places; /* NULL after the material is read */
     uint32_t *first_uses;         /* one per mesh; NONE if no node of the scene places it */
     uint32_t use_count;

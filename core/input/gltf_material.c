@@ -1,5 +1,6 @@
 /* Converts materials of glTF to materials of a scene. Reads a material at its first use by a drawn primitive. */
 #include "input/gltf_extensions.h"
+#include "input/gltf_image_ahead.h"
 
 #include <float.h>
 
@@ -222,6 +223,13 @@ const struct zr_parsed_material *zr_gltf_find_material(struct zr_gltf *file, con
     if (place && !read_material(file, place, ZR_GLTF_ITEM(ZR_GLTF_MATERIALS, number), material)) return NULL;
     file->material_places[number] = NULL;
     return material;
+}
+
+void zr_gltf_list_images_of(struct zr_gltf *file, uint32_t number)
+{
+    struct zr_parsed_material unused = {.name = NULL};
+    if (number < file->counts[ZR_GLTF_MATERIALS] && file->material_places[number])
+        read_material(file, file->material_places[number], ZR_GLTF_ITEM(ZR_GLTF_MATERIALS, number), &unused);
 }
 
 uint32_t zr_gltf_texcoords_of(const struct zr_parsed_material *material)

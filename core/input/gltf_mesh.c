@@ -1,5 +1,5 @@
 /* Reads meshes of glTF: each primitive becomes a mesh of the scene. */
-#include "input/gltf.h"
+#include "input/gltf_image_ahead.h"
 
 /* ---- primitives ---- */
 
@@ -146,6 +146,7 @@ bool zr_gltf_read_meshes(struct zr_gltf *file)
         !file->moves)
         return false;
     file->made->mesh_materials = file->mesh_materials;
+    zr_gltf_read_images_ahead(file);
     zr_gltf_read_list(file, ZR_GLTF_MESHES, read_mesh);
     file->root.scene->mesh_count = file->next_mesh;
     return json->error->count == 0 && !zr_gltf_stops(file);

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "input/gltf_image_ahead.h"
 #include "scene/texture.h"
 
 /* ---- samplers ---- */
@@ -72,18 +73,33 @@ static void read_image(struct zr_gltf *file, struct zr_json *json, const struct 
     zr_gltf_fields(file, json, path, &image_object, image, &keys);
 }
 
-static bool decode(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_image *image)
+static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_image *image)
 {
-    const struct zr_json_path *uri = ZR_JSON_KEY(path, image_fields[IMAGE_URI].key),
-                              *view = ZR_JSON_KEY(path, image_fields[IMAGE_VIEW].key);
-    struct zr_parsed_bytes bytes;
+    struct zr_parsed_bytes found;
+    if (image->bytes.bytes) return true;
     if (!image->uri == (image->view == ZR_GLTF_NONE))
         return zr_json_fault(&file->root.json, path, "%s of uri and bufferView is needed",
                              image->uri ? "only one" : "one");
-    if (!(image->uri ? zr_gltf_find_uri(file, uri, image->uri, &bytes)
-                     : zr_gltf_find_view(file, view, image->view, &bytes)))
+    if (!(image->uri ? zr_gltf_find_uri(file, ZR_JSON_KEY(path, image_fields[IMAGE_URI].key), image->uri, &found)
+                     : zr_gltf_find_view(file, ZR_JSON_KEY(path, image_fields[IMAGE_VIEW].key), image->view, &found)))
         return false;
-    return zr_parsed_add_image(&file->root, image->uri ? uri : view, &bytes, &image->number);
+    image->bytes = found;
+    return true;
+}
+
+static bool decode(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_image *image)
+{
+    const struct zr_json_path *at = ZR_JSON_KEY(path, image_fields[image->uri ? IMAGE_URI : IMAGE_VIEW].key);
+    return find_bytes(file, path, image) && zr_parsed_add_image(&file->root, at, &image->bytes, &image->number);
+}
+
+/* Adds the file of an image to those that are decoded ahead. */
+static void list_image(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number)
+{
+    if (!zr_gltf_check_index(file, path, number, ZR_GLTF_IMAGES)) return;
+    struct zr_gltf_image *image = &file->images[number];
+    if (image->state == ZR_GLTF_UNREAD && find_bytes(file, ZR_GLTF_ITEM(ZR_GLTF_IMAGES, number), image))
+        zr_parsed_ahead_add(file->listing->root, &image->bytes);
 }
 
 static bool find_image(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t *out)
@@ -213,7 +229,8 @@ static const struct zr_json_field info_fields[] = {
 #undef AT
 static const struct zr_json_object info_object = ZR_JSON_OBJECT_OF("textureInfo", info_fields);
 
-/* Finds the image and the sampler of a texture. False after a fault, or without an image, which is counted. */
+/* Finds the image and the sampler of a texture. False after a fault, in a rehearsal, or without an image, which is
+ * counted. */
 static bool find(struct zr_gltf *file, enum zr_texture_slot slot, uint32_t number,
                  const struct zr_parsed_texture *given, struct zr_texture *out)
 {
@@ -228,9 +245,14 @@ static bool find(struct zr_gltf *file, enum zr_texture_slot slot, uint32_t numbe
                                .minify = (enum zr_filter)sampler->minify,
                                .is_color = slot == ZR_TEXTURE_BASE_COLOR || slot == ZR_TEXTURE_EMISSIVE};
     zr_parsed_put_transform(given, out);
-    if (of->source == ZR_GLTF_NONE) zr_gltf_note(&file->no_source, at);
-    return of->source != ZR_GLTF_NONE &&
-           find_image(file, ZR_JSON_KEY(at, texture_fields[SOURCE].key), of->source, &out->image);
+    if (of->source == ZR_GLTF_NONE) {
+        zr_gltf_note(&file->no_source, at);
+        return false;
+    }
+    const struct zr_json_path *source = ZR_JSON_KEY(at, texture_fields[SOURCE].key);
+    if (!file->listing) return find_image(file, source, of->source, &out->image);
+    list_image(file, source, of->source);
+    return false;
 }
 
 bool zr_gltf_add_texture(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_texture *texture,

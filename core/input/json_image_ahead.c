@@ -24,16 +24,32 @@ const struct zr_image_file *zr_parsed_ahead_bytes(const struct zr_parsed_ahead *
     return NULL;
 }
 
-void zr_parsed_read_files_ahead(struct zr_parsed_scene *root, struct zr_image_file *files, size_t count)
+void zr_parsed_ahead_decode(struct zr_parsed_scene *root)
 {
     const struct zr_quick *quick = root->assets.quick;
     uint64_t most = root->json.limits->image_pixels_max;
     if (quick && quick->image_pixels_max < most) most = quick->image_pixels_max;
-    root->ahead.files = files;
-    root->ahead.count = count;
-    if (count < 2 || root->image_pixels > most) return;
-    zr_images_read_ahead(root->json.arena, root->json.team, &root->assets.images, most - root->image_pixels, files,
-                         count);
+    if (root->ahead.count < 2 || root->image_pixels > most) return;
+    zr_images_read_ahead(root->json.arena, root->json.team, &root->assets.images, most - root->image_pixels,
+                         root->ahead.files, root->ahead.count);
+}
+
+static bool has_bytes(const struct zr_parsed_ahead *ahead, const struct zr_parsed_bytes *bytes)
+{
+    for (size_t i = 0; i < ahead->count; i++)
+        if (ahead->files[i].size == bytes->size &&
+            (ahead->files[i].bytes == bytes->bytes || memcmp(ahead->files[i].bytes, bytes->bytes, bytes->size) == 0))
+            return true;
+    return false;
+}
+
+void zr_parsed_ahead_add(struct zr_parsed_scene *root, const struct zr_parsed_bytes *bytes)
+{
+    struct zr_parsed_ahead *ahead = &root->ahead;
+    if (ahead->count == ZR_AHEAD_MAX || bytes->size == 0 || has_bytes(ahead, bytes)) return;
+    if (!ahead->files) ahead->files = zr_arena_alloc(root->json.arena, ZR_AHEAD_MAX, sizeof *ahead->files);
+    if (!ahead->files) return;
+    ahead->files[ahead->count++] = (struct zr_image_file){.bytes = bytes->bytes, .size = bytes->size};
 }
 
 /* Adds the file of a texture unless the list has it. False if it cannot be read. */
@@ -68,5 +84,5 @@ void zr_parsed_read_ahead(struct zr_parsed_scene *root)
             }
             good = add_file(root, names, &texture->name);
         }
-    if (names) zr_parsed_read_files_ahead(root, root->ahead.files, root->ahead.count);
+    if (names) zr_parsed_ahead_decode(root);
 }

@@ -8,8 +8,10 @@
 /* Decodes the images of all materials by several threads. Faults are reported when the textures are read. */
 void zr_parsed_read_ahead(struct zr_parsed_scene *root);
 
-/* Decodes the given files, an array in the arena. */
-void zr_parsed_read_files_ahead(struct zr_parsed_scene *root, struct zr_image_file *files, size_t count);
+/* The same for readers that find the files themselves. zr_parsed_ahead_add adds a file to root->ahead, without a name,
+ * unless the list has its bytes or is full; the bytes must outlive the reading. */
+void zr_parsed_ahead_add(struct zr_parsed_scene *root, const struct zr_parsed_bytes *bytes);
+void zr_parsed_ahead_decode(struct zr_parsed_scene *root);
 
 /* Returns the file with this name or these bytes, or NULL. */
 const struct zr_image_file *zr_parsed_ahead_name(const struct zr_parsed_ahead *ahead, const struct zr_bytes_name *name);

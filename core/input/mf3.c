@@ -81,7 +81,7 @@ enum zr_status zr_read_3MF(struct zr_scene_builder *builder, const struct zr_req
     enum zr_status status = zr_zip_open(arena, request->bytes, request->size, &file->zip, &reason);
     if (status == ZR_BAD_SYNTAX) return zr_error_add(error, status, NULL, "a broken ZIP archive: %s", reason.text);
     if (status == ZR_OK) status = read_parts(file);
-    if (status == ZR_OK) status = zr_mf3_place(file, builder, request->quick);
+    if (status == ZR_OK) status = zr_mf3_place(file, builder, request);
     if (status != ZR_OK) return status;
     warn(file, builder);
     builder->scene->file.unit = zr_mf3_parts(file)[0].unit;

@@ -109,6 +109,8 @@ struct zr_mf3_resource {
 
     /* A texture2d. */
     const struct zr_zip_member *image; /* NULL: the archive lacks it */
+    const char *unpacked;              /* bytes of the image, once they are read */
+    bool is_listed;                    /* among the images that are decoded ahead */
     int wrap_s, wrap_t, filter;        /* indices of the words of mf3_texture.c */
     bool ends;                         /* its tilestyle is none */
     bool is_over;                      /* it lies over a colour of multiproperties */
@@ -316,7 +318,7 @@ void zr_mf3_color_by_extruders(struct zr_mf3 *file, struct zr_mesh *mesh, const 
 
 /* mf3_material.c: makes the materials of `count` meshes. textures[i]: the texture of each face of mesh i, or NULL.
  * Materials replace the textures in this list. Without textures, leaves the scene without materials. */
-bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick,
+bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder, const struct zr_request *request,
                            struct zr_file_scene *scene, uint32_t count, uint32_t **textures);
 
 /* mf3_mesh.c: reads the mesh of an object, and its entry of `moves`; `object`: its id. `pid`, `pindex`: its default
@@ -324,6 +326,6 @@ bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder
 uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t object, uint32_t pid, uint32_t pindex);
 
 /* mf3_build.c: places the meshes that the build uses, in builder->file. */
-enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick);
+enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builder, const struct zr_request *request);
 
 #endif

@@ -127,7 +127,7 @@ static void report(struct build *build, const struct zr_placement *placement, ui
 }
 
 /* Moves the placed meshes to the builder, in the order of the file. */
-static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick,
+static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, const struct zr_request *request,
                         struct zr_file_scene *scene)
 {
     const struct zr_mesh *all = file->meshes.items;
@@ -151,7 +151,7 @@ static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, s
     for (uint32_t i = 0; i < scene->instance_count; i++)
         scene->instances[i].mesh = numbers[scene->instances[i].mesh];
     builder->file = scene;
-    return zr_mf3_make_materials(file, builder, quick, scene, kept, textures);
+    return zr_mf3_make_materials(file, builder, request, scene, kept, textures);
 }
 
 static enum zr_status refuse_empty(struct zr_mf3 *file)
@@ -207,9 +207,10 @@ static enum zr_status place_far(const struct build *build, struct zr_scene_build
     return zr_far_instances(file->arena, file->cancel, file->limits, &scene, &builder->scene->origin, file->error);
 }
 
-enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick)
+enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builder, const struct zr_request *request)
 {
     struct build build = {.file = file};
+    struct zr_quick *quick = request->quick;
     add_nodes(&build);
     if (zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
     if (!zr_arena_ok(file->arena)) return ZR_NO_MEMORY;
@@ -233,6 +234,6 @@ enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builde
     scene->instances = placement.instances;
     scene->instance_count = drop_empty(file, placement.instances, placement.count);
     if (scene->instance_count == 0) return refuse_empty(file);
-    if (keep_placed(file, builder, quick, scene)) return ZR_OK;
+    if (keep_placed(file, builder, request, scene)) return ZR_OK;
     return zr_is_cancelled(file->cancel) ? ZR_CANCELLED : file->error->count > 0 ? file->error->status : ZR_NO_MEMORY;
 }

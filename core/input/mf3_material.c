@@ -1,5 +1,5 @@
 /* Materials of 3MF: one per texture that a placed mesh uses. */
-#include "input/json_scene.h"
+#include "input/json_image_ahead.h"
 #include "input/mf3.h"
 #include "scene/texture.h"
 
@@ -10,21 +10,34 @@ struct making {
     struct zr_mf3_list materials; /* struct zr_parsed_material */
 };
 
+static enum zr_status unpack(struct making *making, struct zr_mf3_resource *texture, struct zr_reason *reason)
+{
+    const char *bytes;
+    if (texture->unpacked) return ZR_OK;
+    const enum zr_status status = zr_zip_read(texture->image, making->file->arena, &bytes, reason);
+    if (status == ZR_OK) texture->unpacked = bytes;
+    return status;
+}
+
+static struct zr_parsed_bytes bytes_of(const struct zr_mf3_resource *texture)
+{
+    return (struct zr_parsed_bytes){.bytes = texture->unpacked, .size = (size_t)texture->image->size};
+}
+
 /* Reads the image of a texture. False without one, or after a fault. */
-static bool read_image(struct making *making, const struct zr_mf3_resource *texture, uint32_t *number)
+static bool read_image(struct making *making, struct zr_mf3_resource *texture, uint32_t *number)
 {
     struct zr_mf3 *file = making->file;
     struct zr_reason reason = {""};
-    const char *image;
     file->part = texture->part;
     if (!texture->image) {
         zr_mf3_note(file, ZR_MF3_NOTE_IMAGE, texture->at, (struct zr_xml_text){"", 0});
         return false;
     }
-    const enum zr_status status = zr_zip_read(texture->image, file->arena, &image, &reason);
+    const enum zr_status status = unpack(making, texture, &reason);
     if (status == ZR_BAD_SYNTAX) zr_error_add(file->error, status, NULL, "%s", reason.text);
     if (status != ZR_OK) return false;
-    const struct zr_parsed_bytes bytes = {.bytes = image, .size = (size_t)texture->image->size};
+    const struct zr_parsed_bytes bytes = bytes_of(texture);
     if (zr_parsed_add_image(making->root, NULL, &bytes, number)) return true;
     if (making->faults.count > 0)
         zr_mf3_fault(file, texture->at, "texture %u: %s", texture->id, making->faults.items[0].detail);
@@ -65,10 +78,27 @@ static void make_material(struct making *making, struct zr_mf3_resource *texture
     texture->material = making->materials.count - 1;
 }
 
+enum { FACES_AT_ONCE = 1 << 14 };
+
+/* Lists the images of the textures of faces for decoding. Drops faults, which number_faces reports. */
+static void list_images(struct making *making, const uint32_t *textures, uint32_t faces)
+{
+    struct zr_reason dropped;
+    for (uint32_t i = 0; i < faces; i++) {
+        if (i % FACES_AT_ONCE == 0 && zr_is_cancelled(making->file->cancel)) return;
+        if (textures[i] == ZR_MF3_NONE) continue;
+        struct zr_mf3_resource *texture = &zr_mf3_resources(making->file)[textures[i]];
+        if (texture->is_listed || making->root->ahead.count == ZR_AHEAD_MAX) continue;
+        texture->is_listed = true;
+        if (!texture->image || unpack(making, texture, &dropped) != ZR_OK) continue;
+        const struct zr_parsed_bytes bytes = bytes_of(texture);
+        zr_parsed_ahead_add(making->root, &bytes);
+    }
+}
+
 /* Turns the textures of faces into materials. True if all faces have the same material, *first. */
 static bool number_faces(struct making *making, uint32_t *textures, uint32_t faces, uint32_t *first)
 {
-    enum { FACES_AT_ONCE = 1 << 14 };
     bool is_one = true;
     *first = ZR_FILE_MATERIAL_NONE;
     for (uint32_t i = 0; i < faces; i++) {
@@ -85,7 +115,7 @@ static bool number_faces(struct making *making, uint32_t *textures, uint32_t fac
 }
 
 static struct zr_parsed_scene *open_root(struct making *making, struct zr_scene_builder *builder,
-                                         struct zr_quick *quick)
+                                         const struct zr_request *request)
 {
     struct zr_mf3 *file = making->file;
     struct zr_parsed_scene *root = zr_arena_zero(file->arena, 1, sizeof *root);
@@ -97,11 +127,12 @@ static struct zr_parsed_scene *open_root(struct making *making, struct zr_scene_
                                   .error = &making->faults};
     root->builder = builder;
     root->scene = builder->scene;
-    root->assets.quick = quick;
+    root->assets.quick = request->quick;
+    root->assets.images = request->images;
     return root;
 }
 
-bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder, struct zr_quick *quick,
+bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder, const struct zr_request *request,
                            struct zr_file_scene *scene, uint32_t count, uint32_t **textures)
 {
     struct making making = {.file = file};
@@ -109,9 +140,12 @@ bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder
     for (uint32_t i = 0; i < count; i++)
         is_any = is_any || textures[i];
     if (!is_any) return true;
-    making.root = open_root(&making, builder, quick);
+    making.root = open_root(&making, builder, request);
     uint32_t *of_meshes = zr_arena_alloc(file->arena, count, sizeof *of_meshes);
     if (!making.root || !of_meshes) return false;
+    for (uint32_t i = 0; i < count; i++)
+        if (textures[i]) list_images(&making, textures[i], builder->meshes[i].face_count);
+    zr_parsed_ahead_decode(making.root);
     for (uint32_t i = 0; i < count; i++) {
         of_meshes[i] = ZR_FILE_MATERIAL_NONE;
         if (textures[i] && number_faces(&making, textures[i], builder->meshes[i].face_count, &of_meshes[i]))

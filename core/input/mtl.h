@@ -3,6 +3,7 @@
  *     mtl = zr_mtl_open(builder, request, limits, error)
  *     zr_mtl_add(mtl, name, length) for each file that mtllib names; then mtl->has_maps
  *     zr_mtl_use(mtl, name, length) for each usemtl: the number of the material in mtl->made
+ *     zr_mtl_make_used(mtl): the values and images of these materials
  *     zr_mtl_close: the warnings
  *
  * Source: Wavefront, "MTL material format" 4.2 (1995); Clara.io, "Extending Wavefront MTL for physically-based
@@ -17,7 +18,7 @@
  * Metal:  Pm, else 0 if Ns or Ks is given, else the look's metalness. Ks has no other effect.
  * Normal: norm, else map_Bump or bump, if the image has colours: recent programs write normal maps there. -bm is its
  *         factor. A grey image holds heights, which are not drawn.
- * Lazy:   zr_mtl_add only indexes lines. A material and its images are read at its first use.
+ * Lazy:   zr_mtl_add only indexes lines. Only materials that are used are read, and their images.
  * Thread: one struct zr_mtl belongs to one thread.
  */
 #ifndef ZR_MTL_H
@@ -132,8 +133,12 @@ bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length);
 /* Indexes the only asset whose name ends in .mtl, for files that were renamed. Returns its name, or NULL. */
 const char *zr_mtl_add_only(struct zr_mtl *mtl);
 
-/* Returns the number of a material in mtl->made, or ZR_FILE_MATERIAL_NONE. */
+/* Returns the number of a material in mtl->made, or ZR_FILE_MATERIAL_NONE. Its values follow by zr_mtl_make_used. */
 uint32_t zr_mtl_use(struct zr_mtl *mtl, const char *name, size_t length);
+
+/* mtl_used.c: reads the used materials, in the order of their first uses. Decodes their images by several threads.
+ * Failures are in mtl->status. */
+void zr_mtl_make_used(struct zr_mtl *mtl);
 
 /* Warns of properties that are not drawn, and of unused assets. */
 void zr_mtl_close(struct zr_mtl *mtl);

@@ -1,4 +1,4 @@
-/* Finds the materials of MTL files by their names, and reads each at its first use. */
+/* Finds the materials of MTL files by their names. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,6 +8,7 @@
 #include "input/text.h"
 
 enum { ENTRIES_AT_FIRST = 16, LINES_A_POLL = 1024, REPORT_MAX = 64 };
+
 
 struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error)
@@ -190,7 +191,6 @@ uint32_t zr_mtl_use(struct zr_mtl *mtl, const char *name, size_t length)
     struct zr_mtl_entry *entry = find(mtl, &wanted);
     if (!entry) return ZR_FILE_MATERIAL_NONE;
     if (entry->number != ZR_FILE_MATERIAL_NONE || mtl->status != ZR_OK) return entry->number;
-    struct zr_mtl_values values;
     struct zr_parsed_material *out = add_material(mtl);
     if (!out) return ZR_FILE_MATERIAL_NONE;
     entry->number = mtl->made->material_count - 1;
@@ -199,8 +199,6 @@ uint32_t zr_mtl_use(struct zr_mtl *mtl, const char *name, size_t length)
         mtl->status = ZR_NO_MEMORY;
         return ZR_FILE_MATERIAL_NONE;
     }
-    zr_mtl_read_values(mtl, entry, &values);
-    zr_mtl_convert(mtl, &values, out);
     return entry->number;
 }
 

@@ -278,6 +278,7 @@ static enum zr_status name_all(struct naming *naming)
         take(&file->names[i], &state);
     }
     if (!name_run(naming, begin, file->total.faces, &state)) return ZR_NO_MEMORY;
+    if (file->mtl && file->mtl->status == ZR_OK) zr_mtl_make_used(file->mtl);
     return file->mtl ? file->mtl->status : ZR_OK;
 }
 

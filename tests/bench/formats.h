@@ -8,4 +8,7 @@
  * and drawing alone, smooth STL against flat STL, and another pose of a kept mesh against drawing alone. */
 void formats_against_each_other(struct bench *bench);
 
+/* images.c: a GLB with textures, read by two threads and by one. */
+void images_by_threads(struct bench *bench);
+
 #endif

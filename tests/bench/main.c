@@ -159,6 +159,7 @@ int main(int count, char **arguments)
     versus_cjson(&bench);
     arrays_against_json(&bench);
     formats_against_each_other(&bench);
+    images_by_threads(&bench);
     service_against_stock(&bench);
     looks_over_http(&bench);
     service_for_simulator(&bench);

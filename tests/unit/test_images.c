@@ -2,7 +2,6 @@
 #include "base/team.h"
 #include "images.h"
 #include "scene/image.h"
-#include "support/base64.h"
 #include "support/files.h"
 #include "support/png.h"
 #include "support/scenes.h"
@@ -316,75 +315,6 @@ TEST(pictures_are_the_same_with_and_without_kept_images)
     images_close(drawn.few);
     images_close(drawn.many);
     zr_team_destroy(drawn.team);
-}
-
-/* ---- several images at once ---- */
-
-/* Returns a scene whose materials have one image each. `broken`: a bit per image that is cut off.
- * The caller frees it. */
-static char *scene_of(unsigned broken)
-{
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    fputs("{\"materials\":[", out);
-    for (int i = 0; i < FILES; i++) {
-        char *uri = base64_of("data:image/png;base64,", files[i], sizes[i] - (broken >> i & 1) * 20);
-        fprintf(out, "%s{\"name\":\"%d\",\"baseColorTexture\":{\"uri\":\"%s\"}}", i ? "," : "", i, uri);
-        free(uri);
-    }
-    fputs("],\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}", out);
-    fclose(out);
-    return text;
-}
-
-static enum zr_status read_scene(struct zr_team *team, const char *text, const struct zr_cancel *cancel,
-                                 struct zr_error *error)
-{
-    const struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = text, .size = strlen(text), .cancel = cancel};
-    const struct zr_limits limits = zr_limits_default();
-    const struct zr_scene *scene;
-    *error = (struct zr_error){.count = 0};
-    zr_arena_reset(&arena, SIZE_MAX);
-    return zr_scene_read(&arena, team, &request, &limits, &scene, error);
-}
-
-TEST(faults_of_images_are_those_of_one_thread)
-{
-    struct zr_team *team = zr_team_create(THREADS);
-    for (unsigned broken = 0; broken < 1u << FILES; broken++) {
-        char *text = scene_of(broken);
-        struct zr_error one, all;
-        char details[4][512], pointers[4][128];
-        const enum zr_status status = read_scene(NULL, text, NULL, &one);
-        assert_int_equal(status == ZR_OK, broken == 0);
-        const size_t count = zr_error_held(&one), used = arena.used;
-        assert_true(count <= 4);
-        for (size_t i = 0; i < count; i++) {
-            snprintf(details[i], sizeof details[i], "%s", one.items[i].detail);
-            snprintf(pointers[i], sizeof pointers[i], "%s", one.items[i].pointer);
-        }
-        assert_int_equal(read_scene(team, text, NULL, &all), status);
-        assert_int_equal(zr_error_held(&all), count);
-        assert_int_equal(arena.used, used);
-        for (size_t i = 0; i < count; i++) {
-            assert_string_equal(all.items[i].detail, details[i]);
-            assert_string_equal(all.items[i].pointer, pointers[i]);
-        }
-        free(text);
-    }
-    zr_team_destroy(team);
-}
-
-TEST(decoding_of_several_images_is_cancelled)
-{
-    struct zr_team *team = zr_team_create(THREADS);
-    const struct zr_cancel cancel = {.raised = true};
-    char *text = scene_of(0);
-    struct zr_error error;
-    assert_int_equal(read_scene(team, text, &cancel, &error), ZR_CANCELLED);
-    free(text);
-    zr_team_destroy(team);
 }
 
 RUN_TESTS(make_files, free_files)
