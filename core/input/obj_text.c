@@ -123,6 +123,7 @@ enum zr_obj_keyword zr_obj_rare_keyword(const struct zr_obj_statement *word)
     size_t length = (size_t)(word->end - word->at);
     if (length == 2 && word->at[0] == 'v' && word->at[1] == 'n') return ZR_OBJ_VN; /* frequent */
     if (length == 2 && word->at[0] == 'v' && word->at[1] == 't') return ZR_OBJ_VT;
+    if (length == 6 && memcmp(word->at, "usemtl", 6) == 0) return ZR_OBJ_USE; /* some programs write one per face */
     if (memchr(word->at, '\0', length)) return ZR_OBJ_UNKNOWN;
     const struct rare_word *found =
         bsearch(word, words, sizeof words / sizeof words[0], sizeof words[0], compare_words);
