@@ -195,6 +195,8 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     const double times = drawn * scale * TIMES[scene->algorithm].fragment;
     const double depth = scale * sample->layered / pixels;
     counts[ZR_COST_TRIANGLE] += 2.0 * (passes->centres + passes->samples) * scale * sample->outlines;
+    counts[ZR_COST_RUN] =
+        scale * sample->runs * (passes->centres + passes->maps + passes->samples * (1.0 + 0.5 * passes->side));
     counts[ZR_COST_FRAGMENT] = times * sample->fragments;
     counts[ZR_COST_LINE_FRAGMENT] = times * sample->line_fragments;
     counts[ZR_COST_SHAPE_CORNER] = (passes->centres + passes->samples + passes->maps) * scale * sample->shape_corners;

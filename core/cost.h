@@ -19,6 +19,7 @@
     ROW(INSTANCE, 1600.0, "instances")                                                                                 \
     ROW(VERTEX, 25.0, "vertices")                                                                                      \
     ROW(TRIANGLE, 25.0, "triangles")                                                                                   \
+    ROW(RUN, 600.0, "changes of the material from one face to the next")                                               \
     ROW(NORMAL, 67.0, "triangles whose normals are averaged")                                                          \
     ROW(VERTEX_LAMP, 0.25, "vertices times lamps")                                                                     \
     ROW(VERTEX_PLACED_LAMP, 0.8, "vertices times point and spot lamps")                                                \

@@ -151,6 +151,8 @@ static void add_face(struct tally *tally, const struct zr_mesh *mesh, uint32_t f
         tally->sums.outlines += corners;
     }
     if (material->unfilled) return;
+    if (mesh->face_materials && face > 0 && mesh->face_materials[face] != mesh->face_materials[face - 1])
+        tally->sums.runs += 1.0;
     const bool shape = zr_face_is_shape(mesh, face);
     const bool is_back = print.behind == 0 && (tally->is_mirrored ? print.net > 0.0 : print.net < 0.0);
     const double pixels = is_back && !material->double_sided ? 0.0 : pixels_in_window(tally, &print);

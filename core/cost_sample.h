@@ -13,6 +13,7 @@ struct zr_cost_sample {
     double width, height; /* of the window, pixels */
     double scale;         /* faces, lines and points of the scene per one of the sample; 0 without any */
     double faces, fragments, line_fragments, layered;
+    double runs;                         /* faces with another material than the face before */
     double outlines;                     /* edges drawn as lines */
     double shape_corners, shape_samples; /* faces that are not convex: squared corners; pixels times corners */
     double kept; /* lower bound of the translucent fragments of the scene, not of the sample, for memory */

@@ -172,6 +172,27 @@ TEST(sample_is_near_the_truth)
     }
 }
 
+/* Faces of one material in turn with another are drawn one by one. */
+TEST(changes_of_the_material_are_counted)
+{
+    static uint32_t materials[TEST_TRIANGLES_MAX];
+    static zr_vec4 p[3 * TEST_TRIANGLES_MAX];
+    for (int i = 0; i < 3 * TEST_TRIANGLES_MAX; i++)
+        p[i] = half[i % 3];
+    for (int every = 1; every <= 4; every *= 2) {
+        scene_of_triangles(&test, WIDTH, HEIGHT, p, TEST_TRIANGLES_MAX);
+        const struct zr_material both[2] = {test.material, test.material};
+        test.scene.materials = both;
+        test.scene.material_count = 2;
+        assert_near(count(ZR_COST_RUN), 0);
+        for (uint32_t t = 0; t < TEST_TRIANGLES_MAX; t++)
+            materials[t] = t / (uint32_t)every % 2;
+        test.mesh.face_materials = materials;
+        assert_true(fabs(count(ZR_COST_RUN) * every / TEST_TRIANGLES_MAX - 1) < 0.25);
+        test.mesh.face_materials = NULL;
+    }
+}
+
 TEST(predicted_memory_is_held)
 {
     enum { LAYERS = 1000 };
