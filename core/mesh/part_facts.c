@@ -17,6 +17,7 @@ struct sorted_mesh {
 /* Sums over the faces of a task. */
 struct sums {
     double area, volume, color[3], plain_color[3]; /* color: times the area */
+    double moment[3];                              /* of the volume around the apex */
     double min[3], max[3];
     uint64_t triangles, faces;
     bool is_lost; /* a corner of a face is not finite */
@@ -80,9 +81,10 @@ static void extend(struct sums *sums, struct place p)
 
 /* ---- faces ---- */
 
-/* Sums of one ring: twice its area vector, twice its triangles' areas, and six times the volume of its pyramid. */
+/* Sums of one ring: twice its area vector, twice its triangles' areas, six times the volume of its pyramid, and 24 times
+ * the moment of that volume around the apex. */
 struct fan {
-    struct place area;
+    struct place area, moment;
     double areas, volume;
     bool turns_both_ways;
 };
@@ -105,7 +107,11 @@ static bool sum_fan(const zr_mat4 *m, const struct zr_mesh *mesh, uint32_t begin
         fan->turns_both_ways = fan->turns_both_ways || dot(area, fan->area) < 0.0;
         fan->area = (struct place){fan->area.x + area.x, fan->area.y + area.y, fan->area.z + area.z};
         fan->areas += sqrt(dot(area, area));
-        fan->volume += dot(minus(first, apex), area);
+        const double volume = dot(minus(first, apex), area);
+        fan->volume += volume;
+        fan->moment.x += volume * (((first.x - apex.x) + (last.x - apex.x)) + (next.x - apex.x));
+        fan->moment.y += volume * (((first.y - apex.y) + (last.y - apex.y)) + (next.y - apex.y));
+        fan->moment.z += volume * (((first.z - apex.z) + (last.z - apex.z)) + (next.z - apex.z));
     }
     if (fan->turns_both_ways) fan->areas = sqrt(dot(fan->area, fan->area));
     return true;
@@ -136,7 +142,7 @@ static void add_face(const struct measuring *m, const zr_mat4 *matrix, const str
                      struct place apex, struct sums *sums)
 {
     const struct zr_rings rings = zr_mesh_rings(mesh, face);
-    double area = 0.0, volume = 0.0, color[3];
+    double area = 0.0, volume = 0.0, moment[3] = {0, 0, 0}, color[3];
     color_of(m->scene, mesh, face, color);
     sums->faces++;
     sums->triangles += rings.offsets[rings.count] - rings.offsets[0] + 2 * (uint64_t)(rings.count - 1) - 2;
@@ -149,13 +155,19 @@ static void add_face(const struct measuring *m, const zr_mat4 *matrix, const str
             return;
         }
         area += r > 0 ? -fan.areas : fan.areas;
-        volume += r > 0 && zr_ring_turns_as_first(mesh, &rings, r) ? -fan.volume : fan.volume;
+        const double sign = r > 0 && zr_ring_turns_as_first(mesh, &rings, r) ? -1.0 : 1.0;
+        volume += sign * fan.volume;
+        moment[0] += sign * fan.moment.x;
+        moment[1] += sign * fan.moment.y;
+        moment[2] += sign * fan.moment.z;
     }
     area = area > 0.0 ? 0.5 * area : 0.0;
     sums->area += area;
     sums->volume += volume / 6.0;
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
         sums->color[k] += area * color[k];
+        sums->moment[k] += moment[k] / 24.0;
+    }
 }
 
 /* ---- tasks ---- */
@@ -185,17 +197,27 @@ static void clear(struct sums *sums)
     }
 }
 
+/* Returns the apex of the pyramids of a part with faces: the first corner of its first face. */
+static struct place apex_of(const struct measuring *m, const struct zr_part *part)
+{
+    const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
+    const struct sorted_mesh *sorted = &m->meshes[part->mesh];
+    const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
+    const uint32_t first = face_of(sorted, begin_of(sorted, part->number));
+    struct place apex;
+    if (!place_of(matrix, mesh->positions[mesh->indices[mesh->face_offsets[first]]], &apex))
+        return (struct place){0, 0, 0};
+    return apex;
+}
+
 static void run_task(const struct measuring *m, struct task *task)
 {
     const struct zr_part *part = &m->parts->at[task->part];
     const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
     const struct sorted_mesh *sorted = &m->meshes[part->mesh];
     const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
-    const uint32_t first = face_of(sorted, begin_of(sorted, part->number));
-    struct place apex;
+    const struct place apex = apex_of(m, part);
     clear(&task->sums);
-    if (!place_of(matrix, mesh->positions[mesh->indices[mesh->face_offsets[first]]], &apex))
-        apex = (struct place){0, 0, 0};
     for (uint32_t i = task->begin; i < task->end; i++)
         add_face(m, matrix, mesh, face_of(sorted, i), apex, &task->sums);
 }
@@ -278,6 +300,7 @@ static void add_sums(struct sums *sum, const struct sums *more)
     sum->is_lost = sum->is_lost || more->is_lost;
     for (int k = 0; k < 3; k++) {
         sum->color[k] += more->color[k];
+        sum->moment[k] += more->moment[k];
         sum->plain_color[k] += more->plain_color[k];
         if (more->min[k] < sum->min[k]) sum->min[k] = more->min[k];
         if (more->max[k] > sum->max[k]) sum->max[k] = more->max[k];
@@ -324,6 +347,18 @@ static float clamped(double value)
     return value > 0.0 ? value < 1.0 ? (float)value : 1.0f : 0.0f;
 }
 
+/* Sets the centre of mass of a closed part with a volume. */
+static void find_center(const struct measuring *m, const struct zr_part *part, const struct sums *sums,
+                        struct zr_part_facts *facts)
+{
+    if (!facts->is_closed || sums->volume == 0.0 || sums->faces == 0) return;
+    const struct place apex = apex_of(m, part);
+    facts->center[0] = (apex.x + sums->moment[0] / sums->volume) + 0.0;
+    facts->center[1] = (apex.y + sums->moment[1] / sums->volume) + 0.0;
+    facts->center[2] = (apex.z + sums->moment[2] / sums->volume) + 0.0;
+    facts->has_center = isfinite(facts->center[0]) && isfinite(facts->center[1]) && isfinite(facts->center[2]);
+}
+
 static struct zr_part_facts facts_of(const struct measuring *m, const struct zr_part *part, struct sums *sums)
 {
     const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
@@ -336,6 +371,7 @@ static struct zr_part_facts facts_of(const struct measuring *m, const struct zr_
                                   .is_closed = m->meshes[part->mesh].closed[part->number] && !sums->is_lost};
     facts.color = (zr_vec3){clamped(color[0] / weight), clamped(color[1] / weight), clamped(color[2] / weight)};
     if (facts.is_closed) facts.volume = zr_mat4_is_mirror(matrix) ? 0.0 - sums->volume : sums->volume + 0.0;
+    find_center(m, part, sums, &facts);
     if (!facts.has_box) return facts;
     facts.min = (zr_vec3){(float)(sums->min[0] + 0.0), (float)(sums->min[1] + 0.0), (float)(sums->min[2] + 0.0)};
     facts.max = (zr_vec3){(float)(sums->max[0] + 0.0), (float)(sums->max[1] + 0.0), (float)(sums->max[2] + 0.0)};

@@ -3,7 +3,8 @@
  * Space:  world space, in double precision. `box` contains faces; if the mesh is one part, also its lines and points.
  * How:    a face is the fan of each of its rings, from the ring's first corner. Holes count as negative. If a fan turns
  *         in both directions, such as a concave face, its area is the length of its area vector. The volume is a sum of
- *         pyramids over the fans (divergence theorem). Their apex is a corner of the part.
+ *         pyramids over the fans (divergence theorem). Their apex is a corner of the part. The centre of mass is the mean
+ *         of the pyramids' centroids, weighted by their volumes.
  * Lost:   a face with a corner beyond the range of float has no area. A part with such a face is not closed.
  * Exact:  each task of ZR_FACES_A_TASK faces has separate sums, which are added in order. The results are therefore the
  *         same for all numbers of threads and instruction sets.
@@ -25,6 +26,8 @@ struct zr_part_facts {
     double area;
     bool is_closed; /* by the rule of mesh/closed_parts.h */
     double volume;  /* if closed; negative if its faces are turned inside out */
+    bool has_center;
+    double center[3]; /* centre of mass of the volume, if closed and the volume is not 0 */
     zr_vec3 color;  /* mean base colour by area, without textures, sRGB-encoded; without area, mean over faces, or over
                        lines and points */
 };

@@ -266,6 +266,10 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
         zr_print_double(print, "volume", facts->volume);
     else
         zr_print_null(print, "volume");
+    if (facts->has_center)
+        zr_print_doubles(print, "centerOfMass", facts->center, 3);
+    else
+        zr_print_null(print, "centerOfMass");
     zr_print_bool(print, "closed", facts->is_closed);
     if (parts->pixels) zr_print_count(print, "pixels", parts->pixels[number]);
     print_color(print, facts->color);

@@ -117,6 +117,9 @@ TEST_AROUND(a_cube_has_its_area_and_volume_in_world_space, open_arena, close_are
         assert_true(facts[i].is_closed && facts[i].has_box);
         assert_near(facts[i].area, cases[i].area);
         assert_near(facts[i].volume, cases[i].volume);
+        assert_int_equal(facts[i].has_center, cases[i].volume > 0);
+        for (int k = 0; k < 3 && facts[i].has_center; k++)
+            assert_near(facts[i].center[k], ((double)(&cases[i].min.x)[k] + (double)(&cases[i].max.x)[k]) / 2);
         assert_memory_equal(&facts[i].min, &cases[i].min, sizeof facts[i].min);
         assert_memory_equal(&facts[i].max, &cases[i].max, sizeof facts[i].max);
     }
