@@ -4,6 +4,7 @@
 #include "input/change.h"
 #include "input/formats.h"
 #include "input/parameters.h"
+#include "input/part_select.h"
 #include "input/sniff.h"
 #include "input/text.h"
 #include "input/zip_body.h"
@@ -80,6 +81,18 @@ static enum zr_status validate(const struct zr_request *request, const struct zr
     return status;
 }
 
+/* Edits the scene by the keys that change its parts. */
+static enum zr_status edit_parts(const struct zr_request *request, struct zr_scene_builder *builder,
+                                 struct zr_error *error)
+{
+    struct zr_error faults = {0};
+    if (!zr_part_keys_are_given(&builder->scene->parts)) return ZR_OK;
+    if (!fits_memory(builder->arena, builder->scene)) return ZR_NO_MEMORY;
+    const enum zr_status status = zr_parts_apply(builder, &faults);
+    zr_query_report(request, status, &faults, error);
+    return status;
+}
+
 /* Reads a model file that a scene names as a mesh. */
 static enum zr_status read_model(struct zr_scene_builder *builder, const struct zr_request *request,
                                  const struct zr_limits *limits, struct zr_error *error)
@@ -130,7 +143,8 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     zr_query_orient(&query);
-    status = validate(request, scene, limits, error);
+    status = edit_parts(request, &builder, error);
+    if (status == ZR_OK) status = validate(request, scene, limits, error);
     if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, error);
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
 }

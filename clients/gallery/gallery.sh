@@ -111,6 +111,24 @@ echo '<h2>Point and spot lights</h2>' >>"$page"
 render lamps
 figure lamps wide "Two spot lights with shadows, and a point light near the floor." "$lights"
 
+# ---- parts of an assembly ----
+
+meshes=
+for part in base axle bearing wheel washer cap; do
+    meshes="$meshes${meshes:+, }{\"name\": \"$part\", $(awk -v model=$part -f $here/models.awk)}"
+done
+echo '<h2>Parts</h2>' >>"$page"
+parts() { # NAME LOOK WHAT MEMBERS
+    printf '{"look": "%s", "window": {"width": 300, "height": 400}, "view": {"azimuthDegrees": 35, "elevationDegrees": 22, "perspective": {"yfovDegrees": 26}}, %s, "meshes": [%s]}\n' \
+        "$2" "$4" "$meshes" >"$out/$1.json"
+    render "$1"
+    figure "$1" "" "$3" "$4"
+}
+parts parts-colors studio "a colour for each part, by its name" '"colors": "parts"'
+parts parts-exploded studio "the same, moved apart along y" '"colors": "parts", "explode": {"factor": 1.5, "axis": "y"}'
+parts parts-ghost studio "the outer parts see-through, the axle in a colour" '"ghost": ["base", "wheel"], "highlight": "axle"'
+parts parts-hidden technical "without some parts; the view holds those that are left" '"hide": ["base", "ca?"], "colors": "parts"'
+
 # ---- a colour bar ----
 
 waves=$(awk -v model="waves viridis" -f $here/models.awk)

@@ -2,6 +2,7 @@
 # seen from outside. Rings of points follow its outline from the bottom upwards; those of a gear have teeth. Waves are a grid
 # of heights. Prints "positions": [...], "faces": [...], or "heights": [...]. A second word, such as "ball turbo", is a
 # colormap: of heights, or of numbers that go round the body; "gear faces turbo": of faces.
+# model=base|axle|bearing|wheel|washer|cap: bodies of revolution that fit together, each in its place.
 # model=cloud: points on a knotted tube, those that a lamp shines on brighter, with "colors", "points" and "pointSize".
 # model=ring: a torus with "normals" and "texcoords", on which an image lies several times.
 function put(r, y, deep) { radius[++rings] = r; height[rings] = y; depth[rings] = deep }
@@ -81,6 +82,12 @@ BEGIN {
     if (model == "ball") put_ball(1, 1, 0, 24)
     if (model == "coarse") put_all("0,0 0.8,0 1,0.25 1,0.75 0.6,1.1 0.6,1.5 0,1.5")
     if (model == "gear") put_all("0.36,0 1.2,0,0.24 1.2,0.45,0.24 0.72,0.45 0.72,0.85 0.64,0.93 0.36,0.93 0.36,0")
+    if (model == "base") put_all("0.5,0 1.6,0 1.6,0.25 0.85,0.35 0.85,0.9 0.5,0.9 0.5,0")
+    if (model == "axle") put_all("0,-0.3 0.48,-0.3 0.48,0.85 0.34,0.9 0.34,2.85 0.28,2.95 0,2.95")
+    if (model == "bearing") put_all("0.36,0.92 0.78,0.92 0.78,1.17 0.36,1.17 0.36,0.92")
+    if (model == "wheel") put_all("0.36,1.2 1.2,1.2,0.24 1.2,1.65,0.24 0.72,1.65 0.72,2.05 0.64,2.13 0.36,2.13 0.36,1.2")
+    if (model == "washer") put_all("0.36,2.15 0.72,2.15 0.72,2.25 0.36,2.25 0.36,2.15")
+    if (model == "cap") put_all("0.36,2.27 0.62,2.27 0.62,2.6 0.5,2.75 0.36,2.75 0.36,2.27")
     if (model == "pawn") {
         put_all("0,0 1.1,0 1.1,0.25 0.95,0.4 0.95,0.55 0.62,0.85 0.42,1.4 0.36,1.9 0.62,2.0 0.62,2.1 0.34,2.2")
         put_ball(0.52, 2.62, 6, 24)

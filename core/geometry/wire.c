@@ -148,6 +148,7 @@ enum zr_status zr_wire_lines(struct zr_builder *builder)
 {
     const struct zr_mesh *mesh = builder->mesh;
     struct zr_common common = {.material = &builder->scene->materials[mesh->material], .kind = ZR_DRAW_LINES};
+    if (common.material->is_hidden) return ZR_OK;
     for (uint32_t i = 0; i < mesh->line_count; i++) {
         const uint32_t *positions = mesh->lines + 2 * (size_t)i;
         const struct zr_corner ends[2] = {{positions[0], 0}, {positions[1], 0}};
@@ -183,6 +184,7 @@ enum zr_status zr_wire_points(struct zr_builder *builder)
 {
     const struct zr_mesh *mesh = builder->mesh;
     struct zr_common common = {.material = &builder->scene->materials[mesh->material], .kind = ZR_DRAW_POINTS};
+    if (common.material->is_hidden) return ZR_OK;
     for (uint32_t i = 0; i < mesh->point_count; i++) {
         if (!zr_builder_go_on(builder, POINT_WORK)) return ZR_CANCELLED;
         common.face = mesh->face_count + mesh->line_count + i;

@@ -15,6 +15,8 @@
     ROW(occlusion)                                                                                                     \
     ROW(edges)                                                                                                         \
     ROW(colorBar)                                                                                                      \
+    ROW(highlight)                                                                                                     \
+    ROW(explode)                                                                                                       \
     ROW(fit)                                                                                                           \
     ROW(perspective)                                                                                                   \
     ROW(orthographic)                                                                                                  \

@@ -132,7 +132,13 @@ enum zr_scene_key {
     ZR_SCENE_NODES,
     ZR_SCENE_FOG,
     ZR_SCENE_COLOR_BAR,
-    ZR_SCENE_RENDER
+    ZR_SCENE_RENDER,
+    ZR_SCENE_HIDE,
+    ZR_SCENE_ISOLATE,
+    ZR_SCENE_GHOST,
+    ZR_SCENE_HIGHLIGHT,
+    ZR_SCENE_EXPLODE,
+    ZR_SCENE_COLORS
 };
 
 enum { ZR_SCENE_KEYS_MAX = 64 };
@@ -345,6 +351,10 @@ void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_
 /* json_color_bar.c: reads the colour bar into the scene, and finds its mesh once there are meshes. */
 zr_json_read_fn zr_read_color_bar;
 void zr_parsed_find_color_bar_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path);
+
+/* json_parts.c: keys that change the parts, read into the scene. */
+zr_json_read_fn zr_read_hide, zr_read_isolate, zr_read_ghost, zr_read_highlight, zr_read_explode, zr_read_colors;
+extern const struct zr_names zr_part_color_names;
 
 /* Read into the scene; lights into root->lights. */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;

@@ -51,6 +51,13 @@ static void write_pointer(const struct zr_json_path *path, char text[POINTER_ROO
     text[used] = '\0';
 }
 
+const char *zr_json_pointer(struct zr_arena *arena, const struct zr_json_path *path)
+{
+    char pointer[POINTER_ROOM];
+    write_pointer(path, pointer);
+    return zr_arena_copy(arena, pointer, strlen(pointer) + 1);
+}
+
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
 {
     char pointer[POINTER_ROOM], detail[ZR_DETAIL_SIZE + 8];

@@ -32,6 +32,9 @@ struct zr_json_path {
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* Returns the JSON Pointer of a path, in the arena. NULL without memory. */
+const char *zr_json_pointer(struct zr_arena *arena, const struct zr_json_path *path);
+
 /* Reports that `what` was expected and the next value found, skips that value and returns false. */
 bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const char *what);
 

@@ -22,7 +22,12 @@ void zr_json_put(struct zr_json_writer *json, const char *text)
 
 void zr_json_put_string(struct zr_json_writer *json, const char *text)
 {
-    const char *end = text + strlen(text);
+    zr_json_put_part(json, text, strlen(text));
+}
+
+void zr_json_put_part(struct zr_json_writer *json, const char *text, size_t size)
+{
+    const char *end = text + size;
     zr_json_put(json, "\"");
     while (text < end) {
         const size_t length = zr_utf8_length(text, end);

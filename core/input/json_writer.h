@@ -27,6 +27,7 @@ void zr_json_put_number(struct zr_json_writer *json, double value); /* finite */
 
 /* Writes a string. Bytes that JSON forbids in strings become question marks. */
 void zr_json_put_string(struct zr_json_writer *json, const char *text);
+void zr_json_put_part(struct zr_json_writer *json, const char *text, size_t size); /* its first bytes */
 
 /* Returns the length of the common prefix of two pointers, up to and including its last '/'. */
 size_t zr_json_shared(const char *a, const char *b);

@@ -148,6 +148,20 @@ static bool put_name(const struct zr_parameter *p, const char *text, struct zr_j
     return true;
 }
 
+/* Writes a list of the texts between the commas. */
+static bool put_parts(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
+{
+    const char *at = text;
+    for (size_t length; at; at = at[length] ? at + length + 1 : NULL) {
+        length = strcspn(at, ",");
+        if (length == 0) return refuse(p, text, "names, patterns or ids of parts with commas between them");
+        zr_json_put(json, at == text ? "[" : ",");
+        zr_json_put_part(json, at, length);
+    }
+    zr_json_put(json, "]");
+    return true;
+}
+
 typedef bool put_fn(const struct zr_parameter *p, const char *text, struct zr_json_writer *json);
 
 bool zr_parameter_put(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
@@ -165,6 +179,7 @@ bool zr_parameter_put(const struct zr_parameter *p, const char *text, struct zr_
                                       [ZR_PARAMETER_SIDE] = put_side,
                                       [ZR_PARAMETER_PIXEL] = put_pixel,
                                       [ZR_PARAMETER_VECTOR] = put_vector,
+                                      [ZR_PARAMETER_PARTS] = put_parts,
                                       [ZR_PARAMETER_COLOR] = put_opaque,
                                       [ZR_PARAMETER_BACKGROUND] = put_background,
                                       [ZR_PARAMETER_OUTLINE] = put_outline};

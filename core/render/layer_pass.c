@@ -15,12 +15,13 @@ static const struct zr_mesh *faces_alone(struct zr_arena *arena, const struct zr
 
 static void make_see_through(struct zr_material *material)
 {
-    material->alpha_mode = ZR_ALPHA_BLEND;
+    if (!material->is_hidden) material->alpha_mode = ZR_ALPHA_BLEND;
 }
 
 /* Makes faces filled and double-sided. */
 static void make_solid(struct zr_material *material)
 {
+    if (material->is_hidden) return;
     make_see_through(material);
     material->double_sided = true;
     material->unfilled = false;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/cancel.h"
 #include "base/hash.h"
 
 struct listing {
@@ -54,9 +55,10 @@ static const char *make_unique(struct listing *l, uint32_t *slot)
     return made;
 }
 
-/* Adds a part to the list. False without memory. */
+/* Adds a part to the list. False without memory, or if cancelled. */
 static bool add(struct listing *l, const struct zr_scene *scene, uint32_t count, struct zr_part part)
 {
+    if (zr_is_cancelled(l->arena->cancel)) return false;
     part.name = given_name(scene, &part);
     uint32_t slot = slot_of(l, part.name);
     if (l->slots[slot] != 0) part.name = make_unique(l, &slot);

@@ -30,7 +30,7 @@ static inline uint32_t zr_mesh_part_count(const struct zr_mesh *mesh)
 }
 
 /* Lists the first `most` parts. Names with a number are made in the arena; the others belong to the scene. A failed
- * allocation is recorded in the arena, and the list is empty. */
+ * allocation is recorded in the arena, and the list is empty. So it is if arena->cancel is raised. */
 struct zr_part_list zr_part_list_make(struct zr_arena *arena, const struct zr_scene *scene, uint32_t most);
 
 #endif

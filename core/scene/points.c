@@ -28,13 +28,18 @@ static bool is_selected(const struct zr_points *points, uint32_t mesh)
     return !points->fitted_only || !view->fit_to_mesh || view->fit_mesh == (owners ? owners[mesh] : mesh);
 }
 
+static uint32_t shown_count(const struct zr_mesh *mesh)
+{
+    return mesh->shown ? mesh->shown_count : mesh->position_count;
+}
+
 static size_t count_points(const struct zr_points *points)
 {
     const struct zr_scene *scene = points->scene;
     size_t count = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const uint32_t mesh = scene->instances[i].mesh;
-        if (is_selected(points, mesh)) count += scene->meshes[mesh].position_count;
+        if (is_selected(points, mesh)) count += shown_count(&scene->meshes[mesh]);
     }
     return count;
 }
@@ -56,7 +61,8 @@ static void search_instance(const struct search *search, const struct zr_instanc
                             double most[ZR_MEASURES])
 {
     const struct zr_points *points = search->points;
-    const zr_vec4 *positions = points->scene->meshes[instance->mesh].positions;
+    const struct zr_mesh *mesh = &points->scene->meshes[instance->mesh];
+    const zr_vec4 *positions = mesh->shown ? mesh->shown : mesh->positions;
     const zr_mat4 identity = zr_mat4_identity(), *to_eye = points->world_to_eye;
     const zr_mat4 matrix = to_eye ? zr_mat4_mul(to_eye, &instance->object_to_world) : instance->object_to_world;
     const bool moves = memcmp(&matrix, &identity, sizeof identity) != 0;
@@ -77,7 +83,7 @@ static void search_range(void *context, int worker, size_t begin, size_t end)
     for (uint32_t i = 0; i < scene->instance_count && first < end; i++) {
         const struct zr_instance *instance = &scene->instances[i];
         if (!is_selected(search->points, instance->mesh)) continue;
-        const size_t after = first + scene->meshes[instance->mesh].position_count;
+        const size_t after = first + shown_count(&scene->meshes[instance->mesh]);
         if (after > begin)
             search_instance(search, instance, begin > first ? begin - first : 0, (end < after ? end : after) - first,
                             search->found[worker].most);

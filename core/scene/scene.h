@@ -16,6 +16,7 @@
 #include "scene/channels.h"
 #include "scene/colormap.h"
 #include "scene/image.h"
+#include "scene/part_keys.h"
 #include "scene/picture.h"
 #include "scene/shadings.h"
 #include "scene/texture.h"
@@ -50,6 +51,7 @@ struct zr_material {
     bool double_sided;  /* false: back faces are culled */
     bool uniform_color; /* unlit: one colour per face, even if the mesh has vertex colours */
     bool unfilled;      /* faces are not filled; with an outline, a wireframe */
+    bool is_hidden;     /* nothing is drawn, and ids stay; unfilled and without an outline, too */
     enum zr_outline outline;
     zr_vec4 outline_color;
     uint32_t textures[ZR_TEXTURE_SLOTS]; /* 1 + number in the scene, or 0: none; on faces only */
@@ -75,6 +77,10 @@ struct zr_mesh {
 
     uint32_t position_count;
     const zr_vec4 *positions; /* object space; w = 1 if three numbers were given */
+
+    /* Positions of the elements that are drawn, for bounds and views, if others are hidden. NULL: all positions. */
+    const zr_vec4 *shown;
+    uint32_t shown_count;
 
     uint32_t face_count;
     const uint32_t *face_offsets; /* face_count + 1, never NULL */
@@ -341,6 +347,7 @@ struct zr_scene {
     struct zr_fog fog;
     struct zr_picture picture;
     struct zr_color_bar color_bar;
+    struct zr_part_keys parts; /* as read; input/part_select.h changes the scene by them */
     enum zr_algorithm algorithm;
     uint32_t material_count, mesh_count, instance_count, light_count, warning_count;
     const struct zr_material *materials;

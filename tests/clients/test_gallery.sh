@@ -18,7 +18,7 @@ verdict "every scene of the gallery is drawn" [ "$status" = 0 ]
 scenes=$(grep -c '^[a-z][a-z0-9.-]* |' clients/gallery/scenes.txt)
 names=$(sed -n 's/^<figure[^>]*><img src="\([^"]*\)\.png".*/\1/p' "$out/index.html")
 shown=$(echo "$names" | wc -l)
-verdict "the page shows $scenes scenes, 2 grids of balls, lamps, and a colour bar" [ "$shown" = $((scenes + 4)) ]
+verdict "the page shows $scenes scenes, 2 grids of balls, lamps, parts, and a colour bar" [ "$shown" = $((scenes + 8)) ]
 verdict "each under a name of its own" [ "$(echo "$names" | sort -u | wc -l)" = "$shown" ]
 all_there() {
     for name in $names; do

@@ -1,0 +1,169 @@
+#include "scene/part_edit.h"
+
+#include <string.h>
+
+#include "base/cancel.h"
+#include "base/matrix.h"
+
+/* A changed mesh, for further instances with the same styles. */
+struct copy {
+    uint32_t mesh;       /* number in the scene */
+    uint32_t first_part; /* of the instance that it was made for */
+    uint32_t older;      /* 1 + the number of an older copy of the same mesh, or 0 */
+};
+
+struct editing {
+    struct zr_scene_builder *builder;
+    const struct zr_part_edit *edit;
+    struct zr_mesh *meshes;
+    uint32_t *owners;
+    uint32_t mesh_count;
+    size_t mesh_room;
+    struct copy *copies;
+    uint32_t copy_count;
+    uint32_t *newest; /* per mesh of the scene: 1 + the number of its newest copy, or 0 */
+};
+
+/* Copies of a mesh that are compared before another one is made. */
+enum { COPIES_COMPARED = 256 };
+
+static bool is_plain(const uint32_t *styles, uint32_t count)
+{
+    for (uint32_t p = 0; p < count; p++)
+        if (styles[p] != 0) return false;
+    return true;
+}
+
+static bool has_rest(const struct zr_mesh *mesh)
+{
+    return mesh->face_parts && (mesh->line_count > 0 || mesh->point_count > 0);
+}
+
+/* Adds a mesh, and returns its place; NULL without memory. */
+static struct zr_mesh *add_mesh(struct editing *e, uint32_t owner)
+{
+    struct zr_arena *arena = e->builder->arena;
+    if (e->mesh_count == e->mesh_room) {
+        const size_t room = e->mesh_room + e->mesh_room / 2 + 16;
+        struct zr_mesh *meshes = zr_arena_grow(arena, e->meshes, e->mesh_count, room, sizeof *meshes);
+        uint32_t *owners = zr_arena_alloc(arena, room, sizeof *owners);
+        struct copy *copies = zr_arena_alloc(arena, room, sizeof *copies);
+        if (!zr_arena_ok(arena)) return NULL;
+        memcpy(owners, e->owners, e->mesh_count * sizeof *owners);
+        if (e->copy_count > 0) memcpy(copies, e->copies, e->copy_count * sizeof *copies);
+        e->meshes = meshes;
+        e->owners = owners;
+        e->copies = copies;
+        e->mesh_room = room;
+    }
+    e->owners[e->mesh_count] = e->owners[owner];
+    return &e->meshes[e->mesh_count++];
+}
+
+/* Returns the number of a copy with the same styles, or UINT32_MAX. */
+static uint32_t find_copy(const struct editing *e, uint32_t mesh, uint32_t first_part, uint32_t parts)
+{
+    const uint32_t *styles = e->edit->styles;
+    uint32_t at = e->newest[mesh];
+    for (int i = 0; at != 0 && i < COPIES_COMPARED; i++, at = e->copies[at - 1].older)
+        if (memcmp(styles + e->copies[at - 1].first_part, styles + first_part, parts * sizeof *styles) == 0)
+            return e->copies[at - 1].mesh;
+    return UINT32_MAX;
+}
+
+/* Makes a mesh for the styles and offsets of an instance's parts, and returns its number; UINT32_MAX on failure. */
+static uint32_t make_mesh(struct editing *e, uint32_t mesh, uint32_t first_part, const struct zr_part_offset *offsets)
+{
+    const struct zr_part_mesh_edit edit = {.styles = e->edit->styles + first_part,
+                                           .colors = e->edit->colors,
+                                           .hides_rest = e->edit->hides_rest,
+                                           .offsets = offsets};
+    struct zr_mesh *made = add_mesh(e, mesh);
+    const uint32_t number = e->mesh_count - 1;
+    const struct zr_mesh from = made ? e->meshes[mesh] : (struct zr_mesh){.name = ""};
+    if (!made || !zr_part_mesh_make(e->builder, &from, &edit, made)) return UINT32_MAX;
+    if (offsets) return number;
+    e->copies[e->copy_count++] = (struct copy){number, first_part, e->newest[mesh]};
+    e->newest[mesh] = e->copy_count;
+    return number;
+}
+
+/* Returns the offsets of parts in object space; NULL without memory, or, with *is_flat, without an inverse. */
+static const struct zr_part_offset *to_object_space(struct zr_arena *arena, const zr_mat4 *object_to_world,
+                                                    const struct zr_part_offset *offsets, uint32_t count, bool *is_flat)
+{
+    struct zr_matrix matrix = zr_matrix_of(object_to_world), inverse;
+    matrix.m[12] = matrix.m[13] = matrix.m[14] = 0.0;
+    *is_flat = !zr_matrix_invert(&matrix, &inverse);
+    struct zr_part_offset *out = *is_flat ? NULL : zr_arena_alloc(arena, count, sizeof *out);
+    for (uint32_t p = 0; out && p < count; p++) {
+        const double *by = offsets[p].by;
+        for (int k = 0; k < 3; k++)
+            out[p].by[k] = (inverse.m[k] * by[0] + inverse.m[4 + k] * by[1]) + inverse.m[8 + k] * by[2];
+    }
+    return out;
+}
+
+static enum zr_part_edit_result edit_instance(struct editing *e, struct zr_instance *instance, uint32_t first_part)
+{
+    const struct zr_mesh *mesh = &e->meshes[instance->mesh];
+    const uint32_t parts = zr_mesh_part_count(mesh);
+    const struct zr_part_offset *offsets = e->edit->offsets ? e->edit->offsets + first_part : NULL;
+    if (offsets && !mesh->face_parts) {
+        for (int k = 0; k < 3; k++)
+            instance->object_to_world.m[12 + k] = (float)((double)instance->object_to_world.m[12 + k] + offsets->by[k]);
+        offsets = NULL;
+    }
+    if (offsets) {
+        bool is_flat;
+        offsets = to_object_space(e->builder->arena, &instance->object_to_world, offsets, parts, &is_flat);
+        if (!offsets) return is_flat ? ZR_PART_EDIT_FLAT : ZR_PART_EDIT_FAILED;
+    }
+    if (!offsets && is_plain(e->edit->styles + first_part, parts) && !(e->edit->hides_rest && has_rest(mesh)))
+        return ZR_PART_EDIT_DONE;
+    uint32_t number = offsets ? UINT32_MAX : find_copy(e, instance->mesh, first_part, parts);
+    if (number == UINT32_MAX) number = make_mesh(e, instance->mesh, first_part, offsets);
+    if (number == UINT32_MAX) return ZR_PART_EDIT_FAILED;
+    instance->mesh = number;
+    return ZR_PART_EDIT_DONE;
+}
+
+static bool open(struct editing *e)
+{
+    const struct zr_scene *scene = e->builder->scene;
+    struct zr_arena *arena = e->builder->arena;
+    e->mesh_count = scene->mesh_count;
+    e->mesh_room = scene->mesh_count;
+    e->meshes = zr_arena_copy(arena, scene->meshes, scene->mesh_count * sizeof *scene->meshes);
+    e->owners = zr_arena_alloc(arena, scene->mesh_count, sizeof *e->owners);
+    e->newest = zr_arena_zero(arena, scene->mesh_count, sizeof *e->newest);
+    if (!zr_arena_ok(arena)) return false;
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        e->owners[i] = scene->mesh_owners ? scene->mesh_owners[i] : i;
+    return true;
+}
+
+enum zr_part_edit_result zr_part_edit(struct zr_scene_builder *builder, const struct zr_part_edit *edit,
+                                      uint32_t *instance)
+{
+    struct editing e = {.builder = builder, .edit = edit};
+    struct zr_scene *scene = builder->scene;
+    struct zr_instance *instances =
+        zr_arena_copy(builder->arena, scene->instances, scene->instance_count * sizeof *instances);
+    uint32_t part = 0;
+    if (!instances || !open(&e)) return ZR_PART_EDIT_FAILED;
+    for (*instance = 0; *instance < scene->instance_count; ++*instance) {
+        const uint32_t parts = zr_mesh_part_count(&scene->meshes[instances[*instance].mesh]);
+        if (zr_is_cancelled(builder->arena->cancel)) return ZR_PART_EDIT_FAILED;
+        const enum zr_part_edit_result result = edit_instance(&e, &instances[*instance], part);
+        if (result != ZR_PART_EDIT_DONE) return result;
+        part += parts;
+    }
+    scene->instances = instances;
+    scene->meshes = e.meshes;
+    scene->mesh_count = e.mesh_count;
+    scene->mesh_owners = e.owners;
+    scene->materials = builder->materials;
+    scene->has_box = false;
+    return ZR_PART_EDIT_DONE;
+}
