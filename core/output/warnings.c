@@ -22,9 +22,13 @@ static bool are_lines(const struct zr_scene *scene)
 
 /* ---- the mesh that a warning names ---- */
 
+/* A changed mesh (scene/part_edit.h) has the number of the one that it was made from, whose offsets of faces it shares. */
 static struct zr_mesh_label label_of(const struct zr_scene *scene, uint32_t mesh)
 {
-    return zr_mesh_label_of(mesh, scene->meshes[mesh].name);
+    uint32_t given = 0;
+    while (scene->meshes[given].face_offsets != scene->meshes[mesh].face_offsets)
+        given++;
+    return zr_mesh_label_of(given, scene->meshes[mesh].name);
 }
 
 /* Finds the first odd element of a mesh and describes it: "face 1 of ". False: the mesh has none. */

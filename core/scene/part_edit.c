@@ -22,6 +22,7 @@ struct editing {
     struct copy *copies;
     uint32_t copy_count;
     uint32_t *newest; /* per mesh of the scene: 1 + the number of its newest copy, or 0 */
+    bool *is_free;    /* likewise: a changed mesh may take its place */
 };
 
 /* Copies of a mesh that are compared before another one is made. */
@@ -39,25 +40,33 @@ static bool has_rest(const struct zr_mesh *mesh)
     return mesh->face_parts && (mesh->line_count > 0 || mesh->point_count > 0);
 }
 
-/* Adds a mesh, and returns its place; NULL without memory. */
-static struct zr_mesh *add_mesh(struct editing *e, uint32_t owner)
+/* True if an instance, whose first part is this one, keeps its mesh. */
+static bool keeps_mesh(const struct zr_part_edit *edit, const struct zr_mesh *mesh, uint32_t first_part)
+{
+    return is_plain(edit->styles + first_part, zr_mesh_part_count(mesh)) && !(edit->offsets && mesh->face_parts) &&
+           !(edit->hides_rest && has_rest(mesh));
+}
+
+/* Returns the number of a place for a changed mesh; UINT32_MAX without memory. */
+static uint32_t take_place(struct editing *e, uint32_t mesh)
 {
     struct zr_arena *arena = e->builder->arena;
+    if (e->is_free[mesh]) {
+        e->is_free[mesh] = false;
+        return mesh;
+    }
     if (e->mesh_count == e->mesh_room) {
         const size_t room = e->mesh_room + e->mesh_room / 2 + 16;
         struct zr_mesh *meshes = zr_arena_grow(arena, e->meshes, e->mesh_count, room, sizeof *meshes);
         uint32_t *owners = zr_arena_alloc(arena, room, sizeof *owners);
-        struct copy *copies = zr_arena_alloc(arena, room, sizeof *copies);
-        if (!zr_arena_ok(arena)) return NULL;
+        if (!zr_arena_ok(arena)) return UINT32_MAX;
         memcpy(owners, e->owners, e->mesh_count * sizeof *owners);
-        if (e->copy_count > 0) memcpy(copies, e->copies, e->copy_count * sizeof *copies);
         e->meshes = meshes;
         e->owners = owners;
-        e->copies = copies;
         e->mesh_room = room;
     }
-    e->owners[e->mesh_count] = e->owners[owner];
-    return &e->meshes[e->mesh_count++];
+    e->owners[e->mesh_count] = e->owners[mesh];
+    return e->mesh_count++;
 }
 
 /* Returns the number of a copy with the same styles, or UINT32_MAX. */
@@ -78,10 +87,10 @@ static uint32_t make_mesh(struct editing *e, uint32_t mesh, uint32_t first_part,
                                            .colors = e->edit->colors,
                                            .hides_rest = e->edit->hides_rest,
                                            .offsets = offsets};
-    struct zr_mesh *made = add_mesh(e, mesh);
-    const uint32_t number = e->mesh_count - 1;
-    const struct zr_mesh from = made ? e->meshes[mesh] : (struct zr_mesh){.name = ""};
-    if (!made || !zr_part_mesh_make(e->builder, &from, &edit, made)) return UINT32_MAX;
+    const uint32_t number = take_place(e, mesh);
+    if (number == UINT32_MAX ||
+        !zr_part_mesh_make(e->builder, &e->builder->scene->meshes[mesh], &edit, &e->meshes[number]))
+        return UINT32_MAX;
     if (offsets) return number;
     e->copies[e->copy_count++] = (struct copy){number, first_part, e->newest[mesh]};
     e->newest[mesh] = e->copy_count;
@@ -106,7 +115,7 @@ static const struct zr_part_offset *to_object_space(struct zr_arena *arena, cons
 
 static enum zr_part_edit_result edit_instance(struct editing *e, struct zr_instance *instance, uint32_t first_part)
 {
-    const struct zr_mesh *mesh = &e->meshes[instance->mesh];
+    const struct zr_mesh *mesh = &e->builder->scene->meshes[instance->mesh];
     const uint32_t parts = zr_mesh_part_count(mesh);
     const struct zr_part_offset *offsets = e->edit->offsets ? e->edit->offsets + first_part : NULL;
     if (offsets && !mesh->face_parts) {
@@ -119,8 +128,7 @@ static enum zr_part_edit_result edit_instance(struct editing *e, struct zr_insta
         offsets = to_object_space(e->builder->arena, &instance->object_to_world, offsets, parts, &is_flat);
         if (!offsets) return is_flat ? ZR_PART_EDIT_FLAT : ZR_PART_EDIT_FAILED;
     }
-    if (!offsets && is_plain(e->edit->styles + first_part, parts) && !(e->edit->hides_rest && has_rest(mesh)))
-        return ZR_PART_EDIT_DONE;
+    if (keeps_mesh(e->edit, mesh, first_part)) return ZR_PART_EDIT_DONE;
     uint32_t number = offsets ? UINT32_MAX : find_copy(e, instance->mesh, first_part, parts);
     if (number == UINT32_MAX) number = make_mesh(e, instance->mesh, first_part, offsets);
     if (number == UINT32_MAX) return ZR_PART_EDIT_FAILED;
@@ -137,9 +145,19 @@ static bool open(struct editing *e)
     e->meshes = zr_arena_copy(arena, scene->meshes, scene->mesh_count * sizeof *scene->meshes);
     e->owners = zr_arena_alloc(arena, scene->mesh_count, sizeof *e->owners);
     e->newest = zr_arena_zero(arena, scene->mesh_count, sizeof *e->newest);
+    e->is_free = zr_arena_alloc(arena, scene->mesh_count, sizeof *e->is_free);
+    e->copies = zr_arena_alloc(arena, scene->instance_count, sizeof *e->copies);
     if (!zr_arena_ok(arena)) return false;
-    for (uint32_t i = 0; i < scene->mesh_count; i++)
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
         e->owners[i] = scene->mesh_owners ? scene->mesh_owners[i] : i;
+        e->is_free[i] = true;
+    }
+    uint32_t part = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const uint32_t mesh = scene->instances[i].mesh;
+        if (keeps_mesh(e->edit, &scene->meshes[mesh], part)) e->is_free[mesh] = false;
+        part += zr_mesh_part_count(&scene->meshes[mesh]);
+    }
     return true;
 }
 

@@ -4,8 +4,9 @@
  *     part_mesh.c   mesh, styles  -> mesh with other materials, colours, positions
  *
  * Ids:    instances, faces, lines and points keep their numbers, so that all ids stay. Hidden elements have a material
- *         with is_hidden. The meshes of the scene stay, too; changed ones are added behind them.
- * Costs:  one-part meshes are copied once per style, others once per instance with styles of its own.
+ *         with is_hidden.
+ * Meshes: a changed mesh takes the place of a mesh that no instance uses unchanged; further ones are added behind all
+ *         meshes. Instances with equal styles share one, unless their parts move within it.
  */
 #ifndef ZR_PART_EDIT_H
 #define ZR_PART_EDIT_H
