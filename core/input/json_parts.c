@@ -114,7 +114,7 @@ static bool read_color(struct zr_json *json, const struct zr_json_path *path, co
 
 static const struct zr_json_field highlight_fields[] = {
     {"parts", read_parts, offsetof(struct zr_part_highlight, parts), .required = true,
-     .text = "name, pattern or id of parts, or a list of them"},
+     .text = "what is highlighted: a name, a pattern, an id, or a list of them"},
     {"color", read_color, offsetof(struct zr_part_highlight, color), .otherwise = "#ff6a00",
      .text = "colour of these parts, instead of their colours and base colour textures"}};
 const struct zr_json_object zr_json_object_highlight = ZR_JSON_OBJECT_OF("highlight", highlight_fields);

@@ -15,6 +15,9 @@
 #define STEPS_MAX (UINT64_C(1) << 28)
 enum { STEPS_A_CANCEL_CHECK = 1 << 16 };
 
+/* Names that a hint chooses from. */
+enum { NAMES_OFFERED = 1000 };
+
 struct selecting {
     struct zr_scene_builder *builder;
     const struct zr_part_list *list;
@@ -109,6 +112,15 @@ static bool matches(struct selecting *s, const char *pattern, const char *name)
     return !*pattern;
 }
 
+/* Returns the id that a text of digits stands for; 0: it is none. */
+static double id_of_text(const char *text)
+{
+    double id = 0.0;
+    for (; *text >= '0' && *text <= '9'; text++)
+        id = id < 1e9 ? 10.0 * id + (double)(*text - '0') : id;
+    return *text ? 0.0 : id;
+}
+
 /* ---- faults ---- */
 
 struct pointer {
@@ -153,11 +165,13 @@ static void refuse_text(struct selecting *s, const struct zr_part_set *set, uint
     const char *text = set->patterns[number].text;
     const bool is_pattern = strpbrk(text, "*?") != NULL;
     struct zr_nearest nearest = {.word = text};
-    for (uint32_t p = 0; !is_pattern && p < s->list->count; p++)
+    for (uint32_t p = 0; !is_pattern && p < s->list->count && p < NAMES_OFFERED; p++)
         zr_nearest_offer(&nearest, s->list->at[p].name);
     zr_error_add(s->error, ZR_BAD_SCENE, pointer_of(set, number).text, "no part has %s %s%s; parts: %s",
-                 is_pattern ? "a name like" : "the name", zr_quote(text, strlen(text)).text,
-                 zr_nearest_text(&nearest).text, list_first(s->list).text);
+                 is_pattern               ? "a name like"
+                 : id_of_text(text) > 0.0 ? "the name or the id"
+                                          : "the name",
+                 zr_quote(text, strlen(text)).text, zr_nearest_text(&nearest).text, list_first(s->list).text);
 }
 
 static void refuse_id(struct selecting *s, const struct zr_part_set *set, uint32_t number)
@@ -167,15 +181,6 @@ static void refuse_id(struct selecting *s, const struct zr_part_set *set, uint32
 }
 
 /* ---- sets ---- */
-
-/* Returns the id that a text of digits stands for; 0: it is none. */
-static double id_of_text(const char *text)
-{
-    double id = 0.0;
-    for (; *text >= '0' && *text <= '9'; text++)
-        id = id < 1e9 ? 10.0 * id + (double)(*text - '0') : id;
-    return *text ? 0.0 : id;
-}
 
 static bool mark_id(struct selecting *s, double id)
 {
@@ -319,13 +324,15 @@ static enum zr_status edit(struct selecting *s, struct zr_part_edit *edit)
     }
     warn_of_rest(builder, moves);
     switch (zr_part_edit(builder, edit, &instance)) {
-    case ZR_PART_EDIT_DONE: return zr_arena_ok(builder->arena) ? ZR_OK : ZR_NO_MEMORY;
+    case ZR_PART_EDIT_DONE:
+        return zr_arena_ok(builder->arena) ? ZR_OK : ZR_NO_MEMORY;
     case ZR_PART_EDIT_FLAT:
         return zr_error_add(s->error, ZR_BAD_SCENE, "/explode",
                             "instance %" PRIu32 " is flattened by its matrix, so that the parts of its mesh cannot be "
                             "moved apart",
                             instance + 1);
-    default: return ZR_NO_MEMORY;
+    default:
+        return ZR_NO_MEMORY;
     }
 }
 

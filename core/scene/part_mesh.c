@@ -1,7 +1,13 @@
 #include "base/cancel.h"
 #include "scene/part_edit.h"
 
-enum { FACES_A_CANCEL_CHECK = 1 << 12 };
+enum { ITEMS_A_CANCEL_CHECK = 1 << 12 };
+
+/* Looks at the flag for every some thousandth item. */
+static bool is_stopped(const struct zr_arena *arena, uint64_t item)
+{
+    return item % ITEMS_A_CANCEL_CHECK == 0 && zr_is_cancelled(arena->cancel);
+}
 
 /* Opacity of ghosts, and the factor for those with the shading xray, whose own opacity is low. */
 #define GHOST_OPACITY      0.16f
@@ -26,8 +32,8 @@ static void color(struct zr_material *material, zr_vec4 color)
     if (material->alpha_mode != ZR_ALPHA_MASK) material->textures[ZR_TEXTURE_BASE_COLOR] = 0;
 }
 
-/* Drawings show surfaces as white or blue as the background by their lines. Ghosts get no lines, and so become x-rays in
- * the colour of the lines, unless they have a colour. */
+/* Drawings show surfaces as white or blue as the background by their lines. Ghosts get no lines, and so become x-rays
+ * in the colour of the lines, unless they have a colour. */
 static void make_ghost(const struct zr_picture *picture, bool has_color, struct zr_material *material)
 {
     const bool is_drawing = material->shading == ZR_SHADING_GOOCH || material->shading == ZR_SHADING_UNLIT;
@@ -50,8 +56,7 @@ static uint32_t style_material(struct zr_scene_builder *builder, const zr_vec4 *
     struct zr_material material = builder->materials[number];
     if (style == 0) return number;
     if (style >> ZR_PART_COLOR_SHIFT) color(&material, colors[(style >> ZR_PART_COLOR_SHIFT) - 1]);
-    if (style & ZR_PART_GHOST)
-        make_ghost(&builder->scene->picture, style >> ZR_PART_COLOR_SHIFT != 0, &material);
+    if (style & ZR_PART_GHOST) make_ghost(&builder->scene->picture, style >> ZR_PART_COLOR_SHIFT != 0, &material);
     if (style & ZR_PART_HIDDEN) hide(&material);
     return zr_scene_builder_material(builder, &material);
 }
@@ -78,7 +83,7 @@ static bool style_materials(struct zr_scene_builder *builder, const struct zr_pa
     for (uint32_t f = 0; materials && f < mesh->face_count; f++) {
         const uint32_t number = mesh->face_materials ? mesh->face_materials[f] : own;
         const uint32_t style = edit->styles[part_of(mesh, f)];
-        if (f % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(builder->arena->cancel)) return false;
+        if (is_stopped(builder->arena, f)) return false;
         if (number != last || style != last_style) made = style_material(builder, edit->colors, number, style);
         last = number;
         last_style = style;
@@ -122,7 +127,7 @@ static bool open_split(struct zr_arena *arena, const struct zr_mesh *mesh, struc
     for (uint32_t p = 0; p < mesh->part_count; p++)
         s->first[p] = UINT32_MAX;
     for (uint32_t f = mesh->face_count; f-- > 0;) {
-        if (f % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(arena->cancel)) return false;
+        if (is_stopped(arena, f)) return false;
         s->next[f] = s->first[mesh->face_parts[f]];
         s->first[mesh->face_parts[f]] = f;
     }
@@ -135,7 +140,7 @@ static const uint32_t *place_rest(struct zr_arena *arena, struct split *s, const
 {
     uint32_t *out = zr_arena_alloc(arena, count, sizeof *out);
     for (uint64_t i = 0; out && i < count; i++) {
-        if (i % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(arena->cancel)) return NULL;
+        if (is_stopped(arena, i)) return NULL;
         out[i] = place_of(s, positions[i], mesh->part_count);
     }
     return out;
@@ -148,7 +153,7 @@ static bool place_all(struct zr_arena *arena, struct split *s, struct zr_mesh *m
     if (!indices) return false;
     for (uint32_t p = 0; p < mesh->part_count; p++)
         for (uint32_t f = s->first[p]; f != UINT32_MAX; f = s->next[f]) {
-            if (faces++ % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(arena->cancel)) return false;
+            if (is_stopped(arena, faces++)) return false;
             for (uint32_t c = mesh->face_offsets[f]; c < mesh->face_offsets[f + 1]; c++)
                 indices[c] = place_of(s, mesh->indices[c], p);
         }
@@ -159,18 +164,19 @@ static bool place_all(struct zr_arena *arena, struct split *s, struct zr_mesh *m
     return mesh->lines && mesh->points;
 }
 
-/* Returns the values of an array of vectors at the new positions; NULL stays NULL. */
+/* Returns the values of an array of vectors at the new positions, or some of them if cancelled. NULL stays NULL. */
 static const zr_vec4 *gather(struct zr_arena *arena, const struct split *s, const zr_vec4 *values)
 {
     zr_vec4 *out = values ? zr_arena_alloc(arena, s->count, sizeof *out) : NULL;
-    for (uint32_t i = 0; out && i < s->count; i++)
+    for (uint32_t i = 0; out && i < s->count && !is_stopped(arena, i); i++)
         out[i] = values[s->from[i]];
     return out;
 }
 
-static void move(const struct split *s, const struct zr_part_offset *offsets, uint32_t part_count, zr_vec4 *positions)
+static void move(const struct zr_arena *arena, const struct split *s, const struct zr_part_offset *offsets,
+                 uint32_t part_count, zr_vec4 *positions)
 {
-    for (uint32_t i = 0; i < s->count; i++) {
+    for (uint32_t i = 0; i < s->count && !is_stopped(arena, i); i++) {
         if (s->part[i] == part_count) continue;
         zr_vec4 *p = &positions[i];
         const double *by = offsets[s->part[i]].by, w = (double)p->w;
@@ -180,9 +186,10 @@ static void move(const struct split *s, const struct zr_part_offset *offsets, ui
 }
 
 /* Makes the vertices of parts with a colour white. */
-static void whiten(const struct split *s, const uint32_t *styles, uint32_t part_count, zr_vec4 *colors)
+static void whiten(const struct zr_arena *arena, const struct split *s, const uint32_t *styles, uint32_t part_count,
+                   zr_vec4 *colors)
 {
-    for (uint32_t i = 0; i < s->count; i++)
+    for (uint32_t i = 0; i < s->count && !is_stopped(arena, i); i++)
         if (s->part[i] < part_count && styles[s->part[i]] >> ZR_PART_COLOR_SHIFT) colors[i] = (zr_vec4){1, 1, 1, 1};
 }
 
@@ -195,13 +202,13 @@ static bool split(struct zr_arena *arena, const struct zr_part_mesh_edit *edit, 
     zr_vec4 *colors = (zr_vec4 *)gather(arena, &s, mesh->colors);
     mesh->texcoords = gather(arena, &s, mesh->texcoords);
     mesh->tangents = gather(arena, &s, mesh->tangents);
-    if (!zr_arena_ok(arena) || zr_is_cancelled(arena->cancel)) return false;
-    if (edit->offsets) move(&s, edit->offsets, mesh->part_count, positions);
-    if (colors) whiten(&s, edit->styles, mesh->part_count, colors);
+    if (!zr_arena_ok(arena)) return false;
+    if (edit->offsets) move(arena, &s, edit->offsets, mesh->part_count, positions);
+    if (colors) whiten(arena, &s, edit->styles, mesh->part_count, colors);
     mesh->positions = positions;
     mesh->position_count = s.count;
     mesh->colors = colors;
-    return true;
+    return !zr_is_cancelled(arena->cancel);
 }
 
 /* ---- colours ---- */
@@ -219,7 +226,7 @@ static bool whiten_faces(struct zr_arena *arena, const struct zr_part_mesh_edit 
     if (!mesh->face_colors) return true;
     zr_vec4 *colors = zr_arena_alloc(arena, mesh->face_count, sizeof *colors);
     for (uint32_t f = 0; colors && f < mesh->face_count; f++) {
-        if (f % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(arena->cancel)) return false;
+        if (is_stopped(arena, f)) return false;
         const bool is_white = edit->styles[part_of(mesh, f)] >> ZR_PART_COLOR_SHIFT;
         colors[f] = is_white ? (zr_vec4){1, 1, 1, 1} : mesh->face_colors[f];
     }
@@ -238,18 +245,18 @@ static bool list_shown(struct zr_arena *arena, const struct zr_scene_builder *bu
     if (!is_shown || !shown) return false;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         const uint32_t material = mesh->face_materials ? mesh->face_materials[f] : mesh->material;
-        if (f % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(arena->cancel)) return false;
-        for (uint32_t c = mesh->face_offsets[f]; !builder->materials[material].is_hidden && c < mesh->face_offsets[f + 1];
-             c++)
+        if (is_stopped(arena, f)) return false;
+        if (builder->materials[material].is_hidden) continue;
+        for (uint32_t c = mesh->face_offsets[f]; c < mesh->face_offsets[f + 1]; c++)
             is_shown[mesh->indices[c]] = 1;
     }
-    for (uint32_t i = 0; has_rest && i < 2 * mesh->line_count; i++)
+    for (uint64_t i = 0; has_rest && i < 2 * (uint64_t)mesh->line_count && !is_stopped(arena, i); i++)
         is_shown[mesh->lines[i]] = 1;
-    for (uint32_t i = 0; has_rest && i < mesh->point_count; i++)
+    for (uint32_t i = 0; has_rest && i < mesh->point_count && !is_stopped(arena, i); i++)
         is_shown[mesh->points[i]] = 1;
     mesh->shown = shown;
     mesh->shown_count = 0;
-    for (uint32_t i = 0; i < mesh->position_count; i++)
+    for (uint32_t i = 0; i < mesh->position_count && !is_stopped(arena, i); i++)
         if (is_shown[i]) shown[mesh->shown_count++] = mesh->positions[i];
     return !zr_is_cancelled(arena->cancel);
 }

@@ -66,13 +66,13 @@ static int pixels_of(const char *info, int id)
 TEST(hidden_parts_are_not_drawn_and_do_not_spoil_the_fit)
 {
     static const char alone[] = "{" VIEW OUTPUTS "\"meshes\": [" BODY(0, "a", "") "]}";
-    static const char ends[] =
-        "{" VIEW OUTPUTS "\"meshes\": [" BODY(0, "a", "") ", " BODY(12, "a", COLORED) "]}";
+    static const char ends[] = "{" VIEW OUTPUTS "\"meshes\": [" BODY(0, "a", "") ", " BODY(12, "a", COLORED) "]}";
     assert_same(SCENE("\"hide\": [\"b\", \"a.2\"], "), alone, true);
     assert_same(SCENE("\"isolate\": \"a\", "), alone, true);
     assert_same(SCENE("\"hide\": \"b\", "), ends, false);
     assert_same(SCENE("\"look\": \"studio\", \"hide\": \"b\", "),
-                "{" VIEW OUTPUTS "\"look\": \"studio\", \"meshes\": [" BODY(0, "a", "") ", " BODY(12, "a", COLORED) "]}",
+                "{" VIEW OUTPUTS
+                "\"look\": \"studio\", \"meshes\": [" BODY(0, "a", "") ", " BODY(12, "a", COLORED) "]}",
                 false);
     assert_same(SCENE("\"hide\": [], \"isolate\": [], \"ghost\": [], \"highlight\": [], \"explode\": 0, "), SCENE(""),
                 true);
@@ -83,9 +83,9 @@ TEST(names_patterns_and_ids_choose_parts)
     static const struct {
         const char *key;
         int shown; /* sum of 1, 2 and 4 for the parts */
-    } cases[] = {{"\"hide\": \"a\", ", 6},           {"\"hide\": \"a*\", ", 2},        {"\"hide\": \"?\", ", 4},
-                 {"\"hide\": \"a.?\", ", 3},         {"\"hide\": \"*2\", ", 3},        {"\"hide\": 2, ", 5},
-                 {"\"hide\": \"3\", ", 3},           {"\"hide\": [1, \"b\"], ", 4},    {"\"isolate\": \"a*\", ", 5},
+    } cases[] = {{"\"hide\": \"a\", ", 6},           {"\"hide\": \"a*\", ", 2},      {"\"hide\": \"?\", ", 4},
+                 {"\"hide\": \"a.?\", ", 3},         {"\"hide\": \"*2\", ", 3},      {"\"hide\": 2, ", 5},
+                 {"\"hide\": \"3\", ", 3},           {"\"hide\": [1, \"b\"], ", 4},  {"\"isolate\": \"a*\", ", 5},
                  {"\"isolate\": [2, \"*.*\"], ", 6}, {"\"isolate\": \"*a*2*\", ", 4}};
     char text[4000], info[8000];
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -104,10 +104,12 @@ TEST(a_highlight_is_a_colour_and_a_ghost_is_blended)
     "\"materials\": [{\"name\": \"m\", \"baseColorFactor\": \"tomato\"}, {\"name\": \"g\", \"alphaMode\": \"BLEND\", " \
     "\"baseColorFactor\": [0.7, 0.7, 0.7, 0.16]}], "
     static const char red[] =
-        "{" VIEW OUTPUTS MATERIALS "\"meshes\": [" BODY(0, "a", ", \"material\": \"m\", \"shading\": \"flat\"") ", " BODY(
-            6, "b", "") ", " BODY(12, "a", ", \"material\": \"m\", \"shading\": \"gouraud\"") "]}";
-    static const char ghost[] = "{" VIEW OUTPUTS MATERIALS "\"meshes\": [" BODY(0, "a", "") ", " BODY(
-        6, "b", ", \"material\": \"g\"") ", " BODY(12, "a", COLORED) "]}";
+        "{" VIEW OUTPUTS MATERIALS
+        "\"meshes\": [" BODY(0, "a", ", \"material\": \"m\", \"shading\": \"flat\"") ", " BODY(6, "b", "") ", " BODY(
+            12, "a", ", \"material\": \"m\", \"shading\": \"gouraud\"") "]}";
+    static const char ghost[] =
+        "{" VIEW OUTPUTS MATERIALS
+        "\"meshes\": [" BODY(0, "a", "") ", " BODY(6, "b", ", \"material\": \"g\"") ", " BODY(12, "a", COLORED) "]}";
     assert_same(SCENE("\"highlight\": {\"parts\": \"a*\", \"color\": \"tomato\"}, "), red, true);
     assert_same(SCENE("\"highlight\": [{\"parts\": \"*\"}, {\"parts\": \"b\", \"color\": \"red\"}, {\"parts\": [1, 3], "
                       "\"color\": \"tomato\"}], \"ghost\": \"b\", "),
@@ -122,17 +124,51 @@ TEST(an_exploded_scene_is_one_with_moved_nodes)
 {
     /* The boxes have their middles at x = 2, 5 and 8 and y = z = 0.5. */
 #define NODES(x0, x1, x2)                                                                                              \
-    "{" VIEW OUTPUTS "\"nodes\": [{\"mesh\": 0, \"translation\": [" #x0 ",0,0]}, {\"mesh\": 1, \"translation\": ["      \
-    #x1 ",0,0]}, {\"mesh\": 2, \"translation\": [" #x2 ",0,0]}], " BODIES "}"
+    "{" VIEW OUTPUTS "\"nodes\": [{\"mesh\": 0, \"translation\": [" #x0 ",0,0]}, {\"mesh\": 1, \"translation\": [" #x1 \
+    ",0,0]}, {\"mesh\": 2, \"translation\": [" #x2 ",0,0]}], " BODIES "}"
     assert_same(SCENE("\"explode\": 1, "), NODES(-4, -1, 2), true);
     assert_same(SCENE("\"explode\": {\"factor\": 2, \"axis\": \"x\"}, "), NODES(-8, -2, 4), true);
     assert_same(SCENE("\"explode\": {\"factor\": 1, \"axis\": \"y\"}, "), SCENE(""), true);
 }
 
+TEST(instances_of_one_mesh_have_styles_of_their_own)
+{
+#define PLACED(keys, first, second, third, meshes)                                                                     \
+    "{" VIEW OUTPUTS keys "\"nodes\": [{\"name\": \"p\", \"mesh\": " first "}, {\"name\": \"q\", \"mesh\": " second    \
+    ", \"translation\": [3, 0, 0]}, {\"name\": \"r\", \"mesh\": " third                                                \
+    ", \"translation\": [0, 3, 0]}], \"meshes\": [" BODY(0, "m", "") meshes "]}"
+#define RED  ", \"material\": \"red\""
+#define REDS "\"materials\": [{\"name\": \"red\", \"baseColorFactor\": \"red\"}], "
+    assert_same(PLACED("\"highlight\": {\"parts\": \"q\", \"color\": \"red\"}, ", "0", "0", "0", ""),
+                PLACED(REDS, "0", "1", "0", ", " BODY(0, "m", RED)), true);
+    assert_same(PLACED("\"highlight\": {\"parts\": [\"p\", \"r\"], \"color\": \"red\"}, ", "0", "0", "0", ""),
+                PLACED(REDS, "1", "0", "1", ", " BODY(0, "m", RED)), true);
+    assert_same(PLACED("\"hide\": \"q\", \"highlight\": {\"parts\": \"*\", \"color\": \"red\"}, ", "0", "0", "0", ""),
+                "{" VIEW OUTPUTS REDS "\"nodes\": [{\"mesh\": 0}, {\"mesh\": 0, \"translation\": [0, 3, 0]}], "
+                "\"meshes\": [" BODY(0, "m", RED) "]}",
+                false);
+}
+
+TEST(lines_and_points_are_hidden_with_their_part)
+{
+#define SKETCH                                                                                                         \
+    "{\"name\": \"s\", \"positions\": [[9,9,9],[9,0,0],[20,5,0]], \"lines\": [[0,1],[1,2]], \"points\": [0, 2], "      \
+    "\"pointSize\": 5}"
+    static const char *const keys[] = {"\"hide\": \"s\", ", "\"isolate\": \"a\", "};
+    static const char alone[] = "{" VIEW OUTPUTS "\"meshes\": [" BODY(0, "a", "") "]}";
+    for (int i = 0; i < 2; i++) {
+        char text[4000];
+        snprintf(text, sizeof text, "{" VIEW OUTPUTS "%s\"meshes\": [" BODY(0, "a", "") ", " SKETCH "]}", keys[i]);
+        assert_same(text, alone, true);
+    }
+    assert_other("{" VIEW OUTPUTS "\"highlight\": \"s\", \"meshes\": [" SKETCH "]}",
+                 "{" VIEW OUTPUTS "\"meshes\": [" SKETCH "]}");
+}
+
 /* ---- named parts of one mesh ---- */
 
 #define OBJ(far, gap)                                                                                                  \
-    "o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\no two\nv " far " 0 0\nv " far     \
+    "o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\no two\nv " far " 0 0\nv " far      \
     " 1 0\nv " far " 0 1\nv " gap " 0.5 0.5\nf 5 6 7\nf 5 8 6\nf 6 8 7\nf 7 8 5\n"
 
 static zraster_picture *picture_of_obj(const char *obj, const char *query)
@@ -169,10 +205,64 @@ TEST(groups_of_a_file_are_parts)
         assert_same_obj(both, query, one, look, true);
     }
     /* Middles: 0.5 and 3; that of all is 2. */
-    assert_same_obj(both, "explode=2&explodeAxis=x", "o one\nv -3 0 0\nv -2 0 0\nv -3 1 0\nv -3 0 1\nf 1 3 2\nf 1 2 4\n"
+    assert_same_obj(both, "explode=2&explodeAxis=x",
+                    "o one\nv -3 0 0\nv -2 0 0\nv -3 1 0\nv -3 0 1\nf 1 3 2\nf 1 2 4\n"
                     "f 2 3 4\nf 3 1 4\no two\nv 6 0 0\nv 6 1 0\nv 6 0 1\nv 4 0.5 0.5\nf 5 6 7\nf 5 8 6\nf 6 8 7\n"
-                    "f 7 8 5\n", "", true);
+                    "f 7 8 5\n",
+                    "", true);
     assert_same_obj(both, "highlight=*&highlightColor=tomato", both, "color=tomato", true);
+}
+
+/* Draws a scene of the file OBJ("4", "2"), placed by a node with the members. */
+static zraster_status draw_placed(const char *keys, const char *node, zraster_picture **picture, zraster_error **error)
+{
+    static const char obj[] = OBJ("4", "2");
+    const struct zraster_part part = {
+        .name = "f.obj", .array = {.data = obj, .type = ZRASTER_BYTES, .ndim = 1, .shape = {sizeof obj - 1}}};
+    char text[600];
+    snprintf(text, sizeof text,
+             "{" VIEW OUTPUTS "%s\"nodes\": [{\"mesh\": 0, %s}], \"meshes\": [{\"asset\": \"f.obj\"}]}", keys, node);
+    struct zraster_request request = request_of(text);
+    request.parts = &part;
+    request.part_count = 1;
+    return zraster_draw(renderer, &request, picture, error);
+}
+
+TEST(parts_of_a_placed_file_move_in_world_space)
+{
+    /* Turned by 90 degrees around y and doubled: x of the file is -z of the world. */
+#define TURNED "\"matrix\": [0,0,-2,0, 0,2,0,0, 2,0,0,0, 0,0,0,1]"
+    zraster_picture *a, *b;
+    char info[8000];
+    assert_int_equal(draw_placed("\"explode\": {\"factor\": 1, \"axis\": \"z\"}, ", TURNED, &a, NULL), ZRASTER_OK);
+    assert_int_equal(draw_placed("", TURNED, &b, NULL), ZRASTER_OK);
+    const struct zraster_bytes bytes = bytes_of(a, "info");
+    snprintf(info, sizeof info, "%.*s", (int)bytes.size, (const char *)bytes.data);
+    /* z from -2 to 0 and from -8 to -4: the middles, -1 and -6, move by 3 and -2 from the middle -4. */
+    assert_non_null(strstr(info, "\"name\":\"one\",\"id\":1,\"box\":{\"min\":[0,0,1],\"max\":[2,2,3]}"));
+    assert_non_null(
+        strstr(info, "\"name\":\"two\",\"id\":2,\"instanceId\":1,\"box\":{\"min\":[0,0,-10],\"max\":[2,2,-6]}"));
+    assert_false(is_same_bytes(bytes_of(a, "color"), bytes_of(b, "color")));
+    zraster_picture_free(a);
+    zraster_picture_free(b);
+}
+
+TEST(parts_of_a_flattened_file_cannot_move)
+{
+    zraster_picture *picture = NULL;
+    zraster_error *error;
+    assert_int_equal(draw_placed("\"explode\": 1, ", "\"scale\": [1, 0, 1]", &picture, &error), ZRASTER_BAD_SCENE);
+    assert_string_equal(zraster_error_pointer(error, 0), "/explode");
+    assert_non_null(strstr(zraster_error_detail(error, 0), "instance 1 is flattened"));
+    zraster_error_free(error);
+}
+
+TEST(an_explosion_that_moves_nothing_is_a_warning)
+{
+    char info[8000];
+    info_of("{" VIEW OUTPUTS "\"explode\": {\"factor\": 2, \"axis\": \"y\"}, " BODIES "}", info, sizeof info);
+    assert_non_null(
+        strstr(info, "explode moves nothing: no part has its middle beside the middle of all parts along y"));
 }
 
 /* ---- stable colours ---- */
