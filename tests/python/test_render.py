@@ -241,6 +241,31 @@ class Errors(unittest.TestCase):
         self.refused(zraster.OptionTypeError, "look: object is no value of a parameter", OBJ, look=object())
         self.refused(zraster.SceneError, "/view/yfov", SCENE, view={"yfov": 1})
 
+    def test_named_parts(self):
+        """keys of parts are names, lists of them, or the objects of scenes, for scenes and files alike"""
+        both = OBJ + b"o far\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 5 6 7\n"
+        for source, first, last in ((SCENE, "a", "b"), (both, "far", 1)):
+
+            def picture(**options):
+                return zraster.render(source, size=(60, 40), **options).png
+
+            whole = picture()
+            hidden = picture(hide=first)
+            self.assertNotEqual(hidden, whole)
+            self.assertEqual(picture(hide=[first]), hidden)
+            self.assertEqual(picture(isolate=[last]), hidden)
+            red = picture(highlight={"parts": [first], "color": "red"})
+            self.assertNotEqual(red, whole)
+            self.assertEqual(picture(highlight=first, highlight_color="red"), red)
+            self.assertEqual(picture(highlight=[first], highlight_color="red"), red)
+            self.assertEqual(picture(highlight=[{"parts": first, "color": "red"}]), red)
+            moved = picture(explode=0.5)
+            self.assertNotEqual(moved, whole)
+            self.assertEqual(picture(explode={"factor": 0.5}), moved)
+            self.assertEqual(picture(explode={"factor": 1, "axis": "z"}), picture(explode=1, explode_axis="z"))
+            self.assertNotEqual(picture(colors="parts"), whole)
+            self.refused(zraster.SceneError, "no part has the name 'aa'", source, hide="aa")
+
     def test_sources(self):
         """sources that cannot be read are explained"""
         self.refused(FileNotFoundError, "nothing.stl", "nothing.stl")

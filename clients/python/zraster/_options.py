@@ -81,6 +81,11 @@ def _set(keys: Dict[str, Any], pointer: str, value: Any) -> None:
     at[last] = value
 
 
+def _has_objects(value: Any) -> bool:
+    is_list = isinstance(value, (list, tuple))
+    return isinstance(value, AbstractMapping) or (is_list and any(isinstance(item, AbstractMapping) for item in value))
+
+
 def _set_scene_key(keys: Dict[str, Any], keyword: str, row: _Row, value: Any, source: Source) -> None:
     if row.pointer.startswith("/materials/"):
         if not source.is_object:
@@ -88,6 +93,8 @@ def _set_scene_key(keys: Dict[str, Any], keyword: str, row: _Row, value: Any, so
         keys.setdefault("materials", source.scene["materials"])  # type: ignore[index]
     if row.pointer == "/query/projection":
         _set(keys, f"/view/{value}", {})
+    elif row.pointer.startswith(f"/{row.name}/") and _has_objects(value):
+        keys[row.name] = value  # the whole key: highlight={"parts": "axle", "color": "red"}
     else:
         _set(keys, row.pointer.replace("/query/", "/"), value)
     if row.pointer.startswith("/lights/0/"):
@@ -99,6 +106,8 @@ def _is_key(row: _Row, value: Any, is_mesh: bool) -> bool:
     if not row.name or (row.is_mesh and not is_mesh):
         return True
     is_list = isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0
+    if row.kind == "PARTS" and is_list:  # joined by commas, unless an item cannot be
+        return _has_objects(value) or any("," in str(item) for item in value)
     return isinstance(value, AbstractMapping) or (is_list and row.kind != "VECTOR")
 
 
