@@ -58,6 +58,7 @@ NEED_WHEEL := $(PYTHON)=python3 patchelf=patchelf readelf=binutils
 # patchelf and pip for the wheel that tests install.
 NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy /usr/share/doc/python3-venv=python3-venv \
 	/usr/lib/python3/dist-packages/trimesh=python3-trimesh?
+NEED_NODE := node=nodejs npm=npm
 NEED_DEB := /usr/share/doc/build-essential=build-essential dh=debhelper dh_python3=dh-python $(PYTHON)=python3
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels curl=curl
 
@@ -200,12 +201,24 @@ gltf-models: ## the models of the glTF Asset Generator beside their thumbnails: 
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@$(PYTHON) tests/reference/gltf_models.py $(BUILD) $(DATA)/gltf/asset-generator
 
+npm_install = npm install --silent --no-audit --no-fund --prefix $(BUILD)/loaders
+# Models of other packages, in formats that the loaders read.
+LOADER_FILES = $(or $(FILES),$(addprefix $(DATA)/,models hunt gltf/asset-generator) $(addprefix /usr/share/assimp/models/,OBJ 3MF) $(BUILD)/loaders/3mf)
+
 .PHONY: loaders
-loaders: ## triangles and bounds of models beside those of three and gltf-validator (npm), meshio and trimesh: FILES="DIR..." (default: models of $DATA)
-	@.ci/need $(NEED_BUILD) node=nodejs npm=npm /usr/share/doc/python3-meshio=python3-meshio "/usr/share/doc/python3-trimesh=python3-trimesh?"
+loaders: ## triangles, bounds, materials of models beside three, obj2gltf and gltf-validator (npm), lib3mf, meshio, trimesh: FILES="DIR..."
+	@.ci/need $(NEED_BUILD) $(NEED_NODE) /usr/share/doc/python3-meshio=python3-meshio "/usr/share/doc/python3-trimesh=python3-trimesh?" \
+		"-l:lib3MF.so.1=lib3mf1?" /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
-	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/loaders three@0.187 linkedom@0.18 gltf-validator@2.0.0-dev.3.10
-	@$(PYTHON) tests/reference/loaders/compare.py $(BUILD) $(or $(FILES),$(addprefix $(DATA)/,models hunt gltf/asset-generator))
+	@$(npm_install) three@0.187 linkedom@0.18 gltf-validator@2.0.0-dev.3.10 obj2gltf@3.2.0
+	@$(PYTHON) tests/reference/loaders/compare.py $(BUILD) $(LOADER_FILES)
+
+.PHONY: gltf-variants
+gltf-variants: ## models beside their sparse, meshopt, quantized, WebP and Draco variants by gltf-transform (npm): FILES="DIR..."
+	@.ci/need $(NEED_BUILD) $(NEED_NODE) /usr/lib/python3/dist-packages/numpy=python3-numpy
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster $(BUILD)/zrasterd
+	@$(npm_install) @gltf-transform/cli@4.5.1
+	@$(PYTHON) tests/reference/loaders/variants.py $(BUILD) $(or $(FILES),$(DATA)/gltf/asset-generator)
 
 .PHONY: mutants
 mutants:

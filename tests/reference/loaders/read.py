@@ -1,15 +1,16 @@
 """Reads names of model files, one per line. Prints the result of a Python package for each, in the form of three.mjs.
 
-    read.py meshio|trimesh <names
+    read.py meshio|trimesh|lib3mf <names
 """
 import json
 import sys
 
-import numpy
+import mf3
 
 
 def facts_of_meshio(path):
     import meshio  # pylint: disable=import-outside-toplevel
+    import numpy  # pylint: disable=import-outside-toplevel
     mesh = meshio.read(path)
     faces = [block.data for block in mesh.cells if block.type not in ("vertex", "line")]
     used = [block.ravel() for block in faces]
@@ -36,4 +37,4 @@ def main(facts_of):
         print(json.dumps(facts), file=out, flush=True)
 
 
-main({"meshio": facts_of_meshio, "trimesh": facts_of_trimesh}[sys.argv[1]])
+main({"meshio": facts_of_meshio, "trimesh": facts_of_trimesh, "lib3mf": mf3.facts}[sys.argv[1]])

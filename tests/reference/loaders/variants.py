@@ -1,0 +1,120 @@
+"""Compares the pictures of glTF files with those of the variants that variants.mjs writes of them.
+
+    variants.py BUILD FOLDER...     prints TAP; BUILD/loaders has the npm packages
+
+Lossless variants must give the same bytes of colour and ids. Ids of quantized ones may differ within a pixel of an
+outline. Draco must be refused by name with status 422. Differences fail unless differences.txt has a matching row.
+"""
+import http.client
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+import zipfile
+
+import numpy
+
+import compare
+
+IDS = ("faceId", "instanceId")
+ALL = ("color",) + IDS
+# Name of the variant: what its pictures are compared with, by which channels, and whether the bytes must be equal.
+# "read" is what the writer itself reads of a variant: meshopt begins triangles at another corner, and "medium" orders
+# them anew.
+VARIANTS = {
+    "plain": [("original", ALL, True)],
+    "sparse": [("original", ALL, True)],
+    "webp": [("original", ALL, True)],
+    "meshopt-lossless": [("original", IDS, True), ("read", ALL, True)],
+    "meshopt-medium": [("original", ("instanceId",), False), ("read", ALL, True)],
+    "quantize": [("original", IDS, False)],
+    "draco": [],
+}
+
+
+def draw(build, file):
+    """Returns {channel: bytes}, or the message of a file that is refused."""
+    command = [os.path.join(build, "zraster"), file, "-c", ",".join(ALL), "-o", "-", "-s", "160x120"]
+    done = subprocess.run(command, capture_output=True, check=False)
+    if done.returncode:
+        return done.stderr.decode(errors="replace").strip().replace(file, "")[:200]
+    with zipfile.ZipFile(io.BytesIO(done.stdout)) as pictures:
+        return {name.split(".")[0]: pictures.read(name) for name in pictures.namelist()}
+
+
+def count_far(mine, theirs):
+    """Returns how many pixels have an id that no pixel of the other picture within one pixel has."""
+    near = numpy.zeros(mine.shape, bool)
+    padded = numpy.pad(mine, 1, mode="edge")
+    for y in range(3):
+        for x in range(3):
+            near |= padded[y:y + mine.shape[0], x:x + mine.shape[1]] == theirs
+    return int((~near).sum())
+
+
+def differences(drawn, variant):
+    """Yields (kind, text) for each channel of a variant that differs. drawn: {name: pictures, or the refusal}."""
+    for name in (variant, "read"):
+        if isinstance(drawn[name], str):
+            yield "refused", drawn[name]
+            return
+    for reference, channels, is_same in VARIANTS[variant]:
+        for channel in channels:
+            mine, theirs = drawn[variant][channel], drawn[reference][channel]
+            kind = channel if reference == "original" else "%s as %s" % (channel, reference)
+            if is_same and mine != theirs:
+                yield kind, "the bytes differ"
+            elif not is_same:
+                mine, theirs = numpy.load(io.BytesIO(mine)), numpy.load(io.BytesIO(theirs))
+                far = max(count_far(mine, theirs), count_far(theirs, mine))
+                if far:
+                    yield kind, "%d pixels differ beyond outlines" % far
+
+
+class Daemon:
+    """Asks a daemon for the status and the text of a GLB's answer."""
+
+    def __init__(self, build):
+        self.process = subprocess.Popen([os.path.join(build, "zrasterd"), "--port", "0"], stdout=subprocess.PIPE,
+                                        stderr=subprocess.DEVNULL, text=True)
+        self.port = int(re.search(r":(\d+)$", self.process.stdout.readline().strip()).group(1))
+
+    def ask(self, file):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port)
+        with open(file, "rb") as body:
+            connection.request("POST", "/v1/render", body.read(), {"Content-Type": "model/gltf-binary"})
+        answer = connection.getresponse()
+        return answer.status, answer.read().decode(errors="replace")[:200]
+
+
+def main(build, folders):
+    files, folder = compare.files_of(folders, ("gltf", "glb")), os.path.join(build, "loaders", "variants")
+    os.makedirs(folder, exist_ok=True)
+    modules = os.path.join(build, "loaders", "node_modules")
+    command = ["node", os.path.join(compare.HERE, "variants.mjs"), modules, folder]
+    made = [json.loads(line) for line in compare.answers(command, files)]
+    rows, daemon, verdict = compare.read_rows(), Daemon(build), compare.Verdict()
+    for number, file in enumerate(files):
+        original = draw(build, file)
+        for variant in VARIANTS:
+            why = made[number][variant] or (original if isinstance(original, str) else None)
+            glb = os.path.join(folder, "%d.%s.glb" % (number, variant))
+            if why:
+                verdict.leave_out("%s: %s" % (variant, file), why)
+            elif not VARIANTS[variant]:
+                status, said = daemon.ask(glb)
+                is_right = status == 422 and "KHR_draco_mesh_compression" in said
+                verdict.judge(rows, variant, file, [] if is_right else [("answer", "%d %s" % (status, said))])
+            else:
+                read = draw(build, glb.replace(".glb", ".read.glb")) if "meshopt" in variant else None
+                drawn = {"original": original, variant: draw(build, glb), "read": read}
+                verdict.judge(rows, variant, file, differences(drawn, variant))
+    daemon.process.terminate()
+    daemon.process.wait()
+    return verdict.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], sys.argv[2:]))
