@@ -59,6 +59,7 @@ NEED_WHEEL := $(PYTHON)=python3 patchelf=patchelf readelf=binutils
 NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy /usr/share/doc/python3-venv=python3-venv \
 	/usr/lib/python3/dist-packages/trimesh=python3-trimesh?
 NEED_NODE := node=nodejs npm=npm
+NEED_LOADERS := $(NEED_NODE) /usr/share/doc/python3-meshio=python3-meshio /usr/share/doc/python3-trimesh=python3-trimesh?
 NEED_DEB := /usr/share/doc/build-essential=build-essential dh=debhelper dh_python3=dh-python $(PYTHON)=python3
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels curl=curl
 
@@ -201,16 +202,16 @@ gltf-models: ## the models of the glTF Asset Generator beside their thumbnails: 
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@$(PYTHON) tests/reference/gltf_models.py $(BUILD) $(DATA)/gltf/asset-generator
 
+LOADER_PACKAGES := three@0.187 linkedom@0.18 gltf-validator@2.0.0-dev.3.10 obj2gltf@3.2.0
 npm_install = npm install --silent --no-audit --no-fund --prefix $(BUILD)/loaders
 # Models of other packages, in formats that the loaders read.
 LOADER_FILES = $(or $(FILES),$(addprefix $(DATA)/,models hunt gltf/asset-generator) $(addprefix /usr/share/assimp/models/,OBJ 3MF) $(BUILD)/loaders/3mf)
 
 .PHONY: loaders
 loaders: ## triangles, bounds, materials of models beside three, obj2gltf and gltf-validator (npm), lib3mf, meshio, trimesh: FILES="DIR..."
-	@.ci/need $(NEED_BUILD) $(NEED_NODE) /usr/share/doc/python3-meshio=python3-meshio "/usr/share/doc/python3-trimesh=python3-trimesh?" \
-		"-l:lib3MF.so.1=lib3mf1?" /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
+	@.ci/need $(NEED_BUILD) $(NEED_LOADERS) "-l:lib3MF.so.1=lib3mf1?" /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
-	@$(npm_install) three@0.187 linkedom@0.18 gltf-validator@2.0.0-dev.3.10 obj2gltf@3.2.0
+	@$(npm_install) $(LOADER_PACKAGES)
 	@$(PYTHON) tests/reference/loaders/compare.py $(BUILD) $(LOADER_FILES)
 
 .PHONY: gltf-variants
@@ -320,10 +321,12 @@ bench-python: ## the Python package beside the same calls in C, and two threads 
 	@ROUNDS="$(or $(ROUNDS),31)" $(PYTHON) tests/bench/python/compare.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
 
 .PHONY: bench-rivals
-bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB): MESH=../shared/data/models/stanford-bunny.obj
-	@.ci/need $(NEED_BUILD) f3d=f3d xvfb-run=xvfb xauth=xauth /usr/share/doc/python3-vtk9=python3-vtk9
-	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB), and loaders: MESH=../shared/data/models/stanford-bunny.obj
+	@.ci/need $(NEED_BUILD) f3d=f3d xvfb-run=xvfb xauth=xauth /usr/share/doc/python3-vtk9=python3-vtk9 $(NEED_LOADERS)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster
+	@$(npm_install) $(LOADER_PACKAGES)
 	@xvfb-run -a /usr/bin/python3 tests/bench/rivals/compare.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
+	@xvfb-run -a /usr/bin/python3 tests/bench/rivals/loading.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
 
 .PHONY: fuzz
 fuzz: ## clang's libFuzzer on all that reads strangers' bytes, FUZZ_SECONDS=20 for each; what it finds lands in build/fuzz/found

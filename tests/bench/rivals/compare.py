@@ -30,8 +30,8 @@ def ask_ours(connection, body):
     assert answer.status == 200, answer.status
 
 
-def f3d_round(folder):
-    command = ["f3d", mesh, "--output", f"{folder}/f3d.png", "--resolution", "512,512", "--ssao", "--fxaa",
+def f3d_round(folder, path=mesh):
+    command = ["f3d", path, "--output", f"{folder}/f3d.png", "--resolution", "512,512", "--ssao", "--fxaa",
                "--tone-mapping", "--no-background"]
     if shutil.which("xvfb-run") and not os.environ.get("DISPLAY"):
         sys.exit("DISPLAY is not set: this is to be run below xvfb-run")
@@ -92,4 +92,5 @@ def main():
         daemon.wait()
 
 
-main()
+if __name__ == "__main__":
+    main()
