@@ -30,6 +30,9 @@ bool zr_gltf_read_poses(struct zr_gltf *file, struct zr_gltf_use *use);
 
 /* ---- gltf_specular.c ---- */
 
+/* Reflectance at normal incidence for an index of 1.5, the default of the shading pbr and of KHR_materials_ior. */
+#define ZR_GLTF_PLASTIC 0.04
+
 /* Reads the reflectance of a material. Counts textures for a warning, since they are not drawn. `path` leads to its
  * extensions. `ior`, `specular`: JSON text of KHR_materials_ior and KHR_materials_specular, or NULL. */
 void zr_gltf_read_reflectance(struct zr_gltf *file, const struct zr_json_path *path, const char *ior,
@@ -43,10 +46,6 @@ struct zr_gltf_glossiness {
 void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                              struct zr_gltf_glossiness *out);
 
-/* Converts linear colours within 0..1. Sets color[0..2] and metallic.
- * Source: the conversion that Khronos published with the extension (examples/convert-between-workflows). */
-void zr_gltf_convert_glossiness(const double diffuse[3], const double specular[3], struct zr_gltf_glossiness *out);
-
 /* gltf_texture.c: the two halves of zr_gltf_read_texture. find reads it and decodes its image; false after a fault, or
  * without an image, which is counted. add makes a texture of the scene; false after a fault. */
 bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
@@ -55,6 +54,10 @@ bool zr_gltf_add_texture(struct zr_gltf *file, const struct zr_json_path *path, 
                          struct zr_parsed_texture *out);
 
 /* ---- gltf_gloss.c ---- */
+
+/* Converts linear colours within 0..1. Sets color[0..2] and metallic.
+ * Source: the conversion that Khronos published with the extension (examples/convert-between-workflows). */
+void zr_gltf_convert_glossiness(const double diffuse[3], const double specular[3], struct zr_gltf_glossiness *out);
 
 struct zr_gltf_gloss {
     double diffuse[3], specular[3], glossiness; /* factors of both textures */

@@ -1,4 +1,6 @@
-/* Converts the textures of KHR_materials_pbrSpecularGlossiness, texel by texel, to two images of 8 bits. */
+/* Converts KHR_materials_pbrSpecularGlossiness to metallic-roughness: colours, and textures texel by texel, to two
+ * images of 8 bits. */
+#include <math.h>
 #include <string.h>
 
 #include "base/srgb.h"
@@ -6,6 +8,43 @@
 #include "input/image_read.h"
 
 enum { MADE_MAX = 64, ROWS_AT_ONCE = 4, TEXELS_AT_ONCE = 256, LAST = 255 };
+
+/* ---- the conversion ---- */
+
+static double within(double value)
+{
+    return value > 0.0 ? value < 1.0 ? value : 1.0 : 0.0;
+}
+
+static double brightness(const double *color)
+{
+    return sqrt(0.299 * color[0] * color[0] + 0.587 * color[1] * color[1] + 0.114 * color[2] * color[2]);
+}
+
+/* Returns the metalness that reflects like both colours: the root of a quadratic equation. */
+static double find_metallic(double diffuse, double specular, double rest)
+{
+    if (specular < ZR_GLTF_PLASTIC) return 0.0;
+    const double a = ZR_GLTF_PLASTIC, b = diffuse * rest / (1.0 - ZR_GLTF_PLASTIC) + specular - 2.0 * ZR_GLTF_PLASTIC,
+                 c = ZR_GLTF_PLASTIC - specular;
+    const double d = b * b - 4.0 * a * c;
+    return within((-b + sqrt(d > 0.0 ? d : 0.0)) / (2.0 * a));
+}
+
+void zr_gltf_convert_glossiness(const double diffuse[3], const double specular[3], struct zr_gltf_glossiness *out)
+{
+    const double least = 1e-6, most = fmax(specular[0], fmax(specular[1], specular[2])), rest = 1.0 - most,
+                 metallic = find_metallic(brightness(diffuse), brightness(specular), rest),
+                 plastic = fmax(1.0 - metallic, least), metal = fmax(metallic, least);
+    for (int k = 0; k < 3; k++) {
+        const double of_diffuse = diffuse[k] * rest / (1.0 - ZR_GLTF_PLASTIC) / plastic,
+                     of_specular = (specular[k] - ZR_GLTF_PLASTIC * (1.0 - metallic)) / metal;
+        out->color[k] = (float)within(of_diffuse + (of_specular - of_diffuse) * metallic * metallic);
+    }
+    out->metallic = (float)metallic;
+}
+
+/* ---- images ---- */
 
 struct baking {
     const struct zr_gltf_gloss *factors;

@@ -2,13 +2,9 @@
 #include "input/gltf_extensions.h"
 
 #include <float.h>
-#include <math.h>
 #include <string.h>
 
 #include "scene/texture.h"
-
-/* Reflectance at normal incidence for an index of 1.5, the default of the shading pbr and of KHR_materials_ior. */
-#define PLASTIC 0.04
 
 /* ---- KHR_materials_ior and KHR_materials_specular ---- */
 
@@ -83,38 +79,6 @@ static const struct zr_json_field glossiness_fields[] = {
 static const struct zr_json_object glossiness_object =
     ZR_JSON_OBJECT_OF("KHR_materials_pbrSpecularGlossiness", glossiness_fields);
 
-static double within(double value)
-{
-    return value > 0.0 ? value < 1.0 ? value : 1.0 : 0.0;
-}
-
-static double brightness(const double *color)
-{
-    return sqrt(0.299 * color[0] * color[0] + 0.587 * color[1] * color[1] + 0.114 * color[2] * color[2]);
-}
-
-/* Returns the metalness that reflects like both colours: the root of a quadratic equation. */
-static double find_metallic(double diffuse, double specular, double rest)
-{
-    if (specular < PLASTIC) return 0.0;
-    const double a = PLASTIC, b = diffuse * rest / (1.0 - PLASTIC) + specular - 2.0 * PLASTIC, c = PLASTIC - specular;
-    const double d = b * b - 4.0 * a * c;
-    return within((-b + sqrt(d > 0.0 ? d : 0.0)) / (2.0 * a));
-}
-
-void zr_gltf_convert_glossiness(const double diffuse[3], const double specular[3], struct zr_gltf_glossiness *out)
-{
-    const double least = 1e-6, most = fmax(specular[0], fmax(specular[1], specular[2])), rest = 1.0 - most,
-                 metallic = find_metallic(brightness(diffuse), brightness(specular), rest),
-                 plastic = fmax(1.0 - metallic, least), metal = fmax(metallic, least);
-    for (int k = 0; k < 3; k++) {
-        const double of_diffuse = diffuse[k] * rest / (1.0 - PLASTIC) / plastic,
-                     of_specular = (specular[k] - PLASTIC * (1.0 - metallic)) / metal;
-        out->color[k] = (float)within(of_diffuse + (of_specular - of_diffuse) * metallic * metallic);
-    }
-    out->metallic = (float)metallic;
-}
-
 /* True if both textures have the same place on the surface, so that their texels can be joined. */
 static bool is_alike(const struct zr_texture *a, const struct zr_texture *b)
 {
@@ -163,7 +127,7 @@ static void read_textures(struct zr_gltf *file, const struct zr_json_path *path,
     if (given->texture) { /* half as glossy as its factor, and without metal: the factors only scale the texture */
         zr_gltf_note(&file->gloss_textures, path);
         for (int k = 0; k < 3; k++)
-            factors->specular[k] = PLASTIC;
+            factors->specular[k] = ZR_GLTF_PLASTIC;
         factors->glossiness *= 0.5;
     }
     use_factors(factors, out);
