@@ -1,6 +1,6 @@
-/* costs - bench: predicted time (core/cost.h) beside processor time of one thread, for each scene that is named, and
- * for each OBJ model in some looks and sizes. The last lines have the shares that are predicted to within twice and
- * three times. `make bench-costs` runs it.
+/* costs - bench: predicted time (core/cost.h) beside processor time of one thread, and the lower bound of memory
+ * beside the memory held, for each scene that is named, and for each bare mesh in some looks and sizes. The last lines
+ * have the shares of times that are predicted to within twice and three times. `make bench-costs` runs it.
  *
  *     build/tests/bench/alone/costs [--counts] FILE...
  *
@@ -92,8 +92,10 @@ static void run(struct zr_arena *arena, const struct zr_request *request, const 
     }
     add(&shares[took_ms >= least_ms], cost.ms, took_ms);
     const struct zr_cost_most most = zr_cost_most(&cost);
-    printf("%-60s predicted %9.3f ms, took %9.3f: %5.2f; most of it %.3f ms for %.3g %s\n", name, cost.ms, took_ms,
-           cost.ms / took_ms, most.ms, most.count, most.words);
+    printf(
+        "%-60s predicted %9.3f ms, took %9.3f: %5.2f; at least %7.2f MB, held %7.2f; most of it %.3f ms for %.3g %s\n",
+        name, cost.ms, took_ms, cost.ms / took_ms, 1e-6 * cost.window_bytes, 1e-6 * (double)arena->peak, most.ms,
+        most.count, most.words);
     for (int kind = 0; counts && kind < ZR_COST_KINDS; kind++)
         printf("%s%.6g", kind ? " " : "# ", cost.counts[kind]);
     if (counts) putchar('\n');
@@ -122,10 +124,10 @@ int main(int argc, char **argv)
             return 1;
         }
         struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = bytes, .size = size};
-        if (length < 4 || strcmp(argv[i] + length - 4, ".obj") != 0) {
+        if (length < 5 || strcmp(argv[i] + length - 5, ".json") == 0) {
             run(&arena, &request, argv[i], counts, shares);
         } else {
-            request.format = ZR_FORMAT_OBJ;
+            request.format = ZR_FORMAT_UNKNOWN;
             for (int k = 0; k < 12; k++) {
                 char name[512];
                 request.look = looks[k / 3];
