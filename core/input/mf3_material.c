@@ -125,6 +125,7 @@ static struct zr_parsed_scene *open_root(struct making *making, struct zr_scene_
                                   .cancel = file->cancel,
                                   .limits = file->limits,
                                   .error = &making->faults};
+    zr_json_open(&root->json, "", 0);
     root->builder = builder;
     root->scene = builder->scene;
     root->assets.quick = request->quick;
