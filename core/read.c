@@ -89,7 +89,7 @@ static enum zr_status edit_parts(const struct zr_request *request, struct zr_sce
     if (!zr_part_keys_are_given(&builder->scene->parts)) return ZR_OK;
     if (!fits_memory(builder->arena, builder->scene)) return ZR_NO_MEMORY;
     const enum zr_status status = zr_parts_apply(builder, &faults);
-    zr_query_report(request, status, &faults, error);
+    if (status == ZR_BAD_SCENE) zr_query_report(request, status, &faults, error);
     return status;
 }
 

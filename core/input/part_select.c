@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "base/hash.h"
 #include "input/nearest.h"
 #include "input/text.h"
 #include "scene/part_colors.h"
@@ -22,58 +21,18 @@ struct selecting {
     struct zr_scene_builder *builder;
     const struct zr_part_list *list;
     struct zr_error *error;
-    uint32_t slot_count;
-    uint32_t *slots; /* hash table of names: 1 + number of a part; 0: empty */
-    uint8_t *marks;  /* per part: 1 if the set that is matched now has it */
+    uint8_t *marks; /* per part: 1 if the set that is matched now has it */
     uint64_t steps;
-    bool is_over; /* too many steps */
+    bool is_over;      /* too many steps */
+    bool is_cancelled; /* names are left that were not compared */
 };
-
-/* ---- names ---- */
-
-static uint32_t begin_slot(const struct selecting *s, const char *name)
-{
-    uint32_t hash = ZR_HASH_BEGIN;
-    for (const char *at = name; *at; at++)
-        hash = zr_hash_byte(hash, (uint8_t)*at);
-    return hash % s->slot_count;
-}
-
-static uint32_t next_slot(const struct selecting *s, uint32_t slot)
-{
-    return slot + 1 == s->slot_count ? 0 : slot + 1;
-}
-
-static bool list_names(struct selecting *s)
-{
-    struct zr_arena *arena = s->builder->arena;
-    s->slot_count = 2 * s->list->count + 1;
-    s->slots = zr_arena_zero(arena, s->slot_count, sizeof *s->slots);
-    s->marks = zr_arena_alloc(arena, s->list->count, sizeof *s->marks);
-    for (uint32_t p = 0; zr_arena_ok(arena) && p < s->list->count; p++) {
-        uint32_t slot = begin_slot(s, s->list->at[p].name);
-        while (s->slots[slot] != 0)
-            slot = next_slot(s, slot);
-        s->slots[slot] = p + 1;
-        if (zr_is_cancelled(arena->cancel)) return false;
-    }
-    return zr_arena_ok(arena);
-}
-
-/* Returns the number of the part with the name, or the count of parts. */
-static uint32_t find_name(const struct selecting *s, const char *name)
-{
-    for (uint32_t slot = begin_slot(s, name); s->slots[slot] != 0; slot = next_slot(s, slot))
-        if (strcmp(s->list->at[s->slots[slot] - 1].name, name) == 0) return s->slots[slot] - 1;
-    return s->list->count;
-}
 
 /* ---- patterns ---- */
 
 static bool goes_on(struct selecting *s)
 {
-    if (++s->steps % STEPS_A_CANCEL_CHECK == 0 && zr_is_cancelled(s->builder->arena->cancel)) return false;
-    return s->steps < STEPS_MAX;
+    if (++s->steps % STEPS_A_CANCEL_CHECK == 0 && zr_is_cancelled(s->builder->arena->cancel)) s->is_cancelled = true;
+    return !s->is_cancelled && s->steps < STEPS_MAX;
 }
 
 static const char *behind_character(const char *at)
@@ -193,9 +152,9 @@ static bool mark_id(struct selecting *s, double id)
 static bool mark_text(struct selecting *s, const char *text)
 {
     bool is_found = false;
-    const uint32_t exact = find_name(s, text);
-    if (exact < s->list->count) {
-        s->marks[exact] = 1;
+    const struct zr_part *exact = zr_part_list_find(s->list, text);
+    if (exact) {
+        s->marks[exact - s->list->at] = 1;
         return true;
     }
     if (!strpbrk(text, "*?")) return mark_id(s, id_of_text(text));
@@ -208,7 +167,7 @@ static bool mark_text(struct selecting *s, const char *text)
 static void mark(struct selecting *s, const struct zr_part_set *set)
 {
     memset(s->marks, 0, s->list->count);
-    for (uint32_t i = 0; i < set->count && !s->is_over; i++) {
+    for (uint32_t i = 0; i < set->count && !s->is_over && !s->is_cancelled; i++) {
         const struct zr_part_pattern *pattern = &set->patterns[i];
         const bool is_found = pattern->text ? mark_text(s, pattern->text) : mark_id(s, pattern->id);
         if (s->steps >= STEPS_MAX) {
@@ -266,10 +225,8 @@ static void set_styles(struct selecting *s, const struct zr_part_keys *keys, uin
 /* True if the scene has lines or points that belong to no part. */
 static bool has_rest(const struct zr_scene *scene)
 {
-    for (uint32_t i = 0; i < scene->instance_count; i++) {
-        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
-        if (mesh->face_parts && (mesh->line_count > 0 || mesh->point_count > 0)) return true;
-    }
+    for (uint32_t i = 0; i < scene->instance_count; i++)
+        if (zr_mesh_has_rest(&scene->meshes[scene->instances[i].mesh])) return true;
     return false;
 }
 
@@ -349,8 +306,10 @@ enum zr_status zr_parts_apply(struct zr_scene_builder *builder, struct zr_error 
     uint32_t *styles = zr_arena_zero(arena, list.count, sizeof *styles);
     struct zr_part_edit made = {
         .list = &list, .styles = styles, .colors = list_colors(arena, keys), .hides_rest = keys->isolate.count > 0};
-    if (!list_names(&s) || !zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    s.marks = zr_arena_alloc(arena, list.count, sizeof *s.marks);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     set_styles(&s, keys, styles);
+    if (s.is_cancelled) return ZR_NO_MEMORY;
     check_shown(&s, keys, styles);
     check_colors(&s, keys);
     if (error->count > 0) return ZR_BAD_SCENE;

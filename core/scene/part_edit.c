@@ -35,16 +35,11 @@ static bool is_plain(const uint32_t *styles, uint32_t count)
     return true;
 }
 
-static bool has_rest(const struct zr_mesh *mesh)
-{
-    return mesh->face_parts && (mesh->line_count > 0 || mesh->point_count > 0);
-}
-
 /* True if an instance, whose first part is this one, keeps its mesh. */
 static bool keeps_mesh(const struct zr_part_edit *edit, const struct zr_mesh *mesh, uint32_t first_part)
 {
     return is_plain(edit->styles + first_part, zr_mesh_part_count(mesh)) && !(edit->offsets && mesh->face_parts) &&
-           !(edit->hides_rest && has_rest(mesh));
+           !(edit->hides_rest && zr_mesh_has_rest(mesh));
 }
 
 /* Returns the number of a place for a changed mesh; UINT32_MAX without memory. */

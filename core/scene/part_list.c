@@ -11,19 +11,19 @@ struct listing {
     struct zr_arena *arena;
     struct zr_part *parts;
     uint32_t slot_count;
-    uint32_t *slots; /* hash table of names: 1 + number of a part; 0: empty */
+    uint32_t *slots; /* of the list */
     uint32_t *last;  /* per part: the number that the last part with the same name got, or 0 */
 };
 
 /* Returns the slot of the name, or the empty slot where it belongs. */
-static uint32_t slot_of(const struct listing *l, const char *name)
+static uint32_t slot_of(const struct zr_part *parts, const uint32_t *slots, uint32_t slot_count, const char *name)
 {
     uint32_t hash = ZR_HASH_BEGIN;
     for (const char *at = name; *at; at++)
         hash = zr_hash_byte(hash, (uint8_t)*at);
-    uint32_t slot = hash % l->slot_count;
-    while (l->slots[slot] != 0 && strcmp(l->parts[l->slots[slot] - 1].name, name) != 0)
-        slot = slot + 1 == l->slot_count ? 0 : slot + 1;
+    uint32_t slot = hash % slot_count;
+    while (slots[slot] != 0 && strcmp(parts[slots[slot] - 1].name, name) != 0)
+        slot = slot + 1 == slot_count ? 0 : slot + 1;
     return slot;
 }
 
@@ -49,7 +49,7 @@ static const char *make_unique(struct listing *l, uint32_t *slot)
     uint32_t number = l->last[first] ? l->last[first] : 1;
     do {
         snprintf(made + length, NUMBER_SIZE, ".%" PRIu32, ++number);
-        *slot = slot_of(l, made);
+        *slot = slot_of(l->parts, l->slots, l->slot_count, made);
     } while (l->slots[*slot] != 0);
     l->last[first] = number;
     return made;
@@ -60,7 +60,7 @@ static bool add(struct listing *l, const struct zr_scene *scene, uint32_t count,
 {
     if (zr_is_cancelled(l->arena->cancel)) return false;
     part.name = given_name(scene, &part);
-    uint32_t slot = slot_of(l, part.name);
+    uint32_t slot = slot_of(l->parts, l->slots, l->slot_count, part.name);
     if (l->slots[slot] != 0) part.name = make_unique(l, &slot);
     l->parts[count] = part;
     l->slots[slot] = count + 1;
@@ -91,5 +91,12 @@ struct zr_part_list zr_part_list_make(struct zr_arena *arena, const struct zr_sc
             if (!add(&l, scene, count++, (struct zr_part){NULL, i, mesh, number}))
                 return (struct zr_part_list){.total = total};
     }
-    return (struct zr_part_list){count, total, l.parts};
+    return (struct zr_part_list){count, total, l.parts, l.slot_count, l.slots};
+}
+
+const struct zr_part *zr_part_list_find(const struct zr_part_list *list, const char *name)
+{
+    if (list->count == 0) return NULL;
+    const uint32_t found = list->slots[slot_of(list->at, list->slots, list->slot_count, name)];
+    return found ? &list->at[found - 1] : NULL;
 }

@@ -21,6 +21,8 @@ struct zr_part_list {
     uint32_t count; /* listed parts, the first ones of the scene */
     uint64_t total; /* all parts of the scene */
     const struct zr_part *at;
+    uint32_t slot_count; /* hash table of names: 1 + number of a part; 0: empty */
+    const uint32_t *slots;
 };
 
 /* Returns the number of parts of a mesh: 1 without face_parts. */
@@ -29,8 +31,17 @@ static inline uint32_t zr_mesh_part_count(const struct zr_mesh *mesh)
     return mesh->face_parts ? mesh->part_count : 1;
 }
 
+/* True if the mesh has lines or points that belong to no part. */
+static inline bool zr_mesh_has_rest(const struct zr_mesh *mesh)
+{
+    return mesh->face_parts && (mesh->line_count > 0 || mesh->point_count > 0);
+}
+
 /* Lists the first `most` parts. Names with a number are made in the arena; the others belong to the scene. A failed
  * allocation is recorded in the arena, and the list is empty. So it is if arena->cancel is raised. */
 struct zr_part_list zr_part_list_make(struct zr_arena *arena, const struct zr_scene *scene, uint32_t most);
+
+/* Returns the part of this name, or NULL. */
+const struct zr_part *zr_part_list_find(const struct zr_part_list *list, const char *name);
 
 #endif

@@ -165,7 +165,7 @@ static bool place_all(struct zr_arena *arena, struct split *s, struct zr_mesh *m
 }
 
 /* Returns the values of an array of vectors at the new positions, or some of them if cancelled. NULL stays NULL. */
-static const zr_vec4 *gather(struct zr_arena *arena, const struct split *s, const zr_vec4 *values)
+static zr_vec4 *gather(struct zr_arena *arena, const struct split *s, const zr_vec4 *values)
 {
     zr_vec4 *out = values ? zr_arena_alloc(arena, s->count, sizeof *out) : NULL;
     for (uint32_t i = 0; out && i < s->count && !is_stopped(arena, i); i++)
@@ -198,8 +198,8 @@ static bool split(struct zr_arena *arena, const struct zr_part_mesh_edit *edit, 
 {
     struct split s = {.count = 0};
     if (!open_split(arena, mesh, &s) || !place_all(arena, &s, mesh)) return false;
-    zr_vec4 *positions = (zr_vec4 *)gather(arena, &s, mesh->positions);
-    zr_vec4 *colors = (zr_vec4 *)gather(arena, &s, mesh->colors);
+    zr_vec4 *positions = gather(arena, &s, mesh->positions);
+    zr_vec4 *colors = gather(arena, &s, mesh->colors);
     mesh->texcoords = gather(arena, &s, mesh->texcoords);
     mesh->tangents = gather(arena, &s, mesh->tangents);
     if (!zr_arena_ok(arena)) return false;
@@ -265,7 +265,7 @@ static bool hides_any(const struct zr_mesh *mesh, const struct zr_part_mesh_edit
 {
     for (uint32_t p = 0; p < zr_mesh_part_count(mesh); p++)
         if (edit->styles[p] & ZR_PART_HIDDEN) return true;
-    return edit->hides_rest && mesh->face_parts && (mesh->line_count > 0 || mesh->point_count > 0);
+    return edit->hides_rest && zr_mesh_has_rest(mesh);
 }
 
 bool zr_part_mesh_make(struct zr_scene_builder *builder, const struct zr_mesh *mesh,

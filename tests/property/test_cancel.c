@@ -381,6 +381,33 @@ TEST(reading_of_brackets_and_of_what_is_odd_stops)
     reading_stops("{\"polygons\":[", "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"material\":{\"x\":[[]]}},");
 }
 
+/* Each name almost matches, wherever the pattern begins. */
+TEST(comparing_of_patterns_with_names_stops)
+{
+    enum { NODES = 3000, NAME = 1000, ROOM = NODES * (NAME + 40) };
+    static const char begin_text[] = "{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2]]}],\"hide\":";
+    char *text = malloc(ROOM), *at = text, name[NAME + 1];
+    struct later later;
+    struct zr_error error = {.count = 0};
+    const struct zr_scene *scene;
+    const struct zr_limits limits = zr_limits_default();
+    assert_non_null(text);
+    memset(name, 'a', NAME);
+    name[NAME] = '\0';
+    at += sprintf(at, "%s\"*%sb\",\"nodes\":[", begin_text, name + NAME / 2);
+    for (int i = 0; i < NODES; i++)
+        at += sprintf(at, "%s{\"mesh\":0,\"name\":\"%s\"}", i > 0 ? "," : "", name);
+    at += sprintf(at, "]}");
+    zr_arena_init(&arena, (size_t)1 << 30);
+    begin(&later, 2 * RAISED_MS);
+    const struct zr_request request = {
+        .format = ZR_FORMAT_JSON, .bytes = text, .size = (size_t)(at - text), .cancel = &later.cancel};
+    assert_ended_soon(&later, zr_scene_read(&arena, NULL, &request, &limits, &scene, &error));
+    assert_int_equal(error.count, 1); /* not that no part has the name */
+    zr_arena_free(&arena);
+    free(text);
+}
+
 /* Indices of ten million triangles, before and behind their positions, which decides when they are checked. */
 TEST(reading_of_large_arrays_stops)
 {
