@@ -101,21 +101,10 @@ static bool read_parts(struct zr_json *json, const struct zr_json_path *path, co
     return read_set(json, path, out);
 }
 
-/* zr_vec4 */
-static bool read_color(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
-{
-    zr_vec4 color;
-    if (!zr_json_color(json, path, field, &color)) return false;
-    if (color.w < 1.0f) return zr_json_fault(json, path, "an alpha of %.9g: it has to be opaque", (double)color.w);
-    *(zr_vec4 *)out = color;
-    return true;
-}
-
 static const struct zr_json_field highlight_fields[] = {
     {"parts", read_parts, offsetof(struct zr_part_highlight, parts), .required = true,
      .text = "what is highlighted: a name, a pattern, an id, or a list of them"},
-    {"color", read_color, offsetof(struct zr_part_highlight, color), .otherwise = "#ff6a00",
+    {"color", zr_json_opaque, offsetof(struct zr_part_highlight, color), .otherwise = "#ff6a00",
      .text = "colour of these parts, instead of their colours and base colour textures"}};
 const struct zr_json_object zr_json_object_highlight = ZR_JSON_OBJECT_OF("highlight", highlight_fields);
 

@@ -72,8 +72,7 @@ static bool read_opaque(struct zr_json *json, const struct zr_json_path *path, c
                         void *out)
 {
     zr_vec4 color;
-    if (!zr_json_color(json, path, field, &color)) return false;
-    if (color.w < 1.0f) return zr_json_fault(json, path, "an alpha of %.9g: it has to be opaque", (double)color.w);
+    if (!zr_json_opaque(json, path, field, &color)) return false;
     *(zr_vec3 *)out = (zr_vec3){color.x, color.y, color.z};
     return true;
 }

@@ -418,3 +418,12 @@ bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const 
     }
     return zr_json_skip(json) && zr_json_fault(json, path, "expected a colour, found %s: %s", kinds[type], forms);
 }
+
+bool zr_json_opaque(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    zr_vec4 color;
+    if (!zr_json_color(json, path, field, &color)) return false;
+    if (color.w < 1.0f) return zr_json_fault(json, path, "an alpha of %.9g: it has to be opaque", (double)color.w);
+    *(zr_vec4 *)out = color;
+    return true;
+}

@@ -40,8 +40,9 @@ static bool is_same_color(zr_vec3 a, zr_vec3 b)
 static bool is_same(const struct zr_material *a, const struct zr_material *b)
 {
     return a->shading == b->shading && a->double_sided == b->double_sided && a->unfilled == b->unfilled &&
-           a->is_hidden == b->is_hidden && a->uniform_color == b->uniform_color && a->outline == b->outline && a->shininess == b->shininess &&
-           a->metallic == b->metallic && a->roughness == b->roughness && zr_vec4_equal(a->base_color, b->base_color) &&
+           a->is_hidden == b->is_hidden && a->uniform_color == b->uniform_color && a->outline == b->outline &&
+           a->shininess == b->shininess && a->metallic == b->metallic && a->roughness == b->roughness &&
+           zr_vec4_equal(a->base_color, b->base_color) &&
            zr_vec4_equal(a->outline_color, b->outline_color) && is_same_color(a->specular, b->specular) &&
            is_same_color(a->reflectance, b->reflectance) && a->grazing == b->grazing &&
            is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
@@ -65,7 +66,8 @@ static uint32_t hash(const struct zr_material *m)
         value = zr_hash_word(value, word);
     }
     word = (uint32_t)m->alpha_mode << 16 | (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 |
-           (uint32_t)m->is_hidden << 3 | (uint32_t)m->double_sided << 2 | (uint32_t)m->unfilled << 1 | (uint32_t)m->uniform_color;
+           (uint32_t)m->is_hidden << 3 | (uint32_t)m->double_sided << 2 | (uint32_t)m->unfilled << 1 |
+           (uint32_t)m->uniform_color;
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         word = word * 31u + m->textures[slot];
     return zr_hash_word(value, word);

@@ -4,7 +4,7 @@
 #include "scene/image.h"
 #include "scene/scene.h"
 #include "support/base64.h"
-#include "support/png.h"
+#include "support/striped_images.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
 #include "support/zip_file.h"
@@ -15,20 +15,14 @@
 
 TEST_ARENA((size_t)1 << 28)
 
-enum { SIDE = 64, FILES = 4, THREADS = 3, CUT = 20, ALL = (1 << FILES) - 1 };
+enum { FILES = 4, THREADS = 3, CUT = 20, ALL = (1 << FILES) - 1 };
 
 static uint8_t *files[FILES];
 static size_t sizes[FILES];
 
 static int make_files(void **state)
 {
-    static uint8_t rgba[SIDE * SIDE * 4];
-    for (int i = 0; i < FILES; i++) {
-        for (size_t k = 0; k < sizeof rgba; k++)
-            rgba[k] = (uint8_t)(k * (size_t)(i + 1) >> 3);
-        files[i] = png_memory_write(rgba, SIDE, SIDE, &sizes[i]);
-        if (!files[i]) return -1;
-    }
+    if (!striped_files_make(FILES, files, sizes)) return -1;
     return open_arena(state);
 }
 

@@ -3,7 +3,7 @@
 #include "images.h"
 #include "scene/image.h"
 #include "support/files.h"
-#include "support/png.h"
+#include "support/striped_images.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
@@ -18,26 +18,14 @@
 TEST_ARENA((size_t)1 << 28)
 
 /* ENTRY_BYTES: 64 x 64 x 4 bytes and the header of an entry, in whole blocks. */
-enum { SIDE = 64, FILES = 4, TEXELS_MAX = 1 << 20, ENTRY_BYTES = 5 * 4096 };
+enum { SIDE = STRIPED_SIDE, FILES = 4, TEXELS_MAX = 1 << 20, ENTRY_BYTES = 5 * 4096 };
 
 static uint8_t *files[FILES];
 static size_t sizes[FILES];
 
-/* The value of a file at byte k of its texels. */
-static uint8_t value_of(int number, size_t k)
-{
-    return (uint8_t)(k * (size_t)(number + 1) >> 3);
-}
-
 static int make_files(void **state)
 {
-    static uint8_t rgba[SIDE * SIDE * 4];
-    for (int i = 0; i < FILES; i++) {
-        for (size_t k = 0; k < sizeof rgba; k++)
-            rgba[k] = value_of(i, k);
-        files[i] = png_memory_write(rgba, SIDE, SIDE, &sizes[i]);
-        if (!files[i]) return -1;
-    }
+    if (!striped_files_make(FILES, files, sizes)) return -1;
     return open_arena(state);
 }
 
@@ -213,7 +201,7 @@ static bool has_values(const struct zr_image *image, int number)
 {
     const uint8_t *texels = image->texels;
     for (size_t k = 0; k < zr_image_bytes(image); k += 63)
-        if (texels[k] != value_of(number, k)) return false;
+        if (texels[k] != striped_byte(number, k)) return false;
     return true;
 }
 
