@@ -208,7 +208,7 @@ npm_install = npm install --silent --no-audit --no-fund --prefix $(BUILD)/loader
 LOADER_FILES = $(or $(FILES),$(addprefix $(DATA)/,models hunt gltf/asset-generator) $(addprefix /usr/share/assimp/models/,OBJ 3MF) $(BUILD)/loaders/3mf)
 
 .PHONY: loaders
-loaders: ## triangles, bounds, materials of models beside three, obj2gltf and gltf-validator (npm), lib3mf, meshio, trimesh: FILES="DIR..."
+loaders: ## triangles, bounds, parts and materials of models beside three, obj2gltf, gltf-validator (npm), lib3mf, meshio, trimesh: FILES="DIR..."
 	@.ci/need $(NEED_BUILD) $(NEED_LOADERS) "-l:lib3MF.so.1=lib3mf1?" /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@$(npm_install) $(LOADER_PACKAGES)
@@ -321,7 +321,7 @@ bench-python: ## the Python package beside the same calls in C, and two threads 
 	@ROUNDS="$(or $(ROUNDS),31)" $(PYTHON) tests/bench/python/compare.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
 
 .PHONY: bench-rivals
-bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB), and loaders: MESH=../shared/data/models/stanford-bunny.obj
+bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB), and loading of meshes: MESH=../shared/data/models/stanford-bunny.obj
 	@.ci/need $(NEED_BUILD) f3d=f3d xvfb-run=xvfb xauth=xauth /usr/share/doc/python3-vtk9=python3-vtk9 $(NEED_LOADERS)
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster
 	@$(npm_install) $(LOADER_PACKAGES)

@@ -15,7 +15,7 @@ echo "colour and depth of an example scene ($scene):"
 "$build/zraster" "$scene" -c color,depth --encoding png16 -o "$out/" -v
 echo "the same by the daemon:"
 . clients/start_daemon.sh
-# The mesh with its materials and their textures, each a part of one form.
+# Sends the mesh, its materials and their textures as parts of one form.
 folder=${mesh%/*}
 set -- -F "scene=@$mesh;type=model/obj"
 for part in spider.mtl $(tr -d '\r' <"$folder/spider.mtl" | sed -n 's|^ *map_Kd *\.*[/\\]*||p' | sort -u); do

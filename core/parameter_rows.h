@@ -22,7 +22,7 @@
     KIND(SIDE, "PIXELS")  /* integer, side of the window */                                                            \
     KIND(PIXEL, "PIXELS") /* integer, from 0 */                                                                        \
     KIND(VECTOR, "X,Y,Z")                                                                                              \
-    KIND(PARTS, "NAME,...") /* names, patterns and ids of parts, with commas between them */                           \
+    KIND(PARTS, "NAME,...") /* names, patterns or ids of parts, with commas between them */                            \
     KIND(COLOR, "COLOR") /* opaque */                                                                                  \
     KIND(BACKGROUND, "COLOR")                                                                                          \
     KIND(OUTLINE, "COLOR") /* true, false, or opaque */
@@ -91,15 +91,17 @@
     ROW(lightIntensity, "/lights/0/intensity", MESH, NUMBER, "factor of the light's colour (default: 1)")              \
     ROW(shadows, "/lights/0/shadows", MESH, BOOL, "shadows of the light (default: false)")                             \
     ROW(hide, "/hide", MESH, PARTS,                                                                                    \
-        "parts that are not drawn: names with * and ? as in a shell, or ids, with commas between them")                \
+        "parts that are not drawn: names, patterns with * and ?, or ids, with commas between them")                    \
     ROW(isolate, "/isolate", MESH, PARTS, "the only parts that are drawn")                                             \
-    ROW(ghost, "/ghost", MESH, PARTS, "parts that are see-through")                                                    \
-    ROW(highlight, "/highlight/parts", MESH, PARTS, "parts in the colour highlightColor")                              \
+    ROW(ghost, "/ghost", MESH, PARTS, "translucent parts")                                                             \
+    ROW(highlight, "/highlight/parts", MESH, PARTS, "parts drawn in one colour")                                       \
     ROW(highlightColor, "/highlight/color", MESH, COLOR, "colour of highlighted parts (default: #ff6a00)")             \
     ROW(explode, "/explode/factor", MESH, NUMBER,                                                                      \
-        "parts moved apart, by this factor of the distance of their middles from that of all, 0 to 100")               \
+        "exploded view: each part moves by this factor times its distance from the middle of all parts, "              \
+        "0 to 100 (default: 0)")                                                                                       \
     ROW(explodeAxis, "/explode/axis", MESH, NAME, "axis along which parts move: x, y, z or radial (default: radial)")  \
-    ROW(colors, "/colors", MESH, NAME, "parts: a colour for each part, by its name; own: the model's (default: own)")  \
+    ROW(colors, "/colors", MESH, NAME,                                                                                 \
+        "own: colours of the model; parts: one colour per part, chosen by its name (default: own)")                    \
     ROW(algorithm, "/algorithm", MESH, NAME,                                                                           \
         "visibility algorithm: halfspace, edgelist, trapezoid, scanline or painter (default: halfspace)")
 

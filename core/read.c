@@ -44,7 +44,7 @@ static enum zr_status name_bytes(const struct zr_request *request, enum zr_statu
     if (!words) return status;
     const struct zr_error all = *error;
     *error = (struct zr_error){0};
-    zr_error_add(error, status, NULL, "the body is said to be %s, and looks like %s", row->name, words);
+    zr_error_add(error, status, NULL, "the type is %s, but the body looks like %s", row->name, words);
     for (size_t i = 0; i < zr_error_held(&all); i++)
         zr_error_add(error, status, all.items[i].pointer, "%s", all.items[i].detail);
     return status;
@@ -81,7 +81,7 @@ static enum zr_status validate(const struct zr_request *request, const struct zr
     return status;
 }
 
-/* Edits the scene by the keys that change its parts. */
+/* Applies the keys of parts to the scene. */
 static enum zr_status edit_parts(const struct zr_request *request, struct zr_scene_builder *builder,
                                  struct zr_error *error)
 {

@@ -124,10 +124,10 @@ parts() { # NAME LOOK WHAT MEMBERS
     render "$1"
     figure "$1" "" "$3" "$4"
 }
-parts parts-colors studio "a colour for each part, by its name" '"colors": "parts"'
+parts parts-colors studio "one colour per part, chosen by its name" '"colors": "parts"'
 parts parts-exploded studio "the same, moved apart along y" '"colors": "parts", "explode": {"factor": 1.5, "axis": "y"}'
-parts parts-ghost studio "the outer parts see-through, the axle in a colour" '"ghost": ["base", "wheel"], "highlight": "axle"'
-parts parts-hidden technical "without some parts; the view holds those that are left" '"hide": ["base", "ca?"], "colors": "parts"'
+parts parts-ghost studio "translucent outer parts and a highlighted axle" '"ghost": ["base", "wheel"], "highlight": "axle"'
+parts parts-hidden technical "hidden parts; the view fits the other parts" '"hide": ["base", "ca?"], "colors": "parts"'
 
 # ---- a colour bar ----
 

@@ -46,8 +46,9 @@ struct zr_gltf_glossiness {
 void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                              struct zr_gltf_glossiness *out);
 
-/* gltf_texture.c: the two halves of zr_gltf_read_texture. find reads it and decodes its image; false after a fault, or
- * without an image, which is counted. add makes a texture of the scene; false after a fault. */
+/* gltf_texture.c: the two steps of zr_gltf_read_texture. zr_gltf_find_texture reads the texture and decodes its image.
+ * It returns false after a fault, or if there is no image, which a warning counts. zr_gltf_add_texture adds the texture
+ * to the scene, and returns false after a fault. */
 bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
                           enum zr_texture_slot slot, struct zr_parsed_texture *out, struct zr_texture *texture);
 bool zr_gltf_add_texture(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_texture *texture,
@@ -63,16 +64,16 @@ struct zr_gltf_gloss {
     double diffuse[3], specular[3], glossiness; /* factors of both textures */
 };
 
-/* Images that are made of two others; all are numbers of the scene's images. */
+/* The result of a conversion, and its inputs. All images are numbers of the scene's images. */
 struct zr_gltf_baked {
     struct zr_gltf_gloss factors;
     bool has_diffuse;
     uint32_t diffuse, specular; /* the given images */
-    uint32_t color, rough;      /* the made images: sRGB and alpha; roughness in green, metalness in blue */
+    uint32_t color, rough;      /* results. color: sRGB and alpha; rough: roughness in green, metalness in blue */
 };
 
-/* Converts each texel of a specular-glossiness image and of a diffuse image (NULL: white). Equal ones are made once.
- * NULL if they are more than 64, beyond the limit of texels, without memory, or after a cancel. */
+/* Converts a specular-glossiness image and a diffuse image (NULL: white) texel by texel. Equal inputs are converted
+ * once. Returns NULL after 64 conversions, beyond the limit of texels, without memory, or if cancelled. */
 const struct zr_gltf_baked *zr_gltf_bake_glossiness(struct zr_gltf *file, const struct zr_gltf_gloss *factors,
                                                     const uint32_t *diffuse, uint32_t specular);
 
@@ -90,8 +91,8 @@ void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light, co
 bool zr_gltf_extensions(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
                         const struct zr_json_object *object, void *out, uint64_t *given);
 
-/* Finds one extension in the object of extensions at a place: sets *place to its own, or leaves it. False after a
- * fault. */
+/* Finds one extension in an object of extensions. Sets *place to the JSON text of the extension, or leaves it unchanged
+ * if there is none. False after a fault. `extensions`: JSON text of the object. */
 bool zr_gltf_find_extension(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,
                             const char *name, const char **place);
 

@@ -1,5 +1,5 @@
-/* Converts KHR_materials_pbrSpecularGlossiness to metallic-roughness: colours, and textures texel by texel, to two
- * images of 8 bits. */
+/* Converts KHR_materials_pbrSpecularGlossiness to metallic-roughness. Textures are converted texel by texel to two
+ * images of 8 bits per channel. */
 #include <math.h>
 #include <string.h>
 
@@ -21,7 +21,8 @@ static double brightness(const double *color)
     return sqrt(0.299 * color[0] * color[0] + 0.587 * color[1] * color[1] + 0.114 * color[2] * color[2]);
 }
 
-/* Returns the metalness that reflects like both colours: the root of a quadratic equation. */
+/* Returns the metalness that gives the same reflection: the root of a quadratic equation. `diffuse` and `specular` are
+ * brightnesses; `rest` is 1 minus the largest component of the specular colour. */
 static double find_metallic(double diffuse, double specular, double rest)
 {
     if (specular < ZR_GLTF_PLASTIC) return 0.0;
@@ -48,7 +49,7 @@ void zr_gltf_convert_glossiness(const double diffuse[3], const double specular[3
 
 struct baking {
     const struct zr_gltf_gloss *factors;
-    const struct zr_image *diffuse, *specular; /* diffuse: NULL: white */
+    const struct zr_image *diffuse, *specular; /* diffuse may be NULL, which is white */
     const struct zr_cancel *cancel;
     enum zr_isa isa;
     uint32_t width, height;
@@ -62,7 +63,8 @@ static size_t scale(uint32_t at, uint32_t from, uint32_t to)
     return from == to ? at : (size_t)((uint64_t)at * to / from);
 }
 
-/* Reads the texel at a texel of the result. A smaller image is repeated texel by texel. RGB becomes linear. */
+/* Reads the texel of `from` at texel (x, y) of the result, with linear RGB. Texels of a smaller image are repeated.
+ * NULL is white. */
 static void read_texel(const struct baking *b, const struct zr_image *from, uint32_t x, uint32_t y, double out[4])
 {
     const size_t column = from ? scale(x, b->width, from->width) : 0,
@@ -123,7 +125,7 @@ static uint32_t add_image(struct zr_gltf *file, const struct baking *b, const ui
     return zr_scene_builder_image(file->root.builder, &image);
 }
 
-/* Makes both images. False beyond the limit of texels, without memory or after a cancel. */
+/* Makes both images. False beyond the limit of texels, without memory, or if cancelled. */
 static bool make(struct zr_gltf *file, struct zr_gltf_baked *made)
 {
     const struct zr_json *json = &file->root.json;

@@ -60,7 +60,7 @@ void zr_gltf_read_images_ahead(struct zr_gltf *file)
     rehearsal->root.json.error = &faults;
     rehearsal->listing = &listing;
     zr_gltf_read_list(rehearsal, ZR_GLTF_MESHES, list_mesh);
-    file->root.assets = rehearsal->root.assets; /* with the names that are sorted by now */
+    file->root.assets = rehearsal->root.assets; /* keeps the names that the rehearsal sorted */
     forget_refusals(file);
     if (!zr_gltf_stops(file)) zr_parsed_ahead_decode(&file->root);
 }

@@ -1,7 +1,7 @@
-/* gltf_image_ahead.h - input: images of glTF that are decoded by several threads, before the meshes are read.
+/* gltf_image_ahead.h - input: decodes the images of glTF by several threads, before the meshes are read.
  *
- * How:   a rehearsal with a copy of the reader reads the materials of the drawn primitives, in the order of the meshes,
- *        and lists their images. Its faults and counts are dropped: the meshes, which are read afterwards, report them.
+ * How:   in a rehearsal, a copy of the reader reads the materials of the drawn primitives in the order of the meshes,
+ *        and lists their images. Faults and counts of the rehearsal are dropped. The later reading reports them.
  * Exact: scene, faults, warnings and memory are the same for every team (image_ahead.h). */
 #ifndef ZR_GLTF_IMAGE_AHEAD_H
 #define ZR_GLTF_IMAGE_AHEAD_H
@@ -9,13 +9,13 @@
 #include "input/gltf.h"
 #include "input/json_image_ahead.h"
 
-/* In a rehearsal, textures add their images to root->ahead, and are not made. */
+/* State of a rehearsal. Textures add their images to root->ahead, and are not made. */
 struct zr_gltf_listing {
     struct zr_parsed_scene *root;
-    bool *has_material; /* one per material: it is listed */
+    bool *has_material; /* one per material: true if it is listed */
 };
 
-/* Decodes the images of all drawn materials, before the first of them is read. */
+/* Decodes the images of all drawn materials before the first material is read. */
 void zr_gltf_read_images_ahead(struct zr_gltf *file);
 
 /* gltf_material.c: lists the images of a material in a rehearsal. */

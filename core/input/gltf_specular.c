@@ -29,7 +29,7 @@ static const struct zr_json_object ior_object = ZR_JSON_OBJECT_OF("KHR_materials
 static const struct zr_json_object specular_object = ZR_JSON_OBJECT_OF("KHR_materials_specular", specular_fields);
 enum { TEXTURES = 1 << 2 | 1 << 3 };
 
-/* By the extension, an index of 0 reflects all light. */
+/* KHR_materials_ior defines that an index of 0 reflects all light. */
 static void read_ior(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                      struct zr_parsed_material *out)
 {
@@ -79,14 +79,15 @@ static const struct zr_json_field glossiness_fields[] = {
 static const struct zr_json_object glossiness_object =
     ZR_JSON_OBJECT_OF("KHR_materials_pbrSpecularGlossiness", glossiness_fields);
 
-/* True if both textures have the same place on the surface, so that their texels can be joined. */
+/* True if both textures have the same coordinates, transform and wrapping, so their texels form pairs. */
 static bool is_alike(const struct zr_texture *a, const struct zr_texture *b)
 {
     return a->texcoord == b->texcoord && a->wrap_s == b->wrap_s && a->wrap_t == b->wrap_t &&
            memcmp(a->rows, b->rows, sizeof a->rows) == 0;
 }
 
-/* Makes the textures of both given ones; `diffuse` may be NULL. False if that cannot be done. */
+/* Makes the textures of colour and roughness. `diffuse` may be NULL. False if the given textures cannot be converted in
+ * pairs, or beyond a limit. */
 static bool bake(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_gloss *factors,
                  const struct zr_texture *diffuse, const struct zr_texture *specular, struct zr_gltf_glossiness *out)
 {
@@ -124,7 +125,7 @@ static void read_textures(struct zr_gltf *file, const struct zr_json_path *path,
                                                    ZR_TEXTURE_BASE_COLOR, &out->rough_texture, &specular);
     if (has_specular && !has_diffuse) out->color_texture = out->rough_texture;
     if (has_specular && bake(file, path, factors, has_diffuse ? &diffuse : NULL, &specular, out)) return;
-    if (given->texture) { /* half as glossy as its factor, and without metal: the factors only scale the texture */
+    if (given->texture) { /* without the texture, which the factors scale: a non-metal with half of the glossiness */
         zr_gltf_note(&file->gloss_textures, path);
         for (int k = 0; k < 3; k++)
             factors->specular[k] = ZR_GLTF_PLASTIC;

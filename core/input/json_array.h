@@ -45,7 +45,7 @@ bool zr_json_array_floats(struct zr_json *json, const struct zr_json_path *path,
 bool zr_json_array_indices(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_array *array,
                            uint32_t count, const char *of, struct zr_growing *out);
 
-/* Counts bytes before they are read. False, and reported, if they exceed the limit of a quick reading. */
+/* Counts bytes before they are read. If they exceed the limit of a quick reading, reports that and returns false. */
 bool zr_json_has_time(struct zr_json *json, size_t bytes);
 
 /* Opens an array and appends its floats. */

@@ -8,8 +8,9 @@
 /* Decodes the images of all materials by several threads. Faults are reported when the textures are read. */
 void zr_parsed_read_ahead(struct zr_parsed_scene *root);
 
-/* The same for readers that find the files themselves. zr_parsed_ahead_add adds a file to root->ahead, without a name,
- * unless the list has its bytes or is full; the bytes must outlive the reading. */
+/* For readers that find the files themselves. zr_parsed_ahead_add adds a file without a name to root->ahead, unless the
+ * list has its bytes or is full. The bytes must outlive the reading. zr_parsed_ahead_decode decodes the files of the
+ * list. */
 void zr_parsed_ahead_add(struct zr_parsed_scene *root, const struct zr_parsed_bytes *bytes);
 void zr_parsed_ahead_decode(struct zr_parsed_scene *root);
 

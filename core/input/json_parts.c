@@ -1,4 +1,4 @@
-/* Reads the keys that change the parts of a scene. Their names are compared once there are parts (part_select.h). */
+/* Reads the keys of parts. part_select.h compares their names with the parts once the scene is complete. */
 #include <stdio.h>
 #include <string.h>
 
@@ -14,9 +14,9 @@ static bool read_text(struct zr_json *json, const struct zr_json_path *path, str
     const char *text = "";
     if (!zr_json_string(json, path, NULL, &text)) return false;
     const size_t length = strlen(text);
-    if (length == 0) return zr_json_fault(json, path, "a text without a character; a name or a pattern has some");
+    if (length == 0) return zr_json_fault(json, path, "the text is empty; a name, a pattern or an id is needed");
     if (length > PATTERN_BYTES_MAX)
-        return zr_json_fault(json, path, "%zu bytes; a name or a pattern has up to %d", length, PATTERN_BYTES_MAX);
+        return zr_json_fault(json, path, "%zu bytes; up to %d are allowed", length, PATTERN_BYTES_MAX);
     *out = (struct zr_part_pattern){.text = text};
     return true;
 }
@@ -32,7 +32,7 @@ static bool read_pattern(struct zr_json *json, const struct zr_json_path *path, 
     return true;
 }
 
-/* Reads the items of a list. */
+/* Reads a list of patterns. */
 static bool read_list(struct zr_json *json, const struct zr_json_path *path, struct zr_part_set *out)
 {
     size_t count, read = 0;
@@ -53,7 +53,7 @@ static bool read_list(struct zr_json *json, const struct zr_json_path *path, str
     return is_good;
 }
 
-/* Reads one pattern or a list of them. */
+/* Reads one pattern or a list of patterns. */
 static bool read_set(struct zr_json *json, const struct zr_json_path *path, struct zr_part_set *out)
 {
     *out = (struct zr_part_set){.pointer = zr_json_pointer(json->arena, path)};
@@ -103,12 +103,12 @@ static bool read_parts(struct zr_json *json, const struct zr_json_path *path, co
 
 static const struct zr_json_field highlight_fields[] = {
     {"parts", read_parts, offsetof(struct zr_part_highlight, parts), .required = true,
-     .text = "what is highlighted: a name, a pattern, an id, or a list of them"},
+     .text = "parts: a name, a pattern, an id, or a list of these"},
     {"color", zr_json_opaque, offsetof(struct zr_part_highlight, color), .otherwise = "#ff6a00",
-     .text = "colour of these parts, instead of their colours and base colour textures"}};
+     .text = "colour that replaces the colours and base colour textures of these parts"}};
 const struct zr_json_object zr_json_object_highlight = ZR_JSON_OBJECT_OF("highlight", highlight_fields);
 
-/* Reads an object, or one pattern. */
+/* Reads an object, or parts that get the default colour. */
 static bool read_one_highlight(struct zr_json *json, const struct zr_json_path *path, struct zr_part_highlight *out)
 {
     uint64_t keys;
@@ -117,7 +117,7 @@ static bool read_one_highlight(struct zr_json *json, const struct zr_json_path *
     return zr_json_fields(json, path, &zr_json_object_highlight, out, &keys);
 }
 
-/* True if the next value is a list with an object. */
+/* True if the next value is a list that contains an object. */
 static bool has_objects(const struct zr_json *json)
 {
     struct zr_json there = zr_json_at(json, json->at);
@@ -172,7 +172,7 @@ struct given_explode {
 
 static const struct zr_json_field explode_fields[] = {
     {"factor", zr_json_number, offsetof(struct given_explode, factor), 0, FACTOR_MAX, .required = true,
-     .text = "how far each part moves, as a multiple of the distance between its middle and the middle of all parts"},
+     .text = "each part moves by this factor times its distance from the middle of all parts"},
     {"axis", zr_json_choice, offsetof(struct given_explode, axis), .words = &axis_names, .otherwise = "radial",
      .text = "axis of world space along which parts move; radial: in all directions"}};
 const struct zr_json_object zr_json_object_explode = ZR_JSON_OBJECT_OF("explode", explode_fields);

@@ -352,7 +352,7 @@ void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_
 zr_json_read_fn zr_read_color_bar;
 void zr_parsed_find_color_bar_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path);
 
-/* json_parts.c: keys that change the parts, read into the scene. */
+/* json_parts.c: reads the keys of parts into the scene. */
 zr_json_read_fn zr_read_hide, zr_read_isolate, zr_read_ghost, zr_read_highlight, zr_read_explode, zr_read_colors;
 extern const struct zr_names zr_part_color_names;
 
@@ -417,8 +417,8 @@ bool zr_parsed_find_image(struct zr_parsed_scene *root, const struct zr_json_pat
 bool zr_parsed_add_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
                          const struct zr_parsed_bytes *bytes, uint32_t *number);
 
-/* Counts the texels of a made image as those of a decoded one. False beyond the limit. False, too, and reported, beyond
- * the limit of a quick reading. */
+/* Counts the texels of an image that the reader makes, like those of decoded images. False beyond the limit, or beyond
+ * the limit of a quick reading, which is reported. */
 bool zr_parsed_count_pixels(struct zr_parsed_scene *root, uint64_t pixels);
 
 /* True if all alphas of the image are 1. Scans its texels once. */

@@ -120,7 +120,7 @@ zr_json_read_fn zr_json_position; /* zr_vec4: three coordinates with w = 1, or f
 
 /* zr_vec4: [r,g,b] or [r,g,b,a], each 0..1, or a text for zr_color_of_text; the default of alpha is 1. */
 zr_json_read_fn zr_json_color;
-zr_json_read_fn zr_json_opaque; /* likewise, with an alpha of 1 */
+zr_json_read_fn zr_json_opaque; /* colour with an alpha of 1 */
 
 /* Reads `least` to `most` numbers, each within low..high; *count: how many the list has. */
 bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size_t least, size_t most, double low,

@@ -215,8 +215,8 @@ struct zr_mf3_corners {
     float (*coords)[2];                   /* one per corner, if there are textures */
     uint32_t given;                       /* triangles with a property */
     bool has_gradients;
-    bool has_base, has_clear_base; /* a triangle has a base material of alpha above 0; of alpha 0 */
-    bool has_clear;                /* a corner has another property of alpha 0 */
+    bool has_base, has_clear_base; /* a triangle has a base material with alpha above 0; with alpha 0 */
+    bool has_clear;                /* a corner has another property with alpha 0 */
     uint32_t last_pid;
     const struct zr_mf3_resource *last;
 };

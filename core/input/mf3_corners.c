@@ -177,7 +177,7 @@ static void expand(const struct zr_mf3_corners *corners, struct zr_mesh *mesh)
     mesh->indices = NULL;
 }
 
-/* Makes base materials opaque if all that the mesh uses have alpha 0, as writers of printable parts leave it. */
+/* Makes base materials opaque if all base materials of the mesh have alpha 0, as slicers write them. */
 static void show_bases(struct zr_mf3_corners *corners, uint32_t triangles)
 {
     const size_t count = (size_t)triangles * 3;

@@ -18,7 +18,7 @@
  * Metal:  Pm, else 0 if Ns or Ks is given, else the look's metalness. Ks has no other effect.
  * Normal: norm, else map_Bump or bump, if the image has colours: recent programs write normal maps there. -bm is its
  *         factor. A grey image holds heights, which are not drawn.
- * Lazy:   zr_mtl_add only indexes lines. Only materials that are used are read, and their images.
+ * Lazy:   zr_mtl_add only indexes lines. Only used materials and their images are read.
  * Thread: one struct zr_mtl belongs to one thread.
  */
 #ifndef ZR_MTL_H
@@ -133,7 +133,7 @@ bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length);
 /* Indexes the only asset whose name ends in .mtl, for files that were renamed. Returns its name, or NULL. */
 const char *zr_mtl_add_only(struct zr_mtl *mtl);
 
-/* Returns the number of a material in mtl->made, or ZR_FILE_MATERIAL_NONE. Its values follow by zr_mtl_make_used. */
+/* Returns the number of a material in mtl->made, or ZR_FILE_MATERIAL_NONE. zr_mtl_make_used sets its values. */
 uint32_t zr_mtl_use(struct zr_mtl *mtl, const char *name, size_t length);
 
 /* mtl_used.c: reads the used materials, in the order of their first uses. Decodes their images by several threads.
@@ -164,9 +164,9 @@ void zr_mtl_read_map(struct zr_mtl *mtl, const struct zr_mtl_text *whole, struct
 /* mtl_material.c: converts a material. */
 void zr_mtl_convert(struct zr_mtl *mtl, const struct zr_mtl_values *given, struct zr_parsed_material *out);
 
-/* mtl_image.c. zr_mtl_find_image: decodes the image of a map once. False, and counted for a warning, if it cannot be
- * drawn. zr_mtl_make_image: makes an image of four channels, with the size of the largest image. Equal channels share
- * one image. zr_mtl_is_grey: true if no texel has a colour. */
+/* mtl_image.c. zr_mtl_find_image: decodes the image of a map once. False if it cannot be drawn, which a warning counts.
+ * zr_mtl_make_image: makes an image of four channels, with the size of the largest image. Equal channels share one
+ * image. zr_mtl_is_grey: true if no texel has a colour. */
 bool zr_mtl_find_image(struct zr_mtl *mtl, const struct zr_mtl_given_map *map, uint32_t *number);
 bool zr_mtl_make_image(struct zr_mtl *mtl, const struct zr_mtl_text *whole, const struct zr_mtl_channel channels[4],
                        uint32_t *number);

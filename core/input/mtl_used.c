@@ -1,4 +1,4 @@
-/* Reads the materials of MTL files that faces use. Their images are decoded first, by several threads. */
+/* Reads the materials of MTL files that faces use. Before that, several threads decode their images. */
 #include <string.h>
 
 #include "base/cancel.h"
@@ -23,8 +23,8 @@ static bool goes_on(struct zr_mtl *mtl, uint32_t number)
     return mtl->status == ZR_OK;
 }
 
-/* Lists the images that zr_mtl_convert decodes, in its order: an image that it wants later than expected is decoded
- * again, since fewer texels are allowed then. */
+/* Lists the images that zr_mtl_convert decodes, in its order. In another order, fewer texels might be left for an
+ * image, which would then be decoded again. */
 static void list_images(struct zr_mtl *mtl, const struct zr_mtl_values *values)
 {
     static const enum zr_mtl_map order[] = {ZR_MTL_MAP_COLOR,    ZR_MTL_MAP_ALPHA,  ZR_MTL_MAP_ROUGHNESS,
@@ -38,7 +38,7 @@ static void list_images(struct zr_mtl *mtl, const struct zr_mtl_values *values)
     }
 }
 
-/* Decodes the images of all used materials. Reads the materials once more, whose notes are dropped. */
+/* Decodes the images of all used materials. Reads the materials to find them, and drops the notes of this reading. */
 static void read_ahead(struct zr_mtl *mtl, const struct zr_mtl_entry *const *used)
 {
     struct zr_mtl_noted *kept = zr_arena_copy(mtl->root.json.arena, mtl->notes, sizeof mtl->notes);

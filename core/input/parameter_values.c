@@ -154,7 +154,7 @@ static bool put_parts(const struct zr_parameter *p, const char *text, struct zr_
     const char *at = text;
     for (size_t length; at; at = at[length] ? at + length + 1 : NULL) {
         length = strcspn(at, ",");
-        if (length == 0) return refuse(p, text, "names, patterns or ids of parts with commas between them");
+        if (length == 0) return refuse(p, text, "a list of names, patterns or ids of parts with commas between them");
         zr_json_put(json, at == text ? "[" : ",");
         zr_json_put_part(json, at, length);
     }

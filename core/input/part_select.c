@@ -10,21 +10,22 @@
 #include "scene/part_colors.h"
 #include "scene/part_edit.h"
 
-/* Steps of comparing patterns with names, and steps between looks at the flag of cancellation. */
+/* STEPS_MAX: limit of compared characters. STEPS_A_CANCEL_CHECK: compared characters between checks for cancellation.
+ */
 #define STEPS_MAX (UINT64_C(1) << 28)
 enum { STEPS_A_CANCEL_CHECK = 1 << 16 };
 
-/* Names that a hint chooses from. */
+/* Number of names among which a hint is searched. */
 enum { NAMES_OFFERED = 1000 };
 
 struct selecting {
     struct zr_scene_builder *builder;
     const struct zr_part_list *list;
     struct zr_error *error;
-    uint8_t *marks; /* per part: 1 if the set that is matched now has it */
+    uint8_t *marks; /* per part: 1 if it is in the set that is matched now */
     uint64_t steps;
     bool is_over;      /* too many steps */
-    bool is_cancelled; /* names are left that were not compared */
+    bool is_cancelled; /* some names were not compared */
 };
 
 /* ---- patterns ---- */
@@ -43,8 +44,7 @@ static const char *behind_character(const char *at)
     return at;
 }
 
-/* True if the pattern matches the whole name. On a difference, the text that the last star stands for grows by a byte.
- */
+/* True if the pattern matches the whole name. After a mismatch, the last * matches one more byte. */
 static bool matches(struct selecting *s, const char *pattern, const char *name)
 {
     const char *star = NULL, *from = name;
@@ -71,7 +71,7 @@ static bool matches(struct selecting *s, const char *pattern, const char *name)
     return !*pattern;
 }
 
-/* Returns the id that a text of digits stands for; 0: it is none. */
+/* Returns the id that a text of digits gives, or 0 for another text. */
 static double id_of_text(const char *text)
 {
     double id = 0.0;
@@ -148,7 +148,7 @@ static bool mark_id(struct selecting *s, double id)
     return true;
 }
 
-/* Marks the parts that a text names. False: none. */
+/* Marks the part with this name or id, or the parts whose names match the pattern. False if there is none. */
 static bool mark_text(struct selecting *s, const char *text)
 {
     bool is_found = false;
@@ -163,7 +163,7 @@ static bool mark_text(struct selecting *s, const char *text)
     return is_found;
 }
 
-/* Marks the parts of a set. */
+/* Marks the parts of a set, and no others. Reports names, patterns and ids that match no part. */
 static void mark(struct selecting *s, const struct zr_part_set *set)
 {
     memset(s->marks, 0, s->list->count);
@@ -173,7 +173,7 @@ static void mark(struct selecting *s, const struct zr_part_set *set)
         if (s->steps >= STEPS_MAX) {
             s->is_over = true;
             zr_error_add(s->error, ZR_BAD_SCENE, pointer_of(set, i).text,
-                         "the patterns take too long to compare with %" PRIu32 " names: names without * are fast",
+                         "comparing the patterns with %" PRIu32 " names takes too long; names without * are fast",
                          s->list->count);
         } else if (!is_found && pattern->text) {
             refuse_text(s, set, i);
@@ -183,7 +183,7 @@ static void mark(struct selecting *s, const struct zr_part_set *set)
     }
 }
 
-/* Colours of styles: those of parts, then those of highlights. */
+/* Lists the colours of styles: zr_part_colors, then the colours of highlights. */
 static zr_vec4 *list_colors(struct zr_arena *arena, const struct zr_part_keys *keys)
 {
     zr_vec4 *colors = zr_arena_alloc(arena, ZR_PART_COLORS + keys->highlight_count, sizeof *colors);
@@ -243,15 +243,15 @@ static void check_colors(const struct selecting *s, const struct zr_part_keys *k
 {
     if (keys->has_colors && s->builder->scene->color_bar.is_on)
         zr_error_add(s->error, ZR_BAD_SCENE, "/colors",
-                     "parts does not go with colorBar: colours of parts replace those that the bar explains");
+                     "parts does not go with colorBar: colours of parts replace the colours that the bar explains");
 }
 
 static bool check_count(const struct zr_part_list *list, struct zr_error *error)
 {
     if (list->total <= ZR_PARTS_SELECTED_MAX) return true;
     zr_error_add(error, ZR_BAD_SCENE, NULL,
-                 "hide, isolate, ghost, highlight, explode and colors go with up to %d parts; the scene has %" PRIu64,
-                 ZR_PARTS_SELECTED_MAX, list->total);
+                 "%" PRIu64 " parts; hide, isolate, ghost, highlight, explode and colors allow up to %d", list->total,
+                 ZR_PARTS_SELECTED_MAX);
     return false;
 }
 
@@ -263,7 +263,7 @@ static void warn_of_rest(struct zr_scene_builder *builder, bool moves)
     static const char *const along[] = {"", " along x", " along y", " along z"};
     if (keys->explode != 0.0 && !moves)
         zr_warning_list_add(builder->arena, &builder->warnings,
-                            "explode moves nothing: no part has its middle beside the middle of all parts%s",
+                            "explode moves nothing: the middles of all parts are the same%s",
                             along[keys->explode_axis]);
     builder->scene->warnings = builder->warnings.texts;
     builder->scene->warning_count = (uint32_t)builder->warnings.count;
@@ -285,8 +285,7 @@ static enum zr_status edit(struct selecting *s, struct zr_part_edit *edit)
         return zr_arena_ok(builder->arena) ? ZR_OK : ZR_NO_MEMORY;
     case ZR_PART_EDIT_FLAT:
         return zr_error_add(s->error, ZR_BAD_SCENE, "/explode",
-                            "instance %" PRIu32 " is flattened by its matrix, so that the parts of its mesh cannot be "
-                            "moved apart",
+                            "the matrix of instance %" PRIu32 " flattens its mesh, so the parts cannot move",
                             instance + 1);
     default:
         return ZR_NO_MEMORY;

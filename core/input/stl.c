@@ -227,8 +227,7 @@ static enum zr_status read_any(struct zr_scene_builder *builder, const struct zr
     const uint64_t wanted = size_wanted(bytes);
     const size_t line = text_header_line(bytes);
     if (wanted > size && line > 0)
-        return zr_error_add(error, ZR_BAD_SYNTAX, NULL,
-                            "neither 'solid' nor a binary header: a text that begins with %s",
+        return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "neither 'solid' nor a binary header: the text begins with %s",
                             zr_quote(bytes, line).text);
     if (wanted > size || (count == 0 && wanted < size))
         return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "%llu bytes expected for %u triangles, got %zu; they hold %zu",

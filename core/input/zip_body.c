@@ -10,7 +10,7 @@
 #include "input/sniff.h"
 #include "input/text.h"
 
-/* UPS_MAX: most steps ".." of a relative name; members further away have only their full path. */
+/* UPS_MAX: maximum number of ".." in a relative name. Members further away are found only by their full path. */
 enum { NAMED_MAX = 8, UPS_MAX = 16 };
 
 struct archive {
@@ -109,8 +109,8 @@ static enum zr_status refuse_models(const struct zr_zip *zip, size_t count, stru
                         endings.text);
 }
 
-/* The members that a name fits: the one of this path, else all whose last part is the name, in the case given or else
- * in any. */
+/* The members that a name matches: the member with this path, else all whose last part is the name, else all whose last
+ * part is the name without regard to case. */
 struct matches {
     size_t count;
     const struct zr_zip_member *first[2];
@@ -138,7 +138,7 @@ static struct matches find_member(const struct zr_zip *zip, const char *name)
     return matches.count > 0 ? matches : find_last_parts(zip, name, true);
 }
 
-/* Refuses a name that fits no member, or several. */
+/* Refuses a name that matches no member, or several members. */
 static enum zr_status refuse_member(const struct zr_zip *zip, const char *name, const struct matches *matches,
                                     struct zr_error *error)
 {
@@ -166,7 +166,7 @@ static size_t count_models(struct archive *archive)
     return count;
 }
 
-/* Counts the models again, without JSON that is no scene, such as lists of files. */
+/* Counts the models again, without JSON files that are not scenes, such as lists of files. */
 static enum zr_status count_scenes(struct archive *archive, struct zr_arena *arena, size_t *count,
                                    struct zr_reason *reason)
 {
@@ -249,7 +249,7 @@ static bool add_asset(struct zr_arena *arena, const struct archive *archive, con
     return name != NULL;
 }
 
-/* Appends the members to the parts of the request. */
+/* Adds the members to the assets of the request. */
 static bool add_assets(struct zr_arena *arena, const struct archive *archive, struct zr_request *request)
 {
     enum { CHECKED_AT_ONCE = 1 << 10 };

@@ -22,7 +22,7 @@ static bool are_lines(const struct zr_scene *scene)
 
 /* ---- the mesh that a warning names ---- */
 
-/* A changed mesh (scene/part_edit.h) has the number of the one that it was made from, whose offsets of faces it shares. */
+/* A changed copy of a mesh (scene/part_edit.h) has the number of the original mesh. Both share face_offsets. */
 static struct zr_mesh_label label_of(const struct zr_scene *scene, uint32_t mesh)
 {
     uint32_t given = 0;

@@ -10,7 +10,7 @@
         (float)((hex) >> 16 & 255) / 255.0f, (float)((hex) >> 8 & 255) / 255.0f, (float)((hex)&255) / 255.0f, 1        \
     }
 
-/* Lighter: 45 % of white; darker: 60 % of the colour. */
+/* Three rows of seven hues: plain, mixed with 45 % of white, and darkened to 60 %. */
 const zr_vec4 zr_part_colors[ZR_PART_COLORS] = {
     RGB(0xe69f00), RGB(0x56b4e9), RGB(0x009e73), RGB(0xf0e442), RGB(0x0072b2), RGB(0xd55e00), RGB(0xcc79a7),
     RGB(0xf1ca73), RGB(0xa2d6f3), RGB(0x73cab2), RGB(0xf7f097), RGB(0x73b1d5), RGB(0xe8a673), RGB(0xe3b5cf),
@@ -35,7 +35,7 @@ uint32_t zr_part_color_of(const char *name)
     if (base < length && base > 0 && name[base - 1] == '.') base--;
     for (size_t i = 0; i < base; i++)
         hash = zr_hash_byte(hash, (uint8_t)name[i]);
-    hash ^= hash >> 15; /* the last bytes reach all bits */
+    hash ^= hash >> 15; /* mixes the last bytes into all bits */
     hash *= 0x2c1b3c6du;
     hash ^= hash >> 12;
     const uint32_t n = hash % ZR_PART_COLORS + number;

@@ -1,7 +1,7 @@
-/* part_colors.h - scene: a colour for each part, by its name alone.
+/* part_colors.h - scene: chooses the colour of a part by its name.
  *
- * Stable: a hash of the name picks the colour, so that a part has it in every file, and whatever other parts there are.
- *         A number at its end counts on, so that "bolt", "bolt.2" and "bolt.3", or "bolt1" and "bolt2", differ in hue.
+ * Stable: a hash of the name chooses the colour. It depends neither on the file nor on other parts. A number at the end
+ *         of the name is added to the hash, so "bolt", "bolt.2" and "bolt.3", or "bolt1" and "bolt2", differ in hue.
  * Source: seven hues of Okabe and Ito, which people with any colour vision tell apart, each plain, lighter and darker.
  */
 #ifndef ZR_PART_COLORS_H

@@ -5,10 +5,10 @@
 #include "base/cancel.h"
 #include "base/matrix.h"
 
-/* A changed mesh, for further instances with the same styles. */
+/* A changed copy of a mesh. Further instances with the same styles share it. */
 struct copy {
     uint32_t mesh;       /* number in the scene */
-    uint32_t first_part; /* of the instance that it was made for */
+    uint32_t first_part; /* first part of the instance that it was made for */
     uint32_t older;      /* 1 + the number of an older copy of the same mesh, or 0 */
 };
 
@@ -22,10 +22,10 @@ struct editing {
     struct copy *copies;
     uint32_t copy_count;
     uint32_t *newest; /* per mesh of the scene: 1 + the number of its newest copy, or 0 */
-    bool *is_free;    /* likewise: a changed mesh may take its place */
+    bool *is_free;    /* per mesh of the scene: a changed copy may replace it */
 };
 
-/* Copies of a mesh that are compared before another one is made. */
+/* Maximum number of copies that are compared before another copy is made. */
 enum { COPIES_COMPARED = 256 };
 
 static bool is_plain(const uint32_t *styles, uint32_t count)
@@ -35,14 +35,14 @@ static bool is_plain(const uint32_t *styles, uint32_t count)
     return true;
 }
 
-/* True if an instance, whose first part is this one, keeps its mesh. */
+/* True if an instance keeps its mesh. `first_part`: number of its first part. */
 static bool keeps_mesh(const struct zr_part_edit *edit, const struct zr_mesh *mesh, uint32_t first_part)
 {
     return is_plain(edit->styles + first_part, zr_mesh_part_count(mesh)) && !(edit->offsets && mesh->face_parts) &&
            !(edit->hides_rest && zr_mesh_has_rest(mesh));
 }
 
-/* Returns the number of a place for a changed mesh; UINT32_MAX without memory. */
+/* Returns the number for a changed copy of a mesh, or UINT32_MAX without memory. */
 static uint32_t take_place(struct editing *e, uint32_t mesh)
 {
     struct zr_arena *arena = e->builder->arena;
@@ -75,7 +75,7 @@ static uint32_t find_copy(const struct editing *e, uint32_t mesh, uint32_t first
     return UINT32_MAX;
 }
 
-/* Makes a mesh for the styles and offsets of an instance's parts, and returns its number; UINT32_MAX on failure. */
+/* Makes a copy for the styles and offsets of an instance's parts. Returns its number, or UINT32_MAX on failure. */
 static uint32_t make_mesh(struct editing *e, uint32_t mesh, uint32_t first_part, const struct zr_part_offset *offsets)
 {
     const struct zr_part_mesh_edit edit = {.styles = e->edit->styles + first_part,
@@ -92,7 +92,7 @@ static uint32_t make_mesh(struct editing *e, uint32_t mesh, uint32_t first_part,
     return number;
 }
 
-/* Returns the offsets of parts in object space; NULL without memory, or, with *is_flat, without an inverse. */
+/* Converts offsets to object space. NULL without memory, or if the matrix has no inverse, which sets *is_flat. */
 static const struct zr_part_offset *to_object_space(struct zr_arena *arena, const zr_mat4 *object_to_world,
                                                     const struct zr_part_offset *offsets, uint32_t count, bool *is_flat)
 {

@@ -1,7 +1,7 @@
 /* part_keys.h - scene: the keys of a scene that change its parts (scene/part_list.h), as read.
  *
  * Names:  a pattern is the name of a part, or has the signs * (any text) and ? (any one character). A text of digits
- *         that is no name is an id, from 1 on in the order of the parts.
+ *         that is no name is an id. Ids count parts from 1.
  */
 #ifndef ZR_PART_KEYS_H
 #define ZR_PART_KEYS_H
@@ -16,12 +16,12 @@ struct zr_part_pattern {
     double id;
 };
 
-/* Parts by patterns; none: the key has no effect. */
+/* The parts that a key names. Without patterns, the key has no effect. */
 struct zr_part_set {
     uint32_t count;
     const struct zr_part_pattern *patterns;
     const char *pointer; /* JSON Pointer of the value */
-    bool is_list;        /* pattern i is at pointer/i, else at the pointer */
+    bool is_list;        /* pattern i has the pointer `pointer`/i; false: `pointer` */
 };
 
 struct zr_part_highlight {
@@ -37,7 +37,7 @@ struct zr_part_keys {
     const struct zr_part_highlight *highlights;
     double explode; /* factor; 0: not exploded */
     enum zr_explode_axis explode_axis;
-    bool has_colors; /* a colour for each part */
+    bool has_colors; /* one colour per part, chosen by its name */
 };
 
 /* True if a key changes the scene. */

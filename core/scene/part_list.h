@@ -37,8 +37,8 @@ static inline bool zr_mesh_has_rest(const struct zr_mesh *mesh)
     return mesh->face_parts && (mesh->line_count > 0 || mesh->point_count > 0);
 }
 
-/* Lists the first `most` parts. Names with a number are made in the arena; the others belong to the scene. A failed
- * allocation is recorded in the arena, and the list is empty. So it is if arena->cancel is raised. */
+/* Lists the first `most` parts. Names with a number are made in the arena; the others belong to the scene. The list
+ * is empty after a failed allocation, which the arena records, or if arena->cancel is raised. */
 struct zr_part_list zr_part_list_make(struct zr_arena *arena, const struct zr_scene *scene, uint32_t most);
 
 /* Returns the part of this name, or NULL. */

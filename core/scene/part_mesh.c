@@ -3,13 +3,13 @@
 
 enum { ITEMS_A_CANCEL_CHECK = 1 << 12 };
 
-/* Looks at the flag for every some thousandth item. */
+/* Checks for cancellation at every ITEMS_A_CANCEL_CHECK-th item. */
 static bool is_stopped(const struct zr_arena *arena, uint64_t item)
 {
     return item % ITEMS_A_CANCEL_CHECK == 0 && zr_is_cancelled(arena->cancel);
 }
 
-/* Opacity of ghosts, and the factor for those with the shading xray, whose own opacity is low. */
+/* Factors of a ghost's opacity. The second one is for the shading xray, which is translucent by itself. */
 #define GHOST_OPACITY      0.16f
 #define GHOST_XRAY_OPACITY 0.45f
 
@@ -32,8 +32,8 @@ static void color(struct zr_material *material, zr_vec4 color)
     if (material->alpha_mode != ZR_ALPHA_MASK) material->textures[ZR_TEXTURE_BASE_COLOR] = 0;
 }
 
-/* Drawings show surfaces as white or blue as the background by their lines. Ghosts get no lines, and so become x-rays
- * in the colour of the lines, unless they have a colour. */
+/* Makes a ghost of a material. In drawings, surfaces have the colour of the background, and lines show them. Ghosts
+ * have no lines, so they become x-rays there. An x-ray without a colour of its part has the colour of the lines. */
 static void make_ghost(const struct zr_picture *picture, bool has_color, struct zr_material *material)
 {
     const bool is_drawing = material->shading == ZR_SHADING_GOOCH || material->shading == ZR_SHADING_UNLIT;
@@ -50,7 +50,7 @@ static void make_ghost(const struct zr_picture *picture, bool has_color, struct 
     material->base_color.w *= material->shading == ZR_SHADING_XRAY ? GHOST_XRAY_OPACITY : GHOST_OPACITY;
 }
 
-/* Returns the number of the material `number` in a style. */
+/* Applies a style to the material `number`. Returns the number of the result. */
 static uint32_t style_material(struct zr_scene_builder *builder, const zr_vec4 *colors, uint32_t number, uint32_t style)
 {
     struct zr_material material = builder->materials[number];
@@ -66,7 +66,8 @@ static uint32_t part_of(const struct zr_mesh *mesh, uint32_t face)
     return mesh->face_parts ? mesh->face_parts[face] : 0;
 }
 
-/* Lines and points have the style of the only part; those of no part are hidden or have none. */
+/* Returns the style of lines and points. They have the style of a mesh's only part. Otherwise they belong to no part,
+ * and are hidden or have no style. */
 static uint32_t style_of_rest(const struct zr_mesh *mesh, const struct zr_part_mesh_edit *edit)
 {
     return mesh->face_parts ? edit->hides_rest ? ZR_PART_HIDDEN : 0 : edit->styles[0];
@@ -93,15 +94,15 @@ static bool style_materials(struct zr_scene_builder *builder, const struct zr_pa
     return zr_arena_ok(builder->arena);
 }
 
-/* ---- positions of each part apart ---- */
+/* ---- own positions for each part ---- */
 
-/* Positions of a mesh by part: position i is a copy of from[i], of the part `part[i]`; `part_count` stands for lines
- * and points that belong to none. */
+/* Positions of a mesh, copied for each part that uses them. Position i is a copy of from[i] for the part part[i]. Lines
+ * and points belong to no part; part[i] of their positions is the number of parts. */
 struct split {
     uint32_t count, *from, *part;
     uint32_t *next;            /* per face: the next face of its part; UINT32_MAX: none */
     uint32_t *first;           /* per part */
-    uint32_t *seen_by, *place; /* per position of the mesh: 1 + the last part that has it, and where */
+    uint32_t *seen_by, *place; /* per position of the mesh: 1 + the last part that uses it, and its copy */
 };
 
 static uint32_t place_of(struct split *s, uint32_t position, uint32_t part)
@@ -134,7 +135,7 @@ static bool open_split(struct zr_arena *arena, const struct zr_mesh *mesh, struc
     return true;
 }
 
-/* Places lines or points. NULL without memory, or if cancelled. */
+/* Returns the copied positions of lines or points. NULL without memory, or if cancelled. */
 static const uint32_t *place_rest(struct zr_arena *arena, struct split *s, const struct zr_mesh *mesh,
                                   const uint32_t *positions, uint64_t count)
 {
@@ -146,7 +147,7 @@ static const uint32_t *place_rest(struct zr_arena *arena, struct split *s, const
     return out;
 }
 
-/* Makes the indices of corners, lines and points. */
+/* Replaces the positions of corners, lines and points by copies. */
 static bool place_all(struct zr_arena *arena, struct split *s, struct zr_mesh *mesh)
 {
     uint32_t *indices = zr_arena_alloc(arena, mesh->face_offsets[mesh->face_count], sizeof *indices), faces = 0;
@@ -164,7 +165,7 @@ static bool place_all(struct zr_arena *arena, struct split *s, struct zr_mesh *m
     return mesh->lines && mesh->points;
 }
 
-/* Returns the values of an array of vectors at the new positions, or some of them if cancelled. NULL stays NULL. */
+/* Returns the values of an array for all copied positions; NULL for NULL. Stops early if cancelled. */
 static zr_vec4 *gather(struct zr_arena *arena, const struct split *s, const zr_vec4 *values)
 {
     zr_vec4 *out = values ? zr_arena_alloc(arena, s->count, sizeof *out) : NULL;
@@ -185,7 +186,7 @@ static void move(const struct zr_arena *arena, const struct split *s, const stru
     }
 }
 
-/* Makes the vertices of parts with a colour white. */
+/* Makes the vertex colours of recoloured parts white. */
 static void whiten(const struct zr_arena *arena, const struct split *s, const uint32_t *styles, uint32_t part_count,
                    zr_vec4 *colors)
 {
@@ -193,7 +194,7 @@ static void whiten(const struct zr_arena *arena, const struct split *s, const ui
         if (s->part[i] < part_count && styles[s->part[i]] >> ZR_PART_COLOR_SHIFT) colors[i] = (zr_vec4){1, 1, 1, 1};
 }
 
-/* Gives each part positions of its own, moves them, and whitens those of parts with a colour. */
+/* Gives each part its own positions, moves them, and makes the vertex colours of recoloured parts white. */
 static bool split(struct zr_arena *arena, const struct zr_part_mesh_edit *edit, struct zr_mesh *mesh)
 {
     struct split s = {.count = 0};
@@ -220,7 +221,7 @@ static bool any_part_has_color(const struct zr_mesh *mesh, const struct zr_part_
     return false;
 }
 
-/* Removes the colours of faces of parts with a colour. */
+/* Makes the face colours of recoloured parts white. */
 static bool whiten_faces(struct zr_arena *arena, const struct zr_part_mesh_edit *edit, struct zr_mesh *mesh)
 {
     if (!mesh->face_colors) return true;

@@ -51,7 +51,7 @@ struct zr_material {
     bool double_sided;  /* false: back faces are culled */
     bool uniform_color; /* unlit: one colour per face, even if the mesh has vertex colours */
     bool unfilled;      /* faces are not filled; with an outline, a wireframe */
-    bool is_hidden;     /* nothing is drawn, and ids stay; unfilled and without an outline, too */
+    bool is_hidden;     /* elements are not drawn and keep their ids; also unfilled, without an outline */
     enum zr_outline outline;
     zr_vec4 outline_color;
     uint32_t textures[ZR_TEXTURE_SLOTS]; /* 1 + number in the scene, or 0: none; on faces only */

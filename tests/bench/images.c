@@ -28,7 +28,7 @@ struct contest {
 
 /* ---- the file ---- */
 
-/* A photo's worth of detail: waves, and noise in the lower bits. */
+/* Makes texels with as much detail as a photo: waves, and noise in the lower bits. */
 static void paint(uint8_t *rgba, int number)
 {
     uint32_t seed = (uint32_t)number + 1;

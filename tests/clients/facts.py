@@ -1,6 +1,6 @@
-"""facts.py RIVAL ZRASTER STL...: compares volume, area and centre of mass of `zraster info --json` with those of RIVAL:
-fractions (exact sums of the file's floats), trimesh or admesh (volume only). Prints the worst relative difference; exits
-with status 1 if it is above 1e-6. Lengths of the centre are relative to the diagonal of the box."""
+"""facts.py RIVAL ZRASTER STL...: compares volume and centre of mass of `zraster info --json` with the results of RIVAL:
+fractions (exact sums of the file's floats), trimesh or admesh (volume only). Prints the largest relative difference, and
+exits with status 1 if it is above 1e-6. Differences of centres are relative to the diagonal of the box."""
 import json
 import math
 import re

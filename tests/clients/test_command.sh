@@ -103,8 +103,8 @@ verdict "has a table of parts" grep -Eq '^part  .* 1  1 x 0 x 1 .* 0\.5  open +-
 check "info without a picture" 0 "$zraster" info part.stl --render=false
 verdict "has no pixels, but the parts" sh -c 'grep -q "^part .* open" "$1" && ! grep -q ixels "$1"' - "$said"
 printf '{"meshes": [{"name": "a\\u001b[31m", "positions": [[0,0,0],[1,0,0],[0,1,0]], "faces": [[0,1,2]]}]}' >colored.json
-check "info of a name that commands the terminal" 0 "$zraster" info colored.json
-verdict "shows its control characters as ?" sh -c 'grep -qF "a?[31m" "$1" && ! grep -q "$(printf "\033")" "$1"' - "$said"
+check "info of a name with control characters" 0 "$zraster" info colored.json
+verdict "prints them as ?" sh -c 'grep -qF "a?[31m" "$1" && ! grep -q "$(printf "\033")" "$1"' - "$said"
 check "info as JSON" 0 "$zraster" info part.stl --json
 verdict "is the output of the channel info" grep -q '"triangles": *1' "$said"
 check "looks" 0 "$zraster" looks

@@ -1,6 +1,6 @@
 #!/bin/sh
-# test_facts.sh BUILD: volumes and centres of mass of info beside exact sums, trimesh and admesh, within 1e-6. Made solids,
-# and the closed models of DATA/models/parts. A rival that is missing is left out, loudly. Prints TAP.
+# test_facts.sh BUILD: compares volumes and centres of mass of info with exact sums, trimesh and admesh, to within 1e-6.
+# The solids are a torus, a box and the closed models of DATA/models/parts. Missing rivals are reported. Prints TAP.
 set -u
 build=$(realpath "$1")
 work=$(mktemp -d)
@@ -10,7 +10,7 @@ trap 'rm -rf "$work"' EXIT
 facts=$PWD/tests/clients/facts.py
 data=${DATA:-../shared/data}/models/parts
 
-# Binary STL of a torus around z, off the origin, a box far from it, and each OBJ of triangles or quads.
+# Writes binary STL files: a torus around z beside the origin, a box far from it, and each closed OBJ.
 /usr/bin/python3 - "$work" "$data" <<'END'
 import glob, math, os, struct, sys
 
@@ -35,7 +35,7 @@ box = [(x, y, z) for x in (1000, 1040) for y in (-500, -470) for z in (60, 72)]
 write(work + "/box.stl", fans(box, [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]))
 for path in glob.glob(data + "/*.obj"):
     name = os.path.basename(path)[:-4]
-    if name in ("openbox", "housing"):  # open; parts that overlap
+    if name in ("openbox", "housing"):  # the first is open, the second has parts that overlap
         continue
     places, faces = [], []
     for line in open(path):
@@ -48,8 +48,8 @@ for path in glob.glob(data + "/*.obj"):
 END
 [ -d "$data" ] || skip "the parts of $data" "missing"
 
-check "the sums of the file's own numbers" 0 /usr/bin/python3 "$facts" fractions "$build/zraster" "$work"/*.stl
-rival() { # NAME COMMAND...: there, if the command succeeds
+check "exact sums of the file's numbers" 0 /usr/bin/python3 "$facts" fractions "$build/zraster" "$work"/*.stl
+rival() { # NAME COMMAND...: compares with NAME if the command succeeds
     name=$1
     shift
     if "$@" >"$said" 2>"$complained"; then

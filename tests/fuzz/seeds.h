@@ -1,4 +1,4 @@
-/* seeds.h - fuzz: how a seed is written. Each of these calls ends the program where it fails. */
+/* seeds.h - fuzz: writes seeds. A call that fails ends the program. */
 #ifndef ZR_FUZZ_SEEDS_H
 #define ZR_FUZZ_SEEDS_H
 
@@ -8,14 +8,14 @@ struct text {
     const char *name, *text;
 };
 
-/* Says what failed, and why. */
+/* Prints what failed, and why. */
 _Noreturn void fail(const char *what);
 
 void write_seed(const char *target, const char *name, const void *bytes, size_t size);
 void write_texts(const char *target, const struct text *texts, size_t count);
 #define WRITE_TEXTS(target, texts) write_texts(target, texts, sizeof(texts) / sizeof *(texts))
 
-/* seeds_models.c: those of model files. */
+/* seeds_models.c: writes the seeds of model files. */
 void write_models(void);
 
 #endif

@@ -381,8 +381,8 @@ TEST(reading_of_brackets_and_of_what_is_odd_stops)
     reading_stops("{\"polygons\":[", "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"material\":{\"x\":[[]]}},");
 }
 
-/* Each name almost matches, wherever the pattern begins. */
-TEST(comparing_of_patterns_with_names_stops)
+/* Each name matches the pattern except for its end, from many positions. */
+TEST(comparison_of_patterns_with_names_stops)
 {
     enum { NODES = 3000, NAME = 1000, ROOM = NODES * (NAME + 40) };
     static const char begin_text[] = "{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2]]}],\"hide\":";
@@ -403,7 +403,7 @@ TEST(comparing_of_patterns_with_names_stops)
     const struct zr_request request = {
         .format = ZR_FORMAT_JSON, .bytes = text, .size = (size_t)(at - text), .cancel = &later.cancel};
     assert_ended_soon(&later, zr_scene_read(&arena, NULL, &request, &limits, &scene, &error));
-    assert_int_equal(error.count, 1); /* not that no part has the name */
+    assert_int_equal(error.count, 1); /* there is no fault that no part has the name */
     zr_arena_free(&arena);
     free(text);
 }

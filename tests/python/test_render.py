@@ -242,7 +242,7 @@ class Errors(unittest.TestCase):
         self.refused(zraster.SceneError, "/view/yfov", SCENE, view={"yfov": 1})
 
     def test_named_parts(self):
-        """keys of parts are names, lists of them, or the objects of scenes, for scenes and files alike"""
+        """for scenes and files, keys of parts take names, lists of names, and the objects of scenes"""
         both = OBJ + b"o far\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 5 6 7\n"
         for source, first, last in ((SCENE, "a", "b"), (both, "far", 1)):
 

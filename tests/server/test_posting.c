@@ -162,11 +162,11 @@ TEST(bytes_tell_what_no_content_type_tells)
 
 TEST(wrong_content_type_is_told_what_the_bytes_look_like)
 {
-    assert_problem(post("/v1/render", JSON_TYPE, TRIANGLE_STL), 400, "the body is said to be JSON, and looks like STL");
+    assert_problem(post("/v1/render", JSON_TYPE, TRIANGLE_STL), 400, "the type is JSON, but the body looks like STL");
     assert_problem(post("/v1/render", "Content-Type: model/obj", GOOD_SCENE), 400,
-                   "the body is said to be OBJ, and looks like JSON");
+                   "the type is OBJ, but the body looks like JSON");
     assert_problem(post("/v1/render", "Content-Type: model/stl", TRIANGLE_OBJ), 400,
-                   "the body is said to be STL, and looks like OBJ");
+                   "the type is STL, but the body looks like OBJ");
     assert_problem(post("/v1/render", JSON_TYPE, "PK\x03\x04"), 400, "looks like ZIP");
 }
 

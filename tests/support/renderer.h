@@ -70,7 +70,7 @@ static inline bool is_same_bytes(struct zraster_bytes a, struct zraster_bytes b)
     return a.size == b.size && memcmp(a.data, b.data, a.size) == 0;
 }
 
-/* The first of the channels color, depth and faceId that differs; NULL: none does. */
+/* Returns the first of the channels color, depth and faceId that differs, or NULL. */
 static inline const char *channel_that_differs(zraster_picture *a, zraster_picture *b)
 {
     static const char *const channels[] = {"color", "depth", "faceId"};

@@ -1,4 +1,4 @@
-/* striped_images.h - tests: PNG files of small images, each with texels of its own. */
+/* striped_images.h - tests: makes PNG files of small images with different texels. */
 #ifndef STRIPED_IMAGES_H
 #define STRIPED_IMAGES_H
 

@@ -1,4 +1,4 @@
-/* kept_check.h - tests: a scene that is kept, and what a change makes of it. */
+/* kept_check.h - tests: keeps a scene and changes it. */
 #ifndef ZR_TESTS_KEPT_CHECK_H
 #define ZR_TESTS_KEPT_CHECK_H
 
@@ -9,10 +9,10 @@
 struct keeping {
     struct zr_arena arena, other;
     struct zr_kept *kept;
-    const struct zr_scene *scene; /* of the last change */
+    const struct zr_scene *scene; /* result of the last change */
 };
 
-/* Keeps a request, whose body is gone when this returns. End with keeping_free. */
+/* Keeps the scene of a request, then frees the request's body. Free the result by keeping_free. */
 static inline struct keeping *keep(struct zr_request request, const void *bytes, size_t size)
 {
     const struct zr_limits limits = zr_limits_default();
@@ -30,7 +30,7 @@ static inline struct keeping *keep(struct zr_request request, const void *bytes,
     return keeping;
 }
 
-/* Changes the kept scene. The scene of the change before is gone. */
+/* Changes the kept scene, and frees the scene of the previous change. */
 static inline enum zr_status keeping_change(struct keeping *keeping, struct zr_request change)
 {
     struct zr_error error = {.count = 0};

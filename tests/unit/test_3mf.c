@@ -229,7 +229,7 @@ TEST(what_is_not_drawn_is_warned_of)
 
 /* ---- materials ---- */
 
-TEST(base_materials_that_are_all_clear_are_opaque)
+TEST(base_materials_are_opaque_if_all_have_alpha_0)
 {
     static const char says[] =
         "3MF: 1 objects have only base materials of alpha 0, and are drawn opaque; the first is in "

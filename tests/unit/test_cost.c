@@ -172,7 +172,7 @@ TEST(sample_is_near_the_truth)
     }
 }
 
-/* Faces of one material in turn with another are drawn one by one. */
+/* Faces with two materials in turn are drawn one by one. */
 TEST(changes_of_the_material_are_counted)
 {
     static uint32_t materials[TEST_TRIANGLES_MAX];

@@ -110,7 +110,7 @@ static const uint8_t *texels_of(const struct zr_scene *scene, uint32_t primitive
     return image->texels;
 }
 
-TEST(texels_of_specular_and_glossiness_become_those_of_metallic_and_roughness)
+TEST(textures_of_specular_and_glossiness_are_converted_texel_by_texel)
 {
     static const uint8_t color[8] = {191, 140, 0, 128, 255, 188, 137, 255}, rough[8] = {0, 191, 0, 255, 0, 0, 255, 255};
     static const uint8_t halved[8] = {0, 223, 0, 255, 0, 128, 255, 255};
@@ -125,11 +125,11 @@ TEST(texels_of_specular_and_glossiness_become_those_of_metallic_and_roughness)
     assert_memory_equal(texels_of(scene, 1, ZR_TEXTURE_METALLIC_ROUGHNESS), halved, sizeof halved);
     assert_true(material->metallic == 1.0f && material->roughness == 1.0f && material->base_color.x == 1.0f);
     assert_int_equal(scene->image_count, 6);
-    assert_int_equal(scene->texture_count, 4); /* those of the file are not drawn */
+    assert_int_equal(scene->texture_count, 4); /* the two of the file are not drawn */
     reading_free(reading);
     reading = read_textured(TWO_MATERIALS(DIFFUSE SPECULAR(1, ), DIFFUSE SPECULAR(1, )), 8);
     assert_read(reading);
-    assert_int_equal(reading->scene->image_count, 4); /* equal ones are made once */
+    assert_int_equal(reading->scene->image_count, 4); /* equal images are made once */
     reading_free(reading);
     reading = read_textured(TWO_MATERIALS(SPECULAR(1, ) ",\"diffuseFactor\":[0,0,0,0.5]", SPECULAR(1, )), 1000);
     assert_read(reading);
@@ -140,8 +140,8 @@ TEST(texels_of_specular_and_glossiness_become_those_of_metallic_and_roughness)
     reading_free(reading);
 }
 
-/* Textures that cannot be joined texel by texel are left out, with a warning. */
-TEST(other_textures_of_specular_and_glossiness_are_left_out)
+/* Such textures are left out, with a warning. */
+TEST(textures_that_cannot_be_converted_in_pairs_are_left_out)
 {
     static const char says[] = "/materials/0/extensions/KHR_materials_pbrSpecularGlossiness: drawn without its "
                                "specularGlossinessTexture";

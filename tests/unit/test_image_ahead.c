@@ -35,7 +35,7 @@ static int free_files(void **state)
 
 /* ---- bodies with one material per image ---- */
 
-/* A request. `broken`: a bit per image that is cut off. */
+/* A request. `broken`: one bit per image, 1 if the image is cut off. */
 struct body {
     unsigned broken;
     char *bytes;
@@ -74,7 +74,7 @@ static void put_json(struct body *body, FILE *out)
     fputs("],\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}", out);
 }
 
-/* Material 0 has images 3 and 0, material 1 images 1 and 2. An image is listed twice, and one is of no material. */
+/* Material 0 uses images 3 and 0, material 1 uses images 1 and 2, one of them twice. No face has material 2. */
 static void put_gltf_with(struct body *body, FILE *out, bool in_parts)
 {
     static const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -182,7 +182,7 @@ struct outcome {
     char text[8192]; /* faults, or warnings and the values of texels */
 };
 
-/* Sums texels by their places, so that swapped images differ. */
+/* Returns a hash of the texels in their order. */
 static uint32_t sum_of(const struct zr_image *image)
 {
     uint32_t sum = 0;
@@ -229,7 +229,7 @@ static struct outcome read_body(const struct kind *kind, const struct body *body
 
 static const struct zr_kept_images none = {NULL, NULL, NULL};
 
-TEST(faults_and_warnings_are_those_of_one_thread)
+TEST(faults_and_warnings_equal_those_of_one_thread)
 {
     struct zr_team *team = zr_team_create(THREADS);
     for (int k = 0; k < KINDS; k++)
@@ -248,7 +248,7 @@ TEST(faults_and_warnings_are_those_of_one_thread)
     zr_team_destroy(team);
 }
 
-/* Notes of a store that keeps nothing. */
+/* Counts the calls of a store that keeps nothing. */
 struct store {
     int sought, sought_first, kept; /* sought_first: before the first image was offered */
 };
@@ -268,7 +268,7 @@ static void offer(void *context, const struct zr_image_hash *hash, const struct 
     ((struct store *)context)->kept++;
 }
 
-/* A reader that decodes one by one offers an image before it asks for the next one. */
+/* A reader that decodes images one by one offers each image before it asks for the next one. */
 TEST(all_images_are_decoded_at_once)
 {
     struct zr_team *team = zr_team_create(THREADS);

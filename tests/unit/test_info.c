@@ -338,7 +338,7 @@ TEST_AROUND(picture_is_missing_where_color_is_no_output, open_arena, close_arena
 
 /* ---- memory ---- */
 
-/* 1200 times a mesh whose names have 2000 bytes, each of which is six in JSON. */
+/* Places a mesh 1200 times. Its names have 2000 bytes, and each byte takes six in JSON. */
 TEST_AROUND(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_arena)
 {
     enum { PLACED = 1200, NAME_SIZE = 1000 };

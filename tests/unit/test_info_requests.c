@@ -47,7 +47,7 @@ static void assert_angles(cJSON *info, const char *up, double azimuth, double el
     assert_string_equal(cJSON_GetObjectItem(camera, "up")->valuestring, up);
 }
 
-TEST_AROUND(default_views_of_looks_are_seen_in_info, open_arena, close_arena)
+TEST_AROUND(info_has_the_default_views_of_looks, open_arena, close_arena)
 {
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\n";
     static const char stl[] = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1\n"
@@ -67,7 +67,7 @@ TEST_AROUND(default_views_of_looks_are_seen_in_info, open_arena, close_arena)
     cJSON_Delete(info);
 }
 
-TEST_AROUND(angles_of_views_are_those_that_they_say, open_arena, close_arena)
+TEST_AROUND(angles_of_views_equal_the_given_angles, open_arena, close_arena)
 {
     static const struct {
         const char *text, *up;
@@ -95,7 +95,7 @@ TEST_AROUND(angles_of_views_are_those_that_they_say, open_arena, close_arena)
     }
 }
 
-TEST_AROUND(eye_is_where_the_view_has_it, open_arena, close_arena)
+TEST_AROUND(info_has_the_eye_of_the_view, open_arena, close_arena)
 {
     cJSON *info = info_of_text(ZR_FORMAT_JSON, SCENE("\"view\":{\"eye\":[3,1,-2],\"target\":[0,0,0]}"), NULL);
     const cJSON *eye = cJSON_GetObjectItem(cJSON_GetObjectItem(info, "camera"), "eye");
@@ -168,7 +168,7 @@ TEST_AROUND(other_channels_need_a_picture, open_arena, close_arena)
 
 /* ---- unit and up ---- */
 
-TEST_AROUND(unit_and_up_are_those_of_the_file, open_arena, close_arena)
+TEST_AROUND(unit_and_up_describe_the_file, open_arena, close_arena)
 {
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     static const char tent[] = "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv .5 1.5 2\nv 3.5 1.5 2\n"

@@ -140,7 +140,7 @@ TEST(edges_are_lines)
     reading_free(reading);
 }
 
-TEST(vertices_without_faces_are_points_but_for_those_that_are_not_finite)
+TEST(finite_vertices_without_faces_are_points)
 {
     struct reading *reading =
         read_good(ASCII VERTEX "element face 0\nproperty list uchar int vertex_indices\nend_header\n"
@@ -156,7 +156,7 @@ TEST(vertices_without_faces_are_points_but_for_those_that_are_not_finite)
 
 /* ---- warnings ---- */
 
-TEST(what_is_not_drawn_or_odd_is_warned_of)
+TEST(undrawn_and_odd_contents_cause_warnings)
 {
     static const struct {
         const char *text, *warning;

@@ -1,4 +1,4 @@
-/* Keys that change the parts of a scene: each picture equals that of a scene that is written out without the key. */
+/* Keys of parts: each picture equals the picture of a scene that is written out without the key. */
 #include <stdio.h>
 
 #include "support/renderer.h"
@@ -21,7 +21,7 @@ static void assert_same_channel(const char *what, zraster_picture *a, zraster_pi
     if (!is_same_bytes(bytes_of(a, channel), bytes_of(b, channel))) fail_msg("%s: %s differs", what, channel);
 }
 
-/* Draws both scenes and compares colours and depths; ids if they should be the same. */
+/* Draws both scenes and compares colours and depths. Compares ids if with_ids. */
 static void assert_same(const char *text, const char *wanted, bool with_ids)
 {
     zraster_picture *a = picture_of(renderer, text), *b = picture_of(renderer, wanted);
@@ -36,7 +36,7 @@ static void assert_same(const char *text, const char *wanted, bool with_ids)
 static void assert_other(const char *text, const char *other)
 {
     zraster_picture *a = picture_of(renderer, text), *b = picture_of(renderer, other);
-    if (is_same_bytes(bytes_of(a, "color"), bytes_of(b, "color"))) fail_msg("%s: the picture of the other", text);
+    if (is_same_bytes(bytes_of(a, "color"), bytes_of(b, "color"))) fail_msg("%s: both pictures are equal", text);
     zraster_picture_free(a);
     zraster_picture_free(b);
 }
@@ -52,7 +52,7 @@ static void info_of(const char *text, char *out, size_t room)
     zraster_picture_free(picture);
 }
 
-/* Returns the number of visible pixels of the part with the id, by the info. */
+/* Returns the number of visible pixels that the info has for a part. */
 static int pixels_of(const char *info, int id)
 {
     char key[32];
@@ -63,7 +63,7 @@ static int pixels_of(const char *info, int id)
     return atoi(pixels + strlen("\"pixels\":"));
 }
 
-TEST(hidden_parts_are_not_drawn_and_do_not_spoil_the_fit)
+TEST(hidden_parts_are_not_drawn_and_fitted_views_leave_them_out)
 {
     static const char alone[] = "{" VIEW OUTPUTS "\"meshes\": [" BODY(0, "a", "") "]}";
     static const char ends[] = "{" VIEW OUTPUTS "\"meshes\": [" BODY(0, "a", "") ", " BODY(12, "a", COLORED) "]}";
@@ -98,7 +98,7 @@ TEST(names_patterns_and_ids_choose_parts)
     }
 }
 
-TEST(a_highlight_is_a_colour_and_a_ghost_is_blended)
+TEST(highlights_have_a_colour_and_ghosts_are_blended)
 {
 #define MATERIALS                                                                                                      \
     "\"materials\": [{\"name\": \"m\", \"baseColorFactor\": \"tomato\"}, {\"name\": \"g\", \"alphaMode\": \"BLEND\", " \
@@ -120,7 +120,7 @@ TEST(a_highlight_is_a_colour_and_a_ghost_is_blended)
     assert_other(SCENE("\"ghost\": \"b\", "), SCENE(""));
 }
 
-TEST(an_exploded_scene_is_one_with_moved_nodes)
+TEST(an_exploded_scene_equals_one_with_moved_nodes)
 {
     /* The boxes have their middles at x = 2, 5 and 8 and y = z = 0.5. */
 #define NODES(x0, x1, x2)                                                                                              \
@@ -204,7 +204,7 @@ TEST(groups_of_a_file_are_parts)
         snprintf(query, sizeof query, "%s&isolate=1", look);
         assert_same_obj(both, query, one, look, true);
     }
-    /* Middles: 0.5 and 3; that of all is 2. */
+    /* The parts have their middles at x = 0.5 and 3; the middle of all is at 2. */
     assert_same_obj(both, "explode=2&explodeAxis=x",
                     "o one\nv -3 0 0\nv -2 0 0\nv -3 1 0\nv -3 0 1\nf 1 3 2\nf 1 2 4\n"
                     "f 2 3 4\nf 3 1 4\no two\nv 6 0 0\nv 6 1 0\nv 6 0 1\nv 4 0.5 0.5\nf 5 6 7\nf 5 8 6\nf 6 8 7\n"
@@ -213,7 +213,7 @@ TEST(groups_of_a_file_are_parts)
     assert_same_obj(both, "highlight=*&highlightColor=tomato", both, "color=tomato", true);
 }
 
-/* Draws a scene of the file OBJ("4", "2"), placed by a node with the members. */
+/* Draws a scene with the file OBJ("4", "2") as its mesh. `node`: members of the node that places it. */
 static zraster_status draw_placed(const char *keys, const char *node, zraster_picture **picture, zraster_error **error)
 {
     static const char obj[] = OBJ("4", "2");
@@ -230,7 +230,7 @@ static zraster_status draw_placed(const char *keys, const char *node, zraster_pi
 
 TEST(parts_of_a_placed_file_move_in_world_space)
 {
-    /* Turned by 90 degrees around y and doubled: x of the file is -z of the world. */
+    /* A rotation by 90 degrees around y and a scale of 2: x of the file is -z of the world. */
 #define TURNED "\"matrix\": [0,0,-2,0, 0,2,0,0, 2,0,0,0, 0,0,0,1]"
     zraster_picture *a, *b;
     char info[8000];
@@ -238,7 +238,7 @@ TEST(parts_of_a_placed_file_move_in_world_space)
     assert_int_equal(draw_placed("", TURNED, &b, NULL), ZRASTER_OK);
     const struct zraster_bytes bytes = bytes_of(a, "info");
     snprintf(info, sizeof info, "%.*s", (int)bytes.size, (const char *)bytes.data);
-    /* z from -2 to 0 and from -8 to -4: the middles, -1 and -6, move by 3 and -2 from the middle -4. */
+    /* The parts have z from -2 to 0 and from -8 to -4. Their middles, -1 and -6, move by 3 and -2; the middle is -4. */
     assert_non_null(strstr(info, "\"name\":\"one\",\"id\":1,\"box\":{\"min\":[0,0,1],\"max\":[2,2,3]}"));
     assert_non_null(
         strstr(info, "\"name\":\"two\",\"id\":2,\"instanceId\":1,\"box\":{\"min\":[0,0,-10],\"max\":[2,2,-6]}"));
@@ -253,16 +253,15 @@ TEST(parts_of_a_flattened_file_cannot_move)
     zraster_error *error;
     assert_int_equal(draw_placed("\"explode\": 1, ", "\"scale\": [1, 0, 1]", &picture, &error), ZRASTER_BAD_SCENE);
     assert_string_equal(zraster_error_pointer(error, 0), "/explode");
-    assert_non_null(strstr(zraster_error_detail(error, 0), "instance 1 is flattened"));
+    assert_non_null(strstr(zraster_error_detail(error, 0), "the matrix of instance 1 flattens its mesh"));
     zraster_error_free(error);
 }
 
-TEST(an_explosion_that_moves_nothing_is_a_warning)
+TEST(an_explosion_that_moves_nothing_causes_a_warning)
 {
     char info[8000];
     info_of("{" VIEW OUTPUTS "\"explode\": {\"factor\": 2, \"axis\": \"y\"}, " BODIES "}", info, sizeof info);
-    assert_non_null(
-        strstr(info, "explode moves nothing: no part has its middle beside the middle of all parts along y"));
+    assert_non_null(strstr(info, "explode moves nothing: the middles of all parts are the same along y"));
 }
 
 /* ---- stable colours ---- */
@@ -275,7 +274,7 @@ static void color_of(const char *info, int id, char color[8])
     snprintf(color, 8, "%.7s", strstr(part, "\"color\":\"") + strlen("\"color\":\""));
 }
 
-TEST(a_name_has_one_colour_whatever_else_there_is)
+TEST(the_colour_of_a_part_depends_on_its_name_only)
 {
     char info[8000], of[3][8], alone[8];
     info_of(SCENE("\"colors\": \"parts\", "), info, sizeof info);
@@ -287,12 +286,12 @@ TEST(a_name_has_one_colour_whatever_else_there_is)
     info_of("{" VIEW OUTPUTS "\"colors\": \"parts\", \"meshes\": [" BODY(1, "b", COLORED) "]}", info, sizeof info);
     color_of(info, 1, alone);
     assert_string_equal(alone, of[1]);
-    assert_string_equal(alone, "#e8a673"); /* never changes */
+    assert_string_equal(alone, "#e8a673"); /* must never change */
 }
 
 /* ---- kept scenes ---- */
 
-TEST(a_changed_scene_is_one_that_is_read_with_the_keys)
+TEST(a_changed_scene_equals_one_that_is_read_with_the_keys)
 {
     static const char *const keys[] = {"\"hide\": \"b\"", "\"explode\": 1.5", "\"colors\": \"parts\", \"ghost\": 1",
                                        "\"isolate\": \"a*\", \"highlight\": \"a\"", "\"hide\": []"};

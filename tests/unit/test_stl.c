@@ -112,18 +112,18 @@ TEST(count_beyond_the_bytes_is_refused_before_allocating)
     reading_free(reading);
 }
 
-TEST(another_text_is_no_binary_file)
+TEST(text_without_solid_is_named_in_the_message)
 {
     static const char text[] = "facet normal 0 0 1\r\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
                                "endfacet\nendsolid\n";
     struct reading *reading = read_text(ZR_FORMAT_STL, text);
     assert_complaint(reading, ZR_BAD_SYNTAX, "",
-                     "neither 'solid' nor a binary header: a text that begins with 'facet normal 0 0 1'");
+                     "neither 'solid' nor a binary header: the text begins with 'facet normal 0 0 1'");
     reading_free(reading);
     char line[84];
     memset(line, 'x', sizeof line);
     reading = read_bytes(ZR_FORMAT_STL, line, sizeof line);
-    assert_complaint(reading, ZR_BAD_SYNTAX, "", "a text that begins with 'xxx");
+    assert_complaint(reading, ZR_BAD_SYNTAX, "", "the text begins with 'xxx");
     reading_free(reading);
 }
 

@@ -91,7 +91,7 @@ static const struct body {
     {{TEXT("a.fbx", "x")}, NULL, ZR_BAD_SCENE, "the ZIP archive has no model: no member ends with one of json, obj,"},
     {{TEXT("a.obj", "")}, NULL, ZR_BAD_SYNTAX, "in a.obj: the member is empty"},
     {{TEXT("a.obj", "v x\n")}, NULL, ZR_BAD_SYNTAX, "in 'a.obj': "},
-    {{TEXT("a.obj", SCENE)}, NULL, ZR_BAD_SYNTAX, "the body is said to be OBJ, and looks like JSON"},
+    {{TEXT("a.obj", SCENE)}, NULL, ZR_BAD_SYNTAX, "the type is OBJ, but the body looks like JSON"},
     {{TEXT("b.bin", "short"), TEXT("a/b.gltf", GLTF_OF("b.bin")), NUMBERS("a/b.bin")},
      NULL,
      ZR_OK,
@@ -143,7 +143,7 @@ TEST(a_broken_member_is_named)
 
 TEST(another_format_is_named)
 {
-    static const char *const bodies_of_others[][2] = {{OBJ, "the body is said to be ZIP, and looks like OBJ"},
+    static const char *const bodies_of_others[][2] = {{OBJ, "the type is ZIP, but the body looks like OBJ"},
                                                       {"PK\3\4", "a broken ZIP archive: its end is missing"}};
     for (size_t i = 0; i < 2; i++) {
         struct reading *reading = read_bytes(ZR_FORMAT_ZIP, bodies_of_others[i][0], strlen(bodies_of_others[i][0]));

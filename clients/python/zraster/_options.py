@@ -94,7 +94,7 @@ def _set_scene_key(keys: Dict[str, Any], keyword: str, row: _Row, value: Any, so
     if row.pointer == "/query/projection":
         _set(keys, f"/view/{value}", {})
     elif row.pointer.startswith(f"/{row.name}/") and _has_objects(value):
-        keys[row.name] = value  # the whole key: highlight={"parts": "axle", "color": "red"}
+        keys[row.name] = value  # sets the whole key: highlight={"parts": "axle", "color": "red"}
     else:
         _set(keys, row.pointer.replace("/query/", "/"), value)
     if row.pointer.startswith("/lights/0/"):
@@ -106,7 +106,7 @@ def _is_key(row: _Row, value: Any, is_mesh: bool) -> bool:
     if not row.name or (row.is_mesh and not is_mesh):
         return True
     is_list = isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0
-    if row.kind == "PARTS" and is_list:  # joined by commas, unless an item cannot be
+    if row.kind == "PARTS" and is_list:  # joined by commas, unless an item is an object or has a comma
         return _has_objects(value) or any("," in str(item) for item in value)
     return isinstance(value, AbstractMapping) or (is_list and row.kind != "VECTOR")
 

@@ -1,10 +1,10 @@
-/* costs - bench: predicted time (core/cost.h) beside processor time of one thread, and the lower bound of memory
- * beside the memory held, for each scene that is named, and for each bare mesh in some looks and sizes. The last lines
- * have the shares of times that are predicted to within twice and three times. `make bench-costs` runs it.
+/* costs - bench: compares predictions with measurements. Prints the predicted time (core/cost.h) and the processor time
+ * of one thread, and the lower bound of memory and the memory held. Draws each scene, and each bare mesh in some looks
+ * and sizes. The last lines have the shares of times within factors of 2 and 3. `make bench-costs` runs it.
  *
  *     build/tests/bench/alone/costs [--counts] FILE...
  *
- * --counts: all counts of each, too, from which weights are fitted.
+ * --counts: also prints all counts of each, to which weights are fitted.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,10 +1,10 @@
-"""Compares the loading of one mesh as GLB, PLY and STL with other programs, in turns.
+"""Compares the loading of one mesh as GLB, PLY and STL with other programs, in turn.
 
     loading.py BUILD MESH.obj     prints rows like those of compare.py; make bench-rivals runs it
 
-Pictures: the command and F3D, each a process that writes 512x512 pixels. Facts: zraster info, a process, which also measures
-areas and volumes, beside the loaders of three, trimesh and meshio in a kept process, which count triangles and measure
-bounds (tests/reference/loaders).
+Pictures: zraster and F3D write 512x512 pixels, one process per picture. Facts: zraster info is one process per file,
+and also measures areas and volumes. The loaders of three, trimesh and meshio (tests/reference/loaders) count triangles
+and measure bounds in one process that is kept.
 """
 import array
 import json
@@ -107,7 +107,7 @@ def compare_pictures(files, folder):
     for path in files:
         rounds(f"{os.path.basename(path)} to a picture, F3D",
                lambda: command("render", path, "-o", f"{folder}/ours.png", "-s", "512"),
-               lambda: compare.f3d_round(folder, path), 2, "a process each; studio, --ssao --fxaa --tone-mapping")
+               lambda: compare.f3d_round(folder, path), 2, "one process each; studio, --ssao --fxaa --tone-mapping")
 
 
 def compare_facts(files):
@@ -123,7 +123,7 @@ def compare_facts(files):
                 print(f"LEFT OUT: {title}, {name}: {theirs.get('error', 'other triangles')}", file=sys.stderr)
                 break
             rounds(f"{title}: facts, {name}", lambda: info_of(path), lambda: kept.facts(path), 0.5,
-                   "ours a process that measures volumes, too; theirs kept")
+                   "ours: one process per file, with volumes; theirs: one process")
         kept.close()
 
 

@@ -25,7 +25,7 @@ def type_of(path):
 
 
 def loaders_of(build, verdict):
-    """Returns name: (types, command), and names what is left out. Writes cases by lib3mf: BUILD/loaders/3mf."""
+    """Returns {name: (types, command)}, and reports missing loaders. lib3mf writes cases to BUILD/loaders/3mf."""
     modules = os.path.join(build, "loaders", "node_modules")
     loaders = {"three": (TYPES, ["node", os.path.join(HERE, "three.mjs"), modules]),
                "validator": (("gltf", "glb"), ["node", os.path.join(HERE, "validate.mjs"), modules]),
@@ -84,7 +84,7 @@ def differences(mine, theirs):
 
 
 def differences_of_parts(mine, theirs):
-    """Yields (kind, text) for lists of (triangles, colour). A part of theirs without a colour may have any."""
+    """Yields (kind, text) for lists of (triangles, colour). A part without a colour in theirs matches any colour."""
     if [part[0] for part in mine] != [part[0] for part in theirs]:
         yield "parts", "%s, theirs %s" % ([part[0] for part in mine][:9], [part[0] for part in theirs][:9])
         return
@@ -106,7 +106,7 @@ def reason(rows, loader, path, kind):
 
 
 class Verdict:
-    """Prints a line of TAP per comparison, and at the end a table and a verdict."""
+    """Prints one line of TAP per comparison. `close` prints a table and the totals."""
 
     def __init__(self):
         self.tally = collections.Counter()
@@ -131,7 +131,7 @@ class Verdict:
         self.counts["left out"] += 1
 
     def close(self):
-        """Returns the exit status."""
+        """Prints the table and the totals. Returns the exit status."""
         for loader, kind in sorted({key[:2] for key in self.tally}):
             print("# %s, %s: %s" % (loader, kind, ", ".join("%d %s" % (self.tally[loader, kind, what], what)
                                                             for what in ("files", "explained", "unexplained"))))

@@ -1,10 +1,11 @@
-"""Compares the materials of OBJ files with those that obj2gltf makes of them.
+"""Compares the materials of OBJ files with the materials that obj2gltf makes from them.
 
-The materials of zraster are measured on a copy of the file whose groups are the materials: info counts the triangles
-and the mean base colour of each group. A texture is looked for if a new warning names it once its file is missing.
+The materials of zraster are measured on a copy of the file that has one group per material: info has the triangles and
+the mean base colour of each group. A texture counts as used if a new warning names its file once the file is missing.
 
-Colour: Kd is sRGB-encoded here. obj2gltf copies Kd to baseColorFactor, which glTF defines as linear: the numbers are
-compared, though a viewer of that glTF draws them brighter. Beside map_Kd obj2gltf sets 1, and zraster multiplies by Kd.
+Colour: Kd is sRGB-encoded here. obj2gltf copies Kd to baseColorFactor, which glTF defines as linear. The numbers are
+compared as they are, although a glTF viewer draws them brighter. With a map_Kd, obj2gltf sets 1, and zraster
+multiplies the map by Kd.
 """
 import json
 import os
@@ -34,7 +35,7 @@ def run(build, path, *words):
 
 
 def files_beside(path):
-    """Returns the materials and pictures in the folder of a file and below, relative to it."""
+    """Returns the MTL files and pictures in the folder of a file and below, as paths relative to the folder."""
     beside = os.path.dirname(path)
     names = [os.path.relpath(os.path.join(folder, name), beside)
              for folder, _, files in os.walk(beside) for name in files]
@@ -42,7 +43,7 @@ def files_beside(path):
 
 
 def ours(build, path, textures):
-    """Returns {name: (triangles, color 0..255)} of the materials, and which of the textures are looked for."""
+    """Returns {name: (triangles, color 0..255)} of the materials, and the set of the textures that are used."""
     materials, used = {}, set()
     with tempfile.TemporaryDirectory() as folder, open(path, encoding="latin-1", newline="") as file:
         made, names = with_groups(file.read().replace("\r\n", "\n").replace("\r", "\n").split("\n"))
@@ -74,7 +75,7 @@ def ours(build, path, textures):
 
 
 def differences(build, path, theirs):
-    """Yields (kind, text) for materials, their triangles, colours and textures."""
+    """Yields (kind, text) for each difference of materials, triangles, colours and textures."""
     textures = {name for material in theirs.values() for name in material["textures"]}
     mine, used = ours(build, path, textures)
     for name in sorted(set(mine) ^ {"" if name == "default" and "default" not in mine else name for name in theirs}):

@@ -1,4 +1,4 @@
-"""Reads and writes 3MF files by the C interface, version 1, of lib3mf (lib3mf1).
+"""Reads and writes 3MF files by the C interface of lib3mf, version 1 (the package lib3mf1).
 
     mf3.py FOLDER     writes cases: components, transforms, base materials, colours of corners, a texture
 """
@@ -24,13 +24,13 @@ class Lib3mf:
             raise OSError("%s: %d %s" % (name, code.value, (text.value or b"").decode(errors="replace")))
 
     def get(self, kind, name, *arguments):
-        """Returns the last argument of a call, which the call sets."""
+        """Returns the value that a call writes to its last argument."""
         value = kind()
         self.call(name, *arguments, ctypes.byref(value))
         return value if kind is Pointer or issubclass(kind, ctypes.Array) else value.value
 
     def array(self, kind, width, count, name, *arguments):
-        """Returns rows of an array that a call fills."""
+        """Returns the rows of an array that a call fills."""
         values = (kind * (width * count))()
         self.call(name, *arguments[:1], values, *arguments[1:])
         return [values[i:i + width] for i in range(0, width * count, width)]

@@ -1,4 +1,4 @@
-// Reads names of OBJ files, one per line, and prints what obj2gltf makes of each, in the form of three.mjs, with
+// Reads names of OBJ files, one per line. Prints the facts of obj2gltf's result for each, in the form of three.mjs, with
 // "materials": {NAME: {"triangles", "color", "textures"}}. color: baseColorFactor.
 //     node obj2gltf.mjs MODULES <names
 import path from 'node:path';
@@ -12,7 +12,7 @@ function factsOf({ accessors, meshes, materials, textures, images }) {
     for (const primitive of meshes.flatMap((mesh) => mesh.primitives)) {
         const { name: own, pbrMetallicRoughness, normalTexture, emissiveTexture } = materials[primitive.material];
         const { baseColorFactor, baseColorTexture } = pbrMetallicRoughness;
-        // Of faces with other attributes it makes a second material: NAME-2.
+        // Faces with other attributes get a second material, NAME-2.
         const base = own.replace(/-\d+$/, '');
         const name = materials.some((material) => material.name === base) ? base : own;
         const uses = [baseColorTexture, normalTexture, emissiveTexture].filter(Boolean)

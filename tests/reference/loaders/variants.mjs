@@ -1,6 +1,6 @@
-// Reads names of glTF files, one per line, and writes a GLB of each for each variant: FOLDER/NUMBER.VARIANT.glb, by the
-// library of @gltf-transform/cli. It reads those of meshopt again, and writes what it read without compression:
-// FOLDER/NUMBER.VARIANT.read.glb. Prints a line of JSON per file: {VARIANT: null, or why there is none}.
+// Reads names of glTF files, one per line. Writes one GLB per file and variant by the library of @gltf-transform/cli:
+// FOLDER/NUMBER.VARIANT.glb. Reads the meshopt variants again and writes them without compression:
+// FOLDER/NUMBER.VARIANT.read.glb. Prints one line of JSON per file: {VARIANT: null, or the reason why it is missing}.
 //     node variants.mjs MODULES FOLDER <names
 import path from 'node:path';
 import readline from 'node:readline';

@@ -1,9 +1,9 @@
-"""Compares the pictures of glTF files with those of the variants that variants.mjs writes of them.
+"""Compares the pictures of glTF files with the pictures of their variants, which variants.mjs writes.
 
     variants.py BUILD FOLDER...     prints TAP; BUILD/loaders has the npm packages
 
-Lossless variants must give the same bytes of colour and ids. Ids of quantized ones may differ within a pixel of an
-outline. Draco must be refused by name with status 422. Differences fail unless differences.txt has a matching row.
+Lossless variants must give the same bytes of colour and ids. Ids of quantized variants may differ within one pixel
+of an outline. Draco must be refused by name with status 422. Differences fail unless a row of differences.txt matches.
 """
 import http.client
 import io
@@ -20,9 +20,8 @@ import compare
 
 IDS = ("faceId", "instanceId")
 ALL = ("color",) + IDS
-# Name of the variant: what its pictures are compared with, by which channels, and whether the bytes must be equal.
-# "read" is what the writer itself reads of a variant: meshopt begins triangles at another corner, and "medium" orders
-# them anew.
+# Per variant: the pictures that it is compared with, the channels, and whether the bytes must be equal. "read" is the
+# variant as variants.mjs reads it again: meshopt changes the first corner of triangles, and "medium" also their order.
 VARIANTS = {
     "plain": [("original", ALL, True)],
     "sparse": [("original", ALL, True)],
@@ -45,7 +44,7 @@ def draw(build, file):
 
 
 def count_far(mine, theirs):
-    """Returns how many pixels have an id that no pixel of the other picture within one pixel has."""
+    """Counts the pixels whose id is not found within one pixel in the other picture."""
     near = numpy.zeros(mine.shape, bool)
     padded = numpy.pad(mine, 1, mode="edge")
     for y in range(3):
@@ -74,7 +73,7 @@ def differences(drawn, variant):
 
 
 class Daemon:
-    """Asks a daemon for the status and the text of a GLB's answer."""
+    """A daemon that draws GLB files. `ask` returns the status and the text of its answer."""
 
     def __init__(self, build):
         self.process = subprocess.Popen([os.path.join(build, "zrasterd"), "--port", "0"], stdout=subprocess.PIPE,
