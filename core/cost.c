@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "core.h"
 #include "cost_sample.h"
+#include "effects/edges.h"
 #include "effects/ground.h"
 #include "effects/shadow_maps.h"
 #include "raster/tile.h"
@@ -229,11 +230,14 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     counts[ZR_COST_WINDOW_SAMPLE] = samples;
     if (!picture->is_linear) return;
     counts[ZR_COST_LINEAR_PIXEL] = pixels;
-    counts[ZR_COST_SHADOW_SAMPLE] = share * sample->shadows;
+    const bool has_ground_sun = picture->has_ground && picture->has_ground_sun && passes->lamp_maps > 0;
+    counts[ZR_COST_SHADOW_SAMPLE] = share * sample->shadows + (has_ground_sun ? pixels : 0.0);
     if (picture->occlusion.is_on) counts[ZR_COST_OCCLUSION_PIXEL] = fmin(scale * sample->fragments, pixels);
     if (picture->edges.is_on) {
         counts[ZR_COST_EDGE_SAMPLE] = samples;
-        counts[ZR_COST_EDGE_WIDTH_SAMPLE] = samples * 0.5 * (double)picture->edges.width * passes->side;
+        const struct zr_view *view = &scene->views[0];
+        const double width = (double)zr_edges_width_in(&picture->edges, view->width, view->height);
+        counts[ZR_COST_EDGE_WIDTH_SAMPLE] = samples * 0.5 * width * passes->side;
     }
 }
 

@@ -85,6 +85,8 @@ struct zr_edge_marks {
     uint32_t columns, rows;       /* samples */
     uint32_t words;               /* per row; equals the number of tiles per row */
     float line_width;             /* pixels */
+    float silhouette_opacity, crease_opacity;
+    uint32_t speck_pixels; /* connected creases are dropped if their box, measured between pixel centres, is smaller */
     struct zr_edge_rule rule;
     struct zr_edge_faces faces;
     uint64_t *silhouettes, *creases; /* [row * words + column of tiles] */
@@ -93,12 +95,9 @@ struct zr_edge_marks {
 
 /* ---- steps of zr_edges_finish ---- */
 
-/* edge_specks.c: connected creases are dropped if their box, measured between pixel centres, is smaller than this. */
-enum { ZR_EDGE_SPECK_PIXELS = 12 };
-
-/* Drops such creases. Works on whole pixels, however many of their samples are marked, since the marks of a crease at a
- * grazing angle are an interrupted line. Touching corners connect. Returns false if the arena failed; if cancelled,
- * returns early. */
+/* edge_specks.c. Drops connected creases whose box is smaller than speck_pixels. Works on whole pixels, however many of
+ * their samples are marked, since the marks of a crease at a grazing angle are an interrupted line. Touching corners
+ * connect. Returns false if the arena failed; if cancelled, returns early. */
 bool zr_edge_specks_drop(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
                          const struct zr_cancel *cancel);
 

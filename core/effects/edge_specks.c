@@ -176,7 +176,8 @@ static bool is_speck(const struct specks *specks, uint32_t i)
     while (runs[i].parent != i) /* no path halving: other threads read the runs */
         i = runs[i].parent;
     const uint32_t across = runs[i].right / specks->marks->side - runs[i].left / specks->marks->side;
-    return across < ZR_EDGE_SPECK_PIXELS && runs[i].top - runs[i].bottom < ZR_EDGE_SPECK_PIXELS;
+    const uint32_t least = specks->marks->speck_pixels;
+    return across < least && runs[i].top - runs[i].bottom < least;
 }
 
 static void clear_run(const struct zr_edge_marks *marks, size_t y, const struct run *run)

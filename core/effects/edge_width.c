@@ -3,9 +3,6 @@
  * pixel, for all pixels of a word at once. */
 #include "effects/edge_marks.h"
 
-/* Opacity of creases, if no silhouette covers them. */
-static const float crease_opacity = 0.85f;
-
 enum { CHUNK = 64 }; /* least rows of samples per task */
 
 enum { SILHOUETTES, CREASES, PLANES };
@@ -158,9 +155,10 @@ static uint32_t count_of(const struct counts *sum, uint32_t pixel, uint32_t per_
 }
 
 /* Writes the opacity of a word's pixels. The arguments point to their lowest row of samples. */
-static void cover_word(const uint64_t *silhouettes, const uint64_t *creases, uint32_t words, uint32_t side,
+static void cover_word(const struct zr_edge_marks *marks, const uint64_t *silhouettes, const uint64_t *creases,
                        uint32_t pixels, float *opacity)
 {
+    const uint32_t words = marks->words, side = marks->side;
     struct counts dark = {{0}}, light = {{0}};
     uint64_t any = 0;
     for (size_t y = 0; y < side; y++)
@@ -175,8 +173,9 @@ static void cover_word(const uint64_t *silhouettes, const uint64_t *creases, uin
     }
     const float share = 1.0f / (float)(side * side);
     for (uint32_t i = 0; i < pixels; i++)
-        opacity[i] =
-            ((float)count_of(&dark, i, 8 / side) + crease_opacity * (float)count_of(&light, i, 8 / side)) * share;
+        opacity[i] = (marks->silhouette_opacity * (float)count_of(&dark, i, 8 / side) +
+                      marks->crease_opacity * (float)count_of(&light, i, 8 / side)) *
+                     share;
 }
 
 static void cover_chunk(void *context, int worker, size_t begin, size_t end)
@@ -193,7 +192,7 @@ static void cover_chunk(void *context, int worker, size_t begin, size_t end)
         for (uint32_t i = 0; i < marks->words; i++) {
             const size_t at = (y - begin) * side * marks->words + i;
             const uint32_t x = i * pixels, left = marks->width - x;
-            cover_word(room->covered[SILHOUETTES] + at, room->covered[CREASES] + at, marks->words, side,
+            cover_word(marks, room->covered[SILHOUETTES] + at, room->covered[CREASES] + at,
                        left < pixels ? left : pixels, width->opacity + y * marks->width + x);
         }
 }

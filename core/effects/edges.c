@@ -8,6 +8,25 @@ enum { SIZE = ZR_TILE_SIZE };
 /* Least distance of a silhouette from the other's plane, in sample widths. */
 static const float jump = 1.5f;
 
+static float clamped(float v, float least, float most)
+{
+    return v < least ? least : v > most ? most : v;
+}
+
+float zr_edges_width_in(const struct zr_edges *edges, uint32_t width, uint32_t height)
+{
+    const float side = (float)(width < height ? width : height);
+    return edges->scales_width ? edges->width * clamped(sqrtf(side / 600.0f), 0.6f, 2.5f) : edges->width;
+}
+
+/* Returns the side of the largest box of creases that are dropped, in pixels between centres. */
+static uint32_t speck_pixels_of(const struct zr_edges *edges, uint32_t width, uint32_t height)
+{
+    const uint32_t side = ((width < height ? width : height) + 25) / 50;
+    if (!edges->scales_specks) return 12;
+    return side < 5 ? 5 : side > 64 ? 64 : side;
+}
+
 static struct zr_edge_rule make_rule(const struct zr_edges *edges, const struct zr_pixel_scale *scale, uint32_t side)
 {
     double sine, cosine;
@@ -33,7 +52,10 @@ struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width,
                                     .columns = columns,
                                     .rows = rows,
                                     .words = words,
-                                    .line_width = edges->width,
+                                    .line_width = zr_edges_width_in(edges, width, height),
+                                    .silhouette_opacity = edges->silhouette_opacity,
+                                    .crease_opacity = edges->crease_opacity,
+                                    .speck_pixels = speck_pixels_of(edges, width, height),
                                     .rule = make_rule(edges, scale, side),
                                     .silhouettes = silhouettes,
                                     .creases = creases,

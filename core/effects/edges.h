@@ -5,7 +5,8 @@
  *         one if both points are more than 1.5 sample widths (at the farther one) from the other's plane and lie on no
  *         common surface (zr_edges_set_faces). Otherwise they form a crease if their normals differ by more than an
  *         angle. Samples without a normal, of lines, form silhouettes with uncovered samples only. Both neighbours are
- *         marked. Connected creases that fit in a box of 12 x 12 pixels are dropped. Marks are widened by a disc.
+ *         marked. Connected creases that fit in a small box are dropped: 12 x 12 pixels, or with scales_specks a
+ *         fiftieth of the window's smaller side, 5 to 64. Marks are widened by a disc.
  * Exact:  every instruction set, thread count and order of tiles gives the same bytes.
  * Memory: two bits per sample, and 7 KiB per tile for the rows and columns at its sides, which are compared when
  *         all tiles are drawn. */
@@ -28,6 +29,10 @@ struct zr_edge_marks;
 struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width, uint32_t height, uint32_t side,
                                          const struct zr_edges *edges, const struct zr_pixel_scale *scale);
 
+/* Returns the width of lines in a window of these pixels. With scales_width, edges->width is that of a window whose
+ * smaller side is 600: the width grows with the root of that side, from 0.6 to 2.5 times edges->width. */
+float zr_edges_width_in(const struct zr_edges *edges, uint32_t width, uint32_t height);
+
 /* Sets the triangles that owner ids refer to, before the first tile: parts of one surface then have no silhouette
  * between them, for any normals. Both pointers must stay valid until zr_edges_finish returns. */
 void zr_edges_set_faces(struct zr_edge_marks *marks, const struct zr_geometry *geometry,
@@ -44,9 +49,9 @@ void zr_edges_mark_empty(struct zr_edge_marks *marks, uint32_t number);
 enum { ZR_EDGE_ROOM = 15 };
 
 /* Compares the sides of tiles, drops specks and widens. Each tile must have been marked once. Returns the opacity of
- * the ink per pixel, 0..1: the share of samples within width / 2 of a silhouette, plus 0.85 times the share of other
- * samples within width / 2 of a crease. Row 0 is the lowest; rows have `width` values. Returns NULL if the arena
- * failed; if cancelled, returns early. */
+ * the ink per pixel, 0..1: silhouette_opacity times the share of samples within width / 2 of a silhouette, plus
+ * crease_opacity times the share of other samples within width / 2 of a crease. Row 0 is the lowest; rows have `width`
+ * values. Returns NULL if the arena failed; if cancelled, returns early. */
 const float *zr_edges_finish(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
                              const struct zr_cancel *cancel);
 

@@ -26,6 +26,7 @@ struct box {
 struct blur {
     const float *heights;
     float top[PARTS]; /* height above which nothing darkens, scene units */
+    float strength[PARTS];
     struct box boxes[PARTS];
     float *columns[PARTS]; /* blurred along columns; transposed, [x * SIDE + y], so that the next step works along
                             * columns too */
@@ -114,19 +115,28 @@ static void blur_rows(void *context, size_t begin, size_t end)
             blur_strip(&blur->boxes[part], strip);
             for (size_t y = 0; y < STRIP; y++)
                 for (size_t x = 0; x < SIDE; x++)
-                    light[y * SIDE + x] *= 1.0f - parts[part].strength * strip[x][y];
+                    light[y * SIDE + x] *= 1.0f - blur->strength[part] * strip[x][y];
         }
     }
 }
 
+/* Returns f of ground.h: 1 for high scenes. */
+static float share_of_height(const struct part *part, float diagonal, float height)
+{
+    const float share = height / (1.2f * (part->height * diagonal));
+    return share < 1.0f ? share > 0.12f ? share : 0.12f : 1.0f; /* NaN: 1 */
+}
+
 struct zr_ground zr_ground_make(struct zr_arena *arena, struct zr_team *team, const float *heights, float half_size,
-                                float diagonal)
+                                float diagonal, float height)
 {
     struct blur blur = {.heights = heights, .light = zr_arena_alloc(arena, TEXELS, sizeof *blur.light)};
     for (int part = 0; part < PARTS; part++) {
         blur.columns[part] = zr_arena_alloc(arena, TEXELS, sizeof *blur.columns[part]);
-        blur.top[part] = parts[part].height * diagonal;
-        blur.boxes[part] = make_box(parts[part].blur * diagonal, 2.0f * half_size / (float)SIDE);
+        const float share = share_of_height(&parts[part], diagonal, height);
+        blur.top[part] = parts[part].height * diagonal * share;
+        blur.strength[part] = parts[part].strength * (0.5f + 0.5f * share);
+        blur.boxes[part] = make_box(parts[part].blur * diagonal * share, 2.0f * half_size / (float)SIDE);
     }
     if (!zr_arena_ok(arena)) return (struct zr_ground){half_size, NULL};
     zr_team_ranges(team, SIDE / STRIP, 1, blur_columns, &blur);
@@ -219,6 +229,7 @@ bool zr_ground_view_find(const struct zr_scene *scene, const struct zr_camera *c
     const struct plane plane = plane_under(scene, bounds);
     view->frame = frame_of(&plane, camera);
     view->half_size = plane.half_size;
+    view->height = plane.height;
     view->below = zr_camera_orthographic(plane.x, zr_vec3_scale(plane.y, -1.0f), zr_vec3_scale(plane.up, -1.0f),
                                          plane.middle, plane.half_size, -margin, plane.height + margin);
     return is_above(camera, &view->frame);

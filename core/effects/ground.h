@@ -5,7 +5,8 @@
  *         share of light that reaches each point of the plane.
  * How:    T = (1 - 0.55 near) * (1 - 0.45 far). Both are clamp(1 - height / H), blurred by three passes of a box of
  *         half width q. H and q are 0.06 D and 0.02 D for near, and 0.35 D and 0.07 D for far; D is the diagonal of the
- *         scene's bounds. */
+ *         scene's bounds. Under scenes of height h below 1.2 H, H and q are multiplied by f = h / 1.2 H, at least 0.12,
+ *         and 0.55 and 0.45 by (1 + f) / 2: a plate has a line of contact, no halo. */
 #ifndef ZR_GROUND_H
 #define ZR_GROUND_H
 
@@ -14,6 +15,7 @@
 #include "base/team.h"
 #include "scene/camera.h"
 #include "scene/rays.h"
+#include "shade/lights/shadow_map.h"
 
 enum { ZR_GROUND_SIDE = 192 };
 
@@ -25,9 +27,10 @@ struct zr_ground {
 };
 
 /* Makes the shadow from the heights, INFINITY for texels with nothing above; heights below the plane count as 0.
- * `light` is NULL if the arena failed. Every team gives the same bytes. */
+ * `height`: h; INFINITY: as under a high scene. `light` is NULL if the arena failed. Every team gives the same bytes.
+ */
 struct zr_ground zr_ground_make(struct zr_arena *arena, struct zr_team *team, const float *heights, float half_size,
-                                float diagonal);
+                                float diagonal, float height);
 
 /* Returns T at a point of the plane, bilinear between texel centres. Texels outside the map are 1, so T has no step at
  * its border. */
@@ -49,11 +52,25 @@ typedef void zr_ground_row_fn(const struct zr_ground *ground, const struct zr_gr
 
 ZR_KERNEL_TABLE(zr_ground_row_fn, zr_ground_row)
 
+/* A lamp's shadow on the plane. */
+struct zr_ground_sun {
+    const struct zr_shadow_map *map; /* of a directional lamp */
+    zr_vec3 start;                   /* of points of the G-buffer, in eye space: the eye, or 0 if rays are parallel */
+};
+
+/* Multiplies `out`, T of a row, by 1 - 0.5 (1 - v), where v is the share of the lamp's light that reaches the points
+ * above. Outside the lamp's map, v is 1. A kernel. */
+typedef void zr_ground_sun_row_fn(const struct zr_ground_sun *sun, const struct zr_ground_frame *frame,
+                                  const struct zr_rays *rays, int32_t y, int32_t width, float *out);
+
+ZR_KERNEL_TABLE(zr_ground_sun_row_fn, zr_ground_sun_row)
+
 /* Plane under a scene, and the camera below it that draws the map of its shadow. */
 struct zr_ground_view {
     struct zr_camera below;       /* orthographic, with a square window of half_size to each side */
     struct zr_ground_frame frame; /* in the eye space of the scene's camera */
     float half_size;              /* of the map, scene units */
+    float height;                 /* of the scene over the plane */
 };
 
 /* Finds plane and camera. `camera` and `bounds` are the scene's. False: the bounds are empty or a point, or the camera

@@ -3,6 +3,7 @@
 #include "effects/ground.h"
 
 #include "base/simd.h"
+#include "shade/lights/shadow_map_simd.h"
 
 /* A coordinate along a row of pixels: at + X * step. */
 struct linear {
@@ -77,11 +78,17 @@ static inline zr_vf light_at(const struct zr_ground *ground, zr_vm met, zr_vf u,
     return low + (high - low) * b;
 }
 
+/* Returns how far along the rays the plane is. */
+static inline zr_vf distance_of(const struct row *row, zr_vf x)
+{
+    return zr_vf_set(0.0f) - at(&row->origin[2], x) / at(&row->direction[2], x);
+}
+
 /* Returns T where the rays meet the plane. A ray parallel to the plane gives an infinite quotient or NaN; its position
  * is clamped like any other far away. */
 static inline zr_vf light_of_rays(const struct zr_ground *ground, const struct row *row, zr_vf x)
 {
-    const zr_vf distance = zr_vf_set(0.0f) - at(&row->origin[2], x) / at(&row->direction[2], x);
+    const zr_vf distance = distance_of(row, x);
     const zr_vm met = zr_vf_lt(zr_vf_set(0.0f), distance);
     if (!zr_vm_any(met)) return zr_vf_set(1.0f);
     const zr_vf u = at(&row->origin[0], x) + distance * at(&row->direction[0], x);
@@ -100,5 +107,53 @@ void ZR_KERNEL(zr_ground_row)(const struct zr_ground *ground, const struct zr_gr
             zr_vf_store(out + x, light);
         else
             zr_vi_store_first(out + x, zr_vi_bits_of(light), (uint32_t)(width - x));
+    }
+}
+
+/* ---- the shadow of a lamp ---- */
+
+/* Rays of one row in eye space, from the start of points of the G-buffer. */
+static inline struct row make_eye_row(const struct zr_ground_sun *sun, const struct zr_rays *rays, float y)
+{
+    static const zr_vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const zr_vec3 origin = zr_vec3_sub(rays->origin, sun->start);
+    struct row row;
+    for (int k = 0; k < 3; k++) {
+        row.origin[k] = along(axes[k], origin, rays->origin_x, rays->origin_y, y);
+        row.direction[k] = along(axes[k], rays->direction, rays->direction_x, rays->direction_y, y);
+    }
+    return row;
+}
+
+/* Texels around the map in which shares are computed, more than the sampled ones. */
+#define SUN_MARGIN 8.0f
+
+static inline zr_vm is_in_map(const struct zr_shadow_map *map, struct zr_vec3_v p)
+{
+    const zr_vf least = zr_vf_set(-SUN_MARGIN), most = zr_vf_set((float)ZR_SHADOW_SIDE + SUN_MARGIN);
+    const zr_vf u = zr_shadow_along(map->u_axis, p, map->u_offset), v = zr_shadow_along(map->v_axis, p, map->v_offset);
+    return zr_vm_and(zr_vm_and(zr_vf_lt(least, u), zr_vf_lt(u, most)),
+                     zr_vm_and(zr_vf_lt(least, v), zr_vf_lt(v, most)));
+}
+
+void ZR_KERNEL(zr_ground_sun_row)(const struct zr_ground_sun *sun, const struct zr_ground_frame *frame,
+                                  const struct zr_rays *rays, int32_t y, int32_t width, float *out)
+{
+    const struct row row = make_row(frame, rays, (float)y + 0.5f), eye = make_eye_row(sun, rays, (float)y + 0.5f);
+    const struct zr_vec3_v up = zr_spread_v(zr_vec3_normalize(frame->z_axis));
+    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f), half = zr_vf_set(0.5f);
+    for (int32_t first = 0; first < width; first += ZR_LANES) {
+        const zr_vf x = zr_vf_set((float)first) + zr_vf_ramp() + half, distance = distance_of(&row, x);
+        const struct zr_vec3_v p = {at(&eye.origin[0], x) + distance * at(&eye.direction[0], x),
+                                    at(&eye.origin[1], x) + distance * at(&eye.direction[1], x),
+                                    at(&eye.origin[2], x) + distance * at(&eye.direction[2], x)};
+        const zr_vm lit = zr_vm_and(zr_vf_lt(zero, distance), is_in_map(sun->map, p));
+        const zr_vm seen = zr_vm_and(lit, zr_vm_first((uint32_t)(width - first)));
+        if (!zr_vm_any(seen)) continue;
+        const zr_vf share = one - half * (one - zr_shadow_share_v(sun->map, p, up));
+        float shares[ZR_LANES];
+        zr_vf_store(shares, zr_vf_select(seen, share, one));
+        for (int32_t i = 0; i < ZR_LANES && first + i < width; i++)
+            out[first + i] *= shares[i];
     }
 }

@@ -26,6 +26,7 @@ void zr_cloud_draw_in_ink(const struct zr_query *query)
 {
     const struct zr_scene_builder *builder = query->given.builder;
     const zr_vec3 ink = builder->scene->picture.edges.color;
+    if (builder->scene->look->material.shading == ZR_SHADING_PBR) return;
     for (uint32_t i = 0; i < builder->scene->mesh_count && !query->request->color; i++)
         if (!builder->meshes[i].colors)
             builder->materials[builder->meshes[i].material].base_color = (zr_vec4){ink.x, ink.y, ink.z, 1};

@@ -8,8 +8,8 @@
  * Returns true if it removed them. */
 bool zr_cloud_take_edges(struct zr_parsed_scene *root);
 
-/* Gives points without a colour the colour of the edges: the base colour of looks with edges may be the background's.
- */
+/* Gives points without a colour the colour of the edges, unless the look's surfaces are of the shading pbr: the base
+ * colour of other looks with edges may be the background's. */
 void zr_cloud_draw_in_ink(const struct zr_query *query);
 
 /* Replaces point sizes of 0 by a size that follows from the density of the points. Makes points round in looks with

@@ -124,6 +124,8 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
     if (given.has_faults) return false;
     find_planes(&given);
     root->fit_mesh = given.fit_mesh;
+    if (zr_view_gives(&given, ZR_VIEW_AZIMUTH_DEGREES) || zr_view_gives(&given, ZR_VIEW_ELEVATION_DEGREES))
+        given.view.suits_extent = false;
     root->view_has_up = zr_view_gives(&given, ZR_VIEW_UP);
     root->scene->views[0] = given.view;
     return true;

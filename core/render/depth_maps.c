@@ -47,7 +47,8 @@ enum zr_status zr_ground_map_draw(struct zr_arena *arena, struct zr_team *team, 
     const enum zr_status status = draw_depths(arena, team, scene, &view.below, ZR_GROUND_SIDE, cancel, &heights);
     if (status != ZR_OK) return status;
     *frame = view.frame;
-    *ground = zr_ground_make(arena, team, heights, view.half_size, zr_diagonal_of(bounds));
+    *ground = zr_ground_make(arena, team, heights, view.half_size, zr_diagonal_of(bounds),
+                             scene->picture.softens_ground ? view.height : INFINITY);
     return ground->light ? ZR_OK : ZR_NO_MEMORY;
 }
 

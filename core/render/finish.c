@@ -4,6 +4,13 @@
 
 enum { ROWS_A_RANGE = 8 };
 
+/* ((b + 1/2) / 16 - 1/2) / 255 for b of the ordered 4 x 4 pattern of Bayer, repeated. */
+#define MOVED(b)            (((b) + 0.5f) / 16.0f - 0.5f) / 255.0f
+#define FOUR(a, b, c, d)    MOVED(a), MOVED(b), MOVED(c), MOVED(d)
+#define SIXTEEN(a, b, c, d) FOUR(a, b, c, d), FOUR(a, b, c, d), FOUR(a, b, c, d), FOUR(a, b, c, d)
+const float zr_finish_dither[ZR_DITHER_SIDE][ZR_DITHER_ROOM] = {
+    {SIXTEEN(0, 8, 2, 10)}, {SIXTEEN(12, 4, 14, 6)}, {SIXTEEN(3, 11, 1, 9)}, {SIXTEEN(15, 7, 13, 5)}};
+
 struct rows {
     const struct zr_post_desc *of;
     enum zr_isa isa;
@@ -43,8 +50,13 @@ static void finish_range(void *context, size_t begin, size_t end)
         if (has_ground) {
             zr_ground_row_of(rows->isa)(of->ground, &of->ground_frame, &of->rays, (int32_t)y, (int32_t)light->width,
                                         shares);
+            if (of->sun.map)
+                zr_ground_sun_row_of(rows->isa)(&of->sun, &of->ground_frame, &of->rays, (int32_t)y,
+                                                (int32_t)light->width, shares);
             row.share = shares;
         }
+        if (of->scene->picture.has_gradient && of->scene->picture.dithers)
+            row.dither = zr_finish_dither[y % ZR_DITHER_SIDE];
         if (of->ink) row.ink = of->ink + y * light->width;
         zr_finish_row_of(rows->isa)(&row, (uint32_t *)(void *)of->out + (size_t)(light->height - 1 - y) * light->width);
     }

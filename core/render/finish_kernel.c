@@ -44,14 +44,24 @@ static inline struct pixels pixels_of(const struct zr_finish_row *row, uint32_t 
     return out;
 }
 
+/* Returns what dithering adds to encoded values. */
+static inline zr_vf dither_of(const struct zr_finish_row *row, uint32_t x)
+{
+    const zr_vf zero = zr_vf_set(0.0f);
+    const zr_vm covered = zr_vf_lt(zero, zr_vf_load(row->cover + x));
+    return zr_vf_select(covered, zero, zr_vf_load(row->dither + x % ZR_DITHER_ROOM));
+}
+
 /* Encodes as bytes with straight alpha. Pixels of opacity 0 are black. */
-static inline zr_vi bytes_of(const struct pixels *p)
+static inline zr_vi bytes_of(const struct zr_finish_row *row, uint32_t x, const struct pixels *p)
 {
     const zr_vm seen = zr_vf_lt(zr_vf_set(0.0f), p->opacity);
     const zr_vf opacity = zr_vf_select(seen, p->opacity, zr_vf_set(1.0f));
     zr_vi bytes[4];
-    for (int k = 0; k < 3; k++)
-        bytes[k] = zr_rgba_bytes_v(zr_srgb_encode_v(p->color[k] / opacity));
+    for (int k = 0; k < 3; k++) {
+        const zr_vf encoded = zr_srgb_encode_v(p->color[k] / opacity);
+        bytes[k] = zr_rgba_bytes_v(row->dither ? encoded + dither_of(row, x) : encoded);
+    }
     bytes[3] = zr_rgba_bytes_v(p->opacity);
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
     return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | bytes[3] << 24;
@@ -70,20 +80,28 @@ static inline bool shows_background_alone(const struct zr_finish_row *row, uint3
     return !zr_vm_any(zr_vm_and(others, zr_vm_first(row->count - x)));
 }
 
-/* A row has one background colour, encoded once (saves an eighth of a picture's time if half of it is empty). */
+/* Vectors until a row of the background repeats. */
+enum { REPEATED = ZR_LANES < ZR_DITHER_SIDE ? ZR_DITHER_SIDE / ZR_LANES : 1 };
+
+/* A row of the background is encoded once (saves an eighth of a picture's time if half of it is empty). */
 void ZR_KERNEL(zr_finish_row)(const struct zr_finish_row *row, uint32_t *out)
 {
-    zr_vi background = zr_vi_set(0);
-    bool has_background = false;
+    zr_vi backgrounds[REPEATED];
+    for (int i = 0; i < REPEATED; i++)
+        backgrounds[i] = zr_vi_set(0);
+    bool has_background[REPEATED] = {false};
     for (uint32_t x = 0; x < row->count; x += ZR_LANES) {
         const bool is_empty = shows_background_alone(row, x);
-        zr_vi bytes = background;
-        if (!is_empty || !has_background) {
+        const uint32_t place = x / ZR_LANES % REPEATED;
+        zr_vi bytes;
+        if (is_empty && has_background[place]) {
+            bytes = backgrounds[place];
+        } else {
             const struct pixels pixels = pixels_of(row, x);
-            bytes = bytes_of(&pixels);
+            bytes = bytes_of(row, x, &pixels);
         }
-        if (is_empty) background = bytes;
-        has_background |= is_empty;
+        if (is_empty) backgrounds[place] = bytes;
+        has_background[place] |= is_empty;
         zr_vi_store_first(out + x, bytes, row->count - x < ZR_LANES ? row->count - x : ZR_LANES);
     }
 }

@@ -2,12 +2,14 @@
 #include "render/picture.h"
 
 #include "effects/eye_dome.h"
+#include "effects/point_light.h"
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
 #include "render/depth_maps.h"
 #include "render/finish.h"
 #include "render/stage.h"
 #include "render/supersample.h"
+#include "scene/looks.h"
 #include "scene/scene_edit.h"
 #include "shade/lights/lamps.h"
 #include "shade/paint.h"
@@ -124,11 +126,17 @@ static enum zr_status draw_gbuffer(const struct drawing *d, struct zr_gbuffer *p
     return status_of(d);
 }
 
+/* Returns D in eye space. */
+static float diagonal_in_eye(const struct drawing *d)
+{
+    return zr_diagonal_of(&d->frame->bounds) * zr_eye_scale_of(&d->frame->camera);
+}
+
 static enum zr_status draw_occlusion(const struct drawing *d, struct zr_gbuffer *pixels, struct zr_occlusion_map *map)
 {
     const struct zr_occlusion *occlusion = &d->scene->picture.occlusion;
     const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
-    const float diagonal = zr_diagonal_of(&d->frame->bounds) * zr_eye_scale_of(&d->frame->camera);
+    const float diagonal = diagonal_in_eye(d);
     enum zr_status status = draw_gbuffer(d, pixels);
     if (status != ZR_OK) return status;
     const float *light = zr_occlusion_make(d->arena, d->team, d->cancel, pixels, occlusion, &scale, diagonal);
@@ -136,13 +144,17 @@ static enum zr_status draw_occlusion(const struct drawing *d, struct zr_gbuffer 
     return status_of(d);
 }
 
-/* Point clouds have eye-dome lighting instead of occlusion, which needs normals. */
-static enum zr_status draw_eye_dome(const struct drawing *d, struct zr_gbuffer *pixels, const float **light)
+/* Point clouds have light by distances alone instead of occlusion, which needs normals. */
+static enum zr_status draw_points_light(const struct drawing *d, struct zr_gbuffer *pixels, const float **light)
 {
+    const struct zr_picture *picture = &d->scene->picture;
     const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
+    const float share = picture->occlusion.strength / d->scene->look->picture.occlusion.strength;
     const enum zr_status status = draw_gbuffer(d, pixels);
     if (status != ZR_OK) return status;
-    *light = zr_eye_dome_make(d->arena, d->team, d->cancel, pixels, &d->scene->picture.occlusion, &scale);
+    *light = picture->lights_points
+                 ? zr_point_light_make(d->arena, d->team, d->cancel, pixels, share, diagonal_in_eye(d))
+                 : zr_eye_dome_make(d->arena, d->team, d->cancel, pixels, &picture->occlusion, &scale);
     return status_of(d);
 }
 
@@ -186,6 +198,17 @@ static enum zr_status finish(const struct drawing *d, struct zr_post_desc *desc,
     return status_of(d);
 }
 
+/* Finds the map of the first directional lamp with shadows. */
+static struct zr_ground_sun ground_sun_of(const struct drawing *d, const struct zr_shadow_map *shadows)
+{
+    const zr_vec4 eye = zr_camera_eye(&d->frame->camera);
+    struct zr_ground_sun sun = {.map = NULL};
+    for (uint32_t i = 0; shadows && i < d->scene->light_count && !sun.map; i++)
+        if (d->scene->lights[i].type == ZR_LIGHT_DIRECTIONAL && shadows[i].depths) sun.map = &shadows[i];
+    if (eye.w != 0.0f) sun.start = (zr_vec3){eye.x, eye.y, eye.z};
+    return sun;
+}
+
 static enum zr_status draw_light(struct drawing *d)
 {
     const struct zr_picture *picture = &d->scene->picture;
@@ -195,9 +218,9 @@ static enum zr_status draw_light(struct drawing *d)
     struct zr_linear_frame light;
     struct zr_gbuffer pixels;
     struct zr_pass pass;
-    const bool has_eye_dome = picture->occlusion.is_on && zr_eye_dome_fits(d->scene);
-    const bool has_occlusion = picture->occlusion.is_on && !has_eye_dome;
-    const float *eye_dome = NULL;
+    const bool is_cloud = picture->occlusion.is_on && zr_eye_dome_fits(d->scene);
+    const bool has_occlusion = picture->occlusion.is_on && !is_cloud;
+    const float *points_light = NULL;
     struct zr_occlusion_map occlusion;
     struct zr_linear_lighting lighting;
     struct zr_ground ground = {.light = NULL};
@@ -210,16 +233,17 @@ static enum zr_status draw_light(struct drawing *d)
 
     STAGE(make_creases(d));
     if (has_occlusion) STAGE(draw_occlusion(d, &pixels, &occlusion));
-    if (has_eye_dome) STAGE(draw_eye_dome(d, &pixels, &eye_dome));
+    if (is_cloud) STAGE(draw_points_light(d, &pixels, &points_light));
     if (picture->has_ground)
         STAGE(zr_ground_map_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &ground, &desc.ground_frame));
     STAGE(zr_shadow_maps_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &shadows));
-    zr_linear_lighting_make(d->arena, d->scene, camera, shadows, &lighting);
+    zr_linear_lighting_make(d->arena, d->scene, camera, bounds, shadows, &lighting);
+    if (picture->has_ground_sun) desc.sun = ground_sun_of(d, shadows);
     STAGE(make_light(d, &light));
     if (picture->edges.is_on) STAGE(begin_edges(d, &stages.edges));
     STAGE(draw_samples(d, &stages, &pass));
-    if (status == ZR_OK && eye_dome)
-        zr_eye_dome_apply(d->team, d->cancel, &pixels, eye_dome, light.color, light.stride);
+    if (status == ZR_OK && points_light)
+        zr_eye_dome_apply(d->team, d->cancel, &pixels, points_light, light.color, light.stride);
     STAGE(finish(d, &desc, stages.edges));
     return status;
 }

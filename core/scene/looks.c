@@ -48,6 +48,21 @@ static const struct zr_light textbook_lights[] = {
 
 static const struct zr_light studio_lights[] = {CLASSIC_LIGHTS};
 
+/* The same fit of the environment studio@2. The key light travels along -normalize(-0.60, 0.66, 0.46). */
+#define CLASSIC_LIGHTS_2                                                                                               \
+    {.type = ZR_LIGHT_HEMISPHERE,                                                                                      \
+     .direction = {0, 1, 0},                                                                                           \
+     .color = {0.479f, 0.488f, 0.500f},                                                                                \
+     .ground = {0.305f, 0.297f, 0.289f},                                                                               \
+     .camera_frame = true,                                                                                             \
+     .lit = ZR_LIT_CLASSIC},                                                                                           \
+    {                                                                                                                  \
+        .type = ZR_LIGHT_DIRECTIONAL, .direction = {0.597851594f, -0.657636754f, -0.458352889f},                       \
+        .color = {1.066f, 1.039f, 1.000f}, .camera_frame = true, .lit = ZR_LIT_CLASSIC                                 \
+    }
+
+static const struct zr_light studio_2_lights[] = {CLASSIC_LIGHTS_2};
+
 /* The sun is at the brightest part of the environment's sky: it travels along -normalize(-0.48, 0.67, 0.57). */
 static const struct zr_light outdoor_lights[] = {
     CLASSIC_LIGHTS,
@@ -59,26 +74,53 @@ static const struct zr_light outdoor_lights[] = {
      .lit = ZR_LIT_PBR},
 };
 
+/* The sun of outdoor@2 travels along -normalize(-0.42, 0.80, 0.43). Where that of outdoor@1 is, it meets top and front
+ * of a cube at one angle. */
+static const struct zr_light outdoor_2_lights[] = {
+    CLASSIC_LIGHTS_2,
+    {.type = ZR_LIGHT_DIRECTIONAL,
+     .direction = {0.419727266f, -0.799480506f, -0.429720772f},
+     .color = {1.15f, 1.15f * 0.93f, 1.15f * 0.82f},
+     .environment_frame = true,
+     .has_shadows = true,
+     .lit = ZR_LIT_PBR},
+};
+
 #define LIGHTS(array) .light_count = sizeof(array) / sizeof(array)[0], .lights = (array)
 
 /* ---- shared values of rows ---- */
 
 /* 16 samples per pixel. The crease angle keeps chamfers of 45 degrees sharp and makes cylinders of 12 sides round. */
-#define LINEAR                .is_linear = true, .side = 4, .line_width = 1, .crease_degrees = 35
+#define LIT                   .is_linear = true, .side = 4, .line_width = 1, .crease_degrees = 35
+#define LINEAR                LIT, SURFACES
+#define SURFACES              GOOCH, XRAY
+#define GOOCH                 .gooch = {false, 0.35f, 0.65f}
+#define XRAY                  .xray = {0.07f, 0.68f, false}
 #define NEUTRAL(factor)       .tone = ZR_TONE_NEUTRAL, .exposure = (factor)
 #define NO_TONE               .tone = ZR_TONE_NONE, .exposure = 1
 #define STUDIO                .environment = {ZR_ENVIRONMENT_STUDIO, 1, 0, true}
 #define OUTDOOR               .environment = {ZR_ENVIRONMENT_OUTDOOR, 1, 0, false}
 #define GRADIENT(from, to)    .has_gradient = true, .top = RGB(from), .bottom = RGB(to)
 #define OCCLUSION(on, factor) .occlusion = {(on), 0.2f, (factor)}
-#define EDGES(on, ink)        .edges = {(on), RGB(ink), 1.5f, 30}
+#define EDGES(on, ink)        .edges = {(on), RGB(ink), 1.5f, 30, 1, 0.85f, false, false}
 #define INK                   0x1f2a36
 #define COOL                  0x9fb0c3
 
 #define GROUNDED OCCLUSION(true, 2), .has_ground = true, EDGES(false, INK)
 
+/* Values of second versions. At 30 degrees, scans get stray creases. */
+#define STUDIO_2  .environment = {ZR_ENVIRONMENT_STUDIO_2, 1, 0, true}
+#define METAL_2   .environment = {ZR_ENVIRONMENT_METAL_2, 1, 0, true}
+#define OUTDOOR_2 .environment = {ZR_ENVIRONMENT_OUTDOOR_2, 1, 0, false}
+#define EDGES_2(on, ink, width, silhouettes, creases)                                                                  \
+    .edges = {(on), RGB(ink), (width), 40, (silhouettes), (creases), true, true}
+#define NO_EDGES_2 EDGES_2(false, INK, 1.5f, 1, 0.85f)
+#define GROUNDED_2                                                                                                     \
+    .occlusion = {true, 0.15f, 2.3f}, .lights_points = true, .has_ground = true, .softens_ground = true, .dithers = true
+
 /* Phong highlights are weak, as on plastic. */
-#define MATERIAL(model, hex, metal, rough)                                                                             \
+#define MATERIAL(model, hex, metal, rough) MATERIAL_COOL(model, hex, metal, rough, COOL)
+#define MATERIAL_COOL(model, hex, metal, rough, cool_hex)                                                              \
     .material = {.shading = (model),                                                                                   \
                  .base_color = OPAQUE(hex),                                                                            \
                  .specular = {0.12f, 0.12f, 0.12f},                                                                    \
@@ -86,7 +128,7 @@ static const struct zr_light outdoor_lights[] = {
                  .metallic = (metal),                                                                                  \
                  .roughness = (rough),                                                                                 \
                  ZR_MATERIAL_PLASTIC,                                                                                  \
-                 .cool = RGB(COOL)}
+                 .cool = RGB(cool_hex)}
 
 /* Elevation: isometric views show cars and animals from too high, and below 25 degrees plates become slivers. Angle of
  * view: 45 degrees distort, and 20 look flat. The padding leaves room for the ground's shadow. */
@@ -98,6 +140,15 @@ static const struct zr_light outdoor_lights[] = {
              .projection = ZR_PROJECTION_PERSPECTIVE,                                                                  \
              .fov_radians = 0.52359878f, /* 30 degrees */                                                              \
              .padding = 0.07f}
+#define FROM_ASIDE_2(share)                                                                                            \
+    .view = {.pose = ZR_POSE_ORBIT,                                                                                    \
+             .preset = ZR_PRESET_ISOMETRIC,                                                                            \
+             .azimuth_degrees = 35,                                                                                    \
+             .elevation_degrees = 28,                                                                                  \
+             .projection = ZR_PROJECTION_PERSPECTIVE,                                                                  \
+             .fov_radians = 0.52359878f,                                                                               \
+             .padding = (share),                                                                                       \
+             .suits_extent = true}
 #define ISOMETRIC(share)                                                                                               \
     .view = {.pose = ZR_POSE_PRESET,                                                                                   \
              .preset = ZR_PRESET_ISOMETRIC,                                                                            \
@@ -115,6 +166,15 @@ const struct zr_look zr_looks[] = {
      MATERIAL(ZR_SHADING_PBR, 0x8fa3b8, 0, 0.55f),
      LIGHTS(studio_lights),
      FROM_ASIDE},
+    {.name = "studio",
+     .version = 2,
+     .is_unreleased = true,
+     .picture = {LINEAR, NEUTRAL(1), STUDIO_2, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED_2,
+                 EDGES_2(true, 0x3f4b59, 1, 0.60f, 0.45f)},
+     .background = OPAQUE(0xf4f6f8),
+     MATERIAL(ZR_SHADING_PBR, 0x9fb6d0, 0, 0.55f),
+     LIGHTS(studio_2_lights),
+     FROM_ASIDE_2(0.05f)},
     {.name = "technical",
      .version = 1,
      .picture = {LINEAR, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES(true, INK)},
@@ -122,6 +182,15 @@ const struct zr_look zr_looks[] = {
      MATERIAL(ZR_SHADING_GOOCH, 0xffffff, 0, 0.55f),
      LIGHTS(studio_lights),
      ISOMETRIC(0.07f)},
+    {.name = "technical",
+     .version = 2,
+     .is_unreleased = true,
+     .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), .lights_points = true, EDGES_2(true, INK, 1.5f, 1, 0.85f),
+                 .gooch = {true, 0.35f, 0.65f}, XRAY},
+     .background = OPAQUE(0xffffff),
+     MATERIAL(ZR_SHADING_GOOCH, 0xfcfcfd, 0, 0.55f),
+     LIGHTS(studio_lights),
+     ISOMETRIC(0.05f)},
     {.name = "clay",
      .version = 1,
      .picture = {LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0xf7f4f0, 0xded6cc), GROUNDED},
@@ -129,6 +198,14 @@ const struct zr_look zr_looks[] = {
      MATERIAL(ZR_SHADING_PBR, 0xcbb29c, 0, 0.9f),
      LIGHTS(studio_lights),
      FROM_ASIDE},
+    {.name = "clay",
+     .version = 2,
+     .is_unreleased = true,
+     .picture = {LINEAR, NEUTRAL(1), STUDIO_2, GRADIENT(0xf7f4f0, 0xded6cc), GROUNDED_2, NO_EDGES_2},
+     .background = OPAQUE(0xf7f4f0),
+     MATERIAL(ZR_SHADING_PBR, 0xd3b9a2, 0, 0.9f),
+     LIGHTS(studio_2_lights),
+     FROM_ASIDE_2(0.05f)},
     {.name = "dark",
      .version = 1,
      .picture = {LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0x3c444d, 0x191d22), GROUNDED},
@@ -136,6 +213,15 @@ const struct zr_look zr_looks[] = {
      MATERIAL(ZR_SHADING_PBR, 0xc9ced4, 0, 0.45f),
      LIGHTS(studio_lights),
      FROM_ASIDE},
+    {.name = "dark",
+     .version = 2,
+     .is_unreleased = true,
+     .picture = {LINEAR, NEUTRAL(1), STUDIO_2, GRADIENT(0x3c444d, 0x191d22), GROUNDED_2,
+                 EDGES_2(true, 0x14181d, 1, 0, 0.50f)},
+     .background = OPAQUE(0x3c444d),
+     MATERIAL(ZR_SHADING_PBR, 0xc9ced4, 0, 0.45f),
+     LIGHTS(studio_2_lights),
+     FROM_ASIDE_2(0.05f)},
     {.name = "metal",
      .version = 1,
      .picture = {LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED},
@@ -143,6 +229,15 @@ const struct zr_look zr_looks[] = {
      MATERIAL(ZR_SHADING_PBR, 0xd4d6da, 1, 0.32f),
      LIGHTS(studio_lights),
      FROM_ASIDE},
+    {.name = "metal",
+     .version = 2,
+     .is_unreleased = true,
+     .picture = {LINEAR, NEUTRAL(1), METAL_2, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED_2,
+                 EDGES_2(true, 0x2b3036, 1, 0.60f, 0.45f)},
+     .background = OPAQUE(0xf4f6f8),
+     MATERIAL(ZR_SHADING_PBR, 0xd4d6da, 1, 0.32f),
+     LIGHTS(studio_2_lights),
+     FROM_ASIDE_2(0.05f)},
     {.name = "outdoor",
      .version = 1,
      .picture = {LINEAR, NEUTRAL(0.78f), OUTDOOR, GRADIENT(0xbcd6f0, 0xefe9de), GROUNDED},
@@ -150,6 +245,15 @@ const struct zr_look zr_looks[] = {
      MATERIAL(ZR_SHADING_PBR, 0xb9b4aa, 0, 0.55f),
      LIGHTS(outdoor_lights),
      FROM_ASIDE},
+    {.name = "outdoor",
+     .version = 2,
+     .is_unreleased = true,
+     .picture = {LINEAR, NEUTRAL(0.90f), OUTDOOR_2, GRADIENT(0xbcd6f0, 0xefe9de), GROUNDED_2, NO_EDGES_2,
+                 .has_ground_sun = true},
+     .background = OPAQUE(0xbcd6f0),
+     MATERIAL(ZR_SHADING_PBR, 0xb9b4aa, 0, 0.55f),
+     LIGHTS(outdoor_2_lights),
+     FROM_ASIDE_2(0.08f)},
     {.name = "blueprint",
      .version = 1,
      .picture = {LINEAR, NO_TONE, STUDIO, OCCLUSION(false, 2), EDGES(true, 0xe8f0fa)},
@@ -157,6 +261,15 @@ const struct zr_look zr_looks[] = {
      MATERIAL(ZR_SHADING_UNLIT, 0x1d4a86, 0, 0.55f),
      LIGHTS(studio_lights),
      ISOMETRIC(0.07f)},
+    {.name = "blueprint",
+     .version = 2,
+     .is_unreleased = true,
+     .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.6f), EDGES_2(true, 0xe8f0fa, 1.3f, 1, 0.80f),
+                 .gooch = {true, 0.2f, 0.8f}, XRAY},
+     .background = OPAQUE(0x1d4a86),
+     MATERIAL_COOL(ZR_SHADING_GOOCH, 0x5086c8, 0, 0.55f, 0x4c6290),
+     LIGHTS(studio_lights),
+     ISOMETRIC(0.05f)},
     {.name = "xray",
      .version = 1,
      .picture = {LINEAR, NO_TONE, STUDIO, GRADIENT(0xffffff, 0xf1f4f8), OCCLUSION(false, 2), EDGES(false, INK)},
@@ -164,6 +277,15 @@ const struct zr_look zr_looks[] = {
      MATERIAL(ZR_SHADING_XRAY, 0x2b6cb0, 0, 0.55f),
      LIGHTS(studio_lights),
      FROM_ASIDE},
+    {.name = "xray",
+     .version = 2,
+     .is_unreleased = true,
+     .picture = {LIT, NO_TONE, STUDIO, GRADIENT(0xffffff, 0xf1f4f8), .dithers = true, OCCLUSION(false, 2), NO_EDGES_2,
+                 GOOCH, .xray = {0.11f, 0.56f, true}},
+     .background = OPAQUE(0xffffff),
+     MATERIAL(ZR_SHADING_XRAY, 0x2b6cb0, 0, 0.55f),
+     LIGHTS(studio_lights),
+     FROM_ASIDE_2(0.05f)},
     {.name = "textbook",
      .version = 1,
      .picture = {.side = 1,
@@ -172,7 +294,8 @@ const struct zr_look zr_looks[] = {
                  .environment = {ZR_ENVIRONMENT_NONE, 1, 0, true},
                  NO_TONE,
                  OCCLUSION(false, 2),
-                 EDGES(false, INK)},
+                 EDGES(false, INK),
+                 SURFACES},
      .background = OPAQUE(0xffffff),
      .material = {.base_color = {0.7f, 0.7f, 0.7f, 1},
                   .shininess = 32,
@@ -205,9 +328,11 @@ struct zr_look_pin zr_look_pin_of(const struct zr_look *look)
 const struct zr_look *zr_look_find(const char *text)
 {
     const struct zr_look *found = NULL;
-    for (int i = 0; i < zr_look_count; i++)
-        if (strcmp(zr_looks[i].name, text) == 0 || strcmp(zr_look_pin_of(&zr_looks[i]).text, text) == 0)
-            found = &zr_looks[i];
+    for (int i = 0; i < zr_look_count; i++) {
+        const struct zr_look *look = &zr_looks[i];
+        if ((!look->is_unreleased && strcmp(look->name, text) == 0) || strcmp(zr_look_pin_of(look).text, text) == 0)
+            found = look;
+    }
     return found;
 }
 
@@ -249,5 +374,6 @@ void zr_look_set_view(const struct zr_look *look, struct zr_view *view)
     view->up = (zr_vec3){0, 1, 0};
     view->projection = from->projection;
     view->fit_padding = from->padding;
+    view->suits_extent = from->suits_extent;
     zr_view_set_fov(view, from->fov_radians);
 }

@@ -28,7 +28,9 @@ struct zr_picture zr_picture_merge(const struct zr_parsed_picture *given, const 
 #undef TAKE
     if (zr_picture_gives(given, ZR_PICTURE_ENVIRONMENT) && merged.environment.name != ZR_ENVIRONMENT_NONE &&
         !zr_picture_gives(given, ZR_PICTURE_ENVIRONMENT_FRAME))
-        merged.environment.camera_frame = merged.environment.name != ZR_ENVIRONMENT_OUTDOOR;
+        merged.environment.camera_frame =
+            merged.environment.name != ZR_ENVIRONMENT_OUTDOOR && merged.environment.name != ZR_ENVIRONMENT_OUTDOOR_2;
+    if (zr_picture_gives(given, ZR_PICTURE_EDGES_WIDTH)) merged.edges.scales_width = false;
     return merged;
 }
 

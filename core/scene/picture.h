@@ -11,7 +11,15 @@
 
 #include "base/vec.h"
 
-enum zr_environment_name { ZR_ENVIRONMENT_NONE, ZR_ENVIRONMENT_STUDIO, ZR_ENVIRONMENT_OUTDOOR, ZR_ENVIRONMENT_COUNT };
+enum zr_environment_name {
+    ZR_ENVIRONMENT_NONE,
+    ZR_ENVIRONMENT_STUDIO,
+    ZR_ENVIRONMENT_OUTDOOR,
+    ZR_ENVIRONMENT_STUDIO_2,
+    ZR_ENVIRONMENT_METAL_2,
+    ZR_ENVIRONMENT_OUTDOOR_2,
+    ZR_ENVIRONMENT_COUNT
+};
 
 /* Environment light for ZR_SHADING_PBR. */
 struct zr_environment {
@@ -42,6 +50,20 @@ struct zr_edges {
     zr_vec3 color; /* sRGB-encoded */
     float width;   /* pixels */
     float crease_degrees;
+    float silhouette_opacity, crease_opacity; /* 0..1 */
+    bool scales_width, scales_specks;         /* width, and size of dropped creases, grow with the window */
+};
+
+/* Constants of the shading gooch. */
+struct zr_gooch {
+    bool tints_cool;   /* the cool colour is multiplied by that of the surface */
+    float least, rise; /* share of light in creases, and what an open surface has beyond it */
+};
+
+/* Constants of the shading xray: a layer has the opacity least + rise (1 - |c|)^2, or ^3. */
+struct zr_xray_opacity {
+    float least, rise;
+    bool is_square;
 };
 
 /* Largest side of the sample grid of a pixel, and most samples along the larger side of a window. */
@@ -53,12 +75,18 @@ struct zr_picture {
     float line_width;  /* of lines and outlines, pixels */
     bool has_gradient; /* background from top to bottom, mixed in linear light; else the scene's background */
     zr_vec3 top, bottom; /* of the gradient, sRGB-encoded */
+    bool dithers;        /* the gradient, where nothing is in front of it */
     struct zr_environment environment;
     enum zr_tone tone;
     float exposure; /* factor on light before tone mapping */
     struct zr_occlusion occlusion;
-    bool has_ground; /* shadow on the plane under the scene, if the camera is above it */
+    bool lights_points;  /* points without faces and lines: by near taps, else by eye-dome lighting (effects/) */
+    bool has_ground;     /* shadow on the plane under the scene, if the camera is above it */
+    bool softens_ground; /* that shadow is narrower and weaker under low scenes */
+    bool has_ground_sun; /* the first directional lamp with shadows casts one on that plane, too */
     struct zr_edges edges;
+    struct zr_gooch gooch;
+    struct zr_xray_opacity xray;
     float crease_degrees; /* normals are averaged over faces up to this angle apart; 180: over all faces of a vertex */
     bool z_is_up;         /* up axis of environment and ground: z, else y */
 };

@@ -5,6 +5,7 @@
 
 #include "base/cancel.h"
 #include "scene/camera_parts.h"
+#include "scene/extent_view.h"
 
 static enum zr_status check_range(const struct zr_camera *camera, struct zr_error *error)
 {
@@ -33,6 +34,11 @@ static enum zr_status resolve(const struct zr_points *points, const struct zr_bo
     const struct zr_view *view = points->view;
     struct zr_bounds fitted = {.valid = false};
     if (zr_view_needs_bounds(view)) fitted = zr_fit_bounds(points, bounds);
+    struct zr_view suited = *view;
+    zr_view_suit_extent(&suited, &fitted, points->scene->picture.z_is_up);
+    struct zr_points seen = *points;
+    seen.view = view = &suited;
+    points = &seen;
     *camera = (struct zr_camera){.world_to_eye = view->world_to_camera};
     if (view->pose != ZR_POSE_MATRIX) {
         struct zr_axes axes;

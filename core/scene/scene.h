@@ -299,6 +299,7 @@ struct zr_view {
     float fit_padding;        /* share of the window left free on each side */
     bool fit_to_mesh;         /* the view is fitted only to instances of fit_mesh and of meshes that it owns */
     uint32_t fit_mesh;
+    bool suits_extent; /* an orbit whose angles suit the extent of the bounds (scene/extent_view.h) */
 };
 
 /* An existing picture, from zraster or elsewhere, that the scene is drawn into: arrays of width * height, row 0 on top.

@@ -43,7 +43,7 @@ static const char *const declarations =
     "flat in float side;\n"
     "uniform float has[5], second[5];\n" /* second: coordinates 1 instead of 0 */
     "uniform float toe;\n"               /* less than 0: no tone mapping */
-    "uniform float environment;\n"       /* 0: none, 1: studio, 2: outdoor */
+    "uniform float environment;\n"       /* the number of enum zr_environment_name */
     "uniform float lamp_count;\n"
     "uniform int shading;\n"
     "#endif\n"
@@ -56,6 +56,9 @@ static const char *const declarations =
     "uniform vec3 ambient;\n"
     "uniform float exposure, intensity;\n"
     "uniform vec3 to_environment[3];\n" /* rows */
+    "uniform vec4 middle;\n"            /* of the scene's bounds, from the eye; w: half their diagonal */
+    "uniform vec3 gooch;\n"             /* 1 where cool is a share; least, rise */
+    "uniform vec3 xray;\n"              /* least, rise, power */
     "uniform vec3 lamp_to[64], lamp_color[64], lamp_ground[64];\n"
     "uniform vec3 lamp_kind[64];\n"  /* a hemisphere; lights pbr; lights flat, gouraud and phong */
     "uniform vec4 lamp_place[64];\n" /* from the eye; w: 1 where the lamp has a place */
@@ -164,12 +167,33 @@ static const char *const environments =
     "                      vec3(-0.3063, -0.3002, -0.2906), vec3(0.2398, 0.2342, 0.2258),\n"
     "                      vec3(-0.2616, -0.2564, -0.2490), vec3(-0.0210, -0.0204, -0.0196),\n"
     "                      vec3(-0.0239, -0.0233, -0.0222));\n"
+    "    if (environment == 3.0)\n"
+    "        return sum_of(n, vec3(0.6576, 0.6509, 0.6427), vec3(-0.3360, -0.3266, -0.3133),\n"
+    "                      vec3(0.4587, 0.4576, 0.4540), vec3(0.2464, 0.2407, 0.2323),\n"
+    "                      vec3(-0.3547, -0.3478, -0.3371), vec3(0.2261, 0.2209, 0.2128),\n"
+    "                      vec3(-0.2721, -0.2662, -0.2578), vec3(-0.0254, -0.0247, -0.0238),\n"
+    "                      vec3(-0.0090, -0.0081, -0.0070));\n"
+    "    if (environment == 4.0)\n"
+    "        return sum_of(n, vec3(0.5659, 0.5622, 0.5585), vec3(-0.2000, -0.1928, -0.1835),\n"
+    "                      vec3(0.3616, 0.3637, 0.3655), vec3(0.0809, 0.0775, 0.0729),\n"
+    "                      vec3(-0.1152, -0.1137, -0.1106), vec3(0.0468, 0.0448, 0.0416),\n"
+    "                      vec3(-0.1276, -0.1246, -0.1206), vec3(-0.0138, -0.0134, -0.0131),\n"
+    "                      vec3(0.0031, 0.0031, 0.0033));\n"
+    "    if (environment == 5.0)\n"
+    "        return sum_of(n, vec3(0.4636, 0.5276, 0.6439), vec3(-0.0262, -0.0249, -0.0223),\n"
+    "                      vec3(0.0902, 0.1903, 0.3663), vec3(0.0268, 0.0255, 0.0228),\n"
+    "                      vec3(-0.0232, -0.0220, -0.0197), vec3(0.0237, 0.0225, 0.0201),\n"
+    "                      vec3(-0.0124, -0.0118, -0.0106), vec3(0.0097, 0.0087, 0.0072),\n"
+    "                      vec3(0.0280, 0.0251, 0.0207));\n"
     "    return sum_of(n, vec3(0.4636, 0.5276, 0.6439), vec3(-0.0299, -0.0284, -0.0254),\n"
     "                  vec3(0.0820, 0.1825, 0.3594), vec3(0.0355, 0.0337, 0.0302),\n"
     "                  vec3(-0.0221, -0.0210, -0.0188), vec3(0.0262, 0.0249, 0.0223),\n"
     "                  vec3(-0.0188, -0.0179, -0.0160), vec3(0.0121, 0.0110, 0.0092),\n"
     "                  vec3(0.0322, 0.0292, 0.0243));\n"
-    "}\n"
+    "}\n";
+
+/* L of each environment. */
+static const char *const radiances =
     "vec3 studio(vec3 d, float b2)\n"
     "{\n"
     "    vec3 sky = 0.40 * vec3(0.98, 1.0, 1.03), ground = 0.15 * vec3(1.03, 1.0, 0.97);\n"
@@ -179,18 +203,44 @@ static const char *const environments =
     "           box(d, b2, vec3(0.35, 0.45, -0.85), 0.55, 0.13, 0.06, vec3(1.8)) +\n"
     "           box(d, b2, vec3(-0.85, -0.42, 0.25), 0.50, 0.30, 0.25, 0.6 * vec3(1.04, 1.0, 0.96));\n"
     "}\n"
-    "vec3 outdoor(vec3 d, float b2)\n"
+    "vec3 studio_2(vec3 d, float b2)\n"
+    "{\n"
+    "    vec3 sky = 0.30 * vec3(0.98, 1.0, 1.03), ground = 0.115 * vec3(1.03, 1.0, 0.97);\n"
+    "    return mix(ground, sky, step_of(d.y, 0.10 * 0.10 + b2)) +\n"
+    "           box(d, b2, vec3(-0.60, 0.66, 0.46), 0.48, 0.36, 0.08, 5.5 * vec3(1.02, 1.0, 0.97)) +\n"
+    "           box(d, b2, vec3(0.95, 0.10, 0.25), 0.07, 0.62, 0.05, 0.55 * vec3(0.95, 0.99, 1.05)) +\n"
+    "           box(d, b2, vec3(0.35, 0.45, -0.85), 0.55, 0.13, 0.06, vec3(1.7)) +\n"
+    "           box(d, b2, vec3(-0.85, -0.42, 0.25), 0.50, 0.30, 0.25, 0.42 * vec3(1.04, 1.0, 0.96)) +\n"
+    "           box(d, b2, vec3(0.85, -0.25, 0.45), 0.40, 0.35, 0.20, 0.23 * vec3(0.96, 1.0, 1.04)) +\n"
+    "           box(d, b2, vec3(0.10, -0.97, 0.22), 0.50, 0.35, 0.30, 0.46 * vec3(1.04, 1.0, 0.96));\n"
+    "}\n"
+    "vec3 metal_2(vec3 d, float b2)\n"
+    "{\n"
+    "    vec3 sky = 0.34 * vec3(0.98, 1.0, 1.03), ground = 0.10 * vec3(1.03, 1.0, 0.97);\n"
+    "    return mix(ground, sky, step_of(d.y, 0.08 * 0.08 + b2)) +\n"
+    "           box(d, b2, vec3(-0.55, 0.70, 0.46), 0.55, 0.42, 0.22, 2.3 * vec3(1.02, 1.0, 0.97)) +\n"
+    "           box(d, b2, vec3(0.95, 0.10, 0.25), 0.07, 0.62, 0.05, 0.9 * vec3(0.95, 0.99, 1.05)) +\n"
+    "           box(d, b2, vec3(-0.15, 0.80, -0.58), 0.55, 0.22, 0.16, vec3(0.95)) +\n"
+    "           box(d, b2, vec3(0.35, 0.35, -0.87), 0.50, 0.10, 0.06, vec3(1.4)) +\n"
+    "           box(d, b2, vec3(0.85, -0.15, -0.50), 0.30, 0.40, 0.18, vec3(0.28)) +\n"
+    "           box(d, b2, vec3(-0.85, -0.42, 0.25), 0.50, 0.30, 0.25, 1.0 * vec3(1.04, 1.0, 0.96));\n"
+    "}\n"
+    "vec3 outdoor(vec3 d, float b2, vec3 sun)\n"
     "{\n"
     "    vec3 sky = vec3(0.34, 0.52, 0.84), ground = vec3(0.30, 0.27, 0.22), haze = vec3(0.55, 0.50, 0.42);\n"
     "    return mix(ground, sky, step_of(d.y, 0.04 * 0.04 + b2)) +\n"
     "           box(d, b2, vec3(0.0, 0.18, -1.0), 1.2, 0.18, 0.15, haze) +\n"
     "           box(d, b2, vec3(0.0, 0.18, 1.0), 1.2, 0.18, 0.15, haze) +\n"
-    "           lobe(d, b2, vec3(-0.48, 0.67, 0.57), 0.7, 0.45 * vec3(1.0, 0.95, 0.85));\n"
+    "           lobe(d, b2, sun, 0.7, 0.45 * vec3(1.0, 0.95, 0.85));\n"
     "}\n"
     "vec3 mirrored_light(vec3 d, float alpha)\n"
     "{\n"
     "    float b = 2.0 * alpha / (1.0 + 2.2 * alpha);\n"
-    "    vec3 sharp = environment == 1.0 ? studio(d, b * b) : outdoor(d, b * b);\n"
+    "    vec3 sharp = environment == 1.0   ? studio(d, b * b)\n"
+    "                 : environment == 3.0 ? studio_2(d, b * b)\n"
+    "                 : environment == 4.0 ? metal_2(d, b * b)\n"
+    "                 : environment == 5.0 ? outdoor(d, b * b, vec3(-0.42, 0.80, 0.43))\n"
+    "                                      : outdoor(d, b * b, vec3(-0.48, 0.67, 0.57));\n"
     "    return mix(sharp, diffuse_light(d), clamp((alpha - 0.2) / 0.6, 0.0, 1.0));\n"
     "}\n"
     "vec3 turned(vec3 v)\n"
@@ -228,8 +278,10 @@ static const char *const pbr =
     "    float nv = clamp(dot(n, v), 1e-4, 1.0);\n"
     "    vec3 r = reflect(-v, n), E = ambient, L = ambient, lamps = emissive * glow;\n"
     "    if (environment > 0.0) {\n"
-    "        E += intensity * diffuse_light(turned(n));\n"
-    "        L += intensity * mirrored_light(turned(r), rough * rough);\n"
+    "        float k = environment == 3.0 ? 0.4 : environment == 4.0 ? 0.5 : 0.0;\n"
+    "        vec3 q = (way - middle.xyz) / middle.w;\n"
+    "        E += intensity * diffuse_light(turned(normalize(n + 0.5 * k * q)));\n"
+    "        L += intensity * mirrored_light(turned(normalize(r + k * q)), rough * rough);\n"
     "    }\n"
     "    for (int i = 0; i < int(lamp_count); i++) {\n"
     "        if (lamp_kind[i].y == 0.0) continue;\n"
@@ -273,7 +325,8 @@ static const char *const surfaces =
     "vec3 gooch_of(vec3 n, vec3 own)\n"
     "{\n"
     "    float facing = 0.5 + 0.5 * dot(n, normalize(vec3(-0.45, 0.65, 0.61)));\n"
-    "    return mix(decode(cool), own, pow(clamp(facing, 0.0, 1.0), 1.5)) * (0.35 + 0.65 * open);\n"
+    "    vec3 away = gooch.x == 0.0 ? decode(cool) : decode(cool) * own;\n"
+    "    return mix(away, own, pow(clamp(facing, 0.0, 1.0), 1.5)) * (gooch.y + gooch.z * open);\n"
     "}\n"
     "vec3 color_of(vec3 n, vec3 v, vec3 own)\n"
     "{\n"
@@ -296,19 +349,22 @@ static const char *const surfaces =
     "        own *= texel(base_map, 0);\n"
     "        n = mapped_normal(n);\n"
     "    }\n"
-    "    float film = shading == 7 && side != 3.0 ? 0.07 + 0.68 * pow(1.0 - min(abs(dot(normal, v)) / length(normal), "
-    "1.0), 3.0) : 1.0;\n"
+    "    float film = shading == 7 && side != 3.0 ? xray.x + xray.y * pow(1.0 - min(abs(dot(normal, v)) / "
+    "length(normal), "
+    "1.0), xray.z) : 1.0;\n"
     "    gl_FragColor = vec4(color_of(back ? -n : n, v, own), film);\n"
     "}\n";
 
 _Static_assert(ZR_SHADING_UNLIT == 0 && ZR_SHADING_PHONG == 3 && ZR_SHADING_NORMALS == 4 && ZR_SHADING_PBR == 5 &&
-                   ZR_SHADING_GOOCH == 6 && ZR_SHADING_XRAY == 7 && LOOK_LAMPS_MAX == 64,
+                   ZR_SHADING_GOOCH == 6 && ZR_SHADING_XRAY == 7 && LOOK_LAMPS_MAX == 64 &&
+                   ZR_ENVIRONMENT_STUDIO == 1 && ZR_ENVIRONMENT_OUTDOOR == 2 && ZR_ENVIRONMENT_STUDIO_2 == 3 &&
+                   ZR_ENVIRONMENT_METAL_2 == 4 && ZR_ENVIRONMENT_OUTDOOR_2 == 5,
                "the program has these numbers");
 
 unsigned look_program(const char *fixed, struct reference_error *error)
 {
     static char fragment[1 << 15];
-    snprintf(fragment, sizeof fragment, "%s%s%s%s%s%s%s%s", version, fixed ? fixed : "", declarations, textures, tone,
-             environments, pbr, surfaces);
+    snprintf(fragment, sizeof fragment, "%s%s%s%s%s%s%s%s%s", version, fixed ? fixed : "", declarations, textures, tone,
+             environments, radiances, pbr, surfaces);
     return reference_program(vertex, fragment, error);
 }

@@ -113,6 +113,8 @@ struct uniforms {
     zr_vec3 ambient;
     float exposure, toe, environment, intensity, lamp_count;
     float to_environment[3][3];
+    zr_vec4 middle;
+    zr_vec3 gooch, xray;
     float lamp_to[LOOK_LAMPS_MAX][3];
     float lamp_place[LOOK_LAMPS_MAX][4], lamp_spot[LOOK_LAMPS_MAX][4], lamp_end[LOOK_LAMPS_MAX][2];
     zr_vec3 lamp_color[LOOK_LAMPS_MAX], lamp_ground[LOOK_LAMPS_MAX], lamp_kind[LOOK_LAMPS_MAX];
@@ -178,6 +180,27 @@ static void set_lamps(const struct look_twin *twin, struct uniforms *u)
     }
 }
 
+/* The middle of the scene's bounds, from the eye, and half their diagonal there. */
+static zr_vec4 middle_of(const struct look_twin *twin)
+{
+    const struct zr_bounds bounds = zr_bounds_of(twin->scene, NULL, NULL);
+    const float *m = twin->camera->world_to_eye.m, *low = &bounds.min.x, *high = &bounds.max.x;
+    const zr_vec4 viewer = zr_camera_eye(twin->camera);
+    const double from[3] = {(double)viewer.x, (double)viewer.y, (double)viewer.z};
+    const vec3 up = {(double)m[4], (double)m[5], (double)m[6]};
+    double square = 0.0, at[3], out[3];
+    for (int k = 0; k < 3; k++) {
+        const double extent = (double)high[k] - (double)low[k];
+        square += extent * extent;
+        at[k] = ((double)low[k] + (double)high[k]) / 2.0;
+    }
+    for (int k = 0; k < 3; k++)
+        out[k] = (double)m[k] * at[0] + (double)m[4 + k] * at[1] + (double)m[8 + k] * at[2] + (double)m[12 + k] -
+                 (viewer.w != 0.0f ? from[k] : 0.0);
+    return (zr_vec4){(float)out[0], (float)out[1], (float)out[2],
+                     (float)(square > 0.0 ? sqrt(square * dot(up, up)) / 2.0 : 1.0)};
+}
+
 static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
 {
     static const float toes[] = {[ZR_TONE_NONE] = -1.0f, [ZR_TONE_KHRONOS] = 0.04f, [ZR_TONE_NEUTRAL] = 0.02f};
@@ -193,6 +216,11 @@ static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
     for (int i = 0; i < ZR_DFG_SIDE * ZR_DFG_SIDE; i++)
         for (int k = 0; k < 2; k++)
             u->split[i][k] = zr_dfg_table[i / ZR_DFG_SIDE][k][i % ZR_DFG_SIDE];
+    const struct zr_gooch *gooch = &scene->picture.gooch;
+    const struct zr_xray_opacity *xray = &scene->picture.xray;
+    u->middle = middle_of(twin);
+    u->gooch = (zr_vec3){gooch->tints_cool, gooch->least, gooch->rise};
+    u->xray = (zr_vec3){xray->least, xray->rise, xray->is_square ? 2.0f : 3.0f};
     set_lamps(twin, u);
 }
 
@@ -207,6 +235,9 @@ const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin)
         {"environment", 1, 1, &u.environment},
         {"intensity", 1, 1, &u.intensity},
         {"to_environment", 3, 3, u.to_environment[0]},
+        {"middle", 4, 1, &u.middle.x},
+        {"gooch", 3, 1, &u.gooch.x},
+        {"xray", 3, 1, &u.xray.x},
         {"lamp_count", 1, 1, &u.lamp_count},
         {"lamp_to", 3, LOOK_LAMPS_MAX, u.lamp_to[0]},
         {"lamp_color", 3, LOOK_LAMPS_MAX, &u.lamp_color[0].x},
@@ -318,17 +349,27 @@ static void background_of(const struct zr_scene *scene, uint32_t row, double out
     out[3] = picture->has_gradient ? 1.0 : (double)scene->background.w;
 }
 
-/* `corner`: of a pixel's samples. */
+/* What dithering adds to encoded values of a pixel that shows a gradient alone; rows count from the top. */
+static double dither_of(const struct zr_scene *scene, uint32_t x, uint32_t row)
+{
+    static const int pattern[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+    const uint32_t y = scene->views[0].height - 1 - row;
+    if (!scene->picture.has_gradient || !scene->picture.dithers) return 0.0;
+    return ((pattern[y & 3][x & 3] + 0.5) / 16.0 - 0.5) / 255.0;
+}
+
+/* `corner`: of a pixel's samples. `dither`: added where they cover nothing. */
 static void finish_pixel(const float *corner, uint32_t side, size_t row_floats, const double background[4],
-                         uint8_t out[4])
+                         double dither, uint8_t out[4])
 {
     double sum[4] = {0};
     for (uint32_t i = 0; i < side * side; i++)
         for (int k = 0; k < 4; k++)
             sum[k] += (double)corner[i / side * row_floats + i % side * 4 + (uint32_t)k] / (side * side);
     const double rest = 1.0 - sum[3], opacity = sum[3] + rest * background[3];
+    const double moved = sum[3] == 0.0 ? dither : 0.0;
     for (int k = 0; k < 3; k++)
-        out[k] = opacity > 0.0 ? byte_of(encode((sum[k] + rest * background[3] * background[k]) / opacity)) : 0;
+        out[k] = opacity > 0.0 ? byte_of(encode((sum[k] + rest * background[3] * background[k]) / opacity) + moved) : 0;
     out[3] = byte_of(opacity);
 }
 
@@ -351,7 +392,7 @@ bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, 
         background_of(twin->scene, y, background);
         for (uint32_t x = 0; x < width; x++)
             finish_pixel(samples + (size_t)y * side * row_floats + (size_t)x * side * 4, side, row_floats, background,
-                         rgba + 4 * ((size_t)y * width + x));
+                         dither_of(twin->scene, x, y), rgba + 4 * ((size_t)y * width + x));
     }
     return true;
 }

@@ -198,6 +198,47 @@ TEST_EACH_ISA(nothing_has_no_edges)
 
 /* ---- failures ---- */
 
+TEST(widths_grow_with_the_window)
+{
+    const struct zr_edges fixed = {.width = 1.5f}, growing = {.width = 1.5f, .scales_width = true};
+    static const struct {
+        uint32_t width, height;
+        double pixels;
+    } cases[] = {{600, 900, 1.5},         {128, 128, 0.9},   {1, 600, 0.9},
+                 {480, 640, 1.341640786}, {2400, 2400, 3.0}, {8192, 8192, 3.75}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        assert_true(zr_edges_width_in(&fixed, cases[i].width, cases[i].height) == 1.5f);
+        const float width = zr_edges_width_in(&growing, cases[i].width, cases[i].height);
+        assert_true(fabs((double)width - cases[i].pixels) < 1e-6);
+    }
+}
+
+/* In a window of 80 pixels, 5 pixels are the limit instead of 12. */
+TEST(specks_grow_with_the_window)
+{
+    for (int size = 4; size < 16; size++)
+        for (int scales = 0; scales < 2; scales++) {
+            begin_picture(80, 80, 1, true);
+            picture.edges.scales_specks = scales;
+            fill(0, 0, 80, 80, front, 4.0f);
+            for (int y = 0; y < size - 2; y++) /* creases are a sample wider at both ends */
+                picture.samples[(30 + y) * MOST + 30].normal = bent;
+            assert_true((mean_of(find_edges(ZR_ISA_SCALAR, 1, false)) > 0.0) == (size > (scales ? 5 : 12)));
+        }
+}
+
+TEST(silhouettes_and_creases_have_their_opacities)
+{
+    begin_picture(60, 60, 1, true);
+    picture.edges.silhouette_opacity = 0.25f;
+    picture.edges.crease_opacity = 0.5f;
+    picture.edges.width = 1.0f;
+    fill(10, 0, 30, 60, front, 4.0f);
+    fill(30, 0, 50, 60, bent, 4.0f);
+    const float *opacity = find_edges(ZR_ISA_SCALAR, 1, false) + 30 * 60;
+    assert_true(opacity[10] == 0.25f && opacity[29] == 0.5f && opacity[20] == 0.0f);
+}
+
 TEST(a_failed_arena_gives_no_edges)
 {
     begin_picture(60, 60, 4, true);

@@ -170,7 +170,7 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .lineWidth = "0"}, "lineWidth: '0' is not a number of pixels from 0.1 to 64"},
         {{.format = ZR_FORMAT_OBJ, .padding = "0.5"}, "padding: '0.5' is not a number from 0 to 0.45"},
         {{.format = ZR_FORMAT_OBJ, .environment = "true"},
-         "environment: 'true' is unknown; allowed: studio, outdoor; or false for none"},
+         "environment: 'true' is unknown; allowed: studio, outdoor, studio@2, metal@2, outdoor@2; or false for none"},
         {{.format = ZR_FORMAT_OBJ, .lightDirection = "1,2"}, "lightDirection: '1,2' is not three numbers"},
         {{.format = ZR_FORMAT_OBJ, .lightDirection = "0,0,0"}, "lightDirection: a direction of no length"},
         {{.format = ZR_FORMAT_OBJ, .light = "spot"}, "light: lightDirection is missing"},

@@ -63,10 +63,113 @@ static const struct zr_environment_light OUTDOOR = {
                   {0.0121f, 0.0110f, 0.0092f},
                   {0.0322f, 0.0292f, 0.0243f}}};
 
+/* The studio again: the key light is wider, lower and weaker, and more lights reach right faces and undersides. */
+static const struct zr_environment_light STUDIO_2 = {
+    .sky = TINT(0.30f, 0.98f, 1.0f, 1.03f),
+    .ground = TINT(0.115f, 1.03f, 1.0f, 0.97f),
+    .half_width = 0.10f,
+    .nearness = 0.4f,
+    .box_count = 6,
+    .boxes = {{.middle = {-0.60f, 0.66f, 0.46f},
+               .a = 0.48f,
+               .h = 0.36f,
+               .w0 = 0.08f,
+               .color = TINT(5.5f, 1.02f, 1.0f, 0.97f)},
+              {.middle = {0.95f, 0.10f, 0.25f},
+               .a = 0.07f,
+               .h = 0.62f,
+               .w0 = 0.05f,
+               .color = TINT(0.55f, 0.95f, 0.99f, 1.05f)},
+              {.middle = {0.35f, 0.45f, -0.85f}, .a = 0.55f, .h = 0.13f, .w0 = 0.06f, .color = GREY(1.7f)},
+              {.middle = {-0.85f, -0.42f, 0.25f},
+               .a = 0.50f,
+               .h = 0.30f,
+               .w0 = 0.25f,
+               .color = TINT(0.42f, 1.04f, 1.0f, 0.96f)},
+              {.middle = {0.85f, -0.25f, 0.45f},
+               .a = 0.40f,
+               .h = 0.35f,
+               .w0 = 0.20f,
+               .color = TINT(0.23f, 0.96f, 1.0f, 1.04f)},
+              {.middle = {0.10f, -0.97f, 0.22f},
+               .a = 0.50f,
+               .h = 0.35f,
+               .w0 = 0.30f,
+               .color = TINT(0.46f, 1.04f, 1.0f, 0.96f)}},
+    .harmonics = {{0.6576f, 0.6509f, 0.6427f},
+                  {-0.3360f, -0.3266f, -0.3133f},
+                  {0.4587f, 0.4576f, 0.4540f},
+                  {0.2464f, 0.2407f, 0.2323f},
+                  {-0.3547f, -0.3478f, -0.3371f},
+                  {0.2261f, 0.2209f, 0.2128f},
+                  {-0.2721f, -0.2662f, -0.2578f},
+                  {-0.0254f, -0.0247f, -0.0238f},
+                  {-0.0090f, -0.0081f, -0.0070f}}};
+
+/* Soft boxes where the planes of a part look, without the studio's bright window. */
+static const struct zr_environment_light METAL_2 = {
+    .sky = TINT(0.34f, 0.98f, 1.0f, 1.03f),
+    .ground = TINT(0.10f, 1.03f, 1.0f, 0.97f),
+    .half_width = 0.08f,
+    .nearness = 0.5f,
+    .box_count = 6,
+    .boxes = {{.middle = {-0.55f, 0.70f, 0.46f},
+               .a = 0.55f,
+               .h = 0.42f,
+               .w0 = 0.22f,
+               .color = TINT(2.3f, 1.02f, 1.0f, 0.97f)},
+              {.middle = {0.95f, 0.10f, 0.25f},
+               .a = 0.07f,
+               .h = 0.62f,
+               .w0 = 0.05f,
+               .color = TINT(0.9f, 0.95f, 0.99f, 1.05f)},
+              {.middle = {-0.15f, 0.80f, -0.58f}, .a = 0.55f, .h = 0.22f, .w0 = 0.16f, .color = GREY(0.95f)},
+              {.middle = {0.35f, 0.35f, -0.87f}, .a = 0.50f, .h = 0.10f, .w0 = 0.06f, .color = GREY(1.4f)},
+              {.middle = {0.85f, -0.15f, -0.50f}, .a = 0.30f, .h = 0.40f, .w0 = 0.18f, .color = GREY(0.28f)},
+              {.middle = {-0.85f, -0.42f, 0.25f},
+               .a = 0.50f,
+               .h = 0.30f,
+               .w0 = 0.25f,
+               .color = TINT(1.0f, 1.04f, 1.0f, 0.96f)}},
+    .harmonics = {{0.5659f, 0.5622f, 0.5585f},
+                  {-0.2000f, -0.1928f, -0.1835f},
+                  {0.3616f, 0.3637f, 0.3655f},
+                  {0.0809f, 0.0775f, 0.0729f},
+                  {-0.1152f, -0.1137f, -0.1106f},
+                  {0.0468f, 0.0448f, 0.0416f},
+                  {-0.1276f, -0.1246f, -0.1206f},
+                  {-0.0138f, -0.0134f, -0.0131f},
+                  {0.0031f, 0.0031f, 0.0033f}}};
+
+/* The day again: the sun is at a place where it lights top and front of a cube differently. */
+static const struct zr_environment_light OUTDOOR_2 = {
+    .sky = {0.34f, 0.52f, 0.84f},
+    .ground = {0.30f, 0.27f, 0.22f},
+    .half_width = 0.04f,
+    .box_count = 2,
+    .boxes = {{.middle = {0, 0.18f, -1}, .a = 1.2f, .h = 0.18f, .w0 = 0.15f, .color = {0.55f, 0.50f, 0.42f}},
+              {.middle = {0, 0.18f, 1}, .a = 1.2f, .h = 0.18f, .w0 = 0.15f, .color = {0.55f, 0.50f, 0.42f}}},
+    .lobe = {-0.42f, 0.80f, 0.43f},
+    .lobe_width = 0.7f,
+    .lobe_color = TINT(0.45f, 1.0f, 0.95f, 0.85f),
+    .harmonics = {{0.4636f, 0.5276f, 0.6439f},
+                  {-0.0262f, -0.0249f, -0.0223f},
+                  {0.0902f, 0.1903f, 0.3663f},
+                  {0.0268f, 0.0255f, 0.0228f},
+                  {-0.0232f, -0.0220f, -0.0197f},
+                  {0.0237f, 0.0225f, 0.0201f},
+                  {-0.0124f, -0.0118f, -0.0106f},
+                  {0.0097f, 0.0087f, 0.0072f},
+                  {0.0280f, 0.0251f, 0.0207f}}};
+
 bool zr_environment_make(enum zr_environment_name name, struct zr_environment_light *out)
 {
-    static const struct zr_environment_light *const rows[ZR_ENVIRONMENT_COUNT] = {
-        [ZR_ENVIRONMENT_STUDIO] = &STUDIO, [ZR_ENVIRONMENT_OUTDOOR] = &OUTDOOR};
+    static const struct zr_environment_light *const rows[ZR_ENVIRONMENT_COUNT] = {[ZR_ENVIRONMENT_STUDIO] = &STUDIO,
+                                                                                  [ZR_ENVIRONMENT_OUTDOOR] = &OUTDOOR,
+                                                                                  [ZR_ENVIRONMENT_STUDIO_2] = &STUDIO_2,
+                                                                                  [ZR_ENVIRONMENT_METAL_2] = &METAL_2,
+                                                                                  [ZR_ENVIRONMENT_OUTDOOR_2] =
+                                                                                      &OUTDOOR_2};
     const zr_vec3 up = {0, 1, 0};
     if (!rows[name]) return false;
     *out = *rows[name];

@@ -10,6 +10,9 @@
  *             L        = mix(gradient + boxes + lobe, E(d), clamp((alpha - 0.2) / 0.6))
  *
  *         u and v are d along the box's two sides. E is irradiance / pi, a polynomial of harmonics of order 2.
+ * Near:   an environment may stand at a finite distance, so that planes get a gradient: at a point P, directions R of L
+ *         and N of E become normalize(R + k q) and normalize(N + k q / 2) with q = (P - M) / (D / 2), where M is the
+ *         middle of the scene's bounds, D their diagonal, and k the nearness.
  */
 #ifndef ZR_ENVIRONMENT_H
 #define ZR_ENVIRONMENT_H
@@ -17,7 +20,7 @@
 #include "base/vec.h"
 #include "scene/picture.h"
 
-enum { ZR_ENVIRONMENT_BOXES = 4, ZR_HARMONICS = 9 };
+enum { ZR_ENVIRONMENT_BOXES = 6, ZR_HARMONICS = 9 };
 
 struct zr_environment_box {
     zr_vec3 middle;        /* m; zr_environment_make makes it a unit vector */
@@ -34,6 +37,7 @@ struct zr_environment_light {
     zr_vec3 lobe; /* direction; 0: none */
     float lobe_width;
     zr_vec3 lobe_color;
+    float nearness;                  /* k; 0: infinitely far away */
     zr_vec3 harmonics[ZR_HARMONICS]; /* factors of 1, x, y, z, xy, yz, zx, 3z^2 - 1, x^2 - y^2 */
 };
 

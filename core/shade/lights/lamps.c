@@ -50,6 +50,21 @@ static void turn_environment(const struct zr_scene *scene, const zr_mat4 *world_
     rows[2] = zr_vec3_add(zr_vec3_scale(axes[0], s), zr_vec3_scale(axes[2], c));
 }
 
+/* Sets how near the environment is: bounds that are empty or a point have no gradient. */
+static void set_nearness(const struct zr_camera *camera, const struct zr_bounds *bounds,
+                         struct zr_linear_lighting *lighting)
+{
+    const float diagonal = zr_diagonal_of(bounds) * zr_eye_scale_of(camera);
+    const float nearness = 2.0f * lighting->environment.nearness / diagonal;
+    if (!lighting->has_environment || !(diagonal > 0.0f) || !isfinite(nearness)) return;
+    const zr_vec3 middle = zr_vec3_scale(zr_vec3_add(bounds->min, bounds->max), 0.5f);
+    const zr_vec4 in_eye = zr_mat4_apply(&camera->world_to_eye, (zr_vec4){middle.x, middle.y, middle.z, 1.0f});
+    const zr_vec4 eye = zr_camera_eye(camera);
+    lighting->nearness = nearness;
+    lighting->middle = (zr_vec3){in_eye.x, in_eye.y, in_eye.z};
+    if (eye.w != 0.0f) lighting->middle = zr_vec3_sub(lighting->middle, (zr_vec3){eye.x, eye.y, eye.z});
+}
+
 /* ---- lamps ---- */
 
 /* Returns the direction in which a light travels, or that to a hemisphere's sky, in eye space. */
@@ -104,7 +119,8 @@ static void add_lamps(const struct zr_scene *scene, const struct zr_camera *came
 /* ---- all ---- */
 
 void zr_linear_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
-                             const struct zr_shadow_map *shadows, struct zr_linear_lighting *lighting)
+                             const struct zr_bounds *bounds, const struct zr_shadow_map *shadows,
+                             struct zr_linear_lighting *lighting)
 {
     const struct zr_picture *picture = &scene->picture;
     const zr_vec4 eye = zr_camera_eye(camera);
@@ -115,8 +131,11 @@ void zr_linear_lighting_make(struct zr_arena *arena, const struct zr_scene *scen
                                             .is_parallel = eye.w == 0.0f,
                                             .to_eye = {eye.x, eye.y, eye.z},
                                             .tone = picture->tone,
-                                            .exposure = picture->exposure};
+                                            .exposure = picture->exposure,
+                                            .gooch = picture->gooch,
+                                            .xray = picture->xray};
     lighting->has_environment = zr_environment_make(picture->environment.name, &lighting->environment);
+    set_nearness(camera, bounds, lighting);
     if (!lamps) return;
     turn_environment(scene, &camera->world_to_eye, lighting->eye_to_environment);
     add_lamps(scene, camera, shadows, false, lamps, lighting);

@@ -20,10 +20,14 @@ struct zr_linear_lighting {
     struct zr_environment_light environment;
     float environment_intensity;
     zr_vec3 eye_to_environment[3]; /* rows */
+    zr_vec3 middle;                /* M of environment.h, as points of the G-buffer */
+    float nearness;                /* 2 k / D, in their units; 0: directions stay as they are */
     bool is_parallel;              /* view rays are parallel */
     zr_vec3 to_eye;                /* unit vector to the eye, if they are */
     enum zr_tone tone;
     float exposure;
+    struct zr_gooch gooch;
+    struct zr_xray_opacity xray;
 };
 
 /* Writes the colours of all samples to out[0..2], laid out like the samples. Up to 15 values beyond each row's end may

@@ -49,7 +49,7 @@ ZR_INLINED struct zr_vec3_v zr_shade_v(const struct zr_linear_lighting *lighting
             zr_dfg_columns_make(&cache->columns, material->roughness);
         return zr_exposed(lighting, zr_shade_pbr_v(lighting, material, &cache->columns, s));
     case ZR_SHADING_GOOCH:
-        return zr_shade_gooch_v(zr_cool_of(cache, material), s);
+        return zr_shade_gooch_v(&lighting->gooch, zr_cool_of(cache, material), s);
     case ZR_SHADING_NORMALS:
         return zr_normals_as_colors(s->normal);
     default:

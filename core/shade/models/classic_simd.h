@@ -46,15 +46,17 @@ ZR_INLINED struct zr_vec3_v zr_shade_classic_v(const struct zr_linear_lighting *
 /* Shades from the material's cool colour, on the side away from a lamp at the upper left, to the surface's own colour.
  * Creases are darkened. Source: Gooch and others, "A Non-Photorealistic Lighting Model For Automatic Technical
  * Illustration", 1998. */
-ZR_INLINED struct zr_vec3_v zr_shade_gooch_v(struct zr_vec3_v cool, const struct zr_shading_v *s)
+ZR_INLINED struct zr_vec3_v zr_shade_gooch_v(const struct zr_gooch *gooch, struct zr_vec3_v cool,
+                                             const struct zr_shading_v *s)
 {
     const zr_vec3 to_lamp = zr_vec3_normalize((zr_vec3){-0.45f, 0.65f, 0.61f});
     const zr_vf half = zr_vf_set(0.5f);
     const zr_vf facing = zr_clamp01_v(half + half * zr_dot_v(s->normal, zr_spread_v(to_lamp)));
     const zr_vf share = ZR_MUTANT(gooch_linear, facing * zr_vf_sqrt(facing), facing);
-    const struct zr_vec3_v color = zr_mix3_v(cool, s->base, share);
+    const struct zr_vec3_v away = gooch->tints_cool ? zr_mul_v(cool, s->base) : cool;
+    const struct zr_vec3_v color = zr_mix3_v(away, s->base, share);
     const zr_vf ao = s->textured ? s->ao * s->textured->occlusion : s->ao;
-    return zr_scale_v(color, zr_vf_set(0.35f) + zr_vf_set(0.65f) * ao);
+    return zr_scale_v(color, zr_vf_set(gooch->least) + zr_vf_set(gooch->rise) * ao);
 }
 
 #endif

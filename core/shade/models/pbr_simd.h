@@ -127,6 +127,12 @@ static inline struct zr_vec3_v zr_to_environment_v(const struct zr_linear_lighti
                               zr_dot_v(zr_spread_v(rows[2]), v)};
 }
 
+/* Returns the direction of an environment at a finite distance: normalize(d + near from_middle). */
+static inline struct zr_vec3_v zr_seen_near_v(struct zr_vec3_v d, struct zr_vec3_v from_middle, float near)
+{
+    return zr_normalize_v(zr_add_v(d, zr_scale_v(from_middle, zr_vf_set(near))));
+}
+
 static inline struct zr_ambient_v zr_pbr_gather_v(const struct zr_linear_lighting *lighting, const struct zr_pbr_v *pbr,
                                                   const struct zr_shading_v *s)
 {
@@ -136,8 +142,15 @@ static inline struct zr_ambient_v zr_pbr_gather_v(const struct zr_linear_lightin
     if (lighting->has_environment) {
         const struct zr_environment_light *light = &lighting->environment;
         const zr_vf intensity = zr_vf_set(lighting->environment_intensity);
-        const struct zr_vec3_v n = zr_to_environment_v(lighting, s->normal),
-                               r = zr_to_environment_v(lighting, mirrored);
+        const float near = lighting->nearness;
+        struct zr_vec3_v seen = s->normal, seen_mirrored = mirrored;
+        if (near > 0.0f) {
+            const struct zr_vec3_v from_middle = zr_minus_v(s->point, zr_spread_v(lighting->middle));
+            seen = zr_seen_near_v(seen, from_middle, 0.5f * near);
+            seen_mirrored = zr_seen_near_v(mirrored, from_middle, near);
+        }
+        const struct zr_vec3_v n = zr_to_environment_v(lighting, seen),
+                               r = zr_to_environment_v(lighting, seen_mirrored);
         out.diffuse = zr_add_v(out.diffuse, zr_scale_v(zr_environment_diffuse_v(light, n), intensity));
         const struct zr_gathering_v gathering =
             s->textured ? zr_gathering_of_each(pbr->alphas) : zr_gathering_of(pbr->alpha);

@@ -3,7 +3,7 @@
  * The opacity a of a layer depends on the cosine c between its normal and the direction to the eye. It rises towards
  * grazing angles:
  *
- *     a = 0.07 + 0.68 (1 - |c|)^3
+ *     a = least + rise (1 - |c|)^2, or ^3        (struct zr_xray_opacity)
  *
  * Several layers transmit the product of all 1 - a, in any order. If all have one colour, the picture is that colour
  * mixed with the background by the product. Several colours are blended like other layers (render/layers.h).

@@ -13,11 +13,11 @@ static inline zr_vm find_xrays(const struct zr_material *materials, const uint32
     return zr_vm_of(bits);
 }
 
-static inline zr_vf opacity_of(zr_vf cosine)
+static inline zr_vf opacity_of(const struct zr_xray_opacity *xray, zr_vf cosine)
 {
     const zr_vf along = zr_clamp01_v(zr_vf_set(1.0f) - zr_vf_abs(cosine));
     const zr_vf cube = ZR_MUTANT(xray_squared, along * along * along, along * along);
-    return zr_vf_set(0.07f) + zr_vf_set(0.68f) * cube;
+    return zr_vf_set(xray->least) + zr_vf_set(xray->rise) * (xray->is_square ? along * along : cube);
 }
 
 void ZR_KERNEL(zr_xray)(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples, float *opacity)
@@ -33,7 +33,8 @@ void ZR_KERNEL(zr_xray)(const struct zr_linear_lighting *lighting, const struct 
             const zr_vm xrays = zr_vm_andnot(find_xrays(lighting->materials, samples->material + at, seen), is_line);
             const struct zr_vec3_v to_eye = zr_to_eye_v(lighting, zr_three_of(samples->point, at));
             const zr_vf own = zr_vf_load(opacity + at);
-            zr_vf_store(opacity + at, zr_vf_select(xrays, own * opacity_of(zr_dot_v(normal, to_eye)), own));
+            zr_vf_store(opacity + at,
+                        zr_vf_select(xrays, own * opacity_of(&lighting->xray, zr_dot_v(normal, to_eye)), own));
         }
     }
 }
