@@ -33,10 +33,16 @@ static const char *text_of(const cJSON *item, const char *key)
     return text ? text : "";
 }
 
+/* Versions of a look are adjacent; its name is added once. */
 void tables_looks(struct words *words)
 {
     const cJSON *look;
-    cJSON_ArrayForEach(look, list_of("looks")) words_add(words, text_of(look, NULL), strcspn(text_of(look, NULL), "@"));
+    cJSON_ArrayForEach(look, list_of("looks"))
+    {
+        const char *pin = text_of(look, NULL), *last = words->count > 0 ? words->list[words->count - 1] : "";
+        const size_t length = strcspn(pin, "@");
+        if (strlen(last) != length || strncmp(last, pin, length) != 0) words_add(words, pin, length);
+    }
 }
 
 static void add_channels(struct words *words)

@@ -52,7 +52,7 @@ void words_add(struct words *words, const char *word, size_t length)
 
 void words_of_help(struct words *words, const char *help)
 {
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789-";
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789-@";
     const char *at = strstr(help, ": "), *stop = strstr(help, " (");
     if (!at || (stop && at > stop)) return;
     at += 2;

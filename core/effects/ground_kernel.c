@@ -115,14 +115,8 @@ void ZR_KERNEL(zr_ground_row)(const struct zr_ground *ground, const struct zr_gr
 /* Rays of one row in eye space, from the start of points of the G-buffer. */
 static inline struct row make_eye_row(const struct zr_ground_sun *sun, const struct zr_rays *rays, float y)
 {
-    static const zr_vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const zr_vec3 origin = zr_vec3_sub(rays->origin, sun->start);
-    struct row row;
-    for (int k = 0; k < 3; k++) {
-        row.origin[k] = along(axes[k], origin, rays->origin_x, rays->origin_y, y);
-        row.direction[k] = along(axes[k], rays->direction, rays->direction_x, rays->direction_y, y);
-    }
-    return row;
+    const struct zr_ground_frame eye = {sun->start, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    return make_row(&eye, rays, y);
 }
 
 /* Texels around the map in which shares are computed, more than the sampled ones. */
