@@ -90,9 +90,10 @@ static void visit_face(struct finding *f, uint32_t face, visit_fn *visit)
     const struct zr_mesh *mesh = f->mesh;
     const struct zr_rings rings = zr_mesh_rings(mesh, face);
     const uint32_t part = mesh->face_parts ? mesh->face_parts[face] : 0;
+    const bool is_cap = zr_mesh_face_is_cap(mesh, face);
     for (uint32_t r = 0; r < rings.count; r++) {
         const uint32_t *corners = mesh->indices + rings.offsets[r], count = rings.offsets[r + 1] - rings.offsets[r];
-        const bool is_reversed = r > 0 && zr_ring_turns_as_first(mesh, &rings, r);
+        const bool is_reversed = r > 0 && !is_cap && zr_ring_turns_as_first(mesh, &rings, r);
         if (!has_area(f, corners, count)) continue;
         uint32_t from = f->vertices[corners[count - 1]];
         for (uint32_t i = 0; i < count; i++) {

@@ -5,6 +5,7 @@
  *         a volume. Corners are welded first (weld.h). Edges without length, and rings with fewer than three vertices,
  *         do not count. Edges between two parts are open in both. A part without a counted edge is not closed.
  * Holes:  the rings of a face after its first one are holes. Each counts in the direction opposite to the first ring.
+ *         Rings of caps count as they are.
  * Exact:  the same for all instruction sets and numbers of threads.
  */
 #ifndef ZR_CLOSED_PARTS_H

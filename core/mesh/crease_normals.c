@@ -1,6 +1,7 @@
 #include "mesh/crease_normals.h"
 
 #include "base/trig.h"
+#include "mesh/blended_normals.h"
 #include "mesh/weld.h"
 #include "mesh/weld_input.h"
 
@@ -251,8 +252,9 @@ static void find_rooms(struct zr_arena *arena, const struct zr_mesh_extent *exte
     rooms->vertices = (uint32_t *)(void *)(rooms->all + copied + rest);
 }
 
-zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                const struct zr_mesh *mesh, float degrees)
+/* Makes those of a mesh that is not sectioned. */
+static zr_vec4 *make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                     const struct zr_mesh *mesh, float degrees)
 {
     const uint32_t corner_count = mesh->face_offsets[mesh->face_count];
     struct creasing c = {.cancel = cancel,
@@ -276,4 +278,11 @@ zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, co
     if (c.vertex_count > 0) make_normals(team, &c);
     zr_arena_trim(arena, rooms.all, rooms.size, 0, 1);
     return c.corners;
+}
+
+zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                                const struct zr_mesh *mesh, float degrees)
+{
+    if (!mesh->source) return make(arena, team, cancel, mesh, degrees);
+    return zr_blended_corner_normals(arena, cancel, mesh, make(arena, team, cancel, mesh->source->mesh, degrees));
 }

@@ -1,6 +1,7 @@
 #include "mesh/vertex_normals.h"
 
 #include "geometry/face.h"
+#include "mesh/blended_normals.h"
 #include "mesh/face_normals.h"
 
 /* Faces whose normals are held at once, so that they stay in the caches: those of a million faces take 16 MB. */
@@ -75,8 +76,9 @@ static uint32_t count_parts(struct zr_team *team, const struct zr_mesh *mesh)
     return parts;
 }
 
-zr_vec4 *zr_vertex_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                const struct zr_mesh *mesh)
+/* Makes those of a mesh that is not sectioned. */
+static zr_vec4 *make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                     const struct zr_mesh *mesh)
 {
     const uint32_t at_once = mesh->face_count < FACES_AT_ONCE ? mesh->face_count : FACES_AT_ONCE;
     struct summing s = {.mesh = mesh,
@@ -94,4 +96,11 @@ zr_vec4 *zr_vertex_normals_make(struct zr_arena *arena, struct zr_team *team, co
     }
     zr_team_ranges(team, mesh->position_count, VERTICES_A_RANGE, normalize, &s);
     return s.sums;
+}
+
+zr_vec4 *zr_vertex_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                                const struct zr_mesh *mesh)
+{
+    if (!mesh->source) return make(arena, team, cancel, mesh);
+    return zr_blended_position_normals(arena, cancel, mesh, make(arena, team, cancel, mesh->source->mesh));
 }

@@ -18,6 +18,7 @@
 #include "scene/image.h"
 #include "scene/part_keys.h"
 #include "scene/picture.h"
+#include "scene/section.h"
 #include "scene/shadings.h"
 #include "scene/texture.h"
 
@@ -124,7 +125,34 @@ struct zr_mesh {
     const uint32_t *face_parts;
     uint32_t part_count;           /* 0 without face_parts; a part may be without faces */
     const char *const *part_names; /* part_count, UTF-8, never NULL, "" if unnamed, may repeat */
+
+    /* The last faces of a sectioned mesh: planar, and filled by the non-zero rule over all of their rings. */
+    uint32_t cap_count;
+    const struct zr_mesh_source *source; /* NULL: not sectioned */
 };
+
+/* A corner between two others, at `t` from a to b. In a cap, a is ZR_NO_CORNER. */
+struct zr_mesh_blend {
+    uint32_t a, b;
+    double t;
+};
+
+#define ZR_NO_CORNER UINT32_MAX
+
+/* The mesh of which a sectioned mesh is a part: normals are computed from the whole. Its corners, by slot, come first
+ * in a common numbering; then come `blends`, each of earlier corners. */
+struct zr_mesh_source {
+    const struct zr_mesh *mesh;
+    uint32_t blend_count;
+    const struct zr_mesh_blend *blends;
+    const uint32_t *corners; /* per slot of the sectioned mesh: number of its corner */
+    uint32_t first_position; /* of the sectioned mesh: that of blend 0. Earlier ones are those of the whole */
+};
+
+static inline bool zr_mesh_face_is_cap(const struct zr_mesh *mesh, uint32_t face)
+{
+    return face >= mesh->face_count - mesh->cap_count;
+}
 
 /* True if a given normal is (0, 0, 0): a computed one replaces it. */
 static inline bool zr_normal_is_zero(zr_vec3 normal)
@@ -349,6 +377,7 @@ struct zr_scene {
     struct zr_picture picture;
     struct zr_color_bar color_bar;
     struct zr_part_keys parts; /* as read; input/part_select.h changes the scene by them */
+    struct zr_sections sections;
     enum zr_algorithm algorithm;
     uint32_t material_count, mesh_count, instance_count, light_count, warning_count;
     const struct zr_material *materials;
