@@ -18,6 +18,20 @@ struct zr_cutting {
     uint32_t (*triangles)[3]; /* corner numbers */
 };
 
+/* An edge of a cap with its direction: 1 upwards, -1 downwards. */
+struct zr_wound_edge {
+    struct zr_grid_edge edge;
+    int32_t sign;
+};
+
+/* Scratch for winding numbers (winding.h), reused from cap to cap. */
+struct zr_winding_scratch {
+    struct zr_wound_edge *edges; /* of the current cap */
+    uint32_t edge_count, edge_room;
+    void *rows, *numbers; /* arrays by row of the window, and by edge */
+    uint32_t number_room;
+};
+
 /* Arrays for primitives that are placed one by one. A draw never spans two of these arrays, so nothing moves. */
 struct zr_placed {
     uint32_t count, room;
@@ -36,6 +50,7 @@ struct zr_builder {
     struct zr_placed placed;
     struct zr_viewport viewport;
     struct zr_cutting cutting;
+    struct zr_winding_scratch winding;
     struct zr_fans *fans; /* one per mesh of the scene */
 
     /* current instance */

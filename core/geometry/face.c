@@ -217,6 +217,7 @@ bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face)
 
 bool zr_face_is_shape(const struct zr_mesh *mesh, uint32_t face)
 {
+    if (zr_mesh_face_is_cap(mesh, face)) return true;
     if (mesh->faces_are_fans) return false;
     return zr_mesh_rings(mesh, face).count > 1 || zr_face_is_concave(mesh, face);
 }

@@ -16,7 +16,7 @@ bool zr_face_is_line(const struct zr_mesh *mesh, uint32_t face);
 bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face);
 
 /* Returns true if the face has dents, crossings or holes and is therefore filled by the odd-even rule
- * (geometry/shape.h). */
+ * (geometry/shape.h), or is a cap, filled by the non-zero rule. */
 bool zr_face_is_shape(const struct zr_mesh *mesh, uint32_t face);
 
 /* Returns true if every face has three corners. */

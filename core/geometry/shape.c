@@ -4,6 +4,7 @@
 
 #include "base/mutant.h"
 #include "geometry/clip.h"
+#include "geometry/winding.h"
 
 /* ---- edges ---- */
 
@@ -11,16 +12,18 @@
 struct trace {
     struct zr_builder *builder;
     bool clipped;
+    bool is_cap; /* its edges have directions */
 };
 
 static void add_edge(struct trace *trace, const struct zr_window_vertex *a, const struct zr_window_vertex *b)
 {
     struct zr_geometry *geometry = trace->builder->geometry;
     struct zr_grid_edge edge;
-    if (!zr_grid_edge_make(zr_snapped_x(a), zr_snapped_y(a), zr_snapped_x(b), zr_snapped_y(b), &edge) ||
-        !zr_builder_reserve_shape(trace->builder, 1))
-        return;
-    geometry->edges[geometry->edge_count++] = edge;
+    if (!zr_grid_edge_make(zr_snapped_x(a), zr_snapped_y(a), zr_snapped_x(b), zr_snapped_y(b), &edge)) return;
+    if (trace->is_cap)
+        zr_winding_note(trace->builder, &edge, zr_snapped_y(a) < zr_snapped_y(b) ? 1 : -1);
+    else if (zr_builder_reserve_shape(trace->builder, 1))
+        geometry->edges[geometry->edge_count++] = edge;
 }
 
 static bool is_whole(const struct zr_builder *builder, uint32_t begin, uint32_t end)
@@ -178,27 +181,49 @@ static void place_triangles(struct zr_builder *builder, uint32_t begin, const st
     }
 }
 
+/* Places the fans of all rings: for a cap, any triangle has the same plane. A point with a winding number other than 0
+ * lies in one of them. */
+static void place_fans(struct zr_builder *builder, const struct zr_rings *rings, const struct zr_common *common)
+{
+    for (uint32_t r = 0; r < rings->count; r++) {
+        const uint32_t first = rings->offsets[r];
+        if (!zr_builder_go_on(builder, rings->offsets[r + 1] - first)) return;
+        for (uint32_t i = first + 2; i < rings->offsets[r + 1]; i++)
+            zr_place_triangle(builder, (const uint32_t[3]){i - 1, i, first}, common);
+    }
+}
+
+static void place_parts(struct zr_builder *builder, uint32_t face, const struct zr_common *common, uint32_t cuts)
+{
+    const struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
+    if (zr_mesh_face_is_cap(builder->mesh, face))
+        place_fans(builder, &rings, common);
+    else
+        place_triangles(builder, rings.offsets[0], common, cuts);
+}
+
 void zr_shape_place(struct zr_builder *builder, uint32_t face, const struct zr_common *common)
 {
     struct zr_geometry *geometry = builder->geometry;
-    const uint32_t begin = builder->mesh->face_offsets[face];
+    const bool is_cap = zr_mesh_face_is_cap(builder->mesh, face);
     struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
     uint32_t first_edge = geometry->edge_count, first_triangle = geometry->primitive_count;
     struct zr_common own = *common;
-    struct trace trace = {.builder = builder};
+    struct trace trace = {.builder = builder, .is_cap = is_cap};
     own.kind = ZR_DRAW_SHAPES;
     own.back = zr_shape_shows_back(builder, face);
     for (uint32_t r = 0; r < ZR_MUTANT(holes_filled, rings.count, 1u); r++)
         add_ring(&trace, rings.offsets[r], rings.offsets[r + 1]);
+    if (is_cap && !zr_winding_add(builder)) return;
     if (!zr_builder_reserve_shape(builder, 0)) return;
     if (trace.clipped) drop_pairs(geometry, first_edge);
     struct zr_shape shape = shape_of_edges(geometry, first_edge);
     own.shape = geometry->shape_count;
-    uint32_t cuts = cut(builder, face);
+    uint32_t cuts = is_cap ? 0 : cut(builder, face);
     own.skip_thin = true;
-    place_triangles(builder, begin, &own, cuts);
+    place_parts(builder, face, &own, cuts);
     own.skip_thin = false;
-    if (geometry->primitive_count == first_triangle) place_triangles(builder, begin, &own, cuts);
+    if (geometry->primitive_count == first_triangle) place_parts(builder, face, &own, cuts);
     shape.triangle_count = geometry->primitive_count - first_triangle;
     if (shape.triangle_count > 0)
         geometry->shapes[geometry->shape_count++] = shape;

@@ -84,6 +84,7 @@ static void append_corner(struct batches_builder *b, const struct batches_source
 
 bool batches_face_is_parity(const struct zr_mesh *mesh, uint32_t face)
 {
+    if (zr_mesh_face_is_cap(mesh, face)) return true;
     if (mesh->faces_are_fans) return false;
     if (mesh->face_rings && mesh->face_rings[face + 1] - mesh->face_rings[face] > 1) return true;
     return mesh->face_offsets[face + 1] - mesh->face_offsets[face] > 3 && zr_face_is_concave(mesh, face);
@@ -126,11 +127,28 @@ static void light_one_side(struct reference_batch *batch, bool back)
     if (batch->light != REFERENCE_UNLIT) batch->light = back ? REFERENCE_LIT_BACK : REFERENCE_LIT_FRONT;
 }
 
+/* The fans of all rings: any triangle of a cap has its plane. */
+static bool cut_cap(struct zr_arena *arena, const struct zr_rings *rings, struct batches_cut *cut)
+{
+    const uint32_t begin = rings->offsets[0];
+    cut->triangles = zr_arena_alloc(arena, rings->offsets[rings->count] - begin, sizeof *cut->triangles);
+    cut->count = 0;
+    for (uint32_t r = 0; cut->triangles && r < rings->count; r++) {
+        const uint32_t first = rings->offsets[r] - begin;
+        for (uint32_t i = first + 2; i < rings->offsets[r + 1] - begin; i++, cut->count++) {
+            const uint32_t fan[3] = {i - 1, i, first};
+            memcpy(cut->triangles[cut->count], fan, sizeof fan);
+        }
+    }
+    return cut->triangles != NULL;
+}
+
 bool batches_cut_face(struct zr_arena *arena, const struct zr_mesh *mesh, uint32_t face, struct batches_cut *cut)
 {
     struct zr_rings rings = zr_mesh_rings(mesh, face);
     struct zr_triangulator triangulator = {.node_capacity = 0};
     uint32_t begin = rings.offsets[0], corners = rings.offsets[rings.count] - begin;
+    if (zr_mesh_face_is_cap(mesh, face)) return cut_cap(arena, &rings, cut);
     zr_vec4 *points = zr_arena_alloc(arena, corners, sizeof *points);
     uint32_t *offsets = zr_arena_alloc(arena, (size_t)rings.count + 1, sizeof *offsets);
     cut->triangles = zr_arena_alloc(arena, zr_triangulate_count_max(corners, rings.count), sizeof *cut->triangles);
@@ -213,6 +231,7 @@ static bool append_parity(struct batches_builder *b, const struct batches_source
     batch->count = b->corner_count - batch->first;
     light_one_side(batch, back);
     batch->mode = REFERENCE_PARITY;
+    batch->winding = zr_mesh_face_is_cap(s->mesh, s->face);
     batch->cull = false;
     b->out->parity_faces++;
     return batches_append(b, batch);

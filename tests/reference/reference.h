@@ -69,6 +69,7 @@ struct reference_batch {
     /* REFERENCE_PARITY: the fans of its rings, as triangles, whose parity tells what is inside; the
      * triangles of first and count then tell depth and colour there, the first that covers a sample. */
     uint32_t rings_first, rings_count;
+    bool winding; /* of REFERENCE_PARITY: the non-zero rule instead, for winding numbers from -127 to 127 */
     const zr_mat4 *modelview;
     enum reference_light light;
     const zr_vec3

@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Stencil bits. A gap is inside by the odd-even rule and in none of the triangles. */
-enum { INSIDE = 1, GAP = 2 };
+enum { INSIDE = 127, GAP = 128 };
 
 /* Asked by the leak sanitizer, where there is one: Mesa keeps what it made once a
  * process, even after its context is gone. */
@@ -234,34 +234,46 @@ static void write_pixels(bool on)
     enable(GL_DEPTH_TEST, on);
 }
 
-/* The parity of the rings' fans, triangle by triangle, in one stencil bit; then the triangles where it
- * is set, each clearing it, so that the first decides. What is left is marked as a gap. */
+/* Counts the rings' fans at each sample: their parity, or up for one winding and down for the other. */
+static void count_rings(const struct reference *reference, const struct reference_arrays *arrays,
+                        const struct reference_batch *batch)
+{
+    glStencilMask(batch->winding ? INSIDE : 1);
+    glStencilFunc(GL_ALWAYS, 0, INSIDE);
+    glStencilOp(GL_KEEP, GL_INVERT, GL_INVERT);
+    if (batch->winding) {
+        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_INCR_WRAP, GL_INCR_WRAP);
+        glStencilOpSeparate(GL_BACK, GL_KEEP, GL_DECR_WRAP, GL_DECR_WRAP);
+    }
+    draw_corners(reference, arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
+    glStencilMask(INSIDE);
+}
+
+/* The count of the rings' fans in stencil bits; then the triangles where it is not 0, each clearing it, so that the
+ * first decides. What is left is marked as a gap. */
 static void draw_parity(const struct reference *reference, const struct reference_arrays *arrays,
                         const struct reference_batch *batch)
 {
     glEnable(GL_STENCIL_TEST);
     write_pixels(false);
     glDisable(GL_CULL_FACE);
-    glStencilMask(INSIDE);
-    glStencilFunc(GL_ALWAYS, 0, INSIDE);
-    glStencilOp(GL_KEEP, GL_INVERT, GL_INVERT);
-    draw_corners(reference, arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
+    count_rings(reference, arrays, batch);
 
     write_pixels(true);
     enable(GL_CULL_FACE, batch->cull);
-    glStencilFunc(GL_EQUAL, INSIDE, INSIDE);
+    glStencilFunc(GL_NOTEQUAL, 0, INSIDE);
     glStencilOp(GL_KEEP, GL_ZERO, GL_ZERO);
     draw_corners(reference, arrays, GL_TRIANGLES, batch->first, batch->count);
 
     write_pixels(false); /* culled triangles leave no gaps */
     glDisable(GL_CULL_FACE);
     draw_corners(reference, arrays, GL_TRIANGLES, batch->first, batch->count);
-    glStencilMask(INSIDE | GAP);
-    glStencilFunc(GL_EQUAL, INSIDE | GAP, INSIDE);
+    glStencilMask(GAP); /* the reference value has it, and differs from 0 in the bits that are compared */
+    glStencilFunc(GL_NOTEQUAL, GAP, INSIDE);
     glStencilOp(GL_KEEP, GL_REPLACE, GL_REPLACE);
     draw_corners(reference, arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
     glStencilMask(INSIDE);
-    glStencilFunc(GL_EQUAL, INSIDE, INSIDE);
+    glStencilFunc(GL_NOTEQUAL, 0, INSIDE);
     glStencilOp(GL_KEEP, GL_ZERO, GL_ZERO);
     draw_corners(reference, arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
     write_pixels(true);
