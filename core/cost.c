@@ -87,7 +87,7 @@ static double bytes_of_channels(const struct zr_view *view)
     return WORD_BYTES * words;
 }
 
-/* True if opaque surfaces may hide layers; hidden layers take no memory. */
+/* True if opaque surfaces may hide layers; hidden layers take no memory, and neither do those that are cut away. */
 static bool may_hide_layers(const struct zr_scene *scene)
 {
     for (uint32_t i = 0; i < scene->material_count; i++)
@@ -99,7 +99,7 @@ static bool may_hide_layers(const struct zr_scene *scene)
 static double bytes_of_layers(const struct zr_scene *scene, double samples, double kept)
 {
     const double tiles = fmax(samples / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
-    if (kept < ZR_TILE_SIZE || may_hide_layers(scene)) return 0.0;
+    if (kept < ZR_TILE_SIZE || may_hide_layers(scene) || scene->sections.count > 0) return 0.0;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) return kept * FRAGMENT_BYTES + samples * WORD_BYTES;
     return (double)sizeof(struct zr_layers) + kept / tiles * FRAGMENT_BYTES;
 }
@@ -154,6 +154,9 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
         const enum zr_shading shading = scene->materials[mesh->material].shading;
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
         if (zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO)) counts[ZR_COST_FACT] += triangles;
+        if (scene->sections.count > 0) /* the mesh is welded, and each plane lists all corners again */
+            counts[ZR_COST_SECTION_CORNER] +=
+                (double)mesh->face_offsets[mesh->face_count] * (2.0 + (double)scene->sections.count);
         if (passes->makes_normals || (is_smooth && mesh->normal_count == 0 && !scene->is_undrawn))
             counts[ZR_COST_NORMAL] += triangles;
     }

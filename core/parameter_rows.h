@@ -23,7 +23,8 @@
     KIND(PIXEL, "PIXELS") /* integer, from 0 */                                                                        \
     KIND(VECTOR, "X,Y,Z")                                                                                              \
     KIND(PARTS, "NAME,...") /* names, patterns or ids of parts, with commas between them */                            \
-    KIND(COLOR, "COLOR") /* opaque */                                                                                  \
+    KIND(PLANES, "PLANES") /* AXIS[:FRACTION[:KEEP]], with commas between planes */                                    \
+    KIND(COLOR, "COLOR")   /* opaque */                                                                                \
     KIND(BACKGROUND, "COLOR")                                                                                          \
     KIND(OUTLINE, "COLOR") /* true, false, or opaque */
 
@@ -102,6 +103,10 @@
     ROW(explodeAxis, "/explode/axis", MESH, NAME, "axis along which parts move: x, y, z or radial (default: radial)")  \
     ROW(colors, "/colors", MESH, NAME,                                                                                 \
         "own: colours of the model; parts: one colour per part, chosen by its name (default: own)")                    \
+    ROW(section, "/sections/planes", MESH, PLANES,                                                                     \
+        "planes that cut the mesh open: x, y or z, a share of its bounds and a side, such as x:0.5 or x:0.5:positive") \
+    ROW(sectionCorner, "/sections/corner", MESH, BOOL, "removal only of what all planes cut away (default: false)")    \
+    ROW(sectionHatch, "/sections/hatch", MESH, BOOL, "lines on the caps of sections (default: true)")                  \
     ROW(algorithm, "/algorithm", MESH, NAME,                                                                           \
         "visibility algorithm: halfspace, edgelist, trapezoid, scanline or painter (default: halfspace)")
 

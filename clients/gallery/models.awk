@@ -1,4 +1,4 @@
-# models.awk -v model=pawn|ball|coarse|gear|waves: a body of revolution as the members of a mesh in JSON, counter-clockwise
+# models.awk -v model=pawn|ball|coarse|gear|housing|waves: a body of revolution as the members of a mesh in JSON, counter-clockwise
 # seen from outside. Rings of points follow its outline from the bottom upwards; those of a gear have teeth. Waves are a grid
 # of heights. Prints "positions": [...], "faces": [...], or "heights": [...]. A second word, such as "ball turbo", is a
 # colormap: of heights, or of numbers that go round the body; "gear faces turbo": of faces.
@@ -88,6 +88,7 @@ BEGIN {
     if (model == "wheel") put_all("0.36,1.2 1.2,1.2,0.24 1.2,1.65,0.24 0.72,1.65 0.72,2.05 0.64,2.13 0.36,2.13 0.36,1.2")
     if (model == "washer") put_all("0.36,2.15 0.72,2.15 0.72,2.25 0.36,2.25 0.36,2.15")
     if (model == "cap") put_all("0.36,2.27 0.62,2.27 0.62,2.6 0.5,2.75 0.36,2.75 0.36,2.27")
+    if (model == "housing") put_all("0.45,0 1.45,0 1.45,0.28 0.95,0.28 0.95,1.15 1.1,1.25 1.1,1.5 0.8,1.5 0.8,1 0.62,1 0.62,0.78 0.7,0.78 0.7,0.55 0.62,0.55 0.62,0.3 0.45,0.3 0.45,0")
     if (model == "pawn") {
         put_all("0,0 1.1,0 1.1,0.25 0.95,0.4 0.95,0.55 0.62,0.85 0.42,1.4 0.36,1.9 0.62,2.0 0.62,2.1 0.34,2.2")
         put_ball(0.52, 2.62, 6, 24)

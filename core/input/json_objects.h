@@ -14,6 +14,8 @@
     ROW(environment)                                                                                                   \
     ROW(occlusion)                                                                                                     \
     ROW(edges)                                                                                                         \
+    ROW(sections)                                                                                                      \
+    ROW(plane)                                                                                                         \
     ROW(colorBar)                                                                                                      \
     ROW(highlight)                                                                                                     \
     ROW(explode)                                                                                                       \

@@ -113,6 +113,8 @@ const struct zr_json_field zr_scene_fields[] = {
                           .text = "exploded view: a factor or an object"},
     [ZR_SCENE_COLORS] = {"colors", zr_read_colors, 0, .words = &zr_part_color_names, .otherwise = "own",
                          .text = "own: colours of the model; parts: one colour per part, chosen by its name"},
+    [ZR_SCENE_SECTIONS] = {"sections", zr_read_sections, 0, .object = &zr_json_object_sections, .otherwise = "none",
+                           .text = "planes that cut the scene open"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_scene, face_style),
     {.key = "views"},
     {.key = "turntable"}};

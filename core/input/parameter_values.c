@@ -95,6 +95,46 @@ static bool put_vector(const struct zr_parameter *p, const char *text, struct zr
     return true;
 }
 
+/* Writes one plane: an axis, and optionally a share of the bounds and a side. */
+static bool put_plane(const char *text, size_t length, struct zr_json_writer *json)
+{
+    static const char *const sides[] = {"far", "positive", "negative"};
+    const char *const fraction = memchr(text, ':', length), *const end = text + length;
+    const char *const side = fraction ? memchr(fraction + 1, ':', (size_t)(end - fraction - 1)) : NULL;
+    double share = 0.5;
+    size_t number = 0;
+    if ((fraction ? fraction : end) != text + 1 || *text < 'x' || *text > 'z') return false;
+    if (fraction && !is_number(fraction + 1, (size_t)((side ? side : end) - fraction - 1), &share)) return false;
+    while (side && number < 3 &&
+           (strlen(sides[number]) != (size_t)(end - side - 1) ||
+            memcmp(sides[number], side + 1, strlen(sides[number])) != 0))
+        number++;
+    if (number == 3 || !(share >= 0.0 && share <= 1.0)) return false;
+    zr_json_put(json, *text == 'x' ? "{\"axis\":\"x\"" : *text == 'y' ? "{\"axis\":\"y\"" : "{\"axis\":\"z\"");
+    zr_json_put(json, ",\"fraction\":");
+    zr_json_put_number(json, share);
+    zr_json_put(json, ",\"keep\":");
+    zr_json_put_string(json, sides[number]);
+    zr_json_put(json, "}");
+    return true;
+}
+
+static bool put_planes(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
+{
+    for (const char *at = text;; at++) {
+        const size_t length = strcspn(at, ",");
+        zr_json_put(json, at == text ? "[" : ",");
+        if (!put_plane(at, length, json))
+            return refuse(p, text,
+                          "a list of planes such as x, y:0.25 or z:0.5:positive, with commas between them: an "
+                          "axis, a share of the bounds from 0 to 1, and far, positive or negative");
+        at += length;
+        if (*at == '\0') break;
+    }
+    zr_json_put(json, "]");
+    return true;
+}
+
 static bool put_opaque(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
 {
     zr_vec4 color;
@@ -180,6 +220,7 @@ bool zr_parameter_put(const struct zr_parameter *p, const char *text, struct zr_
                                       [ZR_PARAMETER_PIXEL] = put_pixel,
                                       [ZR_PARAMETER_VECTOR] = put_vector,
                                       [ZR_PARAMETER_PARTS] = put_parts,
+                                      [ZR_PARAMETER_PLANES] = put_planes,
                                       [ZR_PARAMETER_COLOR] = put_opaque,
                                       [ZR_PARAMETER_BACKGROUND] = put_background,
                                       [ZR_PARAMETER_OUTLINE] = put_outline};

@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "mesh/sections.h"
 #include "output/json_print.h"
 #include "output/palette.h"
 #include "scene/camera.h"
@@ -271,6 +272,7 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
     else
         zr_print_null(print, "centerOfMass");
     zr_print_bool(print, "closed", facts->is_closed);
+    if (parts->cap_areas) zr_print_double(print, "capArea", parts->cap_areas[number]);
     if (parts->pixels) zr_print_count(print, "pixels", parts->pixels[number]);
     print_color(print, facts->color);
     zr_print_end(print, '}');
@@ -308,6 +310,7 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     uint32_t face_count = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++)
         face_count += (uint32_t)zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
+    if (frame->sections) face_count += frame->sections->cap_count; /* whose ids follow those of the faces */
     const struct patch *patches = frame->face_id ? patches_of(out->arena, frame, face_count) : NULL;
     if (frame->face_id && !patches) return ZR_NO_MEMORY;
     zr_print_begin(print, NULL, '{');

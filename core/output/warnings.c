@@ -6,6 +6,7 @@
 
 #include "base/matrix.h"
 #include "geometry/face.h"
+#include "mesh/sections.h"
 #include "scene/mesh_label.h"
 #include "scene/resolved_view.h"
 
@@ -187,6 +188,7 @@ static const char *why_uncovered(const struct zr_scene *scene, const struct zr_f
         return near_plane_cuts(scene, &frame->camera)
                    ? "the near plane (znear) cuts off the faces that face the camera, and the rest faces away"
                    : "every face in view faces away (doubleSided draws both sides)";
+    if (primitives == 0 && frame->sections) return "the sections cut everything away";
     if (primitives == 0 && counts->degenerate_polygons == 0)
         return "fill is false, and there is no outline, line or point";
     if (counts->masked_tiles > 0) return "alpha is below alphaCutoff wherever something is drawn";
@@ -206,6 +208,8 @@ struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, cons
     for (uint32_t i = 0; i < scene->warning_count; i++)
         zr_warning_list_add(arena, &w.first, "%s", scene->warnings[i]);
     add_counts(arena, scene, frame, &w.first);
+    if (frame->sections && frame->sections->warning)
+        zr_warning_list_add(arena, &w.first, "%s", frame->sections->warning);
     if (zr_view_warns(&frame->camera, text)) zr_warning_list_add(arena, &w.first, "%s", text);
     if (scene->is_undrawn) return w;
     if (frame->covered_pixels == 0 && frame->covered_samples == 0) {

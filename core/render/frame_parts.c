@@ -1,6 +1,7 @@
 #include "render/frame_parts.h"
 
 #include "base/cancel.h"
+#include "mesh/sections.h"
 
 /* Owner ids of an instance, and its first part. */
 struct owner {
@@ -45,6 +46,15 @@ static uint64_t part_of(const struct zr_mesh *mesh, const struct owner *owner, u
     return face < mesh->face_count ? owner->first_part + mesh->face_parts[face] : UINT64_MAX;
 }
 
+/* Returns the part of the cap with a face id; UINT64_MAX: it is none. */
+static uint64_t part_of_cap(const struct zr_sections_cut *sections, const struct owner *owners, uint32_t number)
+{
+    if (!sections || number < sections->first_cap_id || number - sections->first_cap_id >= sections->cap_count)
+        return UINT64_MAX;
+    const struct zr_section_cap *cap = &sections->caps[number - sections->first_cap_id];
+    return owners[cap->instance].first_part + cap->part;
+}
+
 /* Returns false if cancelled. */
 static bool count_pixels(const struct zr_scene *scene, const struct zr_frame *frame, const struct owner *owners,
                          const struct zr_cancel *cancel, uint64_t *pixels)
@@ -59,13 +69,21 @@ static bool count_pixels(const struct zr_scene *scene, const struct zr_frame *fr
             if (*id == 0) continue;
             if (instance == count || number < owners[instance].begin || number >= owners[instance].end)
                 instance = instance_of(owners, count, number);
-            if (instance == count) continue;
-            const struct zr_mesh *mesh = &scene->meshes[scene->instances[instance].mesh];
-            const uint64_t part = part_of(mesh, &owners[instance], number);
+            const struct zr_mesh *mesh = instance < count ? &scene->meshes[scene->instances[instance].mesh] : NULL;
+            const uint64_t part =
+                mesh ? part_of(mesh, &owners[instance], number) : part_of_cap(frame->sections, owners, number);
             if (part < frame->parts.list.count) pixels[part]++;
         }
     }
     return true;
+}
+
+static void sum_caps(const struct zr_sections_cut *sections, const struct owner *owners, uint32_t count, double *areas)
+{
+    for (uint32_t i = 0; i < sections->cap_count; i++) {
+        const uint64_t part = owners[sections->caps[i].instance].first_part + sections->caps[i].part;
+        if (part < count) areas[part] += sections->caps[i].area;
+    }
 }
 
 enum zr_status zr_frame_parts_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
@@ -75,12 +93,16 @@ enum zr_status zr_frame_parts_find(struct zr_arena *arena, struct zr_arena *scra
     parts->list = zr_part_list_make(arena, scene, ZR_FRAME_PARTS_MAX);
     struct zr_part_facts *facts = zr_arena_alloc(arena, parts->list.count, sizeof *facts);
     uint64_t *pixels = zr_arena_zero(arena, parts->list.count, sizeof *pixels);
+    double *areas = zr_arena_zero(arena, frame->sections ? parts->list.count : 0, sizeof *areas);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     parts->facts = facts;
     const enum zr_status status = zr_part_facts_find(scratch, team, cancel, scene, &parts->list, facts);
-    if (status != ZR_OK || !frame->face_id) return status;
+    if (status != ZR_OK || (!frame->face_id && !frame->sections)) return status;
     const struct owner *owners = list_owners(scratch, scene);
-    parts->pixels = pixels;
     if (!owners) return ZR_NO_MEMORY;
+    if (frame->sections) sum_caps(frame->sections, owners, parts->list.count, areas);
+    if (frame->sections) parts->cap_areas = areas;
+    if (!frame->face_id) return ZR_OK;
+    parts->pixels = pixels;
     return count_pixels(scene, frame, owners, cancel, pixels) ? ZR_OK : ZR_CANCELLED;
 }

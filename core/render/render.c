@@ -12,6 +12,7 @@
 #include "render/pass.h"
 #include "render/picture.h"
 #include "render/pixel_fragments.h"
+#include "render/sections.h"
 #include "render/stage.h"
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
@@ -77,22 +78,27 @@ static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratc
 }
 
 /* Makes a frame without channels. */
-static enum zr_status draw_nothing(const struct zr_scene *scene, const struct zr_resolved_view *resolved,
-                                   struct zr_frame *frame)
+static enum zr_status draw_nothing(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                   const struct zr_scene *scene, const struct zr_resolved_view *resolved,
+                                   const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
 {
+    const struct zr_scene *drawn;
     zr_frame_open(resolved, frame);
     frame->base = scene->base;
-    return ZR_OK;
+    return zr_render_sections(arena, scratch, team, scene, resolved, cancel, frame, &drawn, error);
 }
 
 static enum zr_status draw(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
                            const struct zr_scene *scene, const struct zr_resolved_view *resolved,
                            const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
 {
+    const struct zr_scene *drawn;
     enum zr_status status = ZR_OK;
     STAGE(zr_frame_make(arena, resolved, frame));
     STAGE(zr_base_place(arena, scene, frame->view, &frame->camera, &frame->base, error));
-    STAGE(draw_frame(arena, scratch, team, scene, cancel, frame));
+    STAGE(zr_render_sections(arena, scratch, team, scene, resolved, cancel, frame, &drawn, error));
+    STAGE(draw_frame(arena, scratch, team, drawn, cancel, frame));
+    STAGE(zr_render_sections_restore(arena, cancel, frame));
     return status;
 }
 
@@ -102,7 +108,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_arena *scra
 {
     enum zr_status status = ZR_OK;
     if (!resolved) STAGE(zr_resolved_view_find(arena, team, scene, cancel, &resolved, error));
-    STAGE(scene->is_undrawn ? draw_nothing(scene, resolved, frame)
+    STAGE(scene->is_undrawn ? draw_nothing(arena, scratch, team, scene, resolved, cancel, frame, error)
                             : draw(arena, scratch, team, scene, resolved, cancel, frame, error));
     if (status == ZR_OK && zr_view_wants(frame->view, ZR_CHANNEL_INFO))
         STAGE(zr_frame_parts_find(arena, scratch, team, scene, cancel, frame));

@@ -92,7 +92,8 @@ enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *tea
     *out = resolved;
     if (!resolved) return ZR_NO_MEMORY;
     resolved->view = view;
-    if (zr_view_needs_bounds(view) || zr_view_wants(view, ZR_CHANNEL_INFO) || scene->picture.is_linear)
+    if (zr_view_needs_bounds(view) || zr_view_wants(view, ZR_CHANNEL_INFO) || scene->picture.is_linear ||
+        scene->sections.count > 0)
         resolved->bounds = scene->has_box ? (struct zr_bounds){true, scene->box_min, scene->box_max}
                                           : zr_bounds_of(scene, team, cancel);
     return zr_camera_resolve(scene, view, &resolved->bounds, team, cancel, &resolved->camera, error);

@@ -15,7 +15,8 @@
 /* Result of zr_resolved_view_find (core.h). */
 struct zr_resolved_view {
     const struct zr_view *view;
-    struct zr_bounds bounds; /* of the geometry; not valid if neither the view, the picture nor an output needs them */
+    struct zr_bounds
+        bounds; /* of the geometry; not valid if neither the view, the picture, a section nor an output needs them */
     struct zr_camera camera;
 };
 

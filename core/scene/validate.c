@@ -68,6 +68,8 @@ static void check_base(const struct zr_scene *scene, const struct zr_view *view,
 {
     const struct zr_base *base = scene->base;
     if (!base) return;
+    if (scene->sections.count > 0)
+        zr_error_add(error, ZR_BAD_SCENE, "/sections", "a scene with a base cannot be cut open: the base stays whole");
     bool color = false, depth = false, face_id = false;
     const enum zr_channel last_of_base = ZR_CHANNEL_INFO;
     for (uint32_t i = 0; i < view->output_count; i++) {

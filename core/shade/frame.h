@@ -37,7 +37,8 @@ struct zr_pixel_fragments {
 struct zr_frame_parts {
     struct zr_part_list list;
     const struct zr_part_facts *facts; /* per listed part */
-    const uint64_t *pixels; /* per listed part: pixel centres at which it is visible; NULL: nothing is drawn */
+    const uint64_t *pixels;  /* per listed part: pixel centres at which it is visible; NULL: nothing is drawn */
+    const double *cap_areas; /* per listed part: area of its caps, world units; NULL: the scene is not cut open */
 };
 
 struct zr_frame {
@@ -52,9 +53,10 @@ struct zr_frame {
             uint32_t *face_id;
         };
     };
-    struct zr_pixel_fragments fragments; /* only if wanted */
-    struct zr_frame_parts parts;         /* only if info is wanted */
-    const struct zr_base *base;          /* background pixels, with window_depth filled in; NULL: none */
+    struct zr_pixel_fragments fragments;    /* only if wanted */
+    struct zr_frame_parts parts;            /* only if info is wanted */
+    const struct zr_sections_cut *sections; /* mesh/sections.h; NULL: the scene is not cut open */
+    const struct zr_base *base;             /* background pixels, with window_depth filled in; NULL: none */
     struct zr_camera camera;
     struct zr_bounds bounds; /* bounds of the scene; invalid unless the view or the info needs them */
     struct zr_counts counts;

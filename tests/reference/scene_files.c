@@ -12,6 +12,7 @@
 #include "input/names.h"
 #include "reference/look_twin.h"
 #include "reference/page.h"
+#include "render/sections.h"
 #include "support/files.h"
 
 enum { PATH_SIZE = 1000, LABEL_SIZE = 100 };
@@ -71,6 +72,25 @@ static enum verdict check_view(const struct checking *c, const struct zr_scene *
     return verdict;
 }
 
+/* A scene that is cut open becomes one with the cut meshes and the same camera, which both sides draw. */
+static bool open_scene(struct zr_arena *arena, struct zr_scene *scene, struct zr_error *error)
+{
+    const struct zr_resolved_view *resolved;
+    const struct zr_scene *drawn;
+    struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
+    if (scene->sections.count == 0) return true;
+    if (!frame || zr_resolved_view_find(arena, NULL, scene, NULL, &resolved, error) != ZR_OK ||
+        zr_render_sections(arena, arena, NULL, scene, resolved, NULL, frame, &drawn, error) != ZR_OK)
+        return false;
+    *scene = *drawn;
+    scene->sections.count = 0;
+    scene->views[0].pose = ZR_POSE_MATRIX;
+    scene->views[0].world_to_camera = resolved->camera.world_to_eye;
+    scene->views[0].projection = ZR_PROJECTION_MATRIX;
+    scene->views[0].projection_matrix = resolved->camera.projection;
+    return true;
+}
+
 /* One scene, or one mesh from each view wanted. */
 static enum verdict check_bytes(const struct checking *c, struct zr_arena *arena, struct zr_request *request,
                                 const char *path)
@@ -89,6 +109,7 @@ static enum verdict check_bytes(const struct checking *c, struct zr_arena *arena
         if (zr_scene_read(arena, NULL, request, &limits, &scene, &error) != ZR_OK) return refused(c, path, &error);
         struct zr_scene bare = *scene; /* no colour bar, which Mesa does not draw */
         bare.color_bar.is_on = false;
+        if (!open_scene(arena, &bare, &error)) return refused(c, path, &error);
         enum verdict verdict = check_view(c, &bare, name, (uint64_t)preset, &tally);
         if (verdict > worst) worst = verdict;
     }
