@@ -8,6 +8,7 @@
 #include "input/names.h"
 #include "input/number.h"
 #include "input/text.h"
+#include "scene/section.h"
 
 static bool refuse(const struct zr_parameter *p, const char *text, const char *wanted)
 {
@@ -119,8 +120,15 @@ static bool put_plane(const char *text, size_t length, struct zr_json_writer *js
     return true;
 }
 
+/* A plane takes up to 75 bytes of JSON. */
+_Static_assert(75 * ZR_SECTION_PLANES_MAX + 2 <= ZR_PARAMETER_ROOM, "the writer has room for all planes");
+
 static bool put_planes(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
 {
+    size_t count = 1;
+    for (const char *at = text; *at; at++)
+        count += *at == ',';
+    if (count > ZR_SECTION_PLANES_MAX) return refuse(p, text, "a list of up to 6 planes");
     for (const char *at = text;; at++) {
         const size_t length = strcspn(at, ",");
         zr_json_put(json, at == text ? "[" : ",");

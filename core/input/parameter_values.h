@@ -21,6 +21,9 @@ struct zr_parameter {
     struct zr_error *error;
 };
 
+/* Most bytes of JSON for a value, beside six for each byte of its text. */
+enum { ZR_PARAMETER_ROOM = 512 };
+
 /* Writes the value as JSON; false after reporting. */
 bool zr_parameter_put(const struct zr_parameter *parameter, const char *text, struct zr_json_writer *json);
 

@@ -230,7 +230,8 @@ static void read_rows(const struct reading *r, const struct row *row, const stru
     const size_t count = is_outputs ? zr_channel_list_count(r->request) : 1;
     size_t room = 0;
     for (const struct row *at = row; at < end; at++)
-        if (text_of(r->request, at)) room += 2 * strlen(at->pointer) + 6 * strlen(text_of(r->request, at)) + 128;
+        if (text_of(r->request, at))
+            room += 2 * strlen(at->pointer) + 6 * strlen(text_of(r->request, at)) + ZR_PARAMETER_ROOM;
     if (room == 0) return;
     if (count > ZR_CHANNEL_COUNT) {
         zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "parameter channel: %zu channels; up to %d are allowed", count,

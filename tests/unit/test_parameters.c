@@ -202,6 +202,15 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .fill = "no"}, "fill: 'no' is unknown; allowed: false, true"},
         {{.format = ZR_FORMAT_OBJ, .doubleSided = ""}, "doubleSided: '' is unknown"},
         {{.format = ZR_FORMAT_JSON, .up = "z"}, "parameter up belongs to bodies that are a bare mesh"},
+        {{.format = ZR_FORMAT_OBJ, .section = ""}, "section: '' is not a list of planes such as x, y:0.25"},
+        {{.format = ZR_FORMAT_OBJ, .section = "u:0.5"}, "section: 'u:0.5' is not a list of planes"},
+        {{.format = ZR_FORMAT_OBJ, .section = "x:0.5,"}, "section: 'x:0.5,' is not a list of planes"},
+        {{.format = ZR_FORMAT_OBJ, .section = "x:1.5"}, "section: 'x:1.5' is not a list of planes"},
+        {{.format = ZR_FORMAT_OBJ, .section = "x:0.5:near"}, "section: 'x:0.5:near' is not a list of planes"},
+        {{.format = ZR_FORMAT_OBJ, .section = "x,x,x,x,x,x,x"},
+         "section: 'x,x,x,x,x,x,x' is not a list of up to 6 planes"},
+        {{.format = ZR_FORMAT_OBJ, .sectionCorner = "true"}, "sectionCorner: section is missing"},
+        {{.format = ZR_FORMAT_JSON, .section = "x"}, "parameter section belongs to bodies that are a bare mesh"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct reading *reading = read_request(cases[i].request, "", 0, zr_limits_default(), 1 << 20);
@@ -302,6 +311,15 @@ static bool is_same_light(const struct zr_light *a, const struct zr_light *b)
            is_same_rgb(a->position, b->position) && a->range == b->range;
 }
 
+static bool is_same_section(const struct zr_sections *a, const struct zr_sections *b)
+{
+    bool is_same = a->count == b->count && a->is_corner == b->is_corner && a->has_hatch == b->has_hatch;
+    for (uint32_t k = 0; is_same && k < a->count; k++)
+        is_same = a->planes[k].keep == b->planes[k].keep && a->planes[k].fraction == b->planes[k].fraction &&
+                  memcmp(a->planes[k].normal, b->planes[k].normal, sizeof a->planes[k].normal) == 0;
+    return is_same;
+}
+
 TEST(bare_mesh_is_a_scene_with_the_keys_of_the_query)
 {
     static const struct {
@@ -328,6 +346,19 @@ TEST(bare_mesh_is_a_scene_with_the_keys_of_the_query)
          "\"lights\": [{\"type\": \"directional\", \"direction\": [0,0,-1], \"shadows\": true}]"},
         {{.algorithm = "scanline"}, "\"algorithm\": \"scanline\""},
         {{.edges = "true", .look = "textbook"}, "\"edges\": true, \"look\": \"textbook\""},
+        {{.section = "x"}, "\"sections\": {\"planes\": [{\"axis\": \"x\"}]}"},
+        {{.section = "x:0.12345678901234567:positive,y:0.12345678901234567:negative,z:0.12345678901234567:positive,"
+                     "x:0.12345678901234567:negative,y:0.12345678901234567:positive,z:0.12345678901234567:negative"},
+         "\"sections\": {\"planes\": [{\"axis\": \"x\", \"fraction\": 0.12345678901234567, \"keep\": \"positive\"}, "
+         "{\"axis\": \"y\", \"fraction\": 0.12345678901234567, \"keep\": \"negative\"}, "
+         "{\"axis\": \"z\", \"fraction\": 0.12345678901234567, \"keep\": \"positive\"}, "
+         "{\"axis\": \"x\", \"fraction\": 0.12345678901234567, \"keep\": \"negative\"}, "
+         "{\"axis\": \"y\", \"fraction\": 0.12345678901234567, \"keep\": \"positive\"}, "
+         "{\"axis\": \"z\", \"fraction\": 0.12345678901234567, \"keep\": \"negative\"}]}"},
+        {{.section = "y:0.25:positive,z", .sectionCorner = "true", .sectionHatch = "false"},
+         "\"sections\": {\"planes\": [{\"axis\": \"y\", \"fraction\": 0.25, \"keep\": \"positive\"}, {\"axis\": "
+         "\"z\"}], "
+         "\"corner\": true, \"hatch\": false}"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char text[1024];
@@ -340,6 +371,7 @@ TEST(bare_mesh_is_a_scene_with_the_keys_of_the_query)
         assert_true(is_same_picture(&a->picture, &b->picture));
         assert_true(zr_vec4_equal(a->background, b->background) && a->algorithm == b->algorithm);
         assert_true(is_same_rgb(a->ambient, b->ambient));
+        assert_true(is_same_section(&a->sections, &b->sections));
         assert_int_equal(a->light_count, b->light_count);
         for (uint32_t k = 0; k < a->light_count; k++)
             assert_true(is_same_light(&a->lights[k], &b->lights[k]));
