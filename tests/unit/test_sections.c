@@ -244,6 +244,25 @@ TEST_AROUND(caps_have_the_areas_of_formulas, open_arena, close_arena)
     }
 }
 
+TEST_AROUND(info_has_areas_of_caps_and_counts_their_pixels, open_arena, close_arena)
+{
+    begin(SOLID_HOLLOW, 32);
+    test.scene.views[0].direction = (zr_vec3){-1, -0.5f, -0.75f};
+    test.scene.sections.count = 1;
+    test.scene.sections.planes[0] = (struct zr_section){.normal = {1, 0, 0}};
+    test.outputs[1] = (struct zr_output){.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    uint64_t covered = 0;
+    for (uint32_t i = 0; i < 32 * 32; i++)
+        covered += frame->face_id[i] != 0;
+    assert_int_equal(frame->parts.pixels[0], covered);
+    assert_true(fabs(frame->parts.cap_areas[0] - (4 - 0.9 * 0.7)) < 1e-6);
+    test.scene.views[0].output_count = 1;
+    test.scene.views[0].outputs = &test.outputs[1];
+    const struct zr_answer answer = scene_encode(&arena, NULL, &test.scene);
+    assert_non_null(memmem(answer.bytes, answer.size, "\"capArea\":3.3", strlen("\"capArea\":3.3")));
+}
+
 /* ---- parts ---- */
 
 static struct zr_error render_error(void)
