@@ -3,6 +3,7 @@
 #include <stdatomic.h>
 
 #include "base/cancel.h"
+#include "base/sort.h"
 #include "mesh/weld.h"
 #include "scene/part_list.h"
 
@@ -114,45 +115,10 @@ static void visit_faces(struct finding *f, visit_fn *visit)
 
 /* ---- lists of vertices ---- */
 
-static void sift(use *uses, uint32_t at, uint32_t count)
-{
-    const use value = uses[at];
-    for (uint32_t child; (child = 2 * at + 1) < count; at = child) {
-        if (child + 1 < count && uses[child + 1] > uses[child]) child++;
-        if (uses[child] <= value) break;
-        uses[at] = uses[child];
-    }
-    uses[at] = value;
-}
-
-/* Vertices have few edges, but a file may have one with all of them. */
-static void sort(use *uses, uint32_t count)
-{
-    enum { FEW = 24 };
-    if (count <= FEW) {
-        for (uint32_t i = 1; i < count; i++) {
-            const use value = uses[i];
-            uint32_t at = i;
-            for (; at > 0 && uses[at - 1] > value; at--)
-                uses[at] = uses[at - 1];
-            uses[at] = value;
-        }
-        return;
-    }
-    for (uint32_t i = count / 2; i-- > 0;)
-        sift(uses, i, count);
-    for (uint32_t i = count - 1; i > 0; i--) {
-        const use most = uses[0];
-        uses[0] = uses[i];
-        uses[i] = most;
-        sift(uses, 0, i);
-    }
-}
-
 /* Marks the parts that use an edge of the list more often in one direction. */
 static void check_list(const struct finding *f, use *uses, uint32_t count)
 {
-    sort(uses, count);
+    zr_sort_u64(uses, count);
     for (uint32_t i = 0, next; i < count; i = next) {
         uint32_t upwards = 0;
         for (next = i; next < count && uses[next] >> 1 == uses[i] >> 1; next++)
