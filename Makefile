@@ -109,7 +109,7 @@ core_flags := -fPIC -fvisibility=hidden
 our_flags := $(subst ',,$(OURS) $(core_flags) $(foreach isa,$(isas),$(kernel_$(isa))))
 $(core): OURS += $(core_flags)
 # The part of it that needs no library.
-renderer_rooms := base scene geometry mesh raster shade effects overlay render
+renderer_rooms := base scene geometry mesh raster shade drawing effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects)
 server := $(call objects,server/*.c)
@@ -307,6 +307,11 @@ ifdef RIVALS
 else
 	@echo "LEFT OUT: F3D and VTK; RIVALS=1 installs (some 600 MB) and measures them" >&2
 endif
+
+.PHONY: feature-edges
+feature-edges: ## borders and creases of the models beside those that VTK finds
+	@.ci/need $(PYTHON)=python3 /usr/lib/python3/dist-packages/vtk.py=python3-vtk9
+	@$(PYTHON) tests/reference/feature_edges.py $(DATA)/models
 
 .PHONY: bench-costs
 bench-costs: ## predicted times beside those taken, of all scenes and models

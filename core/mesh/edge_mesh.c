@@ -94,8 +94,7 @@ static bool reserve(struct zr_arena *arena, const struct zr_mesh *mesh, struct c
     }
     cutting->points = zr_arena_alloc(arena, corners, sizeof *cutting->points);
     cutting->offsets = zr_arena_alloc(arena, (size_t)rings + 1, sizeof *cutting->offsets);
-    cutting->triangles =
-        zr_arena_alloc(arena, zr_triangulate_count_max(corners, rings), sizeof *cutting->triangles);
+    cutting->triangles = zr_arena_alloc(arena, zr_triangulate_count_max(corners, rings), sizeof *cutting->triangles);
     return zr_triangulator_reserve(arena, &cutting->triangulator, corners, rings) && zr_arena_ok(arena);
 }
 

@@ -12,7 +12,7 @@
 
 BEGIN {
     # The lowest first. The two public headers need base only, and all above it may include them.
-    floors = split("base|core.h version.h format_rows.h parameter_rows.h|scene|input geometry|mesh|raster|shade|effects overlay|render|output", folders, "|")
+    floors = split("base|core.h version.h format_rows.h parameter_rows.h|scene|input geometry|mesh|raster|shade|drawing effects overlay|render|output", folders, "|")
     for (i = 1; i <= floors; i++) {
         n = split(folders[i], names, " ")
         for (k = 1; k <= n; k++) floor_of[names[k]] = i

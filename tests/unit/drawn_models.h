@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "core.h"
+#include "drawing/window_mesh.h"
+#include "scene/resolved_view.h"
 #include "scene/scene.h"
 #include "support/files.h"
 #include "support/tests.h"
@@ -40,9 +42,34 @@ static inline const struct zr_scene *model_of_file(struct zr_arena *arena, const
 }
 
 /* A cube of six quads. */
-#define CUBE_CORNERS                                                                                                   \
-    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
-#define CUBE_SIDES "f 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
-#define CUBE_TOP   "f 5 6 7 8\n"
+#define CUBE_CORNERS "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+#define CUBE_SIDES   "f 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+#define CUBE_TOP     "f 5 6 7 8\n"
+
+/* A model in the window of its view. */
+struct drawn_model {
+    const struct zr_scene *scene;
+    struct zr_edge_mesh *tables;
+    struct zr_window_mesh mesh;
+};
+
+static inline struct drawn_model model_in_window(struct zr_arena *arena, struct zr_team *team,
+                                                 const struct zr_scene *scene, uint32_t width, uint32_t height)
+{
+    struct drawn_model model = {.scene = scene,
+                                .tables = zr_arena_alloc(arena, scene->mesh_count, sizeof *model.tables)};
+    struct zr_view view = scene->views[0];
+    struct zr_camera camera;
+    struct zr_error error = {0};
+    const struct zr_bounds bounds = zr_bounds_of(scene, NULL, NULL);
+    view.width = width;
+    view.height = height;
+    assert_int_equal(zr_camera_resolve(scene, &view, &bounds, NULL, NULL, &camera, &error), ZR_OK);
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        assert_int_equal(zr_edge_mesh_make(arena, team, NULL, &scene->meshes[i], &model.tables[i]), ZR_OK);
+    const struct zr_window_view window = zr_window_view_make(&camera, &bounds, width, height);
+    assert_int_equal(zr_window_mesh_make(arena, team, NULL, scene, model.tables, &window, &model.mesh), ZR_OK);
+    return model;
+}
 
 #endif

@@ -65,7 +65,8 @@ TEST(an_open_box_has_four_borders)
 
 TEST(corners_that_repeat_are_welded)
 {
-    const struct zr_edge_mesh mesh = make_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n");
+    const struct zr_edge_mesh mesh =
+        make_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n");
     assert_int_equal(mesh.vertex_count, 4);
     assert_int_equal(mesh.piece_count, 1);
     assert_tally(&mesh, (struct tally){.borders = 4, .inner = 1});
@@ -73,7 +74,8 @@ TEST(corners_that_repeat_are_welded)
 
 TEST(three_faces_may_meet_in_an_edge)
 {
-    const struct zr_edge_mesh mesh = make_text("v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
+    const struct zr_edge_mesh mesh =
+        make_text("v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
     assert_tally(&mesh, (struct tally){.borders = 6, .more = 1});
 }
 
@@ -93,8 +95,8 @@ TEST(faces_without_area_are_left_out)
 
 TEST(pieces_are_numbered_by_their_first_triangle)
 {
-    const struct zr_edge_mesh mesh = make_text(
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 1 1 0\nf 4 5 6\nf 1 2 3\nf 2 7 3\n");
+    const struct zr_edge_mesh mesh =
+        make_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 1 1 0\nf 4 5 6\nf 1 2 3\nf 2 7 3\n");
     assert_int_equal(mesh.piece_count, 2);
     assert_int_equal(mesh.pieces[0], 0);
     assert_int_equal(mesh.pieces[1], 1);
@@ -110,8 +112,7 @@ static void assert_edge(const struct zr_edge_mesh *mesh, uint32_t edge)
     const struct zr_mesh_edge *own = &mesh->edges[edge];
     uint32_t found = 0;
     assert_true(own->low < own->high);
-    if (edge > 0)
-        assert_true(own[-1].low < own->low || (own[-1].low == own->low && own[-1].high < own->high));
+    if (edge > 0) assert_true(own[-1].low < own->low || (own[-1].low == own->low && own[-1].high < own->high));
     for (uint32_t t = 0; t < mesh->triangle_count; t++)
         for (uint32_t k = 0; k < 3; k++) {
             const uint32_t from = mesh->corners[3 * t + k], to = mesh->corners[3 * t + (k + 1) % 3];
