@@ -1,0 +1,127 @@
+#include "drawing/cells.h"
+
+#include "base/cancel.h"
+
+/* Triangles are dealt to chunks, whose counts are kept apart. */
+enum { CHUNKS_MOST = 16, HIDERS_A_CHUNK = 4096, HIDERS_A_CANCEL_CHECK = 1 << 10, CELLS_A_RANGE = 1 << 12 };
+
+/* Widens triangles, in pixels. */
+static const double rim = 1e-5;
+
+struct binning {
+    const struct zr_window_mesh *mesh;
+    const struct zr_cancel *cancel;
+    uint32_t columns, rows, hider_count, chunk_count;
+    uint32_t *counts; /* [chunk][cell]: entries, then the next free one */
+    uint32_t *hiders;
+};
+
+static uint32_t chunk_begin(const struct binning *b, size_t chunk)
+{
+    return (uint32_t)(chunk * b->hider_count / b->chunk_count);
+}
+
+/* Range of x that a triangle covers between two heights. */
+struct span {
+    double low, high;
+};
+
+static void widen(struct span *span, double x)
+{
+    if (x < span->low) span->low = x;
+    if (x > span->high) span->high = x;
+}
+
+static void widen_at(struct span *span, const struct zr_window_point *a, const struct zr_window_point *b, double y)
+{
+    if ((a->y < y) != (b->y < y)) widen(span, a->x + (y - a->y) / (b->y - a->y) * (b->x - a->x));
+}
+
+static struct span span_of(const struct zr_window_point *const corners[3], double low, double high)
+{
+    struct span span = {HUGE_VAL, -HUGE_VAL};
+    for (int k = 0; k < 3; k++) {
+        const struct zr_window_point *a = corners[k], *b = corners[(k + 1) % 3];
+        if (a->y >= low && a->y <= high) widen(&span, a->x);
+        widen_at(&span, a, b, low);
+        widen_at(&span, a, b, high);
+    }
+    return span;
+}
+
+/* Adds to the counts of all cells that a triangle overlaps; with b->hiders, writes it there. */
+static void add(const struct binning *b, uint32_t *counts, uint32_t hider)
+{
+    const struct zr_window_point *corners[3];
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (int k = 0; k < 3; k++) {
+        corners[k] = &b->mesh->points[b->mesh->corners[hider][k]];
+        if (corners[k]->y < low) low = corners[k]->y;
+        if (corners[k]->y > high) high = corners[k]->y;
+    }
+    const uint32_t first = zr_cell_at(low - rim, b->rows), last = zr_cell_at(high + rim, b->rows);
+    for (uint32_t row = first; row <= last; row++) {
+        const struct span span = span_of(corners, row == first ? -HUGE_VAL : zr_cell_border(row) - rim,
+                                         row == last ? HUGE_VAL : zr_cell_border(row + 1) + rim);
+        if (!(span.high >= -ZR_WINDOW_MARGIN && span.low <= zr_cell_border(b->columns))) continue;
+        const uint32_t end = zr_cell_at(span.high + rim, b->columns);
+        for (uint32_t column = zr_cell_at(span.low - rim, b->columns); column <= end; column++) {
+            uint32_t *count = &counts[row * b->columns + column];
+            if (b->hiders) b->hiders[*count] = hider;
+            (*count)++;
+        }
+    }
+}
+
+static void bin_chunks(void *context, size_t begin, size_t end)
+{
+    const struct binning *b = context;
+    for (size_t chunk = begin; chunk < end; chunk++) {
+        uint32_t *counts = b->counts + chunk * b->columns * b->rows;
+        for (uint32_t h = chunk_begin(b, chunk); h < chunk_begin(b, chunk + 1); h++) {
+            if (h % HIDERS_A_CANCEL_CHECK == 0 && zr_is_cancelled(b->cancel)) return;
+            if (b->mesh->traits[h] & ZR_TRIANGLE_HIDES) add(b, counts, h);
+        }
+    }
+}
+
+/* Turns counts into indices of entries, cell by cell. False if there are more than 32 bits count. */
+static bool sum_counts(const struct binning *b, uint32_t *firsts)
+{
+    const size_t cells = (size_t)b->columns * b->rows;
+    uint64_t sum = 0;
+    for (size_t cell = 0; cell < cells; cell++) {
+        firsts[cell] = (uint32_t)sum;
+        for (size_t chunk = 0; chunk < b->chunk_count; chunk++) {
+            uint32_t *count = &b->counts[chunk * cells + cell];
+            const uint32_t own = *count;
+            *count = (uint32_t)sum;
+            sum += own;
+        }
+    }
+    firsts[cells] = (uint32_t)sum;
+    return sum <= UINT32_MAX;
+}
+
+enum zr_status zr_cells_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                             const struct zr_window_mesh *mesh, struct zr_cells *out)
+{
+    const uint32_t hiders = mesh->triangle_count + mesh->cut_count, chunks = hiders / HIDERS_A_CHUNK + 1;
+    struct binning b = {.mesh = mesh,
+                        .cancel = cancel,
+                        .columns = (mesh->view.width + 2 * ZR_WINDOW_MARGIN) / ZR_CELL_PIXELS + 1,
+                        .rows = (mesh->view.height + 2 * ZR_WINDOW_MARGIN) / ZR_CELL_PIXELS + 1,
+                        .hider_count = hiders,
+                        .chunk_count = chunks < CHUNKS_MOST ? chunks : CHUNKS_MOST};
+    const size_t cells = (size_t)b.columns * b.rows;
+    uint32_t *firsts = zr_arena_alloc(arena, cells + 1, sizeof *firsts);
+    b.counts = zr_arena_zero(arena, cells * b.chunk_count, sizeof *b.counts);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    zr_team_ranges(team, b.chunk_count, 1, bin_chunks, &b);
+    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    b.hiders = sum_counts(&b, firsts) ? zr_arena_alloc(arena, firsts[cells], sizeof *b.hiders) : NULL;
+    if (!b.hiders) return ZR_NO_MEMORY;
+    zr_team_ranges(team, b.chunk_count, 1, bin_chunks, &b);
+    *out = (struct zr_cells){.columns = b.columns, .rows = b.rows, .firsts = firsts, .hiders = b.hiders};
+    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+}
