@@ -139,6 +139,14 @@ static bool is_apart(const struct box *a, const struct box *b)
     return false;
 }
 
+static bool share_corner(const struct seeking *s, uint32_t a, uint32_t b)
+{
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            if (s->mesh->corners[a][i] == s->mesh->corners[b][k]) return true;
+    return false;
+}
+
 /* Finds the line of two hiders. False if there is none, or if another cell makes it. */
 static bool line_of(const struct seeking *s, uint32_t a, uint32_t b, uint32_t cell, struct zr_line *line)
 {
@@ -184,7 +192,9 @@ static uint32_t seek(const struct seeking *s, uint32_t cell, struct zr_line *out
             if (s->pieces[zr_hider_source(s->mesh, hiders[k])] == piece) continue;
             corners_of(s, hiders[k], second);
             const struct box other = box_of(second);
-            if (is_apart(&box, &other) || !line_of(s, hiders[i], hiders[k], cell, &line)) continue;
+            if (is_apart(&box, &other) || share_corner(s, hiders[i], hiders[k]) ||
+                !line_of(s, hiders[i], hiders[k], cell, &line))
+                continue;
             if (out) out[found] = line;
             found++;
         }

@@ -250,31 +250,29 @@ static uint32_t root_of(uint32_t *parents, uint32_t v)
     return v;
 }
 
-/* Joins the vertices of each triangle, by a forest whose roots are the lowest vertices. */
-static void join_vertices(const struct making *m, uint32_t *parents)
+/* Joins the triangles beside each edge of two, by a forest whose roots are the lowest triangles. */
+static void join_triangles(const struct making *m, uint32_t edge_count, uint32_t *parents)
 {
-    for (uint32_t v = 0; v < m->vertex_count; v++)
-        parents[v] = v;
-    for (uint32_t t = 0; t < m->triangle_count && !is_due(m, t); t++)
-        for (size_t k = 1; k < 3; k++) {
-            const uint32_t a = root_of(parents, m->corners[3 * (size_t)t]);
-            const uint32_t b = root_of(parents, m->corners[3 * (size_t)t + k]);
-            parents[a < b ? b : a] = a < b ? a : b;
-        }
+    for (uint32_t t = 0; t < m->triangle_count; t++)
+        parents[t] = t;
+    for (uint32_t e = 0; e < edge_count && !is_due(m, e); e++) {
+        const uint32_t first = m->edges[e].first_side;
+        if (m->edges[e + 1].first_side - first != 2) continue;
+        const uint32_t a = root_of(parents, m->sides[first] / 3), b = root_of(parents, m->sides[first + 1] / 3);
+        parents[a < b ? b : a] = a < b ? a : b;
+    }
 }
 
 static enum zr_status make_pieces(struct making *m, struct zr_edge_mesh *out)
 {
     uint32_t *pieces = zr_arena_alloc(m->arena, m->triangle_count, sizeof *pieces);
     struct zr_arena scratch = zr_arena_open_scratch(m->arena);
-    uint32_t *parents = zr_arena_alloc(&scratch, m->vertex_count, sizeof *parents);
-    uint32_t *numbers = zr_arena_zero(&scratch, m->vertex_count, sizeof *numbers); /* plus 1 */
-    if (pieces && parents && numbers) {
-        join_vertices(m, parents);
+    uint32_t *parents = zr_arena_alloc(&scratch, m->triangle_count, sizeof *parents);
+    if (pieces && parents) {
+        join_triangles(m, out->edge_count, parents);
         for (uint32_t t = 0; t < m->triangle_count && !is_due(m, t); t++) {
-            const uint32_t root = root_of(parents, m->corners[3 * (size_t)t]);
-            if (numbers[root] == 0) numbers[root] = ++out->piece_count;
-            pieces[t] = numbers[root] - 1;
+            const uint32_t root = root_of(parents, t); /* at most t */
+            pieces[t] = root == t ? out->piece_count++ : pieces[root];
         }
     }
     zr_arena_close_scratch(&scratch, m->arena);

@@ -4,7 +4,8 @@
  * Why:    lines of drawings are edges of the mesh: borders, creases and contours (drawing/features.h).
  * How:    positions are welded (weld.h). Convex faces are cut as fans, others by geometry/triangulate.h. Triangles with
  *         fewer than three different vertices, or with a corner at infinity, are left out. Each side of a triangle is
- *         listed at the lower of its vertices, and the lists are sorted.
+ *         listed at the lower of its vertices, and the lists are sorted. Pieces are connected across edges of two
+ *         triangles: where more meet, solids touch or cut one another.
  * Exact:  the same for all instruction sets and numbers of threads. */
 #ifndef ZR_EDGE_MESH_H
 #define ZR_EDGE_MESH_H
@@ -26,7 +27,7 @@ struct zr_edge_mesh {
     const uint32_t *corners;          /* three vertices per triangle */
     const uint32_t *slots;            /* three per triangle: into mesh->indices */
     const uint32_t *faces;            /* by triangle, ascending */
-    const uint32_t *pieces;           /* by triangle: its connected piece, numbered in the order of triangles */
+    const uint32_t *pieces;           /* by triangle: its piece, numbered in the order of triangles */
     const struct zr_mesh_edge *edges; /* edge_count + 1, ascending by (low, high); the last has first_side only */
     const uint32_t *sides;            /* 3 * triangle_count: numbers of sides by edge, ascending within an edge */
     const uint32_t *side_edges;       /* by number of side: its edge */

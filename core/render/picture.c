@@ -1,6 +1,8 @@
 /* The stages of a picture, from top to bottom: each STAGE of draw_light is one. */
 #include "render/picture.h"
 
+#include "drawing/drawing.h"
+#include "drawing/ink.h"
 #include "effects/eye_dome.h"
 #include "effects/point_light.h"
 #include "mesh/crease_normals.h"
@@ -189,6 +191,30 @@ static enum zr_status begin_edges(const struct drawing *d, struct zr_edge_marks 
     return status_of(d);
 }
 
+/* Draws the lines of the mesh over the finished picture. */
+static enum zr_status draw_lines(const struct drawing *d)
+{
+    const struct zr_edges *edges = &d->scene->picture.edges;
+    const uint32_t width = d->frame->width, height = d->frame->height;
+    const struct zr_drawing_desc desc = {.scene = d->scene,
+                                         .camera = &d->frame->camera,
+                                         .bounds = &d->frame->bounds,
+                                         .width = width,
+                                         .height = height,
+                                         .rule = {edges->crease_degrees, edges->ignores_normals},
+                                         .has_hidden = edges->has_hidden};
+    const float w = zr_stroke_width(edges->width, width, height);
+    float *opacity = floats(d, (size_t)width * height);
+    struct zr_arena scratch = zr_arena_open_scratch(d->arena);
+    struct zr_drawing drawing;
+    enum zr_status status = status_of(d);
+    STAGE(zr_drawing_make(&scratch, d->team, d->cancel, &desc, &drawing));
+    STAGE(zr_strokes_draw(&scratch, d->team, d->cancel, &drawing.polylines, w, width, height, opacity));
+    zr_arena_close_scratch(&scratch, d->arena);
+    if (status == ZR_OK) zr_ink_lay(d->team, d->cancel, opacity, edges->color, width, height, d->frame->color);
+    return status == ZR_OK ? status_of(d) : status;
+}
+
 static enum zr_status finish(const struct drawing *d, struct zr_post_desc *desc, struct zr_edge_marks *edges)
 {
     if (edges) desc->ink = zr_edges_finish(edges, d->arena, d->team, d->cancel);
@@ -240,11 +266,12 @@ static enum zr_status draw_light(struct drawing *d)
     zr_linear_lighting_make(d->arena, d->scene, camera, bounds, shadows, &lighting);
     if (picture->has_ground_sun) desc.sun = ground_sun_of(d, shadows);
     STAGE(make_light(d, &light));
-    if (picture->edges.is_on) STAGE(begin_edges(d, &stages.edges));
+    if (picture->edges.is_on && !picture->edges.is_from_mesh) STAGE(begin_edges(d, &stages.edges));
     STAGE(draw_samples(d, &stages, &pass));
     if (status == ZR_OK && points_light)
         zr_eye_dome_apply(d->team, d->cancel, &pixels, points_light, light.color, light.stride);
     STAGE(finish(d, &desc, stages.edges));
+    if (picture->edges.is_on && picture->edges.is_from_mesh) STAGE(draw_lines(d));
     return status;
 }
 

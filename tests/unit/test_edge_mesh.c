@@ -103,6 +103,14 @@ TEST(pieces_are_numbered_by_their_first_triangle)
     assert_int_equal(mesh.pieces[2], 1);
 }
 
+TEST(pieces_are_not_connected_where_three_faces_meet)
+{
+    const struct zr_edge_mesh mesh = make_text("v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 1 0 1\nf 1 2 3\n"
+                                               "f 1 2 4\nf 1 2 5\nf 2 6 3\n");
+    assert_int_equal(mesh.piece_count, 3);
+    assert_int_equal(mesh.pieces[3], 0);
+}
+
 /* ---- the table itself, of random triangles between few corners ---- */
 
 enum { TRIANGLES = 400, CORNERS = 60 };
