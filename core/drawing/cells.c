@@ -49,28 +49,42 @@ static struct span span_of(const struct zr_window_point *const corners[3], doubl
     return span;
 }
 
-/* Adds to the counts of all cells that a triangle overlaps; with b->hiders, writes it there. */
+static void add_to(const struct binning *b, uint32_t *counts, uint32_t row, uint32_t column, uint32_t hider)
+{
+    uint32_t *count = &counts[row * b->columns + column];
+    if (b->hiders) b->hiders[*count] = hider;
+    (*count)++;
+}
+
+/* Adds a triangle to the cells of a row. */
+static void add_row(const struct binning *b, uint32_t *counts, uint32_t row, struct span span, uint32_t hider)
+{
+    if (!(span.high >= -ZR_WINDOW_MARGIN && span.low <= zr_cell_border(b->columns))) return;
+    const uint32_t end = zr_cell_at(span.high + rim, b->columns);
+    for (uint32_t column = zr_cell_at(span.low - rim, b->columns); column <= end; column++)
+        add_to(b, counts, row, column, hider);
+}
+
+/* Adds a triangle to all cells that it overlaps: counts it, or with b->hiders writes it. */
 static void add(const struct binning *b, uint32_t *counts, uint32_t hider)
 {
     const struct zr_window_point *corners[3];
-    double low = HUGE_VAL, high = -HUGE_VAL;
+    struct span across = {HUGE_VAL, -HUGE_VAL}, up = {HUGE_VAL, -HUGE_VAL};
     for (int k = 0; k < 3; k++) {
         corners[k] = &b->mesh->points[b->mesh->corners[hider][k]];
-        if (corners[k]->y < low) low = corners[k]->y;
-        if (corners[k]->y > high) high = corners[k]->y;
+        widen(&across, corners[k]->x);
+        widen(&up, corners[k]->y);
     }
-    const uint32_t first = zr_cell_at(low - rim, b->rows), last = zr_cell_at(high + rim, b->rows);
-    for (uint32_t row = first; row <= last; row++) {
-        const struct span span = span_of(corners, row == first ? -HUGE_VAL : zr_cell_border(row) - rim,
-                                         row == last ? HUGE_VAL : zr_cell_border(row + 1) + rim);
-        if (!(span.high >= -ZR_WINDOW_MARGIN && span.low <= zr_cell_border(b->columns))) continue;
-        const uint32_t end = zr_cell_at(span.high + rim, b->columns);
-        for (uint32_t column = zr_cell_at(span.low - rim, b->columns); column <= end; column++) {
-            uint32_t *count = &counts[row * b->columns + column];
-            if (b->hiders) b->hiders[*count] = hider;
-            (*count)++;
-        }
+    const uint32_t first = zr_cell_at(up.low - rim, b->rows), last = zr_cell_at(up.high + rim, b->rows);
+    if (first == last) {
+        add_row(b, counts, first, across, hider);
+        return;
     }
+    for (uint32_t row = first; row <= last; row++)
+        add_row(b, counts, row,
+                span_of(corners, row == first ? -HUGE_VAL : zr_cell_border(row) - rim,
+                        row == last ? HUGE_VAL : zr_cell_border(row + 1) + rim),
+                hider);
 }
 
 static void bin_chunks(void *context, size_t begin, size_t end)

@@ -4,7 +4,6 @@
 #include "drawing/chains.h"
 #include "drawing/contour_steps.h"
 #include "drawing/intersections.h"
-#include "drawing/smooth_normals.h"
 
 /* Runs the stage unless an earlier one failed. */
 #define STAGE(call)                                                                                                    \
@@ -30,9 +29,7 @@ static enum zr_status make_tables(const struct making *m, struct zr_edge_mesh **
 
 static enum zr_status find_features(const struct making *m, const struct zr_window_mesh *mesh, uint8_t **features)
 {
-    const float(*normals)[3] = zr_smooth_normals_make(m->arena, m->team, m->cancel, mesh);
-    if (!normals) return ZR_NO_MEMORY;
-    *features = zr_features_find(m->arena, m->team, m->cancel, mesh, normals, &m->desc->rule);
+    *features = zr_features_find(m->arena, m->team, m->cancel, mesh, &m->desc->rule);
     return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : *features ? ZR_OK : ZR_NO_MEMORY;
 }
 

@@ -2,7 +2,7 @@
  *
  *     mesh/edge_mesh.h    welded edges of each mesh
  *     window_mesh.h       triangles in the window
- *     smooth_normals.h    normals for creases
+ *     smooth_normal.h     normals for creases
  *     features.h          borders, contours, creases
  *     chains.h            hysteresis of creases
  *     lines.h             segments in the window

@@ -2,6 +2,7 @@
 
 #include "base/cancel.h"
 #include "base/trig.h"
+#include "drawing/smooth_normal.h"
 #include "mesh/face_normals.h"
 
 enum { EDGES_A_RANGE = 2048, FEW_SIDES = 16 };
@@ -15,9 +16,8 @@ static const float rounding = 1e-6f;
 struct finding {
     const struct zr_window_mesh *mesh;
     const struct zr_cancel *cancel;
-    const float (*normals)[3];
     float weak_cosine, strong_cosine;
-    bool ignores_normals;
+    bool ignores_normals, keeps_noise;
     uint8_t *features;
 };
 
@@ -102,21 +102,31 @@ static bool is_smooth_by_file(const struct finding *f, const struct edge *edge)
     return agree_at(edge, edge->low) && agree_at(edge, edge->high);
 }
 
-static bool has_normal(const struct finding *f, uint32_t triangle)
+static bool has_normal(const float n[3])
 {
-    const float *n = f->normals[triangle];
     return n[0] != 0.0f || n[1] != 0.0f || n[2] != 0.0f;
+}
+
+/* Returns the cosine between the smoothed normals. */
+static float smooth_cosine(const struct finding *f, const struct edge *edge, float sign)
+{
+    float a[3], b[3];
+    zr_smooth_normal_of(f->mesh, edge->of, triangle_of(edge, 0), a);
+    zr_smooth_normal_of(f->mesh, edge->of, triangle_of(edge, 1), b);
+    return sign * dot(a, b);
 }
 
 static unsigned features_of_two(const struct finding *f, const struct edge *edge)
 {
-    const uint32_t a = triangle_of(edge, 0), b = triangle_of(edge, 1);
+    const float *a = f->mesh->normals[triangle_of(edge, 0)], *b = f->mesh->normals[triangle_of(edge, 1)];
     const bool is_against = is_upward(edge, 0) == is_upward(edge, 1);
+    const float sign = is_against ? -1.0f : 1.0f, least = f->weak_cosine - rounding;
     unsigned features = 0;
     if ((is_front(f, edge, 0) != is_front(f, edge, 1)) != is_against) features |= ZR_FEATURE_CONTOUR;
-    if (edge->is_diagonal || !has_normal(f, a) || !has_normal(f, b)) return features;
-    const float cosine = is_against ? -dot(f->normals[a], f->normals[b]) : dot(f->normals[a], f->normals[b]);
-    if (!(cosine < f->weak_cosine - rounding) || is_smooth_by_file(f, edge)) return features;
+    float cosine = sign * dot(a, b);
+    if (!(cosine < least) || edge->is_diagonal || !has_normal(a) || !has_normal(b)) return features;
+    if (!f->keeps_noise) cosine = smooth_cosine(f, edge, sign);
+    if (!(cosine < least) || is_smooth_by_file(f, edge)) return features;
     features |= ZR_FEATURE_WEAK;
     if (cosine < f->strong_cosine - rounding) features |= ZR_FEATURE_STRONG;
     if (height(f, edge, 0, 1) < 0.0) features |= ZR_FEATURE_CONVEX;
@@ -188,8 +198,7 @@ static void find_range(void *context, size_t begin, size_t end)
 }
 
 uint8_t *zr_features_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                          const struct zr_window_mesh *mesh, const float (*normals)[3],
-                          const struct zr_feature_rule *rule)
+                          const struct zr_window_mesh *mesh, const struct zr_feature_rule *rule)
 {
     const double weak = (double)rule->crease_degrees, strong = 1.5 * weak < 180.0 ? 1.5 * weak : 180.0;
     double sine, weak_cosine, strong_cosine;
@@ -197,10 +206,10 @@ uint8_t *zr_features_find(struct zr_arena *arena, struct zr_team *team, const st
     zr_sine_cosine(strong, &sine, &strong_cosine);
     struct finding f = {.mesh = mesh,
                         .cancel = cancel,
-                        .normals = normals,
                         .weak_cosine = (float)weak_cosine,
                         .strong_cosine = (float)strong_cosine,
                         .ignores_normals = rule->ignores_normals,
+                        .keeps_noise = rule->keeps_noise,
                         .features = zr_arena_alloc(arena, mesh->edge_count, sizeof *f.features)};
     if (!f.features) return NULL;
     zr_team_ranges(team, mesh->edge_count, EDGES_A_RANGE, find_range, &f);

@@ -2,13 +2,12 @@
  *
  * Border:   an edge of one triangle.
  * Contour:  of two triangles, one faces the eye and the other does not (by their planes).
- * Crease:   the smoothed normals (smooth_normals.h) of the two triangles differ by more than the crease angle (weak),
- *           or by more than 1.5 times that angle (strong). Triangles wound against each other are turned first.
- *           Diagonals of polygons are no creases. Given normals that agree within 10 degrees at both ends make an edge
- *           smooth, unless the rule ignores them.
- * More:     an edge of three and more triangles is a strong crease, unless two of them go on within the crease angle
- *           and no other lies in front of both.
- * Absent triangles (ZR_TRIANGLE_ABSENT) do not count. */
+ * Crease:   the normals of the two triangles, and their smoothed ones (smooth_normal.h), differ by more than the crease
+ *           angle (weak), or the smoothed ones by more than 1.5 times that angle (strong). Triangles wound against each
+ * other are turned first. Diagonals of polygons are no creases. Given normals that agree within 10 degrees at both ends
+ * make an edge smooth, unless the rule ignores them. More:     an edge of three and more triangles is a strong crease,
+ * unless two of them go on within the crease angle and no other lies in front of both. Absent triangles
+ * (ZR_TRIANGLE_ABSENT) do not count. */
 #ifndef ZR_FEATURES_H
 #define ZR_FEATURES_H
 
@@ -26,12 +25,12 @@ enum {
 struct zr_feature_rule {
     float crease_degrees;
     bool ignores_normals; /* given normals make no edge smooth */
+    bool keeps_noise;     /* normals are not smoothed */
 };
 
-/* Returns the bits of each edge, numbered through all instances. `normals`: one per triangle. NULL if the arena failed.
- * If cancelled, they are undefined. */
+/* Returns the bits of each edge, numbered through all instances. NULL if the arena failed. If cancelled, they are
+ * undefined. */
 uint8_t *zr_features_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                          const struct zr_window_mesh *mesh, const float (*normals)[3],
-                          const struct zr_feature_rule *rule);
+                          const struct zr_window_mesh *mesh, const struct zr_feature_rule *rule);
 
 #endif

@@ -74,9 +74,11 @@ static bool hides(const struct zr_window_point *const corners[3], const struct w
 {
     const struct zr_window_point *a = corners[0], *b = corners[1], *c = corners[2];
     const struct zr_window_point *p = &w->line->ends[0], *q = &w->line->ends[1];
+    const double back = p->z > q->z ? p->z : q->z;
+    if (back < a->z && back < b->z && back < c->z) return false;
     for (int k = 0; k < 3; k++) {
         const struct zr_window_point *from = corners[k], *to = corners[(k + 1) % 3];
-        const double x = to->x - from->x, y = to->y - from->y, rim = ZR_HIDDEN_RIM * sqrt(x * x + y * y);
+        const double x = to->x - from->x, y = to->y - from->y, rim = ZR_HIDDEN_RIM * (fabs(x) + fabs(y));
         if (!cut(side_of(from, to, p->x, p->y) + rim, side_of(from, to, q->x, q->y) + rim, interval)) return false;
     }
     const double area = side_of(a, b, c->x, c->y);

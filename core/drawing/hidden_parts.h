@@ -2,10 +2,11 @@
  *
  * Space:  window_view.h; parts are intervals of t from 0 (ends[0]) to 1 (ends[1]).
  * How:    a line is cut at the borders of cells. In each cell, a triangle that the line does not lie on hides the
- *         interval in which it covers the line (by its three edge functions, 1e-6 pixel outwards, as a line may lie
- * behind the common edge of two triangles) and the line lies behind its plane by more than 0.01 + 0.02 times the slope
- * of the plane. Gaps below 0.6 pixel between hidden parts close: pinholes and T-junctions. Then hidden parts below 0.6
- * pixel are dropped, unless they reach an end of the line. Exact:  doubles; the same for any number of threads. */
+ *         interval in which it covers the line (by its three edge functions, 1e-6 to 1.5e-6 pixel outwards, as a line
+ * may lie behind the common edge of two triangles) and the line lies behind its plane by more than 0.01 + 0.02 times
+ * the slope of the plane. Gaps below 0.6 pixel between hidden parts close: pinholes and T-junctions. Then hidden parts
+ * below 0.6 pixel are dropped, unless they reach an end of the line. Exact:  doubles; the same for any number of
+ * threads. */
 #ifndef ZR_HIDDEN_PARTS_H
 #define ZR_HIDDEN_PARTS_H
 

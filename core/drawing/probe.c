@@ -14,6 +14,14 @@ double zr_plane_depth(const struct zr_window_mesh *mesh, uint32_t hider, double 
     return a->z + (of_b * (b->z - a->z) + of_c * (c->z - a->z)) / area;
 }
 
+/* Returns false if all corners lie behind a depth. */
+static bool may_be_nearer(const struct zr_window_mesh *mesh, uint32_t hider, double depth)
+{
+    const uint32_t *corners = mesh->corners[hider];
+    return mesh->points[corners[0]].z < depth || mesh->points[corners[1]].z < depth ||
+           mesh->points[corners[2]].z < depth;
+}
+
 static bool is_inside(const struct zr_window_mesh *mesh, uint32_t hider, double x, double y)
 {
     const uint32_t *corners = mesh->corners[hider];
@@ -28,7 +36,7 @@ struct zr_probe zr_probe_at(const struct zr_window_mesh *mesh, const struct zr_c
     struct zr_probe nearest = {ZR_NO_HIDER, HUGE_VAL};
     for (uint32_t i = cells->firsts[cell]; i < cells->firsts[cell + 1]; i++) {
         const uint32_t hider = cells->hiders[i];
-        if (!is_inside(mesh, hider, x, y)) continue;
+        if (!may_be_nearer(mesh, hider, nearest.depth) || !is_inside(mesh, hider, x, y)) continue;
         const double depth = zr_plane_depth(mesh, hider, x, y);
         if (depth < nearest.depth) nearest = (struct zr_probe){hider, depth};
     }

@@ -1,16 +1,16 @@
 /* Lines of a mesh before visibility: borders, contours and creases, counted beside those of vtkFeatureEdges. */
 #include "drawing/features.h"
-#include "drawing/smooth_normals.h"
 #include "drawn_models.h"
 #include "support/test_arena.h"
 
 TEST_ARENA(1u << 30)
 
-static const struct zr_feature_rule usual = {.crease_degrees = 30};
+static const struct zr_feature_rule usual = {.crease_degrees = 30, .keeps_noise = true},
+                                    smooth = {.crease_degrees = 30};
 
 static uint8_t *find(const struct drawn_model *model, struct zr_team *team, const struct zr_feature_rule *rule)
 {
-    uint8_t *features = zr_features_find(&arena, team, NULL, &model->mesh, model->mesh.normals, rule);
+    uint8_t *features = zr_features_find(&arena, team, NULL, &model->mesh, rule);
     assert_non_null(features);
     return features;
 }
@@ -69,18 +69,19 @@ TEST(the_angle_decides_between_none_weak_and_strong)
 TEST(a_crease_of_exactly_the_angle_is_smooth)
 {
     const struct drawn_model bent = draw(STRIP("1"));
-    const struct zr_feature_rule at = {.crease_degrees = 45}, below = {.crease_degrees = 44};
+    const struct zr_feature_rule at = {.crease_degrees = 45, .keeps_noise = true},
+                                 below = {.crease_degrees = 44, .keeps_noise = true};
     assert_int_equal(count(&bent, find(&bent, NULL, &at), ZR_FEATURE_WEAK, ZR_FEATURE_WEAK), 0);
     assert_int_equal(count(&bent, find(&bent, NULL, &below), ZR_FEATURE_WEAK, ZR_FEATURE_WEAK), 1);
 }
 
 TEST(normals_of_the_file_make_edges_smooth_unless_ignored)
 {
-    const struct drawn_model smooth = draw("v 0 0 0\nv 1 0 0\nv 2 0 1\nv 0 1 0\nv 1 1 0\nv 2 1 1\nvn 0 0 1\n"
-                                           "f 1//1 2//1 5//1 4//1\nf 2//1 3//1 6//1 5//1\n");
-    const struct zr_feature_rule ignores = {.crease_degrees = 30, .ignores_normals = true};
-    assert_int_equal(count(&smooth, find(&smooth, NULL, &usual), ZR_FEATURE_WEAK, ZR_FEATURE_WEAK), 0);
-    assert_int_equal(count(&smooth, find(&smooth, NULL, &ignores), ZR_FEATURE_WEAK, ZR_FEATURE_WEAK), 1);
+    const struct drawn_model bent = draw("v 0 0 0\nv 1 0 0\nv 2 0 1\nv 0 1 0\nv 1 1 0\nv 2 1 1\nvn 0 0 1\n"
+                                         "f 1//1 2//1 5//1 4//1\nf 2//1 3//1 6//1 5//1\n");
+    const struct zr_feature_rule ignores = {.crease_degrees = 30, .ignores_normals = true, .keeps_noise = true};
+    assert_int_equal(count(&bent, find(&bent, NULL, &usual), ZR_FEATURE_WEAK, ZR_FEATURE_WEAK), 0);
+    assert_int_equal(count(&bent, find(&bent, NULL, &ignores), ZR_FEATURE_WEAK, ZR_FEATURE_WEAK), 1);
 }
 
 /* Two quads in a plane, and a third one in front of them or behind, for the usual isometric view from (1, 1, 1). */
@@ -132,7 +133,7 @@ static uint32_t count_more(const struct zr_edge_mesh *table)
 
 TEST(models_have_as_many_edges_of_each_kind_as_vtk_finds)
 {
-    const struct zr_feature_rule rule = {.crease_degrees = 30, .ignores_normals = true};
+    const struct zr_feature_rule rule = {.crease_degrees = 30, .ignores_normals = true, .keeps_noise = true};
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
         const struct zr_scene *scene = model_of_file(&arena, counts[i].name, NULL);
         if (!scene) return;
@@ -157,8 +158,7 @@ TEST(only_creases_of_small_triangles_are_smoothed)
     const struct drawn_model *models[] = {&small, &large};
     uint32_t weak[2];
     for (int i = 0; i < 2; i++) {
-        const float(*normals)[3] = zr_smooth_normals_make(&arena, NULL, NULL, &models[i]->mesh);
-        const uint8_t *features = zr_features_find(&arena, NULL, NULL, &models[i]->mesh, normals, &usual);
+        const uint8_t *features = find(models[i], NULL, &smooth);
         weak[i] = count(models[i], features, ZR_FEATURE_WEAK, ZR_FEATURE_WEAK);
     }
     assert_int_equal(weak[1], 1355);
@@ -172,11 +172,7 @@ TEST(threads_find_the_same)
     struct zr_team *team = zr_team_create(4);
     const struct drawn_model one = model_in_window(&arena, NULL, scene, 512, 512),
                              four = model_in_window(&arena, team, scene, 512, 512);
-    const float(*normals)[3] = zr_smooth_normals_make(&arena, NULL, NULL, &one.mesh);
-    assert_memory_equal(normals, zr_smooth_normals_make(&arena, team, NULL, &four.mesh),
-                        one.mesh.triangle_count * sizeof *normals);
-    assert_memory_equal(zr_features_find(&arena, NULL, NULL, &one.mesh, normals, &usual),
-                        zr_features_find(&arena, team, NULL, &four.mesh, normals, &usual), one.mesh.edge_count);
+    assert_memory_equal(find(&one, NULL, &smooth), find(&four, team, &smooth), one.mesh.edge_count);
     zr_team_destroy(team);
 }
 

@@ -20,10 +20,10 @@ struct drawing {
 
 static struct drawing draw_scene(const struct zr_scene *scene, struct zr_team *team, uint32_t width, uint32_t height)
 {
-    const struct zr_feature_rule rule = {.crease_degrees = 30};
+    const struct zr_feature_rule rule = {.crease_degrees = 30, .keeps_noise = true};
     struct drawing d = {.model = model_in_window(&arena, team, scene, width, height)};
     const struct zr_window_mesh *mesh = &d.model.mesh;
-    uint8_t *features = zr_features_find(&arena, team, NULL, mesh, mesh->normals, &rule);
+    uint8_t *features = zr_features_find(&arena, team, NULL, mesh, &rule);
     assert_int_equal(zr_chains_keep(&arena, NULL, mesh, features), ZR_OK);
     assert_int_equal(zr_lines_make(&arena, NULL, mesh, features, &d.lines), ZR_OK);
     assert_int_equal(zr_cells_make(&arena, team, NULL, mesh, &d.cells), ZR_OK);
@@ -139,7 +139,7 @@ static void find_brutally(const struct zr_window_mesh *mesh, const struct zr_lin
         const double area = fabs((c[1]->x - c[0]->x) * (c[2]->y - c[0]->y) - (c[2]->x - c[0]->x) * (c[1]->y - c[0]->y));
         for (int k = 0; k < 3; k++) {
             const struct zr_window_point *a = c[(k + 1) % 3], *b = c[(k + 2) % 3];
-            const double rim = 1e-6 * hypot(b->x - a->x, b->y - a->y) / area;
+            const double rim = 1e-6 * (fabs(b->x - a->x) + fabs(b->y - a->y)) / area;
             limit(from[k] + rim, to[k] + rim, &begin, &end);
         }
         if (begin < end) limit(behind(c, p), behind(c, q), &begin, &end);

@@ -1,4 +1,4 @@
-/* smooth_normals.h - drawing: normals of small triangles, averaged with those around them.
+/* smooth_normal.h - drawing: the normal of a small triangle, averaged with those around it.
  *
  * Space:  eye space.
  * Why:    scans have noise: each triangle of a few pixels has creases around it. Large triangles, as of CAD parts and
@@ -6,13 +6,13 @@
  * How:    a triangle with the trait ZR_TRIANGLE_SMALL, times its area, adds its small neighbours n across an edge of
  *         two triangles, times their areas and max(0, (cosine - 0.6) / 0.4), in two rounds.
  * Exact:  floats, in the order of sides. */
-#ifndef ZR_SMOOTH_NORMALS_H
-#define ZR_SMOOTH_NORMALS_H
+#ifndef ZR_SMOOTH_NORMAL_H
+#define ZR_SMOOTH_NORMAL_H
 
 #include "drawing/window_mesh.h"
 
-/* Returns one unit normal per triangle, or 0. NULL if the arena failed. If cancelled, they are undefined. */
-const float (*zr_smooth_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                     const struct zr_window_mesh *mesh))[3];
+/* Writes the unit normal of a triangle of the instance, or 0. Takes the time of five triangles. */
+void zr_smooth_normal_of(const struct zr_window_mesh *mesh, const struct zr_drawn_instance *of, uint32_t triangle,
+                         float out[3]);
 
 #endif
