@@ -3,7 +3,7 @@
 #include "base/cancel.h"
 
 /* Parts within a cell: a cell holds less than 12 pixels of a line, and parts are a gap apart from one another. */
-enum { PARTS_A_CELL = 32, PARTS_KEPT = 4, LINES_A_RANGE = 16 };
+enum { PARTS_A_CELL = 32, PARTS_KEPT = 4, LINES_A_RANGE = 16, HIDERS_A_CANCEL_CHECK = 1 << 14 };
 
 struct finding {
     const struct zr_window_mesh *mesh;
@@ -21,6 +21,7 @@ struct walk {
     double dx, dy, gap;          /* the gap in t */
     struct zr_part_of_line open; /* the last part, which may still grow; empty: begin > end */
     uint32_t count, room;
+    uint32_t unchecked;            /* triangles since the last check of `cancel` */
     struct zr_part_of_line *parts; /* `room` of them are written */
 };
 
@@ -117,6 +118,10 @@ static void visit_cell(const struct finding *f, struct walk *w, uint32_t cell, d
 {
     struct parts parts = {.count = 0};
     for (uint32_t i = f->cells->firsts[cell]; i < f->cells->firsts[cell + 1]; i++) {
+        if (++w->unchecked > HIDERS_A_CANCEL_CHECK) {
+            if (zr_is_cancelled(f->cancel)) return;
+            w->unchecked = 0;
+        }
         const uint32_t hider = f->cells->hiders[i], source = zr_hider_source(f->mesh, hider);
         const uint32_t *corners = f->mesh->corners[hider];
         const struct zr_window_point *points[3] = {&f->mesh->points[corners[0]], &f->mesh->points[corners[1]],
@@ -151,6 +156,7 @@ static void find_line(const struct finding *f, uint32_t number, struct walk *w)
     const uint32_t steps_most = f->cells->columns + f->cells->rows;
     double begin = 0.0;
     for (uint32_t step = 0; step <= steps_most && begin < 1.0; step++) {
+        if (zr_is_cancelled(f->cancel)) return;
         const double at_x = exit_of(p->x, w->dx, column), at_y = exit_of(p->y, w->dy, row);
         double end = at_x < at_y ? at_x : at_y;
         if (!(end < 1.0)) end = 1.0;

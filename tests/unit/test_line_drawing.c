@@ -4,6 +4,7 @@
 #include "drawing/ink.h"
 #include "drawing/links.h"
 #include "drawn_models.h"
+#include "support/random.h"
 #include "support/test_arena.h"
 
 TEST_ARENA(1u << 30)
@@ -319,6 +320,104 @@ TEST(threads_draw_the_same)
     assert_memory_equal(draw_model(NULL, scene, 320, 240), draw_model(team, scene, 320, 240),
                         320 * 240 * sizeof(float));
     zr_team_destroy(team);
+}
+
+/* ---- scenes of all kinds ---- */
+
+static float *draw_json(const char *text)
+{
+    float *ink = draw_model(NULL, model_of_text(&arena, text, NULL), 100, 80);
+    for (int i = 0; i < 100 * 80; i++)
+        if (!(ink[i] >= 0.0f && ink[i] <= 1.0f)) fail_msg("ink of %g", (double)ink[i]);
+    return ink;
+}
+
+static bool has_ink(const float *ink)
+{
+    for (int i = 0; i < 100 * 80; i++)
+        if (ink[i] > 0.0f) return true;
+    return false;
+}
+
+TEST(scenes_without_faces_have_no_lines)
+{
+    assert_false(has_ink(draw_json("{\"meshes\": [{\"positions\": [[0,0,0],[1,0,0],[0,1,0]], \"points\": [0,1,2]}]}")));
+    assert_false(
+        has_ink(draw_json("{\"meshes\": [{\"positions\": [[0,0,0],[1,0,0],[2,0,0]], \"faces\": [[0,1,2]]}]}")));
+}
+
+TEST(a_triangle_and_its_mirrored_instance_have_lines)
+{
+    assert_true(has_ink(draw_json("{\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}]}")));
+    assert_true(has_ink(draw_json("{\"meshes\": [{\"name\": \"t\", \"positions\": [[0,0,0],[1,0,0],[0,1,0]], "
+                                  "\"faces\": [[0,1,2]]}], \"nodes\": [{\"mesh\": \"t\", \"scale\": [-1,1,1]}]}")));
+}
+
+/* Triangles between few corners, which repeat, are far away, or all but coincide; seen from outside and from within. */
+TEST(any_triangles_can_be_drawn)
+{
+    static const double values[] = {0, 1, -1, 1.0000001, 1e5, -1e5, 1e-7, 0.5};
+    static char text[1 << 16];
+    struct random numbers = random_seeded(11);
+    for (int round = 0; round < 60; round++) {
+        size_t used =
+            (size_t)snprintf(text, sizeof text, "{\"view\": {%s}, \"meshes\": [{\"positions\": [",
+                             round % 3 == 0   ? "\"preset\": \"isometric\""
+                             : round % 3 == 1 ? "\"eye\": [0.2,0.1,0.3], \"target\": [1,0,0]"
+                                              : "\"eye\": [3,2,4], \"target\": [0,0,0], \"znear\": 3, \"zfar\": 6");
+        const uint32_t kinds = round % 2 ? 3 : sizeof values / sizeof *values;
+        for (int i = 0; i < 30; i++)
+            used += (size_t)snprintf(text + used, sizeof text - used, "%s[%.9g,%.9g,%.9g]", i ? "," : "",
+                                     values[random_below(&numbers, kinds)], values[random_below(&numbers, kinds)],
+                                     values[random_below(&numbers, kinds)]);
+        used += (size_t)snprintf(text + used, sizeof text - used, "], \"faces\": [");
+        for (int i = 0; i < 200; i++)
+            used +=
+                (size_t)snprintf(text + used, sizeof text - used, "%s[%u,%u,%u]", i ? "," : "",
+                                 random_below(&numbers, 30), random_below(&numbers, 30), random_below(&numbers, 30));
+        snprintf(text + used, sizeof text - used, "]}]}");
+        draw_json(text);
+    }
+}
+
+TEST(a_raised_cancel_ends_it)
+{
+    const struct zr_scene *scene = model_of_text(&arena, CUBE_CORNERS CUBE_SIDES, NULL);
+    const struct zr_bounds bounds = zr_bounds_of(scene, NULL, NULL);
+    struct zr_cancel cancel = {.raised = true};
+    struct zr_camera camera = {.world_to_eye = zr_mat4_identity(), .projection = zr_mat4_identity()};
+    struct zr_drawing drawing;
+    const struct zr_drawing_desc desc = {.scene = scene,
+                                         .camera = &camera,
+                                         .bounds = &bounds,
+                                         .width = 64,
+                                         .height = 64,
+                                         .rule = {.crease_degrees = 30}};
+    assert_int_equal(zr_drawing_make(&arena, NULL, &cancel, &desc, &drawing), ZR_CANCELLED);
+}
+
+TEST(a_full_arena_is_told)
+{
+    const struct zr_scene *scene = model_of_text(&arena, CUBE_CORNERS CUBE_SIDES, NULL);
+    const struct zr_bounds bounds = zr_bounds_of(scene, NULL, NULL);
+    struct zr_camera camera = {.world_to_eye = zr_mat4_identity(), .projection = zr_mat4_identity()};
+    const struct zr_drawing_desc desc = {.scene = scene,
+                                         .camera = &camera,
+                                         .bounds = &bounds,
+                                         .width = 64,
+                                         .height = 64,
+                                         .rule = {.crease_degrees = 30}};
+    static _Alignas(ZR_ARENA_ALIGN) char room[1 << 18];
+    uint32_t made = 0;
+    for (size_t size = 1 << 10; size <= sizeof room; size += 1 << 10) {
+        struct zr_arena small;
+        struct zr_drawing drawing;
+        zr_arena_init_within(&small, room, size);
+        const enum zr_status status = zr_drawing_make(&small, NULL, NULL, &desc, &drawing);
+        assert_true(status == ZR_OK || status == ZR_NO_MEMORY);
+        made += status == ZR_OK;
+    }
+    assert_true(made > 0);
 }
 
 RUN_TESTS(open_arena, close_arena)
