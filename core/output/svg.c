@@ -1,0 +1,163 @@
+#include "output/svg.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+enum { TEXT_MOST = 512, DECIMALS_MOST = 9 };
+
+/* Dashes and gaps of hidden lines, in units of their width, as of strokes (drawing/strokes.h). */
+static const double dash = 8.0, gap = 5.0;
+
+double zr_iso_line_width(double width)
+{
+    static const double series[] = {0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0};
+    enum { COUNT = sizeof series / sizeof *series };
+    int i = 0;
+    while (i + 1 < COUNT && width * width > series[i] * series[i + 1])
+        i++;
+    return series[i];
+}
+
+__attribute__((format(printf, 2, 3))) static void print(struct zr_buffer *out, const char *format, ...)
+{
+    char text[TEXT_MOST];
+    va_list values;
+    va_start(values, format);
+    const int length = vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    if (length > 0 && length < TEXT_MOST) zr_buffer_add(out, text, (size_t)length);
+}
+
+/* Returns the decimals that a hundredth of a pixel needs. */
+static int decimals_of(double pixel)
+{
+    int decimals = 0;
+    for (double step = 0.01 * pixel; step < 0.9999 && decimals < DECIMALS_MOST; step *= 10.0)
+        decimals++;
+    return decimals;
+}
+
+/* Prints a coordinate; never "-0.00". */
+static void print_number(struct zr_buffer *out, double value, int decimals)
+{
+    char text[64];
+    const int length = snprintf(text, sizeof text, "%.*f", decimals, value);
+    bool is_zero = true;
+    for (int i = 0; i < length; i++)
+        is_zero = is_zero && (text[i] == '-' || text[i] == '0' || text[i] == '.');
+    const int skipped = text[0] == '-' && is_zero ? 1 : 0;
+    if (length < (int)sizeof text) zr_buffer_add(out, text + skipped, (size_t)(length - skipped));
+}
+
+static void print_point(const struct zr_svg_desc *desc, struct zr_buffer *out, const double point[2], int decimals)
+{
+    print_number(out, point[0] * desc->pixel, decimals);
+    zr_buffer_add(out, " ", 1);
+    print_number(out, ((double)desc->height - point[1]) * desc->pixel, decimals);
+}
+
+static void print_path(const struct zr_svg_desc *desc, struct zr_buffer *out, const struct zr_polyline *line)
+{
+    const double(*points)[2] = (const double(*)[2])desc->lines->points + line->first;
+    const double *last = points[line->count - 1];
+    const bool is_ring = line->count > 3 && points[0][0] == last[0] && points[0][1] == last[1];
+    const int decimals = decimals_of(desc->pixel);
+    zr_buffer_add(out, "<path d=\"M", 10);
+    for (uint32_t i = 0; i < line->count - is_ring; i++) {
+        if (i > 0) zr_buffer_add(out, "L", 1);
+        print_point(desc, out, points[i], decimals);
+    }
+    print(out, is_ring ? "Z\"/>\n" : "\"/>\n");
+}
+
+/* Prints a value of an attribute. Characters that XML does not allow become "?". */
+static void print_escaped(struct zr_buffer *out, const char *text)
+{
+    for (const char *at = text; *at; at++) {
+        const bool is_none =
+            (unsigned char)*at < 0x20 || (memcmp(at, "\xef\xbf", 2) == 0 && (unsigned char)at[2] > 0xbd);
+        if (*at == '&')
+            print(out, "&amp;");
+        else if (*at == '<')
+            print(out, "&lt;");
+        else if (*at == '"')
+            print(out, "&quot;");
+        else
+            zr_buffer_add(out, is_none ? "?" : at, 1);
+        if (is_none && (unsigned char)*at >= 0x20) at += 2;
+    }
+}
+
+static unsigned byte_of(float value)
+{
+    return (unsigned)(value * 255.0f + 0.5f);
+}
+
+static void begin_class(const struct zr_svg_desc *desc, struct zr_buffer *out, enum zr_stroke_class class)
+{
+    static const char *const names[ZR_STROKE_CLASSES] = {"outline", "inner", "hidden"};
+    const double width = desc->widths[class];
+    print(out, "<g class=\"%s\" stroke-width=\"%.6g\"", names[class], width);
+    if (class == ZR_STROKE_HIDDEN)
+        print(out, " stroke-opacity=\"0.5\" stroke-dasharray=\"%.6g %.6g\"", dash * width, gap * width);
+    print(out, ">\n");
+}
+
+/* ---- polylines by part and class: a counting sort ---- */
+
+static uint32_t key_of(const struct zr_svg_desc *desc, uint32_t line)
+{
+    return desc->parts[line] * ZR_STROKE_CLASSES + (ZR_STROKE_CLASSES - 1u - desc->lines->at[line].class);
+}
+
+/* Writes the numbers of polylines by key. Returns NULL if the arena failed. */
+static const uint32_t *sort_lines(const struct zr_svg_desc *desc, struct zr_arena *arena)
+{
+    const size_t keys = (size_t)desc->part_count * ZR_STROKE_CLASSES;
+    uint32_t *begins = zr_arena_zero(arena, keys + 1, sizeof *begins);
+    uint32_t *sorted = zr_arena_alloc(arena, desc->lines->count, sizeof *sorted);
+    if (!begins || !sorted) return NULL;
+    for (uint32_t i = 0; i < desc->lines->count; i++)
+        begins[key_of(desc, i) + 1]++;
+    for (size_t k = 1; k <= keys; k++)
+        begins[k] += begins[k - 1];
+    for (uint32_t i = 0; i < desc->lines->count; i++)
+        sorted[begins[key_of(desc, i)]++] = i;
+    return sorted;
+}
+
+static void print_lines(const struct zr_svg_desc *desc, struct zr_buffer *out, const uint32_t *sorted)
+{
+    for (uint32_t i = 0; i < desc->lines->count; i++) {
+        const uint32_t line = sorted[i], part = desc->parts[line], count = desc->lines->count;
+        const bool begins_part = i == 0 || desc->parts[sorted[i - 1]] != part;
+        const bool ends_part = i + 1 == count || desc->parts[sorted[i + 1]] != part;
+        const bool begins = begins_part || key_of(desc, sorted[i - 1]) != key_of(desc, line);
+        const bool ends = ends_part || key_of(desc, sorted[i + 1]) != key_of(desc, line);
+        if (begins_part) {
+            print(out, "<g id=\"part-%u\"", part);
+            if (*desc->part_names[part]) print(out, " data-name=\"");
+            print_escaped(out, desc->part_names[part]);
+            print(out, *desc->part_names[part] ? "\">\n" : ">\n");
+        }
+        if (begins) begin_class(desc, out, desc->lines->at[line].class);
+        print_path(desc, out, &desc->lines->at[line]);
+        if (ends) print(out, "</g>\n");
+        if (ends_part) print(out, "</g>\n");
+    }
+}
+
+bool zr_svg_encode(const struct zr_svg_desc *desc, struct zr_buffer *out)
+{
+    const double width = (double)desc->width * desc->pixel, height = (double)desc->height * desc->pixel;
+    const uint32_t *sorted = sort_lines(desc, out->arena);
+    if (!sorted) return false;
+    print(out,
+          "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.9g%s\" height=\"%.9g%s\" viewBox=\"0 0 %.9g %.9g\" "
+          "fill=\"none\" stroke=\"#%02x%02x%02x\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
+          width, desc->unit, height, desc->unit, width, height, byte_of(desc->color.x), byte_of(desc->color.y),
+          byte_of(desc->color.z));
+    print_lines(desc, out, sorted);
+    print(out, "</svg>\n");
+    return zr_arena_ok(out->arena);
+}
