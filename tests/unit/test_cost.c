@@ -210,7 +210,11 @@ TEST(predicted_memory_is_held)
         test.scene.picture.side = i & 2 ? 2 : 1;
         test.scene.picture.is_linear = i & 4;
         test.scene.picture.occlusion = (struct zr_occlusion){i & 4, 0.2f, 2};
-        test.scene.picture.edges = (struct zr_edges){i & 4, {0, 0, 0}, 1.5f, 30, 1, 1, false, false};
+        test.scene.picture.edges = (struct zr_edges){.is_on = i & 4,
+                                                     .width = 1.5f,
+                                                     .crease_degrees = 30,
+                                                     .silhouette_opacity = 1,
+                                                     .crease_opacity = 1};
         if (i >= 8) {
             scene_of_triangles(&test, 256, 256, many, i >= 16 ? TEST_TRIANGLES_MAX : LAYERS);
             test.scene.algorithm = i & 1 ? ZR_ALGORITHM_EDGELIST : ZR_ALGORITHM_HALFSPACE;
