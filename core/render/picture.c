@@ -196,13 +196,14 @@ static enum zr_status draw_lines(const struct drawing *d)
 {
     const struct zr_edges *edges = &d->scene->picture.edges;
     const uint32_t width = d->frame->width, height = d->frame->height;
-    const struct zr_drawing_desc desc = {.scene = d->scene,
-                                         .camera = &d->frame->camera,
-                                         .bounds = &d->frame->bounds,
-                                         .width = width,
-                                         .height = height,
-                                         .rule = {edges->crease_degrees, edges->ignores_normals},
-                                         .has_hidden = edges->has_hidden};
+    const struct zr_drawing_desc desc = {
+        .scene = d->scene,
+        .camera = &d->frame->camera,
+        .bounds = &d->frame->bounds,
+        .width = width,
+        .height = height,
+        .rule = {.crease_degrees = edges->crease_degrees, .ignores_normals = edges->ignores_normals},
+        .has_hidden = edges->has_hidden};
     const float w = zr_stroke_width(edges->width, width, height);
     float *opacity = floats(d, (size_t)width * height);
     struct zr_arena scratch = zr_arena_open_scratch(d->arena);
