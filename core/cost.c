@@ -112,6 +112,12 @@ static double bytes_of_lamp_maps(uint32_t maps)
                                    zr_arena_block_bytes(bordered * bordered * WORD_BYTES));
 }
 
+/* True if edges are lines of the mesh. */
+static bool draws_lines(const struct zr_picture *picture)
+{
+    return picture->edges.is_on && picture->edges.is_from_mesh;
+}
+
 static double window_bytes(const struct zr_scene *scene, const struct passes *passes, double kept)
 {
     const struct zr_picture *picture = &scene->picture;
@@ -125,7 +131,9 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
     if (passes->samples == 0.0 || !picture->is_linear) return sum;
     sum += pixels * LINEAR_BYTES + bytes_of_lamp_maps(passes->lamp_maps);
     if (picture->occlusion.is_on) sum += pixels * (GBUFFER_BYTES + OCCLUSION_BYTES);
-    if (picture->edges.is_on)
+    if (draws_lines(picture))
+        sum += pixels * WORD_BYTES;
+    else if (picture->edges.is_on)
         sum += pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
     return sum;
 }
@@ -159,6 +167,8 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
                 (double)mesh->face_offsets[mesh->face_count] * (2.0 + (double)scene->sections.count);
         if (passes->makes_normals || (is_smooth && mesh->normal_count == 0 && !scene->is_undrawn))
             counts[ZR_COST_NORMAL] += triangles;
+        if (passes->samples > 0.0 && scene->picture.is_linear && draws_lines(&scene->picture))
+            counts[ZR_COST_DRAWN_TRIANGLE] += triangles;
     }
 }
 
@@ -236,7 +246,9 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     const bool has_ground_sun = picture->has_ground && picture->has_ground_sun && passes->lamp_maps > 0;
     counts[ZR_COST_SHADOW_SAMPLE] = share * sample->shadows + (has_ground_sun ? pixels : 0.0);
     if (picture->occlusion.is_on) counts[ZR_COST_OCCLUSION_PIXEL] = fmin(scale * sample->fragments, pixels);
-    if (picture->edges.is_on) {
+    if (draws_lines(picture)) {
+        counts[ZR_COST_DRAWN_PIXEL] = scale * sample->fragments;
+    } else if (picture->edges.is_on) {
         counts[ZR_COST_EDGE_SAMPLE] = samples;
         const struct zr_view *view = &scene->views[0];
         const double width = (double)zr_edges_width_in(&picture->edges, view->width, view->height);

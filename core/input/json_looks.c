@@ -156,8 +156,18 @@ static void check_base(struct zr_parsed_scene *root, const char *linear_key)
         zr_json_fault(&root->json, path, "does not go with samples other than 1");
 }
 
+static void check_edges(struct zr_parsed_scene *root)
+{
+    const struct zr_edges *edges = &root->scene->picture.edges;
+    if (edges->is_on && edges->has_hidden && !edges->is_from_mesh &&
+        zr_picture_gives(&root->picture, ZR_PICTURE_EDGES_HIDDEN))
+        zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_EDGES),
+                      "hiddenLines needs lines of the mesh: give \"from\": \"mesh\" as well");
+}
+
 void zr_parsed_check_light(struct zr_parsed_scene *root)
 {
+    check_edges(root);
     const bool is_given = zr_scene_gives(root, ZR_SCENE_COLOR_MANAGEMENT);
     const bool is_srgb = is_given && root->color_management == 1;
     const char *key = linear_key_of(root);

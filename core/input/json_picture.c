@@ -133,13 +133,31 @@ bool zr_read_occlusion(struct zr_json *json, const struct zr_json_path *path, co
     return read_effect(json, path, &zr_json_object_occlusion, given, occlusion, &occlusion->is_on);
 }
 
+static const char *const edge_sources[] = {"samples", "mesh"};
+static const struct zr_names edge_source_names = ZR_NAMES(2, edge_sources);
+
+/* bool: true for mesh. */
+static bool read_edge_source(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                             void *out)
+{
+    int source = 0;
+    if (!zr_json_choice(json, path, field, &source)) return false;
+    *(bool *)out = source == 1;
+    return true;
+}
+
 static const struct zr_json_field edge_fields[] = {
     {"color", read_opaque, offsetof(struct zr_edges, color), .otherwise = "the look's; #1f2a36",
      .text = "colour of the lines"},
     {"width", zr_json_float, offsetof(struct zr_edges, width), 0.1, 64, .unit = "pixels",
-     .otherwise = "the look's; 1.5", .text = "width of the lines"},
+     .otherwise = "the look's; 1.5; of the mesh: 1.5 sqrt(smaller side / 480), at least 1",
+     .text = "width of the lines"},
     {"creaseDegrees", zr_json_float, offsetof(struct zr_edges, crease_degrees), 0, 180, .unit = "degrees",
-     .otherwise = "the look's; 30", .text = "smallest angle between faces at a crease"}};
+     .otherwise = "the look's; 30", .text = "smallest angle between faces at a crease"},
+    {"from", read_edge_source, offsetof(struct zr_edges, is_from_mesh), .words = &edge_source_names,
+     .otherwise = "the look's; samples", .text = "source of the lines: samples of the picture, or edges of the mesh"},
+    {"hiddenLines", zr_json_bool, offsetof(struct zr_edges, has_hidden), .otherwise = "the look's; false",
+     .text = "hidden lines of the mesh, dashed"}};
 const struct zr_json_object zr_json_object_edges = ZR_JSON_OBJECT_OF("edges", edge_fields);
 
 bool zr_read_edges(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)

@@ -32,7 +32,8 @@ static inline bool zr_picture_gives(const struct zr_parsed_picture *given, enum 
 void zr_picture_give_key(struct zr_parsed_picture *given, const char *object, const char *key);
 
 /* Returns the given values over the look's; is_linear is the look's. If an environment is given without a frame, the
- * frame is its own: world for outdoor, else camera. */
+ * frame is its own: world for outdoor, else camera. Edges that are given a source but no width get its usual width. A
+ * given crease angle of edges overrides normals of files. */
 struct zr_picture zr_picture_merge(const struct zr_parsed_picture *given, const struct zr_look *look);
 
 /* Returns the first given key that needs linear light; for a key inside an object, the object's key, such as `edges`.

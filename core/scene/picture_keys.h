@@ -28,6 +28,8 @@
     ROW(EDGES_COLOR, "edges", "color", edges.color, false)                                                             \
     ROW(EDGES_WIDTH, "edges", "width", edges.width, false)                                                             \
     ROW(EDGES_CREASE, "edges", "creaseDegrees", edges.crease_degrees, false)                                           \
+    ROW(EDGES_FROM, "edges", "from", edges.is_from_mesh, false)                                                        \
+    ROW(EDGES_HIDDEN, "edges", "hiddenLines", edges.has_hidden, false)                                                 \
     ROW(CREASE, "", "creaseDegrees", crease_degrees, true)                                                             \
     ROW(UP, "", "up", z_is_up, false)
 

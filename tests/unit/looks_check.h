@@ -40,6 +40,8 @@ static inline bool is_same_picture(const struct zr_picture *a, const struct zr_p
            a->xray.rise == b->xray.rise && a->xray.is_square == b->xray.is_square && a->edges.is_on == b->edges.is_on &&
            is_same_rgb(a->edges.color, b->edges.color) && a->edges.width == b->edges.width &&
            a->edges.crease_degrees == b->edges.crease_degrees && a->crease_degrees == b->crease_degrees &&
+           a->edges.is_from_mesh == b->edges.is_from_mesh && a->edges.has_hidden == b->edges.has_hidden &&
+           a->edges.ignores_normals == b->edges.ignores_normals &&
            a->z_is_up == b->z_is_up;
 }
 

@@ -110,6 +110,22 @@ TEST(samples_lamps_shadows_and_effects_are_counted)
     assert_true(cost.lamp_maps == 1 && cost.lamp_map_bytes >= 2 * 4 * 1024 * 1024);
 }
 
+TEST(lines_of_the_mesh_are_counted)
+{
+    half_a_window();
+    test.material.shading = ZR_SHADING_PBR;
+    test.scene.picture.is_linear = true;
+    test.scene.picture.side = 4;
+    test.scene.picture.edges = (struct zr_edges){.is_on = true, .width = 2};
+    const struct zr_cost of_samples = scene_cost(&test.scene);
+    test.scene.picture.edges.is_from_mesh = true;
+    const struct zr_cost of_mesh = scene_cost(&test.scene);
+    assert_near(of_mesh.counts[ZR_COST_DRAWN_TRIANGLE], of_mesh.counts[ZR_COST_NORMAL]);
+    assert_near(of_mesh.counts[ZR_COST_DRAWN_PIXEL], PIXELS / 2);
+    assert_true(of_mesh.counts[ZR_COST_EDGE_SAMPLE] == 0 && of_mesh.counts[ZR_COST_EDGE_WIDTH_SAMPLE] == 0);
+    assert_true(of_mesh.window_bytes < of_samples.window_bytes);
+}
+
 /* By the textbook lamps light faces, vertices, or pixels. */
 TEST(lamps_of_the_textbook_are_counted)
 {

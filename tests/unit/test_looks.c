@@ -200,8 +200,14 @@ TEST(keys_of_effects_go_before_the_look_one_by_one)
     EXPECT("studio", "\"edges\": true", w.edges.is_on = true);
     EXPECT("blueprint", "\"edges\": {\"width\": 3}", w.edges.width = 3);
     EXPECT("studio", "\"edges\": {\"color\": \"lime\"}", w.edges.is_on = true, w.edges.color = (zr_vec3){0, 1, 0});
-    EXPECT("technical", "\"edges\": {\"creaseDegrees\": 12}", w.edges.crease_degrees = 12);
-    EXPECT("studio@2", "\"edges\": {\"creaseDegrees\": 12}", w.edges.crease_degrees = 12);
+    EXPECT("technical", "\"edges\": {\"creaseDegrees\": 12}", w.edges.crease_degrees = 12,
+           w.edges.ignores_normals = true);
+    EXPECT("technical", "\"edges\": {\"from\": \"samples\"}", w.edges.width = 1.5f);
+    EXPECT("technical", "\"edges\": {\"from\": \"mesh\"}", w.edges.is_from_mesh = true, w.edges.width = 0);
+    EXPECT("technical", "\"edges\": {\"from\": \"mesh\", \"width\": 3, \"hiddenLines\": true}",
+           w.edges.is_from_mesh = true, w.edges.width = 3, w.edges.has_hidden = true);
+    EXPECT("studio@2", "\"edges\": {\"creaseDegrees\": 12}", w.edges.crease_degrees = 12,
+           w.edges.ignores_normals = true);
     EXPECT("studio@2", "\"edges\": {\"width\": 1}", w.edges.scales_width = false); /* in pixels, as it says */
 }
 
