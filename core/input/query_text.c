@@ -17,6 +17,8 @@ static const char all_names[] =
 #define PARAMETER(name, ...) ", " #name
     ZR_PARAMETER_ROWS(PARAMETER);
 #undef PARAMETER
+enum { MESSAGE_ROOM = 160 }; /* for what a message says before the names */
+_Static_assert(sizeof all_names + MESSAGE_ROOM <= ZR_DETAIL_SIZE, "a detail has room for the names of all parameters");
 
 bool zr_percent_decode(char *out, const char *source, size_t length)
 {
