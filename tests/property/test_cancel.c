@@ -235,7 +235,7 @@ TEST(every_algorithm_stops_amid_large_triangles)
 #if IS_SANITIZED
 enum { WINDOW = SIDE / 4, FEW = 30, MANY = 200 };
 #else
-enum { WINDOW = SIDE, FEW = 30, MANY = 600 };
+enum { WINDOW = SIDE / 2, FEW = 30, MANY = 400 };
 #endif
 
 /* A bumpy ground of cells x cells squares, of two triangles each. */

@@ -9,7 +9,7 @@
 #include "mutate.h"
 #include "support/sanitized.h"
 
-enum { TEXTS = IS_THREAD_SANITIZED ? 200 : IS_SANITIZED ? 2000 : 10000, PIECES_MOST = 60 };
+enum { TEXTS = IS_THREAD_SANITIZED ? 200 : IS_SANITIZED ? 1000 : 4000, PIECES_MOST = 60 };
 
 static size_t part_bytes;
 

@@ -211,7 +211,7 @@ TEST(changes_of_the_material_are_counted)
 
 TEST(predicted_memory_is_held)
 {
-    enum { LAYERS = 1000 };
+    enum { LAYERS = 300 };
     static zr_vec4 many[3 * TEST_TRIANGLES_MAX];
     for (int i = 0; i < 3 * TEST_TRIANGLES_MAX; i++) { /* most are small */
         const float size = i / 3 < LAYERS ? 1.0f : 0.002f;
