@@ -47,12 +47,16 @@ struct zr_gltf_buffer {
     struct zr_parsed_bytes bytes; /* if READ: `length` bytes */
 };
 
+struct zr_draco_mesh; /* draco.h */
+
 struct zr_gltf_view {
     uint32_t buffer, offset, length;
     uint32_t stride;          /* 0: packed */
     const char *compressed;   /* JSON text of EXT_meshopt_compression, or NULL */
     enum zr_gltf_state state; /* state of `bytes`, the decompressed bytes */
     struct zr_parsed_bytes bytes;
+    enum zr_gltf_state mesh_state;
+    struct zr_draco_mesh *mesh; /* decoded from the bytes of the view, if mesh_state is READ */
 };
 
 /* Elements of an accessor that replace those of its view. */
@@ -68,6 +72,9 @@ struct zr_gltf_accessor {
     int shape; /* index of enum zr_gltf_shape */
     bool is_normalized;
     struct zr_gltf_sparse sparse; /* count 0: none */
+    const unsigned char
+        *decoded; /* packed elements of the primitive that is read now, instead of the view's; or NULL */
+    uint32_t decoded_count;
 };
 
 /* `type` of an accessor, in the order of the table of its words. */
@@ -159,8 +166,8 @@ struct zr_gltf {
     struct zr_parsed_sampler *samplers;
     struct zr_gltf_image *images;
     struct zr_gltf_listing *listing; /* gltf_image_ahead.h; NULL: images are decoded */
-    const char **material_places; /* NULL after the material is read */
-    uint32_t *first_uses;         /* one per mesh; NONE if no node of the scene places it */
+    const char **material_places;    /* NULL after the material is read */
+    uint32_t *first_uses;            /* one per mesh; NONE if no node of the scene places it */
     uint32_t use_count;
     struct zr_gltf_use *uses;
     struct zr_gltf_animation *animation; /* private to gltf_animation.c */
@@ -181,8 +188,9 @@ struct zr_gltf {
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
         bad_lights, clamped_spots, specular_textures, gloss_textures;
     uint32_t baked_count;
-    struct zr_gltf_baked *baked;     /* of specular and glossiness */
-    bool has_fallbacks;              /* an extension replaces textures, so their images may be unused */
+    struct zr_gltf_baked *baked; /* of specular and glossiness */
+    bool requires_draco;
+    bool has_fallbacks;              /* an extension replaces textures or accessors, whose files may be unused */
     uint32_t unread_extensions;      /* number of used extensions that are not read */
     struct zr_names_text extensions; /* names of these */
 };
@@ -254,6 +262,9 @@ bool zr_gltf_read_buffers(struct zr_gltf *file);
 bool zr_gltf_find_view(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number,
                        struct zr_parsed_bytes *out);
 
+/* True if the request has the bytes of a view's buffer. */
+bool zr_gltf_has_view(struct zr_gltf *file, uint32_t number);
+
 /* Finds the bytes of a URI: a data: URI or a part of the request. `path` leads to the key with the URI. */
 bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const char *uri,
                       struct zr_parsed_bytes *out);
@@ -296,69 +307,13 @@ bool zr_gltf_choose_animation(struct zr_gltf *file, const struct zr_request *req
 /* Moves file->poses to the time of the request. False after a fault. */
 bool zr_gltf_animate(struct zr_gltf *file);
 
-/* ---- gltf_mesh.c: the list; gltf_primitive.c: one primitive; gltf_topology.c: its faces, lines and points ---- */
+/* ---- gltf_mesh.c, gltf_skin.c; gltf_primitive.h has the parts of a mesh ---- */
 
 /* Makes the meshes of the scene from the file's meshes that nodes place. */
 bool zr_gltf_read_meshes(struct zr_gltf *file);
 
-/* `mode` of a primitive. */
-enum {
-    ZR_GLTF_POINTS,
-    ZR_GLTF_LINES,
-    ZR_GLTF_LINE_LOOP,
-    ZR_GLTF_LINE_STRIP,
-    ZR_GLTF_TRIANGLES,
-    ZR_GLTF_TRIANGLE_STRIP,
-    ZR_GLTF_TRIANGLE_FAN
-};
-
-/* Attributes of a primitive: accessor numbers, or NONE. */
-struct zr_gltf_attributes {
-    uint32_t position, normal, tangent, texcoords[2], color, joints[2], weights[2];
-};
-
-struct zr_gltf_primitive {
-    struct zr_gltf_attributes attributes;
-    uint32_t indices, material, mode;
-    const char *targets; /* JSON text, or NULL */
-};
-
-/* Vertices that a primitive uses. */
-struct zr_gltf_range {
-    uint32_t first, count;
-    uint32_t all; /* elements of its attribute POSITION */
-};
-
-/* Opens an attribute of the primitive, of the type `shape` or `other`.
- * `path` leads to the object with the attributes. */
-bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
-                            int shape, int other, uint32_t vertices, struct zr_gltf_values *out);
-
-/* ---- gltf_morph.c, gltf_skin.c: both change the positions, normals and tangents of a mesh ---- */
-
-/* Adds the primitive's targets, times the weights of the node or the mesh. `path` leads to the primitive. */
-bool zr_gltf_morph(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given,
-                   const struct zr_gltf_range *range, struct zr_mesh *mesh);
-
-/* Checks the moved vertices. `by`: the cause, such as "a skin". `path` leads to the primitive. */
-bool zr_gltf_check_moved(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_mesh *mesh,
-                         const char *by);
-
 /* Reads the list of skins. */
 bool zr_gltf_read_skins(struct zr_gltf *file);
-
-/* Moves vertices to world space by the joints of the entry of file->uses that is read now. */
-bool zr_gltf_bend(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given,
-                  const struct zr_gltf_range *range, struct zr_mesh *mesh);
-
-/* Fills a mesh whose name is set. False if the primitive is empty, or after a fault. */
-bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *path,
-                            const struct zr_gltf_primitive *given, struct zr_mesh *mesh, uint32_t number);
-
-/* Makes faces, lines or points of `count` corners: the indices `corners`, or consecutive vertices if NULL. False if
- * memory is lacking, or if there are too few corners, which a warning counts. */
-bool zr_gltf_make_topology(struct zr_gltf *file, const struct zr_json_path *path, uint32_t mode, uint32_t *corners,
-                           uint32_t count, struct zr_mesh *mesh);
 
 /* ---- gltf_material.c, gltf_texture.c ---- */
 

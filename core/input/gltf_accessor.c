@@ -176,7 +176,10 @@ bool zr_gltf_open(struct zr_gltf *file, const struct zr_json_path *path, uint32_
                                    .width = width,
                                    .is_normalized = accessor->is_normalized,
                                    .stride = size};
-    if (accessor->view == ZR_GLTF_NONE) {
+    if (accessor->decoded) {
+        out->bytes = accessor->decoded;
+        out->count = accessor->decoded_count;
+    } else if (accessor->view == ZR_GLTF_NONE) {
         if (!zeros_are_few(file, at, accessor->count)) return false;
     } else {
         struct zr_parsed_bytes view;

@@ -163,3 +163,13 @@ bool zr_gltf_find_view(struct zr_gltf *file, const struct zr_json_path *path, ui
     *out = view->bytes;
     return view->state == ZR_GLTF_READ;
 }
+
+bool zr_gltf_has_view(struct zr_gltf *file, uint32_t number)
+{
+    if (number >= file->counts[ZR_GLTF_BUFFER_VIEWS]) return false;
+    const uint32_t buffer = file->views[number].buffer;
+    if (buffer >= file->counts[ZR_GLTF_BUFFERS]) return false;
+    const char *uri = file->buffers[buffer].uri;
+    if (!uri) return buffer == 0 && file->chunk.bytes;
+    return strncasecmp(uri, "data:", 5) == 0 || zr_file_part_find(&file->root.assets, file->root.json.arena, uri);
+}

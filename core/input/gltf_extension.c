@@ -6,23 +6,17 @@
 #include "input/text.h"
 
 /* Extensions that are read. */
-static const char *const known[] = {"EXT_mesh_gpu_instancing",
-                                    "EXT_meshopt_compression",
-                                    "EXT_texture_webp",
-                                    "KHR_lights_punctual",
-                                    "KHR_materials_emissive_strength",
-                                    "KHR_materials_ior",
-                                    "KHR_materials_pbrSpecularGlossiness",
-                                    "KHR_materials_specular",
-                                    "KHR_materials_unlit",
-                                    "KHR_mesh_quantization",
-                                    "KHR_texture_transform"};
+static const char *const known[] = {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
+                                    "EXT_texture_webp",        "KHR_draco_mesh_compression",
+                                    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
+                                    "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
+                                    "KHR_materials_specular",  "KHR_materials_unlit",
+                                    "KHR_mesh_quantization",   "KHR_texture_transform"};
 
 /* Extensions that files often require, with advice for the message. */
 static const struct {
     const char *name, *advice;
-} unread[] = {{"KHR_draco_mesh_compression", "; export it without Draco compression"},
-              {"KHR_texture_basisu", "; export its textures as PNG or JPEG instead of KTX2"}};
+} unread[] = {{"KHR_texture_basisu", "; export its textures as PNG or JPEG instead of KTX2"}};
 
 static const char *find_advice(const char *name)
 {
@@ -51,9 +45,10 @@ static void note_used(struct zr_gltf *file, struct zr_json *json, const struct z
 static void check_required(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     const char *name;
-    (void)file;
     (void)number;
-    if (zr_json_string(json, path, NULL, &name) && !is_known(name))
+    if (!zr_json_string(json, path, NULL, &name)) return;
+    if (strcmp(name, ZR_GLTF_DRACO) == 0) file->requires_draco = true;
+    if (!is_known(name))
         zr_json_fault(json, path, "the file requires the extension %s, which is not read%s",
                       zr_quote(name, strlen(name)).text, find_advice(name));
 }

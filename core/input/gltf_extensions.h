@@ -21,6 +21,8 @@ bool zr_gltf_read_compressed(struct zr_gltf *file, const struct zr_json_path *pa
 bool zr_gltf_decompress(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_compressed *given,
                         const struct zr_parsed_bytes *packed, struct zr_parsed_bytes *out);
 
+#define ZR_GLTF_DRACO "KHR_draco_mesh_compression" /* gltf_primitive.h reads it */
+
 /* ---- gltf_instancing.c: EXT_mesh_gpu_instancing ---- */
 
 #define ZR_GLTF_INSTANCING "EXT_mesh_gpu_instancing"

@@ -1,5 +1,6 @@
 /* Reads EXT_mesh_gpu_instancing: a node that places its mesh in many poses. */
 #include "input/gltf_extensions.h"
+#include "input/gltf_primitive.h"
 
 #include "input/json_matrix.h"
 

@@ -1,29 +1,16 @@
 /* Reads meshes of glTF: each primitive becomes a mesh of the scene. */
+#include "input/gltf_extensions.h"
 #include "input/gltf_image_ahead.h"
+#include "input/gltf_primitive.h"
 
 /* ---- primitives ---- */
 
-#define AT(member) offsetof(struct zr_gltf_attributes, member)
-static const struct zr_json_field attribute_fields[] = {
-    {.key = "POSITION", .read = zr_gltf_index, .offset = AT(position)},
-    {.key = "NORMAL", .read = zr_gltf_index, .offset = AT(normal)},
-    {.key = "TANGENT", .read = zr_gltf_index, .offset = AT(tangent)},
-    {.key = "TEXCOORD_0", .read = zr_gltf_index, .offset = AT(texcoords[0])},
-    {.key = "TEXCOORD_1", .read = zr_gltf_index, .offset = AT(texcoords[1])},
-    {.key = "JOINTS_0", .read = zr_gltf_index, .offset = AT(joints[0])},
-    {.key = "JOINTS_1", .read = zr_gltf_index, .offset = AT(joints[1])},
-    {.key = "WEIGHTS_0", .read = zr_gltf_index, .offset = AT(weights[0])},
-    {.key = "WEIGHTS_1", .read = zr_gltf_index, .offset = AT(weights[1])},
-    {.key = "COLOR_0", .read = zr_gltf_index, .offset = AT(color)}};
-#undef AT
-static const struct zr_json_object attribute_object = ZR_JSON_OBJECT_OF("attributes", attribute_fields);
-
 struct given_primitive {
     struct zr_gltf_primitive primitive;
-    const char *attributes; /* place, or NULL */
+    const char *attributes, *extensions; /* places, or NULL */
 };
 
-enum { ATTRIBUTES, INDICES, MATERIAL, MODE, TARGETS };
+enum { ATTRIBUTES, INDICES, MATERIAL, MODE, TARGETS, EXTENSIONS };
 #define AT(member) offsetof(struct given_primitive, member)
 static const struct zr_json_field fields[] = {
     [ATTRIBUTES] = {"attributes", zr_json_place, AT(attributes), .required = true, .text = "accessors of the vertices"},
@@ -31,29 +18,17 @@ static const struct zr_json_field fields[] = {
     [MATERIAL] = {.key = "material", .read = zr_gltf_index, .offset = AT(primitive.material)},
     [MODE] = {.key = "mode", .read = zr_json_whole, .offset = AT(primitive.mode)},
     [TARGETS] = {.key = "targets", .read = zr_json_place, .offset = AT(primitive.targets)},
-    ZR_GLTF_COMMON};
+    [EXTENSIONS] = {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    {.key = "extras", .read = zr_gltf_ignore}};
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("primitive", fields);
-
-/* Skips other attributes, such as TEXCOORD_2 or _TEMPERATURE, without a warning. */
-static void read_attributes(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
-                            struct zr_gltf_attributes *out)
-{
-    struct zr_json there = zr_json_at(&file->root.json, place);
-    const struct zr_gltf_note before = file->unknown;
-    uint64_t keys;
-    zr_gltf_fields(file, &there, path, &attribute_object, out, &keys);
-    file->unknown = before;
-}
 
 static void read_primitive(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     const uint32_t none = ZR_GLTF_NONE;
     struct given_primitive given = {
-        .primitive = {.attributes = {none, none, none, {none, none}, none, {none, none}, {none, none}},
-                      .indices = none,
-                      .material = none,
-                      .mode = ZR_GLTF_TRIANGLES}};
+        .primitive = {
+            .attributes = ZR_GLTF_NO_ATTRIBUTES, .indices = none, .material = none, .mode = ZR_GLTF_TRIANGLES}};
     struct zr_gltf_use *of = &file->uses[file->use];
     struct zr_mesh *mesh = &file->root.builder->meshes[of->first + of->count];
     uint64_t keys;
@@ -61,11 +36,17 @@ static void read_primitive(struct zr_gltf *file, struct zr_json *json, const str
     if (zr_gltf_stops(file)) return;
     zr_gltf_fields(file, json, path, &object, &given, &keys);
     if (!given.attributes) return;
-    read_attributes(file, ZR_JSON_KEY(path, fields[ATTRIBUTES].key), given.attributes, &given.primitive.attributes);
+    zr_gltf_read_attributes(file, ZR_JSON_KEY(path, fields[ATTRIBUTES].key), given.attributes,
+                            &given.primitive.attributes);
+    if (given.extensions &&
+        !zr_gltf_open_draco(file, ZR_JSON_KEY(path, fields[EXTENSIONS].key), given.extensions, &given.primitive))
+        return;
     if (given.primitive.material != none &&
         !zr_gltf_find_material(file, ZR_JSON_KEY(path, fields[MATERIAL].key), given.primitive.material))
         return;
-    if (!zr_gltf_make_primitive(file, path, &given.primitive, mesh, of->first + of->count)) {
+    const bool is_made = zr_gltf_make_primitive(file, path, &given.primitive, mesh, of->first + of->count);
+    zr_gltf_close_draco(file, &given.primitive);
+    if (!is_made) {
         *mesh = (struct zr_mesh){.name = mesh->name};
         return;
     }

@@ -1,5 +1,6 @@
 /* Adds morph targets of glTF to a mesh. Source: glTF 2.0, section 3.7.2.2. */
 #include "input/gltf_extensions.h"
+#include "input/gltf_primitive.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,12 +1,13 @@
 /* Makes a mesh of one primitive of glTF. Reads only the vertices from the smallest to the largest index, since many
  * primitives often share one accessor. */
-#include "input/gltf.h"
+#include "input/gltf_primitive.h"
 
 #include <float.h>
 #include <string.h>
 
 #include "base/cancel.h"
 #include "base/srgb.h"
+#include "input/draco.h"
 #include "scene/texture.h"
 
 /* Colours per encoding pass, on the stack. */
@@ -171,6 +172,15 @@ static bool read_indices(struct zr_gltf *file, const struct zr_json_path *path, 
     return true;
 }
 
+/* Copies the faces of a decoded mesh, since other primitives may share it. */
+static bool copy_faces(struct zr_gltf *file, const struct zr_draco_mesh *of, uint32_t **corners, uint32_t *count)
+{
+    *count = 3 * of->face_count;
+    *corners = allocate(file, *count, sizeof **corners);
+    if (*corners) memcpy(*corners, of->corners, *count * sizeof **corners);
+    return *corners;
+}
+
 bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *path,
                             const struct zr_gltf_primitive *given, struct zr_mesh *mesh, uint32_t number)
 {
@@ -188,7 +198,8 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
                                 &positions))
         return false;
     range = (struct zr_gltf_range){0, count = positions.count, positions.count};
-    if (given->indices != ZR_GLTF_NONE &&
+    if (given->draco && !copy_faces(file, given->draco, &corners, &count)) return false;
+    if (!given->draco && given->indices != ZR_GLTF_NONE &&
         !read_indices(file, path, given->indices, positions.count, &range, &corners, &count))
         return false;
     if (!zr_gltf_make_topology(file, path, given->mode, corners, count, mesh)) return false;
