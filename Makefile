@@ -513,7 +513,7 @@ $(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/
 	$(LINK) $(if $(FUZZ),-fsanitize=fuzzer) $(CORE_LIBS) -lz
 $(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/gunzip.o
 $(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/multipart.o
-$(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a
+$(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) -lcmocka -lpng -ljpeg -lwebp -lz
 
 # Of the server's files, those that can do without a daemon around them are tested as units.

@@ -22,9 +22,9 @@
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json",      "obj",       "mtl",  "stl",      "ply",     "gltf",
-                                      "3mf",       "zip",       "png",  "npy",      "array",   "gzip",
-                                      "multipart", "image_png", "jpeg", "zip_body", "meshopt", "webp"};
+static const char *const targets[] = {"json", "obj",      "mtl",     "stl",   "ply",  "gltf",      "3mf",
+                                      "zip",  "png",      "npy",     "array", "gzip", "multipart", "image_png",
+                                      "jpeg", "zip_body", "meshopt", "webp",  "draco"};
 
 void fail(const char *what)
 {
@@ -327,6 +327,7 @@ int main(int count, char **arguments)
         make_folder(targets[i]);
     write_scenes();
     write_models();
+    write_draco();
     write_pictures();
     write_jpegs();
     write_arrays();

@@ -18,4 +18,7 @@ void write_texts(const char *target, const struct text *texts, size_t count);
 /* seeds_models.c: writes the seeds of model files. */
 void write_models(void);
 
+/* seeds_draco.c: writes the seeds of Draco meshes. */
+void write_draco(void);
+
 #endif
