@@ -8,6 +8,7 @@
 #include <zlib.h>
 
 #include "problems.h"
+#include "support/draco_check.h"
 #include "support/files.h"
 #include "support/tests.h"
 
@@ -107,6 +108,25 @@ TEST(strict_requests_get_warnings_as_errors)
     reply = client_send(&server, "POST", "/v1/render?strict=1", headers, GOOD_SCENE, strlen(GOOD_SCENE));
     assert_int_equal(reply.status, 200);
     reply_free(&reply);
+}
+
+TEST(strict_requests_draw_files_that_are_compressed_by_draco)
+{
+    static const char *const headers[] = {"Content-Type: model/gltf+json", NULL};
+    char text[2 * DRACO_BYTES_MOST];
+    size_t size = draco_stream_file(0, "", text);
+    struct reply reply = client_send(&server, "POST", "/v1/render?strict=1", headers, text, size);
+    assert_int_equal(reply.status, 200);
+    assert_string_equal(reply_header(&reply, "Zraster-Warnings"), "");
+    reply_free(&reply);
+    size = draco_stream_file(0, ",\"extensionsUsed\":[\"KHR_draco_mesh_compression\",\"X\"]", text);
+    reply = client_send(&server, "POST", "/v1/render", headers, text, size);
+    assert_int_equal(reply.status, 200);
+    assert_string_equal(reply_header(&reply, "Zraster-Warnings"), "drawn without the extension 'X'");
+    reply_free(&reply);
+    memcpy(strstr(text, "RFJBQ08"), "AAAA", 4);
+    reply = client_send(&server, "POST", "/v1/render", headers, text, size);
+    assert_problem(reply, 422, "do not begin with DRACO");
 }
 
 TEST(unknown_content_encoding_is_refused)
