@@ -223,7 +223,7 @@ loaders: ## triangles, bounds, parts and materials of models beside three, obj2g
 .PHONY: gltf-variants
 gltf-variants: ## models beside their sparse, meshopt, quantized, WebP and Draco variants by gltf-transform (npm): FILES="DIR..."
 	@.ci/need $(NEED_BUILD) $(NEED_NODE) /usr/lib/python3/dist-packages/numpy=python3-numpy
-	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster $(BUILD)/zrasterd
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@$(npm_install) @gltf-transform/cli@4.5.1
 	@$(PYTHON) tests/reference/loaders/variants.py $(BUILD) $(or $(FILES),$(DATA)/gltf/asset-generator)
 

@@ -1,5 +1,5 @@
 // Reads names of glTF files, one per line. Writes one GLB per file and variant by the library of @gltf-transform/cli:
-// FOLDER/NUMBER.VARIANT.glb. Reads the meshopt variants again and writes them without compression:
+// FOLDER/NUMBER.VARIANT.glb. Reads the meshopt and Draco variants again and writes them without compression:
 // FOLDER/NUMBER.VARIANT.read.glb. Prints one line of JSON per file: {VARIANT: null, or the reason why it is missing}.
 //     node variants.mjs MODULES FOLDER <names
 import path from 'node:path';
@@ -34,12 +34,17 @@ async function webp(document) {
         texture.setImage(new Uint8Array(image)).setMimeType('image/webp');
     }
 }
-async function draco(document) {
+const [SEQUENTIAL, EDGEBREAKER] = [0, 1];
+const draco = (options) => (document) => {
     const primitives = document.getRoot().listMeshes().flatMap((mesh) => mesh.listPrimitives());
     const isCompressed = (primitive) => primitive.getMode() === 4 && primitive.getIndices();
     if (!primitives.some(isCompressed)) return 'no indexed triangles';
-    required(KHRDracoMeshCompression)(document);
-}
+    document.createExtension(KHRDracoMeshCompression).setRequired(true).setEncoderOptions(options);
+};
+const speed = (value) => ({ encodeSpeed: value, decodeSpeed: value });
+const bits = (position, others) => ({
+    quantizationBits: { POSITION: position, NORMAL: others, COLOR: others, TEX_COORD: others, GENERIC: others },
+});
 const variants = {
     plain: () => {},
     sparse: sparse({ ratio: 1 }),
@@ -47,7 +52,12 @@ const variants = {
     'meshopt-medium': meshopt({ encoder: MeshoptEncoder, level: 'medium' }),
     quantize: quantize(),
     webp,
-    draco,
+    'draco-edgebreaker': draco({ method: EDGEBREAKER }),
+    'draco-slow': draco({ method: EDGEBREAKER, ...speed(0), ...bits(16, 11) }),
+    'draco-fast': draco({ method: EDGEBREAKER, ...speed(10), ...bits(12, 14) }),
+    'draco-exact': draco({ method: EDGEBREAKER, ...speed(3), ...bits(0, 0) }),
+    'draco-sequential': draco({ method: SEQUENTIAL, ...bits(15, 12) }),
+    'draco-sequential-exact': draco({ method: SEQUENTIAL, ...bits(0, 0) }),
 };
 
 let number = 0;
@@ -62,9 +72,10 @@ for await (const file of readline.createInterface({ input: process.stdin })) {
             if (typeof made[name] === 'string') continue;
             made[name] = null;
             await io.write(output, document);
-            if (!name.startsWith('meshopt')) continue;
-            const read = await io.read(output);
-            read.getRoot().listExtensionsUsed().find((used) => used instanceof EXTMeshoptCompression)?.dispose();
+            if (!/^(meshopt|draco)/.test(name)) continue;
+            const read = await io.read(output), Compression = [EXTMeshoptCompression, KHRDracoMeshCompression];
+            for (const used of read.getRoot().listExtensionsUsed())
+                if (Compression.some((Extension) => used instanceof Extension)) used.dispose();
             await io.write(output.replace('.glb', '.read.glb'), read);
         } catch (error) {
             made[name] = String(error?.message ?? error);
