@@ -1,5 +1,4 @@
 /* Reads meshes of glTF: each primitive becomes a mesh of the scene. */
-#include "input/gltf_extensions.h"
 #include "input/gltf_image_ahead.h"
 #include "input/gltf_primitive.h"
 
