@@ -26,6 +26,8 @@ struct zr_arena {
     size_t used;    /* bytes allocated since the last reset, including padding and charges */
     size_t held;    /* `used`, plus the free bytes of all blocks except the current one */
     size_t peak;    /* maximum of `used` since the last reset */
+    size_t most;    /* upper bound of `held` since the last reset, with scratch arenas */
+    size_t unit;    /* size of blocks; 0: ZR_ARENA_BLOCK */
     bool failed;
     size_t wanted;  /* first failure: the value of `held` that exceeded the ceiling, SIZE_MAX after an overflow; 0: the
                        system had no memory */
@@ -87,6 +89,27 @@ void zr_arena_refund(struct zr_arena *arena, size_t bytes);
 struct zr_arena zr_arena_open_scratch(struct zr_arena *arena);
 void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size);
 void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena);
+
+/* Memory that a part of the work has added to `used` and `held`, and bytes that it needed at once. */
+struct zr_arena_share {
+    size_t used, held, most;
+};
+
+/* A part of the work whose memory depends on nothing that the arena held before. It gets blocks of its own, of `unit`
+ * bytes. Afterwards they have no free room, and the arena goes on in the block that it had before. So an arena that
+ * shares the result of equal work has the same memory left as one that repeats it, if at least share.most was left. */
+struct zr_arena_part {
+    size_t used, held, most, unit; /* of the arena, before */
+    struct zr_arena_block *first, *current;
+};
+struct zr_arena_part zr_arena_open_part(struct zr_arena *arena, size_t unit);
+
+/* Ends the part. `shared`: the share of equal work, which is counted instead if it is larger; or NULL. */
+struct zr_arena_share zr_arena_close_part(struct zr_arena *arena, const struct zr_arena_part *part,
+                                          const struct zr_arena_share *shared);
+
+/* Returns the size of all blocks. */
+size_t zr_arena_bytes(const struct zr_arena *arena);
 
 bool zr_arena_ok(const struct zr_arena *arena);
 
