@@ -65,24 +65,46 @@ struct zr_asset {
 
 /* Store of assets by their SHA-256; the scene refers to one by {"asset": "sha256:..."}. `read` takes 64 lower-case
  * hexadecimal digits and a final zero, and returns the bytes in the arena. Errors: ZR_BAD_SCENE if the store has no
- * such asset, ZR_NO_MEMORY of the arena, ZR_INTERNAL if the asset cannot be read, ZR_CANCELLED. */
+ * such asset, ZR_NO_MEMORY of the arena, ZR_INTERNAL if the asset cannot be read, ZR_CANCELLED. `look` finds the size
+ * of an asset that need not be read; it may be NULL. */
 struct zr_stored {
     enum zr_status (*read)(void *context, const char *sha256, struct zr_arena *arena, const void **bytes, size_t *size);
+    enum zr_status (*look)(void *context, const char *sha256, size_t *size);
     void *context;
     const char *advice; /* ends the message about a missing asset; NULL: advice to send a part */
 };
 
-struct zr_image_hash; /* scene/image.h */
-struct zr_kept_image;
+struct zr_file_hash;  /* base/hash.h */
+struct zr_kept_image; /* scene/image.h */
 
 /* Decoded images that the caller keeps between requests, by the hash of their files. No answer depends on them. */
 struct zr_kept_images {
     /* Computes the hash of a file and finds its image, whose texels stay until the scene is freed. Returns false if
      * there is none. NULL: no images are kept. Only the thread that reads the scene calls `find` and `keep`. */
-    bool (*find)(void *context, const void *bytes, size_t size, struct zr_image_hash *hash,
-                 struct zr_kept_image *image);
+    bool (*find)(void *context, const void *bytes, size_t size, struct zr_file_hash *hash, struct zr_kept_image *image);
     /* Offers an image that `find` did not have. The caller may copy the texels. It keeps no pointer to them. */
-    void (*keep)(void *context, const struct zr_image_hash *hash, const struct zr_kept_image *image);
+    void (*keep)(void *context, const struct zr_file_hash *hash, const struct zr_kept_image *image);
+    void *context;
+};
+
+struct zr_kept_mesh; /* input/kept_mesh.h */
+
+/* Model files that the caller keeps between requests, as read: meshes, materials and images. No answer depends on them,
+ * and each request is charged for the memory of reading. Only the thread that reads the scene calls these functions. */
+struct zr_kept_meshes {
+    /* Replaces a strong hash, such as SHA-256, by that of itself and the bytes. NULL: nothing is kept. */
+    void (*hash)(void *context, struct zr_file_hash *hash, const void *bytes, size_t size);
+    /* Returns the file, which stays until the scene is freed. NULL: it is not kept. */
+    const struct zr_kept_mesh *(*find)(void *context, const struct zr_file_hash *hash);
+    /* Notes that a file of this hash was read, so that it may be kept the next time. */
+    void (*note)(void *context, const struct zr_file_hash *hash);
+    /* Called before a file of `size` bytes is read that has one of these hashes. Returns an empty arena if the file
+     * will be kept: it is then read into that arena. NULL: it is read into the request's. */
+    struct zr_arena *(*begin)(void *context, const struct zr_file_hash *hashes, size_t count, size_t size);
+    /* Takes over the arena with the file, which stays until the scene is freed. NULL: reading failed. False if the
+     * arena was freed. */
+    bool (*end)(void *context, struct zr_arena *arena, const struct zr_file_hash *hash,
+                const struct zr_kept_mesh *mesh);
     void *context;
 };
 
@@ -103,6 +125,7 @@ struct zr_request {
     size_t asset_count;
     struct zr_stored stored; /* read may be NULL: no store */
     struct zr_kept_images images;
+    struct zr_kept_meshes meshes;
     /* Parameters of the query (parameter_rows.h), as text; NULL: not given. */
 #define ZR_PARAMETER_FIELD(name, ...) const char *name;
     ZR_PARAMETER_ROWS(ZR_PARAMETER_FIELD)

@@ -3,6 +3,8 @@
 #include "geometry/geometry.h"
 #include "input/change.h"
 #include "input/formats.h"
+#include "input/kept.h"
+#include "input/kept_mesh.h"
 #include "input/parameters.h"
 #include "input/part_select.h"
 #include "input/sniff.h"
@@ -116,9 +118,13 @@ static enum zr_status read_body(struct zr_scene_builder *builder, const struct z
     const struct zr_format_row *format = &zr_format_rows[request->format];
     const struct zr_keeping *keeping = builder->keeping;
     if (keeping && keeping->from && !format->has_view)
-        return zr_kept_load_bare(keeping->from, builder) ? ZR_OK : ZR_NO_MEMORY;
-    const enum zr_status status = format->read(builder, request, limits, error);
-    if (status == ZR_OK && keeping && keeping->into && !format->has_view) zr_kept_save_bare(keeping->into, builder);
+        return zr_read_model_load(&keeping->from->bare, builder) ? ZR_OK : ZR_NO_MEMORY;
+    if (format->has_view) return format->read(builder, request, limits, error);
+    struct zr_assets_hash assets = {.is_made = false};
+    struct zr_mesh_file file = {.builder = builder, .request = request, .limits = limits, .assets = &assets};
+    if (zr_mesh_file_find(&file)) return ZR_OK;
+    const enum zr_status status = zr_mesh_file_read(&file, format->read, error);
+    if (status == ZR_OK && keeping && keeping->into) zr_read_model_save(&keeping->into->bare, builder);
     return status;
 }
 

@@ -156,10 +156,15 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
     }
 }
 
+static enum zr_status look_at_stored(void *context, const char *sha256, size_t *size)
+{
+    return store_look(context, sha256, size) == STORE_THERE ? ZR_OK : ZR_BAD_SCENE;
+}
+
 struct zr_stored assets_stored(const struct service *service)
 {
     if (!service->store)
         return (struct zr_stored){.advice = "zrasterd keeps them with --assets-dir; send the bytes as a part of a "
                                             "multipart/form-data request"};
-    return (struct zr_stored){read_stored, service->store, "upload it with PUT /v1/assets/HASH"};
+    return (struct zr_stored){read_stored, look_at_stored, service->store, "upload it with PUT /v1/assets/HASH"};
 }

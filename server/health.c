@@ -16,17 +16,27 @@ static void answer_text(struct answer *answer, char *text, int length)
     answer_header(answer, "Cache-Control", "no-store");
 }
 
+enum { COUNTS_SIZE = 192 };
+
+/* Writes the counts of kept values as JSON. `kept` may be NULL. */
+static void write_counts(struct kept *kept, char out[COUNTS_SIZE])
+{
+    struct kept_state state = {0};
+    if (kept) state = kept_look(kept);
+    snprintf(out, COUNTS_SIZE,
+             "{\"count\":%" PRIu64 ",\"bytes\":%" PRIu64 ",\"hits\":%" PRIu64 ",\"misses\":%" PRIu64
+             ",\"dropped\":%" PRIu64 "}",
+             state.count, state.bytes, state.hits, state.misses, state.dropped);
+}
+
 bool health_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
-    struct images_state state = {0};
-    char *text = NULL;
-    if (service->images) state = images_look(service->images);
+    char images[COUNTS_SIZE], meshes[COUNTS_SIZE], *text = NULL;
+    write_counts(service->images, images);
+    write_counts(meshes_kept(service->meshes), meshes);
     (void)load;
     (void)request;
-    const int length = asprintf(&text,
-                                "{\"images\":{\"count\":%" PRIu64 ",\"bytes\":%" PRIu64 ",\"hits\":%" PRIu64
-                                ",\"misses\":%" PRIu64 ",\"dropped\":%" PRIu64 "},\"status\":\"ok\"}\n",
-                                state.count, state.bytes, state.hits, state.misses, state.dropped);
+    const int length = asprintf(&text, "{\"images\":%s,\"meshes\":%s,\"status\":\"ok\"}\n", images, meshes);
     answer_text(answer, text, length);
     return false;
 }

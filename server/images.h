@@ -1,9 +1,6 @@
-/* images.h - decoded images of textures, kept between requests by the SHA-256 of their files.
+/* images.h - decoded images of textures, kept between requests by the SHA-256 of their files (kept.h).
  *
- * Safe:   the hash covers the whole file, so a client cannot change the image of another client's file. It can only
- *         displace images, which are then decoded again. Answers are the same with and without kept images.
- * Bounds: the bytes of all images, in blocks of 4096. The least recently used ones make room for new ones. An image
- *         that a request uses stays, and its bytes count, until that request has ended.
+ * The hash covers the whole file.
  * Thread: struct images is thread-safe. One struct images_use belongs to one request.
  */
 #ifndef ZRASTERD_IMAGES_H
@@ -12,30 +9,15 @@
 #include <stdint.h>
 
 #include "core.h"
+#include "kept.h"
 
-struct images;
-
-/* Keeps up to `max_bytes`; 0: none. NULL without memory. */
-struct images *images_open(uint64_t max_bytes);
-
-/* Frees all images, which no request may use any more. NULL does nothing. */
-void images_close(struct images *images);
-
-/* Drops all images that no request uses, and returns their memory to the system. False if there are none. */
-bool images_drop(struct images *images);
-
-struct images_state {
-    uint64_t count, bytes;          /* kept now */
-    uint64_t hits, misses, dropped; /* since the start: found, decoded, and displaced by others */
-};
-
-/* Returns the counts; `images` is not NULL. */
-struct images_state images_look(struct images *images);
+/* Keeps up to `max_bytes`; 0: none. NULL without memory. Close it by kept_close. */
+struct kept *images_open(uint64_t max_bytes);
 
 /* The images of one request. `images` may be NULL: none are kept. */
 struct images_use {
-    struct images *images;
-    struct images_held *held;
+    struct kept *images;
+    struct kept_held *held;
 };
 
 /* Returns the functions for zr_request; `use` must outlive the scene. */

@@ -15,6 +15,7 @@
 #include "images.h"
 #include "log.h"
 #include "log_writer.h"
+#include "meshes.h"
 #include "request.h"
 #include "slowness.h"
 #include "store.h"
@@ -82,20 +83,22 @@ static int serve(const struct config *config)
         return EXIT_FAILURE;
     }
     struct store *store = NULL;
-    struct images *images = images_open(config->keep_image_bytes);
+    struct kept *images = images_open(config->keep_image_bytes);
+    struct meshes *meshes = meshes_open(config->keep_mesh_bytes);
     struct http *http = NULL;
     struct slowness slowness;
     slowness_start(&slowness, config_isa(config));
     if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
     if (store || !*config->assets_dir) {
-        service_init(&service, config, team, &slowness, store, images);
+        service_init(&service, config, team, &slowness, store, images, meshes);
         http = http_start(config, &service, message, sizeof message);
     }
     if (!http) {
         fprintf(stderr, "zrasterd: %s\n", message);
         slowness_end(&slowness);
         store_close(store);
-        images_close(images);
+        kept_close(images);
+        meshes_close(meshes);
         zr_team_destroy(team);
         log_writer_stop();
         return EXIT_FAILURE;
@@ -112,7 +115,8 @@ static int serve(const struct config *config)
     http_stop(http);
     slowness_end(&slowness);
     store_close(store);
-    images_close(images);
+    kept_close(images);
+    meshes_close(meshes);
     zr_team_destroy(team);
     log_event("info", "stopped", NULL);
     log_writer_stop();

@@ -97,6 +97,7 @@ struct rendering {
     bool is_large;           /* gives up: small_only is set, and the request is large */
     struct zr_quick quick;   /* limits of a small request */
     struct images_use images;
+    struct meshes_use meshes;
     struct zr_cost cost; /* predicted cost; all 0 before the prediction */
 };
 
@@ -145,6 +146,14 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
         r->small_left -= there;
     }
     return r->stored.read(r->stored.context, sha256, arena, bytes, size);
+}
+
+/* Finds the size of an asset that is kept as read. It must still be stored. */
+static enum zr_status look_at_stored(void *context, const char *sha256, size_t *size)
+{
+    struct rendering *r = context;
+    const enum zr_status status = r->stored.look(r->stored.context, sha256, size);
+    return status == ZR_OK && too_large(r, *size > r->small_left) ? ZR_CANCELLED : status;
 }
 
 /* ---- steps ---- */
@@ -227,7 +236,8 @@ enum request_next rendering_work(const struct service *service, const struct req
                           .arena = arena,
                           .cancel = cancel,
                           .times = times,
-                          .images = {.images = service->images}};
+                          .images = {.images = service->images},
+                          .meshes = {.meshes = service->meshes}};
     struct zr_error error = {0};
     struct zr_answer result = {0};
     struct zr_request unpacked;
@@ -250,14 +260,17 @@ enum request_next rendering_work(const struct service *service, const struct req
     if (too_large(&r, unpacked.size > REQUEST_SMALL_BYTES)) return REQUEST_LARGE;
     r.stored = assets_stored(service);
     r.small_left = REQUEST_SMALL_BYTES;
-    unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r, r.stored.advice};
+    unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, r.stored.look ? look_at_stored : NULL, &r,
+                                         r.stored.advice};
     unpacked.images = images_lend(&r.images);
+    unpacked.meshes = meshes_lend(&r.meshes);
     unpacked.cancel = reading;
     r.quick = (struct zr_quick){SMALL_IMAGE_PIXELS, SMALL_NODE_VISITS, SMALL_ARRAY_BYTES, false};
     if (request->small_only) unpacked.quick = &r.quick;
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(&r, &unpacked, &result, &error);
     images_release(&r.images);
+    meshes_release(&r.meshes);
     if (too_large(&r, r.quick.is_exceeded || (status == ZR_CANCELLED && zr_is_cancelled(cancel->parent))))
         return REQUEST_LARGE;
     times->parse_ms += unpack_ms;

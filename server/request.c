@@ -12,11 +12,12 @@
 #include "text.h"
 
 void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
-                  struct store *store, struct images *images)
+                  struct store *store, struct kept *images, struct meshes *meshes)
 {
     service->config = config;
     service->store = store;
     service->images = images;
+    service->meshes = meshes;
     service->slowness = slowness;
     service->limits = config_limits(config);
     service->team = team;
@@ -79,13 +80,21 @@ static bool memory_is_short(const char *folder)
 
 /* ---- load ---- */
 
+/* Drops all kept images and meshes that no request uses. False if there are none. */
+static bool drop_kept(const struct service *service)
+{
+    struct kept *meshes = meshes_kept(service->meshes);
+    const bool images_dropped = service->images && kept_drop(service->images);
+    return (meshes && kept_drop(meshes)) || images_dropped;
+}
+
 const char *load_busy_with(const struct load *load, const struct service *service, bool makes_answer)
 {
     if (load->draining) return "the service is going down";
     if (load->queue_full) return "the queue is full";
     if (makes_answer && load->answers_full) return "the answers that wait for their readers fill answerMemoryBytes";
     if (!memory_is_short(service->config->cgroup)) return NULL;
-    if (service->images && images_drop(service->images) && !memory_is_short(service->config->cgroup)) return NULL;
+    if (drop_kept(service) && !memory_is_short(service->config->cgroup)) return NULL;
     return "the memory of the container is nearly used up";
 }
 

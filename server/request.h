@@ -15,6 +15,7 @@
 #include "config.h"
 #include "core.h"
 #include "images.h"
+#include "meshes.h"
 #include "multipart.h"
 #include "slowness.h"
 #include "step_times.h"
@@ -29,14 +30,15 @@ struct service {
     struct slowness *slowness;
     struct zr_team *team;
     struct store *store;   /* NULL: no assets are stored */
-    struct images *images; /* decoded images; NULL: none are kept */
+    struct kept *images;   /* decoded images; NULL: none are kept */
+    struct meshes *meshes; /* model files as read; NULL: none are kept */
     uint64_t id_base;      /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };
 
-/* `store` and `images` may be NULL. */
+/* `store`, `images` and `meshes` may be NULL. */
 void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
-                  struct store *store, struct images *images);
+                  struct store *store, struct kept *images, struct meshes *meshes);
 
 /* Load of the daemon at the beginning of a request. */
 struct load {

@@ -1,8 +1,14 @@
-/* hash.h - base: hashes of the keys of tables, not of secrets. Source: FNV-1a of 32 bits. */
+/* hash.h - base: hashes of the keys of tables, not of secrets. Source: FNV-1a of 32 bits. Strong hashes come from the
+ * caller. */
 #ifndef ZR_HASH_H
 #define ZR_HASH_H
 
 #include <stdint.h>
+
+/* Strong hash of a file, such as its SHA-256. */
+struct zr_file_hash {
+    unsigned char bytes[32];
+};
 
 #define ZR_HASH_BEGIN 2166136261u
 

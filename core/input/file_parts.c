@@ -221,6 +221,7 @@ static bool has_index(struct zr_parsed_assets *assets, struct zr_arena *arena)
 
 const struct zr_asset *zr_file_part_find(struct zr_parsed_assets *assets, struct zr_arena *arena, const char *name)
 {
+    if (assets->looked) *assets->looked = true;
     if (!has_index(assets, arena)) return NULL;
     const struct name *found = assets->folder ? find_below(assets->names, arena, assets->folder, name) : NULL;
     return use_asset(assets, arena, found ? found : find(assets->names, arena, name), ZR_USED_BY_GEOMETRY);

@@ -98,6 +98,7 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
     const enum zr_status status = zr_gltf_unpack(builder, request->bytes, request->size, &text, &file->chunk, error);
     if (status != ZR_OK) return status;
     file->made = made;
+    file->size = request->size;
     file->bytes = count_bytes(request);
     file->root = (struct zr_parsed_scene){.json = {.arena = builder->arena,
                                                    .team = builder->team,

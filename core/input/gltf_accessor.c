@@ -157,6 +157,7 @@ static bool open_sparse(struct zr_gltf *file, const struct zr_json_path *path, s
 /* Limits the number of elements without a view, which use no bytes, by the size of the request. */
 static bool zeros_are_few(struct zr_gltf *file, const struct zr_json_path *path, uint32_t count)
 {
+    if (count > file->size && file->root.assets.looked) *file->root.assets.looked = true; /* the sizes of other files */
     return count <= file->bytes ||
            zr_json_fault(&file->root.json, ZR_JSON_KEY(path, fields[COUNT].key),
                          "%u elements without a bufferView, more than the request has bytes", count);

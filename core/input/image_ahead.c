@@ -6,7 +6,7 @@
 /* A file while it is decoded. */
 struct job {
     struct zr_image_file *file;
-    struct zr_image_hash hash;
+    struct zr_file_hash hash;
     struct zr_arena texels; /* in the request's memory */
     size_t scratch_bytes;   /* limit for decoding; files that need more are not decoded here */
     const struct zr_cancel *cancel;

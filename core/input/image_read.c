@@ -95,7 +95,7 @@ static bool accept(struct zr_arena *arena, const struct zr_kept_image *kept, uin
 enum zr_status zr_image_read_kept(struct zr_arena *arena, const struct zr_kept_images *images, const void *bytes,
                                   size_t size, uint64_t texels_max, struct zr_image *image, struct zr_reason *reason)
 {
-    struct zr_image_hash hash;
+    struct zr_file_hash hash;
     struct zr_kept_image kept;
     enum zr_status status = ZR_OK;
     if (!images->find || !images->find(images->context, bytes, size, &hash, &kept) ||

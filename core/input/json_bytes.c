@@ -21,12 +21,21 @@ static bool read_uri(struct zr_json *json, const struct zr_json_path *path, cons
     return status == ZR_OK;
 }
 
-static bool read_stored(struct zr_json *json, const struct zr_json_path *path, const char *sha256, struct zr_asset *out)
+static const char STORED[] = "sha256:";
+
+const char *zr_stored_name(const char *asset)
 {
     enum { DIGITS = 64 };
+    const char *sha256 = asset + sizeof STORED - 1;
+    if (strncmp(asset, STORED, sizeof STORED - 1) != 0) return NULL;
+    return strspn(sha256, "0123456789abcdef") == DIGITS && sha256[DIGITS] == '\0' ? sha256 : NULL;
+}
+
+static bool read_stored(struct zr_json *json, const struct zr_json_path *path, const char *asset, struct zr_asset *out)
+{
     const struct zr_stored *stored = &json->assets->stored;
-    if (strspn(sha256, "0123456789abcdef") != DIGITS || sha256[DIGITS] != '\0')
-        return zr_json_fault(json, path, "expected sha256: and 64 lower-case hexadecimal digits");
+    const char *sha256 = zr_stored_name(asset);
+    if (!sha256) return zr_json_fault(json, path, "expected sha256: and 64 lower-case hexadecimal digits");
     const char *advice = stored->advice ? stored->advice : "hand the bytes over as a part of the request";
     if (!stored->read) return zr_json_fault(json, path, "no assets are kept here; %s", advice);
     switch (stored->read(stored->context, sha256, json->arena, &out->bytes, &out->size)) {
@@ -47,8 +56,7 @@ static bool read_stored(struct zr_json *json, const struct zr_json_path *path, c
 
 static bool read_asset(struct zr_json *json, const struct zr_json_path *path, const char *name, struct zr_asset *out)
 {
-    static const char STORED[] = "sha256:";
-    if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(json, path, name + sizeof STORED - 1, out);
+    if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(json, path, name, out);
     struct zr_parsed_assets *assets = json->assets;
     const struct zr_asset *asset = zr_file_part_named(assets, json->arena, name, assets->use);
     if (asset) *out = *asset;
@@ -70,10 +78,12 @@ struct zr_parsed_assets zr_parsed_assets_of(const struct zr_scene_builder *build
     return (struct zr_parsed_assets){.count = request->asset_count,
                                      .items = request->assets,
                                      .folder = builder->asset_folder,
+                                     .looked = builder->looked,
                                      .uses = uses,
                                      .use = ZR_USED,
                                      .stored = request->stored,
                                      .images = request->images,
+                                     .meshes = request->meshes,
                                      .quick = request->quick};
 }
 

@@ -7,6 +7,8 @@
 #include "input/file_scene.h"
 #include "input/json_array.h"
 #include "input/json_matrix.h"
+#include "input/kept_mesh.h"
+#include "input/text.h"
 
 struct zr_model {
     struct zr_scene scene; /* meshes, images, textures, counts, origin and instances as read */
@@ -49,27 +51,55 @@ static const char *folder_of(struct zr_arena *arena, const char *name)
     return folder;
 }
 
-static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                      const struct zr_parsed_bytes *bytes, const char *folder, struct zr_model *model)
+/* Finds a stored asset among the kept files, without reading its bytes. Allocates their memory, as reading them does.
+ */
+static bool find_stored(struct zr_parsed_scene *root, const struct zr_bytes_name *given, struct zr_mesh_file *file,
+                        struct zr_request *request)
+{
+    const struct zr_stored *stored = &root->assets.stored;
+    const char *name = given->asset && !given->uri ? zr_stored_name(given->asset) : NULL;
+    if (!name || !stored->look || !request->meshes.hash) return false;
+    if (stored->look(stored->context, name, &request->size) != ZR_OK) return false;
+    void *bytes = zr_arena_alloc(root->json.arena, request->size, 1);
+    file->is_stored = true;
+    for (size_t i = 0; i < sizeof file->hashes->bytes; i++)
+        file->hashes[0].bytes[i] = (unsigned char)(16 * zr_hex_digit(name[2 * i]) + zr_hex_digit(name[2 * i + 1]));
+    if (bytes && zr_mesh_file_find(file)) return true;
+    if (bytes) zr_arena_trim(root->json.arena, bytes, request->size, 0, 1);
+    return false;
+}
+
+/* Finds the file among the kept ones, or reads it. `path` leads to its name. */
+static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
+                      struct zr_model *model)
 {
     struct zr_json *json = &root->json;
-    const struct zr_request request = {.format = ZR_FORMAT_UNKNOWN,
-                                       .bytes = bytes->bytes,
-                                       .size = bytes->size,
-                                       .assets = root->assets.items,
-                                       .asset_count = root->assets.count,
-                                       .stored = root->assets.stored,
-                                       .images = root->assets.images,
-                                       .cancel = json->cancel,
-                                       .quick = root->assets.quick};
+    struct zr_request request = {.format = ZR_FORMAT_UNKNOWN,
+                                 .assets = root->assets.items,
+                                 .asset_count = root->assets.count,
+                                 .stored = root->assets.stored,
+                                 .images = root->assets.images,
+                                 .meshes = root->assets.meshes,
+                                 .cancel = json->cancel,
+                                 .quick = root->assets.quick};
     struct zr_limits limits = *json->limits;
+    struct zr_mesh_file file = {
+        .builder = &model->builder, .request = &request, .limits = &limits, .assets = &root->assets.hash};
+    struct zr_parsed_bytes bytes;
     struct zr_error faults = {0};
     limits.image_pixels_max -= root->image_pixels;
-    model->builder = zr_scene_builder_open(json->arena, json->team, &model->scene);
-    model->builder.asset_uses = root->assets.uses;
-    model->builder.asset_folder = folder;
-    const enum zr_status status = root->builder->read_model(&model->builder, &request, &limits, &faults);
-    if (status != ZR_OK) return status == ZR_NO_MEMORY ? false : report(json, path, &faults);
+    bool is_kept = find_stored(root, name, &file, &request);
+    if (!is_kept) {
+        if (!zr_parsed_read_named(json, path, name, &bytes)) return false;
+        request.bytes = bytes.bytes;
+        request.size = bytes.size;
+    }
+    if (!zr_json_has_time(json, request.size)) return false;
+    is_kept = is_kept || (!file.is_stored && zr_mesh_file_find(&file));
+    const enum zr_status status = is_kept ? ZR_OK : zr_mesh_file_read(&file, root->builder->read_model, &faults);
+    if (status != ZR_OK)
+        return status != ZR_NO_MEMORY &&
+               report(json, ZR_JSON_KEY(path, name->asset ? ZR_BYTES_ASSET : ZR_BYTES_URI), &faults);
     count_pixels(root, &model->scene);
     zr_scene_builder_complete(&model->builder);
     return zr_arena_ok(json->arena);
@@ -98,12 +128,12 @@ struct zr_model *zr_model_read(struct zr_parsed_scene *root, const struct zr_jso
                                const struct zr_bytes_name *name)
 {
     struct zr_json *json = &root->json;
-    const struct zr_json_path *at = ZR_JSON_KEY(path, name->asset ? ZR_BYTES_ASSET : ZR_BYTES_URI);
-    struct zr_parsed_bytes bytes;
     struct zr_model *model = zr_arena_zero(json->arena, 1, sizeof *model);
-    if (!model || !zr_parsed_read_named(json, path, name, &bytes) || !zr_json_has_time(json, bytes.size)) return NULL;
-    const char *folder = name->asset ? folder_of(json->arena, name->asset) : NULL;
-    return read_file(root, at, &bytes, folder, model) && place(model) ? model : NULL;
+    if (!model) return NULL;
+    model->builder = zr_scene_builder_open(json->arena, json->team, &model->scene);
+    model->builder.asset_uses = root->assets.uses;
+    model->builder.asset_folder = name->asset ? folder_of(json->arena, name->asset) : NULL;
+    return read_file(root, path, name, model) && place(model) ? model : NULL;
 }
 
 /* ---- making ---- */

@@ -10,6 +10,7 @@
 
 #include "input/json_list.h"
 #include "input/json_value.h"
+#include "input/kept_mesh.h"
 #include "scene/face_style.h"
 #include "scene/parsed_picture.h"
 #include "scene/scene_builder.h"
@@ -154,12 +155,15 @@ struct zr_parsed_assets {
     const struct zr_asset *items;
     struct zr_file_names *names; /* NULL before the first search */
     const char *folder;          /* folder of the file that is read, with a final slash; NULL: the body is read */
+    bool *looked;                /* the builder's */
     uint8_t *uses;               /* one per asset: a sum of ZR_USED and ZR_USED_BY_GEOMETRY */
     uint8_t use;                 /* sum for the part of the scene that is read now */
     struct zr_stored stored;
     struct zr_kept_images images;
-    struct zr_quick *quick; /* the request's; may be NULL */
-    size_t array_bytes;     /* counted by zr_json_has_time */
+    struct zr_kept_meshes meshes;
+    struct zr_assets_hash hash; /* for model files of the scene */
+    struct zr_quick *quick;     /* the request's; may be NULL */
+    size_t array_bytes;         /* counted by zr_json_has_time */
 };
 
 /* json_bytes.c. Returns the assets of a request for its body, or for a file in a scene, which shares the scene's uses.
@@ -403,6 +407,9 @@ struct zr_parsed_bytes {
 };
 bool zr_parsed_read_named(struct zr_json *json, const struct zr_json_path *path, const struct zr_bytes_name *name,
                           struct zr_parsed_bytes *out);
+/* Returns the 64 digits of the name of a stored asset, "sha256:..."; NULL: another name. */
+const char *zr_stored_name(const char *asset);
+
 bool zr_parsed_read_bytes(struct zr_json *json, const struct zr_json_path *path, struct zr_parsed_bytes *out);
 
 /* The same for an object that may also name an array of numbers. */

@@ -2,32 +2,34 @@
 
 #include <string.h>
 
-void zr_kept_save_bare(struct zr_kept *kept, const struct zr_scene_builder *builder)
+void zr_read_model_save(struct zr_read_model *model, const struct zr_scene_builder *builder)
 {
-    kept->bare = *builder;
-    kept->bare_counts = builder->scene->counts;
-    kept->bare_origin = builder->scene->origin;
-    kept->bare_file = builder->scene->file;
-    kept->mesh_count = builder->scene->mesh_count;
-    kept->image_count = builder->scene->image_count;
-    kept->texture_count = builder->scene->texture_count;
-    kept->bare.meshes = zr_arena_copy(builder->arena, builder->meshes, kept->mesh_count * sizeof *builder->meshes);
+    const struct zr_scene *scene = builder->scene;
+    *model = (struct zr_read_model){.builder = *builder,
+                                    .mesh_count = scene->mesh_count,
+                                    .image_count = scene->image_count,
+                                    .texture_count = scene->texture_count,
+                                    .counts = scene->counts,
+                                    .origin = scene->origin,
+                                    .file = scene->file};
+    model->builder.meshes = zr_arena_copy(builder->arena, builder->meshes, scene->mesh_count * sizeof *builder->meshes);
 }
 
-bool zr_kept_load_bare(const struct zr_kept *kept, struct zr_scene_builder *builder)
+bool zr_read_model_load(const struct zr_read_model *model, struct zr_scene_builder *builder)
 {
-    struct zr_mesh *meshes = zr_scene_builder_meshes(builder, kept->mesh_count);
+    struct zr_scene *scene = builder->scene;
+    struct zr_mesh *meshes = zr_scene_builder_meshes(builder, model->mesh_count);
     if (!meshes) return false;
-    memcpy(meshes, kept->bare.meshes, kept->mesh_count * sizeof *meshes);
-    zr_warning_list_append(builder->arena, &builder->warnings, &kept->bare.warnings);
-    zr_warning_list_append(builder->arena, &builder->color_warnings, &kept->bare.color_warnings);
-    builder->scene->counts = kept->bare_counts;
-    builder->scene->origin = kept->bare_origin;
-    builder->scene->file = kept->bare_file;
-    builder->file = kept->bare.file;
-    builder->scene->images = kept->bare.images;
-    builder->scene->image_count = kept->image_count;
-    builder->scene->textures = kept->bare.textures;
-    builder->scene->texture_count = kept->texture_count;
+    memcpy(meshes, model->builder.meshes, model->mesh_count * sizeof *meshes);
+    zr_warning_list_append(builder->arena, &builder->warnings, &model->builder.warnings);
+    zr_warning_list_append(builder->arena, &builder->color_warnings, &model->builder.color_warnings);
+    builder->file = model->builder.file;
+    scene->counts = model->counts;
+    scene->origin = model->origin;
+    scene->file = model->file;
+    scene->images = model->builder.images;
+    scene->image_count = model->image_count;
+    scene->textures = model->builder.textures;
+    scene->texture_count = model->texture_count;
     return zr_arena_ok(builder->arena);
 }

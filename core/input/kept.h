@@ -14,6 +14,15 @@
 
 struct zr_soup;
 
+/* A bare mesh or a model file, as the reader of its format leaves it. */
+struct zr_read_model {
+    struct zr_scene_builder builder; /* meshes and warnings */
+    uint32_t mesh_count, image_count, texture_count;
+    struct zr_read_counts counts;
+    const double *origin; /* or NULL */
+    struct zr_file_facts file;
+};
+
 /* A key of the root and its value, as written. */
 struct zr_kept_key {
     const char *name;            /* decoded */
@@ -33,11 +42,7 @@ struct zr_kept {
     const uint8_t *uses;        /* of its assets: 1 if the meshes or polygons use it */
     const struct zr_soup *soup; /* or NULL */
 
-    struct zr_scene_builder bare; /* of a bare mesh: meshes and warnings as read */
-    uint32_t mesh_count, image_count, texture_count;
-    struct zr_read_counts bare_counts;
-    const double *bare_origin; /* or NULL */
-    struct zr_file_facts bare_file;
+    struct zr_read_model bare; /* of a bare mesh */
 };
 
 /* The key of poses in a change. */
@@ -54,10 +59,10 @@ struct zr_keeping {
     size_t poses_size;
 };
 
-/* Keeps the builder of a bare mesh once the reader of its format is done, or gives its meshes to another builder. False
- * without memory. */
-void zr_kept_save_bare(struct zr_kept *kept, const struct zr_scene_builder *builder);
-bool zr_kept_load_bare(const struct zr_kept *kept, struct zr_scene_builder *builder);
+/* Saves what the reader of a format has left in a builder, or gives it to another builder. Arrays are shared, except
+ * the list of meshes. False without memory. */
+void zr_read_model_save(struct zr_read_model *model, const struct zr_scene_builder *builder);
+bool zr_read_model_load(const struct zr_read_model *model, struct zr_scene_builder *builder);
 
 /* json_soup.c: a copy in the arena that making a mesh may change. `texts`: copies the names of materials, too. NULL
  * without memory. */

@@ -100,6 +100,7 @@ const char *zr_mtl_add_only(struct zr_mtl *mtl)
 {
     enum { LENGTH = sizeof ".mtl" - 1 };
     const char *only = NULL;
+    if (mtl->root.assets.looked) *mtl->root.assets.looked = true;
     for (size_t i = 0; i < mtl->root.assets.count; i++) {
         const char *name = mtl->root.assets.items[i].name, *end = name + strlen(name);
         if (end - name < LENGTH || !zr_mtl_is_word(&(const struct zr_mtl_text){end - LENGTH, end, 0}, ".mtl")) continue;

@@ -5,15 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/hash.h"
+
 struct zr_image {
     uint32_t width, height;
     uint32_t bits;      /* per channel: 8 or 16 */
     const void *texels; /* RGBA, row 0 on top: four uint8_t or uint16_t per texel */
-};
-
-/* Strong hash of an image's file, such as its SHA-256. */
-struct zr_image_hash {
-    unsigned char bytes[32];
 };
 
 /* A decoded image with the limits under which its file was accepted. */

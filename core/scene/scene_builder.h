@@ -45,6 +45,7 @@ struct zr_scene_builder {
     const struct zr_keeping *keeping; /* the scene is kept, or changes a kept one; or NULL */
     zr_model_read_fn *read_model;     /* reads the files that a scene names as meshes */
     uint8_t *asset_uses;              /* model file in a scene: flags per asset of the request; otherwise NULL */
+    bool *looked;                     /* set if the reader looks for other files of the request; or NULL */
     const char *asset_folder;         /* model file in a scene: folder of its name, with a final slash; or NULL */
     const struct zr_file_scene *file; /* nodes and materials of a bare mesh's own; or NULL */
 };

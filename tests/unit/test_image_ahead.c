@@ -253,7 +253,7 @@ struct store {
     int sought, sought_first, kept; /* sought_first: before the first image was offered */
 };
 
-static bool seek(void *context, const void *bytes, size_t size, struct zr_image_hash *hash, struct zr_kept_image *image)
+static bool seek(void *context, const void *bytes, size_t size, struct zr_file_hash *hash, struct zr_kept_image *image)
 {
     struct store *store = context;
     (void)bytes, (void)size, (void)hash, (void)image;
@@ -262,7 +262,7 @@ static bool seek(void *context, const void *bytes, size_t size, struct zr_image_
     return false;
 }
 
-static void offer(void *context, const struct zr_image_hash *hash, const struct zr_kept_image *image)
+static void offer(void *context, const struct zr_file_hash *hash, const struct zr_kept_image *image)
 {
     (void)hash, (void)image;
     ((struct store *)context)->kept++;

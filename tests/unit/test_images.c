@@ -3,8 +3,8 @@
 #include "images.h"
 #include "scene/image.h"
 #include "support/files.h"
-#include "support/striped_images.h"
 #include "support/scenes.h"
+#include "support/striped_images.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
 
@@ -47,7 +47,7 @@ static struct zr_image read_file(struct images_use *use, struct zr_arena *in, in
 }
 
 /* A request with one image. */
-static void ask(struct images *images, int number)
+static void ask(struct kept *images, int number)
 {
     struct images_use use = {images, NULL};
     zr_arena_reset(&arena, SIZE_MAX);
@@ -55,16 +55,16 @@ static void ask(struct images *images, int number)
     images_release(&use);
 }
 
-static struct images *open_images(uint64_t max_bytes)
+static struct kept *open_images(uint64_t max_bytes)
 {
-    struct images *images = images_open(max_bytes);
+    struct kept *images = images_open(max_bytes);
     assert_non_null(images);
     return images;
 }
 
-static void expect(struct images *images, uint64_t count, uint64_t hits, uint64_t misses, uint64_t dropped)
+static void expect(struct kept *images, uint64_t count, uint64_t hits, uint64_t misses, uint64_t dropped)
 {
-    const struct images_state now = images_look(images);
+    const struct kept_state now = kept_look(images);
     assert_int_equal(now.count, count);
     assert_int_equal(now.bytes, count * ENTRY_BYTES);
     assert_int_equal(now.hits, hits);
@@ -74,19 +74,19 @@ static void expect(struct images *images, uint64_t count, uint64_t hits, uint64_
 
 TEST(an_image_is_decoded_once)
 {
-    struct images *images = open_images(1 << 20);
+    struct kept *images = open_images(1 << 20);
     ask(images, 0);
     expect(images, 1, 0, 1, 0);
     ask(images, 0);
     ask(images, 1);
     ask(images, 0);
     expect(images, 2, 2, 2, 0);
-    images_close(images);
+    kept_close(images);
 }
 
 TEST(the_image_used_longest_ago_is_dropped_first)
 {
-    struct images *images = open_images(2 * ENTRY_BYTES);
+    struct kept *images = open_images(2 * ENTRY_BYTES);
     ask(images, 0);
     ask(images, 1);
     ask(images, 0);
@@ -96,12 +96,12 @@ TEST(the_image_used_longest_ago_is_dropped_first)
     expect(images, 2, 2, 3, 1);
     ask(images, 1);
     expect(images, 2, 2, 4, 2);
-    images_close(images);
+    kept_close(images);
 }
 
 TEST(an_image_in_use_stays_whatever_others_send)
 {
-    struct images *images = open_images(ENTRY_BYTES);
+    struct kept *images = open_images(ENTRY_BYTES);
     struct images_use use = {images, NULL};
     ask(images, 0);
     zr_arena_reset(&arena, SIZE_MAX);
@@ -112,35 +112,35 @@ TEST(an_image_in_use_stays_whatever_others_send)
     struct images_use others = {images, NULL};
     read_file(&others, &other, 1); /* does not fit */
     images_release(&others);
-    assert_false(images_drop(images));
+    assert_false(kept_drop(images));
     expect(images, 1, 2, 2, 0);
     struct zr_image decoded;
     struct zr_reason reason;
     assert_int_equal(zr_image_read(&other, files[0], sizes[0], TEXELS_MAX, &decoded, &reason), ZR_OK);
     assert_memory_equal(held.texels, decoded.texels, zr_image_bytes(&decoded));
     images_release(&use);
-    assert_true(images_drop(images));
+    assert_true(kept_drop(images));
     expect(images, 0, 2, 2, 1);
     zr_arena_free(&other);
-    images_close(images);
+    kept_close(images);
 }
 
 TEST(too_large_images_and_none_at_all_are_not_kept)
 {
-    struct images *images = open_images(ENTRY_BYTES - 1);
+    struct kept *images = open_images(ENTRY_BYTES - 1);
     ask(images, 0);
     expect(images, 0, 0, 1, 0);
-    images_close(images);
+    kept_close(images);
     images = open_images(0);
     ask(images, 0);
     expect(images, 0, 0, 0, 0);
-    images_close(images);
+    kept_close(images);
     ask(NULL, 0);
 }
 
 TEST(a_request_has_the_same_memory_left_with_a_kept_image)
 {
-    struct images *images = open_images(1 << 20);
+    struct kept *images = open_images(1 << 20);
     size_t used[2], held[2];
     for (int i = 0; i < 2; i++) {
         ask(images, 0);
@@ -150,13 +150,13 @@ TEST(a_request_has_the_same_memory_left_with_a_kept_image)
     expect(images, 1, 1, 1, 0);
     assert_int_equal(used[0], used[1]);
     assert_int_equal(held[0], held[1]);
-    images_close(images);
+    kept_close(images);
 }
 
 /* An image that one request keeps may exceed the limits of another request. */
 TEST(limits_and_memory_hold_for_kept_images)
 {
-    struct images *images = open_images(1 << 20);
+    struct kept *images = open_images(1 << 20);
     struct zr_image image;
     struct zr_reason reasons[2], other;
     for (int i = 0; i < 2; i++) {
@@ -174,12 +174,12 @@ TEST(limits_and_memory_hold_for_kept_images)
         ask(images, 0);
     }
     assert_string_equal(reasons[0].text, reasons[1].text);
-    images_close(images);
+    kept_close(images);
 }
 
 TEST(a_changed_file_is_another_one)
 {
-    struct images *images = open_images(1 << 20);
+    struct kept *images = open_images(1 << 20);
     struct images_use use = {images, NULL};
     const struct zr_kept_images lent = images_lend(&use);
     struct zr_image image;
@@ -190,7 +190,7 @@ TEST(a_changed_file_is_another_one)
     files[0][sizes[0] / 2] ^= 1;
     images_release(&use);
     expect(images, 1, 0, 2, 0);
-    images_close(images);
+    kept_close(images);
 }
 
 /* ---- several threads ---- */
@@ -208,7 +208,7 @@ static bool has_values(const struct zr_image *image, int number)
 /* Returns NULL if all images were right. */
 static void *ask_often(void *context)
 {
-    struct images *images = context;
+    struct kept *images = context;
     bool is_right = true;
     struct zr_arena own;
     zr_arena_init(&own, (size_t)1 << 28);
@@ -226,7 +226,7 @@ static void *ask_often(void *context)
 
 TEST(threads_share_images_and_drop_them)
 {
-    struct images *images = open_images(2 * ENTRY_BYTES);
+    struct kept *images = open_images(2 * ENTRY_BYTES);
     pthread_t threads[THREADS];
     for (int i = 0; i < THREADS; i++)
         assert_int_equal(pthread_create(&threads[i], NULL, ask_often, images), 0);
@@ -235,18 +235,18 @@ TEST(threads_share_images_and_drop_them)
         assert_int_equal(pthread_join(threads[i], &wrong), 0);
         assert_null(wrong);
     }
-    const struct images_state now = images_look(images);
+    const struct kept_state now = kept_look(images);
     assert_int_equal(now.hits + now.misses, 2 * THREADS * ROUNDS);
     assert_true(now.hits > 0 && now.dropped > 0);
     assert_true(now.bytes <= 2 * ENTRY_BYTES);
-    images_close(images);
+    kept_close(images);
 }
 
 /* ---- pictures ---- */
 
 struct drawn {
     struct zr_team *team;
-    struct images *few, *many; /* keep some images of a scene, and all */
+    struct kept *few, *many; /* keep some images of a scene, and all */
     int scenes;
 };
 
@@ -274,7 +274,7 @@ static void draw_file(const char *path, void *context)
         zr_arena_init(&plain, (size_t)1 << 30);
         zr_arena_init(&kept, (size_t)1 << 30);
         const struct zr_answer want = draw(&plain, NULL, &(struct images_use){NULL, NULL}, bytes, size);
-        struct images *const all[] = {NULL, drawn->many, drawn->many, drawn->few, drawn->few};
+        struct kept *const all[] = {NULL, drawn->many, drawn->many, drawn->few, drawn->few};
         for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
             struct images_use use = {all[i], NULL};
             zr_arena_reset(&kept, SIZE_MAX);
@@ -296,12 +296,12 @@ TEST(pictures_are_the_same_with_and_without_kept_images)
 {
     struct drawn drawn = {zr_team_create(THREADS), open_images(3 * 4096), open_images(64 << 20), 0};
     files_each("tests/scenes", ".json", draw_file, &drawn);
-    const struct images_state few = images_look(drawn.few), many = images_look(drawn.many);
+    const struct kept_state few = kept_look(drawn.few), many = kept_look(drawn.many);
     assert_true(drawn.scenes > 5);
     assert_true(few.dropped > 0 && many.dropped == 0);
     assert_true(many.hits >= many.count);
-    images_close(drawn.few);
-    images_close(drawn.many);
+    kept_close(drawn.few);
+    kept_close(drawn.many);
     zr_team_destroy(drawn.team);
 }
 
