@@ -169,6 +169,7 @@ int main(int count, char **arguments)
     service_beside_io(&bench);
     service_for_many(&bench);
     service_memory(&bench);
+    service_with_kept_meshes(&bench);
     growth_of_work(&bench);
     if (!bench.check_only && !bench.list) {
         results_print_summary(&bench.results);
