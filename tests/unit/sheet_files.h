@@ -24,6 +24,7 @@ enum sheet_kind {
     MTL_OF_MAP,
     BIN,
     BROKEN,
+    ZEROS,
     SMALL,
     PNG,
     SHEET_KINDS
@@ -136,6 +137,16 @@ static void write_broken(FILE *out)
     fprintf(out, "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[7]}]}%*s", 1 << 17, "");
 }
 
+/* Triangles of zeros, more than the bytes of two such files. */
+static void write_zeros(FILE *out)
+{
+    fprintf(out,
+            "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":"
+            "[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"componentType\":5126,\"count\":"
+            "%d,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[0,0,0]}]}%*s",
+            300000, 1 << 17, "");
+}
+
 static void write_sheet(enum sheet_kind kind, FILE *out)
 {
     switch (kind) {
@@ -177,6 +188,9 @@ static void write_sheet(enum sheet_kind kind, FILE *out)
         break;
     case BROKEN:
         write_broken(out);
+        break;
+    case ZEROS:
+        write_zeros(out);
         break;
     default:
         fputs("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", out);

@@ -285,4 +285,57 @@ TEST(arena_scratch_makes_room_in_what_a_reset_has_kept)
     zr_arena_free(&arena);
 }
 
+/* Small and large arrays, one of them in a scratch arena. Returns the part's share. */
+static struct zr_arena_share work_apart(struct zr_arena *arena, const struct zr_arena_share *shared, bool works)
+{
+    const struct zr_arena_part part = zr_arena_open_part(arena, 1 << 16);
+    for (size_t i = 0; works && i < 10; i++)
+        zr_arena_alloc(arena, 1000 * i * i, 1);
+    struct zr_arena scratch = zr_arena_open_scratch(arena);
+    if (works) zr_arena_alloc(&scratch, 3 << 20, 1);
+    zr_arena_close_scratch(&scratch, arena);
+    return zr_arena_close_part(arena, &part, shared);
+}
+
+TEST(arena_part_has_the_same_share_whatever_was_before)
+{
+    struct zr_arena_share first = {0, 0, 0};
+    for (size_t before = 0; before < 6; before++) {
+        struct zr_arena worked, shares;
+        zr_arena_init(&worked, (size_t)64 << 20);
+        zr_arena_init(&shares, (size_t)64 << 20);
+        for (size_t i = 0; i < before; i++) {
+            zr_arena_alloc(&worked, 700000 * i, 1);
+            zr_arena_alloc(&shares, 700000 * i, 1);
+        }
+        const struct zr_arena_share share = work_apart(&worked, NULL, true);
+        if (before == 0) first = share;
+        work_apart(&shares, &share, false);
+        assert_memory_equal(&share, &first, sizeof share);
+        assert_true(share.most > 3 << 20 && share.held < 1 << 20);
+        for (int i = 0; i < 3; i++) {
+            assert_int_equal(shares.used, worked.used);
+            assert_int_equal(shares.held, worked.held);
+            zr_arena_alloc(&worked, 900000, 1);
+            zr_arena_alloc(&shares, 900000, 1);
+        }
+        zr_arena_free(&worked);
+        zr_arena_free(&shares);
+    }
+}
+
+TEST(arena_part_needs_what_its_share_says)
+{
+    struct zr_arena arena;
+    zr_arena_init(&arena, (size_t)64 << 20);
+    const struct zr_arena_share share = work_apart(&arena, NULL, true);
+    for (size_t less = 0; less < 2; less++) {
+        zr_arena_free(&arena);
+        zr_arena_init(&arena, share.most - less);
+        work_apart(&arena, NULL, true);
+        assert_int_equal(zr_arena_ok(&arena), less == 0);
+    }
+    zr_arena_free(&arena);
+}
+
 RUN_TESTS(NULL, NULL)

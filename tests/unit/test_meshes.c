@@ -107,6 +107,10 @@ static const struct row rows[] = {
      .fails = true},
     {"scene of two names", ZR_FORMAT_JSON,
      .scene = SCENE("{\"asset\":\"" STORED "\",\"uri\":\"data:;base64,AAAA\"}", 1), .stored = GLB, .fails = true},
+    {"scene of zeros and a part of many bytes", ZR_FORMAT_JSON,
+     .scene = SCENE("{\"asset\":\"a.gltf\"},{\"asset\":\"b.stl\"}", 1), .parts = {{"a.gltf", ZEROS}, {"b.stl", STL}}},
+    {"scene of too many zeros", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"a.gltf\"}", 1),
+     .parts = {{"a.gltf", ZEROS}}, .fails = true},
     {"scene of a broken file", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"a\"}", 1), .parts = {{"a", BROKEN}},
      .fails = true},
 };
