@@ -97,7 +97,8 @@ struct zr_arena_share {
 
 /* A part of the work whose memory depends on nothing that the arena held before. It gets blocks of its own, of `unit`
  * bytes. Afterwards they have no free room, and the arena goes on in the block that it had before. So an arena that
- * shares the result of equal work has the same memory left as one that repeats it, if at least share.most was left. */
+ * shares the result of equal work has the same memory left as one that repeats it, if at least share.most was left. Not
+ * for arenas in the caller's memory. */
 struct zr_arena_part {
     size_t used, held, most, unit; /* of the arena, before */
     struct zr_arena_block *first, *current;

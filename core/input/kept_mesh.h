@@ -1,16 +1,18 @@
 /* kept_mesh.h - input: reads model files, and keeps them between requests if the caller wants it (core.h).
  *
  * A value is what the reader of a format leaves in a builder: all that depends on the file alone. Looks, views, nodes
- * and parameters are applied to it for each request. So bare meshes and the models of scenes share the same few
- * functions, and a scene of many models needs only those that are new.
+ * and parameters are applied to it for each request. So bare meshes and the models of scenes share the same functions,
+ * and a scene of many models reads only those that are new.
  *
  * Equality: a stored asset is found by the SHA-256 in its name and is not read at all. Hashing other bytes would take
- *           longer than reading many of them. They are found by a hash of their size and some samples, and then
- * compared with a copy. If the reader has looked for other files, all their names and sizes are part of the hash, and
- *           those that it found are compared with copies, too. So is the limit of pixels part of the hash.
- * Memory:   reading is a part of the arena (base/arena.h). A request that shares a kept file is charged for that part,
- * so it has the same memory left as one that reads the file. A file that would not fit is read, and fails. Left out:
- * files below 64 KiB, which are read in less than a millisecond, and models in a ZIP archive.
+ *           longer than reading many of them. They are found by a hash of their size and some samples, and all of them
+ *           are then compared with a copy. If the reader has looked for other files of the request, the names and sizes
+ *           of all assets are part of the hash, and the files that it found are compared with copies. The format, the
+ *           pose (animation, time) and the limit of pixels are parts of the hash, too.
+ * Memory:   reading is a part of the arena (base/arena.h), also if nothing is kept. A request that shares a kept file
+ *           is charged for that part, so it has the same memory left as one that reads the file. If the file would not
+ *           fit, it is read, and fails as it does anew.
+ * Left out: files below 64 KiB, which are read in less than a millisecond, and models in a ZIP archive.
  */
 #ifndef ZR_KEPT_MESH_H
 #define ZR_KEPT_MESH_H
