@@ -10,7 +10,7 @@
 #include "bench/series.h"
 #include "bench/service.h"
 #include "bench/wire.h"
-#include "server/daemon.h"
+#include "server/client.h"
 
 enum { OURS, ALONE, THEIRS, TIMES };
 enum { SIDES = 2, LARGE_RINGS = 525, SMALL_RINGS = 60, OBJECTS = 32, SCENE_SIZE = 1 << 15, HASH_SIZE = 65 };
@@ -21,12 +21,17 @@ static const struct kind {
     struct document (*write)(const struct drawing *drawing);
     uint32_t rings;
     int objects;
+    const char *header; /* of the file, which is sent with each request; NULL: it is stored before */
 } kinds[] = {
-    {"HTTP: kept GLB of 1.1 M by its hash, 512x512 1T", document_glb, LARGE_RINGS, 1},
-    {"HTTP: kept STL of 1.1 M by its hash, 512x512 1T", document_stl, LARGE_RINGS, 1},
-    {"HTTP: kept PLY of 1.1 M by its hash, 512x512 1T", document_ply, LARGE_RINGS, 1},
-    {"HTTP: kept OBJ of 1.1 M by its hash, 512x512 1T", document_obj, LARGE_RINGS, 1},
-    {"HTTP: kept GLBs of 14 k by hashes, 32 of them, moved, 512x512 1T", document_glb, SMALL_RINGS, OBJECTS},
+    {"HTTP: kept GLB of 1.1 M by its hash, 512x512 1T", document_glb, LARGE_RINGS, 1, NULL},
+    {"HTTP: kept STL of 1.1 M by its hash, 512x512 1T", document_stl, LARGE_RINGS, 1, NULL},
+    {"HTTP: kept PLY of 1.1 M by its hash, 512x512 1T", document_ply, LARGE_RINGS, 1, NULL},
+    {"HTTP: kept OBJ of 1.1 M by its hash, 512x512 1T", document_obj, LARGE_RINGS, 1, NULL},
+    {"HTTP: kept GLB of 1.1 M, sent again, 512x512 1T", document_glb, LARGE_RINGS, 1,
+     "Content-Type: model/gltf-binary"},
+    {"HTTP: kept STL of 1.1 M, sent again, 512x512 1T", document_stl, LARGE_RINGS, 1, "Content-Type: model/stl"},
+    {"HTTP: kept OBJ of 1.1 M, sent again, 512x512 1T", document_obj, LARGE_RINGS, 1, "Content-Type: model/obj"},
+    {"HTTP: kept GLBs of 14 k by hashes, 32 of them, moved, 512x512 1T", document_glb, SMALL_RINGS, OBJECTS, NULL},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -39,24 +44,31 @@ struct task {
     const struct kind *kind;
     struct side sides[SIDES]; /* that keeps meshes, and that does not */
     char hashes[OBJECTS][HASH_SIZE];
-    int number; /* of the request */
+    struct document sent; /* the file, if it is not stored */
+    int number;           /* of the request */
 };
 
-/* Uploads the files. Their positions differ a little. */
+/* Makes the file of an object. Their positions differ a little. */
+static struct document make_file(const struct kind *kind, int object)
+{
+    struct drawing drawing = {.failed = false};
+    meshes_ball(&drawing, kind->rings);
+    meshes_look(&drawing, false, 1.0f, 512, 512);
+    drawing.positions[0].x += 1e-3f * (float)object;
+    const struct document document = kind->write(&drawing);
+    drawing_free(&drawing);
+    return document;
+}
+
 static bool upload(struct task *task, struct side *side)
 {
     for (int i = 0; i < task->kind->objects; i++) {
-        struct drawing drawing = {.failed = false};
         struct wire_answer answer = {0};
-        meshes_ball(&drawing, task->kind->rings);
-        meshes_look(&drawing, false, 1.0f, 512, 512);
-        drawing.positions[0].x += 1e-3f * (float)i;
-        struct document document = task->kind->write(&drawing);
+        struct document document = make_file(task->kind, i);
         const bool ok = document.bytes &&
                         wire_ask(&side->wire, "POST", "/v1/assets", document.bytes, document.size, &answer) &&
                         sscanf(answer.body, "{\"sha256\":\"%64[0-9a-f]", task->hashes[i]) == 1;
         free(document.bytes);
-        drawing_free(&drawing);
         if (!ok) return bench_complain("the daemon answered %d: %.*s", answer.status, (int)answer.size, answer.body);
     }
     return true;
@@ -88,11 +100,32 @@ static bool ask(const struct task *task, struct side *side, struct wire_answer *
            bench_complain("the daemon answered %d: %.*s", answer->status, (int)answer->size, answer->body);
 }
 
+/* Sends the file with another view. */
+static bool send(struct task *task, struct series *series)
+{
+    struct reply replies[SIDES];
+    char target[80];
+    snprintf(target, sizeof target, "/v1/render?width=512&height=512&look=clay&azimuth=%d", task->number % 360);
+    for (int i = 0; i < SIDES; i++) {
+        const double begin = now_ms();
+        replies[i] = client_send(&task->sides[i].daemon, "POST", target,
+                                 (const char *const[]){task->kind->header, NULL}, task->sent.bytes, task->sent.size);
+        series_add(&series[i == 0 ? OURS : THEIRS], now_ms() - begin);
+    }
+    const struct wire_answer timing = {.headers = replies[0].headers};
+    series_add(&series[ALONE], wire_step_ms(&timing, "render") + wire_step_ms(&timing, "encode"));
+    const bool ok = replies[0].status == 200 && reply_is_same(&replies[0], &replies[1]);
+    reply_free(&replies[0]);
+    reply_free(&replies[1]);
+    return ok;
+}
+
 static bool run_round(void *context, struct series *series)
 {
     struct task *task = context;
     struct wire_answer answers[SIDES] = {{0}, {0}};
     task->number++;
+    if (task->kind->header) return send(task, series);
     for (int i = 0; i < SIDES; i++) {
         const double begin = now_ms();
         if (!ask(task, &task->sides[i], &answers[i])) return false;
@@ -105,6 +138,7 @@ static bool run_round(void *context, struct series *series)
 static bool open_sides(struct task *task, char folders[SIDES][32])
 {
     bool ok = true;
+    if (task->kind->header) task->sent = make_file(task->kind, 0);
     for (int i = 0; i < SIDES; i++) {
         struct side *side = &task->sides[i];
         char flag[64];
@@ -112,7 +146,7 @@ static bool open_sides(struct task *task, char folders[SIDES][32])
         side->daemon = daemon_start((const char *const[]){
             "--workers=1", "--threads=1", "--keep-memory-bytes=1000000000",
             i == 0 ? "--keep-mesh-bytes=500000000" : "--keep-mesh-bytes=0", flag, "--body-max-bytes=500000000", NULL});
-        ok = ok && wire_open(&side->wire, side->daemon.port) && upload(task, side);
+        ok = ok && wire_open(&side->wire, side->daemon.port) && (task->kind->header || upload(task, side));
     }
     return ok;
 }
@@ -128,6 +162,7 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
         wire_close(&task.sides[i].wire);
         daemon_stop(&task.sides[i].daemon);
     }
+    free(task.sent.bytes);
     snprintf(command, sizeof command, "rm -rf %s %s", folders[0], folders[1]);
     if (system(command) != 0) return bench_complain("%s cannot be removed", folders[0]);
     if (!ok) return bench_complain("an answer is missing, or its bytes depend on kept meshes");
