@@ -52,7 +52,8 @@ static bool read_header(struct zr_draco *draco, uint32_t *method)
     const uint32_t flags = zr_draco_u16(stream);
     if (stream->is_broken) return false;
     if (kind == POINTS) return zr_draco_refuse(draco, "a point cloud of Draco; meshes are read");
-    if (kind != MESH || *method > 1) return zr_draco_refuse(draco, "a mesh of the unknown method %u", *method);
+    if (kind != MESH) return zr_draco_refuse(draco, "contents of Draco of the unknown kind %u; meshes are read", kind);
+    if (*method > 1) return zr_draco_refuse(draco, "a mesh of the unknown method %u", *method);
     if (major != 2 || minor != 2)
         return zr_draco_refuse(draco, "Draco's bitstream %u.%u; version 2.2 is read", major, minor);
     return !(flags & HAS_METADATA) || skip_metadata(draco);

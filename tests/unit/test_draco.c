@@ -90,6 +90,7 @@ TEST(other_contents_are_refused_by_name)
                  {5, 1, "Draco's bitstream 1.2; version 2.2 is read"},
                  {6, 1, "Draco's bitstream 2.1; version 2.2 is read"},
                  {7, 0, "a point cloud of Draco"},
+                 {7, 9, "contents of Draco of the unknown kind 9; meshes are read"},
                  {8, 2, "a mesh of the unknown method 2"},
                  {27, 10, "attribute 7 has numbers of the type 10, which is not read"},
                  {28, 17, "attribute 7 has 17 numbers per point; 1 to 16 are read"},
