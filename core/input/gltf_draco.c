@@ -100,6 +100,19 @@ static bool put_integer(unsigned char *out, uint32_t type, int64_t value)
     return type == ZR_GLTF_FLOAT32 || (is_signed ? value >= -span / 2 && value < span / 2 : value >= 0 && value < span);
 }
 
+/* Refuses floats and normalized integers for an accessor of another type, in which they have other values. */
+static bool check_type(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_draco_attribute *of,
+                       uint32_t type)
+{
+    const uint32_t found = component_type(of->type);
+    if (of->type != ZR_DRACO_FLOAT32 && !of->is_normalized) return true;
+    if (found == 0)
+        return zr_json_fault(&file->root.json, path, "%u; the compressed attribute has normalized integers of 32 bits",
+                             type);
+    return zr_json_fault(&file->root.json, path, "%u; the compressed attribute has %snumbers of the type %u", type,
+                         of->is_normalized ? "normalized " : "", found);
+}
+
 /* Converts integers to the type of the accessor. */
 static const unsigned char *convert(struct zr_gltf *file, const struct zr_json_path *path,
                                     const struct zr_draco_attribute *of, uint32_t points, uint32_t type)
@@ -107,11 +120,7 @@ static const unsigned char *convert(struct zr_gltf *file, const struct zr_json_p
     const size_t count = (size_t)points * of->width, from = zr_draco_type_bytes(of->type),
                  to = zr_gltf_type_bytes(type);
     struct zr_json *json = &file->root.json;
-    if (of->type == ZR_DRACO_FLOAT32 || (type == ZR_GLTF_FLOAT32 && of->is_normalized)) {
-        zr_json_fault(json, path, "%u; the compressed attribute has numbers of the type %u", type,
-                      component_type(of->type));
-        return NULL;
-    }
+    if (!check_type(file, path, of, type)) return NULL;
     unsigned char *out = zr_gltf_note_bytes(file, count * to) ? zr_arena_alloc(json->arena, count, to) : NULL;
     for (size_t i = 0; out && i < count; i++) {
         const int64_t value = read_integer(of->values + i * from, of->type);
