@@ -180,6 +180,22 @@ static uint32_t number_at(const struct zr_gltf_attributes *of, size_t offset)
     return number;
 }
 
+/* Refuses a second compressed attribute for the accessor of attribute `at`. */
+static bool check_alone(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_attributes *ids,
+                        const struct zr_gltf_attributes *numbers, uint32_t at)
+{
+    size_t offset, other;
+    zr_gltf_attribute_of(at, &offset);
+    const uint32_t id = number_at(ids, offset), number = number_at(numbers, offset);
+    for (uint32_t i = 0; i < at && zr_gltf_attribute_of(i, &other); i++) {
+        const uint32_t other_id = number_at(ids, other);
+        if (number_at(numbers, other) == number && other_id != id && other_id != ZR_GLTF_NONE)
+            return zr_json_fault(&file->root.json, path, "%u; accessor %u already has the compressed attribute %u", id,
+                                 number, other_id);
+    }
+    return true;
+}
+
 static bool open_attributes(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_attributes *ids,
                             const struct zr_gltf_primitive *given)
 {
@@ -191,6 +207,7 @@ static bool open_attributes(struct zr_gltf *file, const struct zr_json_path *pat
         const uint32_t id = number_at(ids, offset), number = number_at(&given->attributes, offset);
         if (id == ZR_GLTF_NONE || number == ZR_GLTF_NONE) continue;
         if (!zr_gltf_check_index(file, ZR_JSON_KEY(numbers, name), number, ZR_GLTF_ACCESSORS) ||
+            !check_alone(file, ZR_JSON_KEY(list, name), ids, &given->attributes, i) ||
             !open_attribute(file, ZR_JSON_KEY(list, name), given->draco, id, number))
             return false;
     }
