@@ -188,6 +188,7 @@ struct zr_gltf {
     struct zr_file_scene *made;
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
         bad_lights, clamped_spots, specular_textures, gloss_textures;
+    struct zr_gltf_note not_compressed, not_drawn; /* attributes of primitives with compressed data */
     uint32_t baked_count;
     struct zr_gltf_baked *baked; /* of specular and glossiness */
     bool requires_draco;

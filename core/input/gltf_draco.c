@@ -196,6 +196,19 @@ static bool check_alone(struct zr_gltf *file, const struct zr_json_path *path, c
     return true;
 }
 
+/* Notes an attribute that only one of the lists has, unless its accessor has own data. */
+static void note_lone(struct zr_gltf *file, const struct zr_json_path *list, const struct zr_json_path *numbers,
+                      const char *name, uint32_t number)
+{
+    if (number == ZR_GLTF_NONE) {
+        zr_gltf_note(&file->not_drawn, ZR_JSON_KEY(list, name));
+    } else if (number < file->counts[ZR_GLTF_ACCESSORS]) {
+        const struct zr_gltf_accessor *accessor = &file->accessors[number];
+        if (accessor->view == ZR_GLTF_NONE && accessor->sparse.count == 0)
+            zr_gltf_note(&file->not_compressed, ZR_JSON_KEY(numbers, name));
+    }
+}
+
 static bool open_attributes(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_attributes *ids,
                             const struct zr_gltf_primitive *given)
 {
@@ -205,6 +218,7 @@ static bool open_attributes(struct zr_gltf *file, const struct zr_json_path *pat
     size_t offset;
     for (uint32_t i = 0; (name = zr_gltf_attribute_of(i, &offset)); i++) {
         const uint32_t id = number_at(ids, offset), number = number_at(&given->attributes, offset);
+        if ((id == ZR_GLTF_NONE) != (number == ZR_GLTF_NONE)) note_lone(file, list, numbers, name, number);
         if (id == ZR_GLTF_NONE || number == ZR_GLTF_NONE) continue;
         if (!zr_gltf_check_index(file, ZR_JSON_KEY(numbers, name), number, ZR_GLTF_ACCESSORS) ||
             !check_alone(file, ZR_JSON_KEY(list, name), ids, &given->attributes, i) ||

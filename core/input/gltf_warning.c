@@ -36,6 +36,10 @@ void zr_gltf_warn(struct zr_gltf *file)
     warn_of(file, all, &file->unread_channels, "targets a property that is not read",
             "channels target properties that are not read");
     warn_of(file, all, &file->no_positions, "without POSITION, and not drawn", "primitives are without POSITION");
+    warn_of(file, all, &file->not_compressed, "neither compressed nor in a bufferView: it is 0",
+            "attributes are neither compressed nor in a bufferView, and are 0");
+    warn_of(file, all, &file->not_drawn, "compressed, but no attribute of its primitive, and not drawn",
+            "compressed attributes are not those of their primitives, and are not drawn");
     warn_of(file, all, &file->empty, "too few corners to draw", "primitives have too few corners to draw");
     warn_of(file, all, &file->left_over, "the last corners make no whole primitive",
             "primitives have corners that are left over");

@@ -120,6 +120,24 @@ TEST(attributes_that_are_not_compressed_are_read)
     reading_free(reading);
 }
 
+TEST(attributes_in_one_list_only_cause_a_warning)
+{
+    static const struct {
+        const char *text, *warning;
+    } cases[] = {{FILE_OF(REQUIRED "," MESH(PRIMITIVE("\"POSITION\":0,\"TEXCOORD_0\":3", "1", "\"POSITION\":7") "}")),
+                  "/meshes/0/primitives/0/attributes/TEXCOORD_0: neither compressed nor in a bufferView: it is 0"},
+                 {FILE_OF(REQUIRED "," MESH(PRIMITIVE("\"POSITION\":0", "1", "\"POSITION\":7,\"COLOR_0\":1") "}")),
+                  "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression/attributes/COLOR_0: compressed, but no "
+                  "attribute of its primitive, and not drawn"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct reading *reading = read_parts((struct zr_request){0}, D, cases[i].text);
+        assert_read(reading);
+        assert_int_equal(reading->scene->warning_count, 1);
+        assert_string_equal(reading->scene->warnings[0], cases[i].warning);
+        reading_free(reading);
+    }
+}
+
 #define WITH_BOTH MESH(PRIMITIVE("\"POSITION\":4", "5", "\"POSITION\":7") "}")
 
 TEST(compressed_data_are_drawn_instead_of_others)
