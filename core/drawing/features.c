@@ -102,6 +102,16 @@ static bool is_smooth_by_file(const struct finding *f, const struct edge *edge)
     return agree_at(edge, edge->low) && agree_at(edge, edge->high);
 }
 
+/* True if the edge bounds a cap. */
+static bool is_of_cap(const struct edge *edge)
+{
+    const struct zr_mesh *mesh = edge->of->mesh;
+    if (mesh->cap_count == 0 || edge->is_diagonal) return false;
+    for (uint32_t i = 0; i < edge->count && i < FEW_SIDES; i++)
+        if (zr_mesh_face_is_cap(mesh, edge->of->table->faces[edge->sides[i] / 3])) return true;
+    return false;
+}
+
 static bool has_normal(const float n[3])
 {
     return n[0] != 0.0f || n[1] != 0.0f || n[2] != 0.0f;
@@ -123,6 +133,7 @@ static unsigned features_of_two(const struct finding *f, const struct edge *edge
     const float sign = is_against ? -1.0f : 1.0f, least = f->weak_cosine - rounding;
     unsigned features = 0;
     if ((is_front(f, edge, 0) != is_front(f, edge, 1)) != is_against) features |= ZR_FEATURE_CONTOUR;
+    if (is_of_cap(edge)) return features | ZR_FEATURE_WEAK | ZR_FEATURE_STRONG;
     float cosine = sign * dot(a, b);
     if (!(cosine < least) || edge->is_diagonal || !has_normal(a) || !has_normal(b)) return features;
     if (!f->keeps_noise) cosine = smooth_cosine(f, edge, sign);
@@ -158,7 +169,7 @@ static bool go_on(const struct finding *f, const struct edge *edge, uint32_t a, 
 static unsigned features_of_more(const struct finding *f, const struct edge *edge)
 {
     const unsigned strong = ZR_FEATURE_WEAK | ZR_FEATURE_STRONG | ZR_FEATURE_MORE;
-    if (edge->count > FEW_SIDES) return strong;
+    if (edge->count > FEW_SIDES || is_of_cap(edge)) return strong;
     for (uint32_t a = 0; a < edge->count; a++)
         for (uint32_t b = a + 1; b < edge->count; b++)
             if (go_on(f, edge, a, b)) return 0;
@@ -193,6 +204,7 @@ static void find_range(void *context, size_t begin, size_t end)
         unsigned features = edge.count == 1 ? ZR_FEATURE_BORDER : 0;
         if (edge.count == 2) features = features_of_two(f, &edge);
         if (edge.count > 2) features = features_of_more(f, &edge);
+        if (is_of_cap(&edge)) features |= ZR_FEATURE_CUT;
         f->features[e] = (uint8_t)features;
     }
 }

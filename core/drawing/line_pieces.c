@@ -51,6 +51,7 @@ static void add(const struct making *m, uint32_t number, double begin, double en
                                                                .line = number,
                                                                .kind = line->kind,
                                                                .is_sharp = line->is_sharp,
+                                                               .is_cut = line->is_cut,
                                                                .is_hidden = is_hidden};
         m->out->count++;
     }
@@ -114,9 +115,47 @@ static bool is_faint(const struct making *m, const struct middle *at)
     return fabs(to_left - to_right) < weak_beside * step_least;
 }
 
+/* Returns the face and the instance of a hider. */
+static uint32_t face_of(const struct making *m, uint32_t hider, const struct zr_drawn_instance **of)
+{
+    const uint32_t triangle = zr_hider_source(m->mesh, hider);
+    *of = &m->mesh
+               ->instances[zr_drawn_instance_of(m->mesh, offsetof(struct zr_drawn_instance, first_triangle), triangle)];
+    return (*of)->table->faces[triangle - (*of)->first_triangle];
+}
+
+/* Returns the first cap at a point beside a line that goes through the line; ZR_NO_HIDER: none. Where caps of several
+ * parts lie in one plane, the first one is drawn (geometry/claims.h). */
+static uint32_t cap_beside(const struct making *m, const struct middle *at, double left)
+{
+    const double x = at->x + left * at->left_x, y = at->y + left * at->left_y;
+    const struct zr_drawn_instance *of;
+    uint32_t first = ZR_NO_HIDER;
+    struct zr_cell_hiders in = zr_cell_hiders_at(m->cells, x, y);
+    for (uint32_t i = 0; i < in.count; i++) {
+        const uint32_t hider = in.at[i];
+        if (first != ZR_NO_HIDER && zr_hider_source(m->mesh, hider) >= zr_hider_source(m->mesh, first)) continue;
+        if (!zr_hider_covers(m->mesh, hider, x, y)) continue;
+        if (fabs(zr_plane_depth(m->mesh, hider, at->x, at->y) - at->z) >= seam_depth) continue;
+        const uint32_t face = face_of(m, hider, &of);
+        if (zr_mesh_face_is_cap(of->mesh, face)) first = hider;
+    }
+    return first;
+}
+
+/* True if both sides of the edge of a cap show the same cap: solids overlap there. */
+static bool is_inside_cap(const struct making *m, const struct middle *at)
+{
+    const uint32_t left = cap_beside(m, at, seam), right = cap_beside(m, at, -seam);
+    const struct zr_drawn_instance *a, *b;
+    if (left == ZR_NO_HIDER || right == ZR_NO_HIDER) return false;
+    return face_of(m, left, &a) == face_of(m, right, &b) && a == b;
+}
+
 static bool is_seam(const struct making *m, const struct zr_line_piece *piece, const struct middle *at)
 {
     const struct zr_line *line = &m->lines->at[piece->line];
+    if (piece->is_cut) return is_inside_cap(m, at);
     if (piece->kind != ZR_LINE_CREASE && piece->kind != ZR_LINE_INTERSECTION) return false;
     if (is_one_plane(m, at, probe(m, at, seam).hider, probe(m, at, -seam).hider)) return true;
     return line->is_weak && length_of(line) < WEAK_PIXELS && is_faint(m, at);

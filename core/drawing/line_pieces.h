@@ -20,6 +20,7 @@ struct zr_line_piece {
     uint32_t line; /* index; ZR_NO_LINE: a bridge (contour_steps.h) */
     uint8_t kind;  /* enum zr_line_kind */
     bool is_sharp; /* a crease that is a contour as well */
+    bool is_cut;   /* of a cap */
     bool is_hidden;
     bool is_at_background; /* visible, and background on at least one side */
     bool is_dropped;

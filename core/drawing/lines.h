@@ -16,6 +16,7 @@ struct zr_line {
     uint8_t kind;          /* enum zr_line_kind */
     bool is_sharp;         /* a crease that is a contour as well */
     bool is_weak;          /* a crease without ZR_FEATURE_STRONG */
+    bool is_cut;           /* of a cap */
 };
 
 struct zr_lines {

@@ -20,7 +20,7 @@ static enum zr_stroke_class class_of(const struct zr_line_piece *piece)
 {
     if (piece->is_hidden) return ZR_STROKE_HIDDEN;
     const bool is_outline = piece->kind == ZR_LINE_BORDER || piece->kind == ZR_LINE_CONTOUR;
-    return is_outline || piece->is_at_background ? ZR_STROKE_OUTLINE : ZR_STROKE_INNER;
+    return is_outline || piece->is_cut || piece->is_at_background ? ZR_STROKE_OUTLINE : ZR_STROKE_INNER;
 }
 
 static bool make_segments(struct joining *j)

@@ -22,7 +22,7 @@ static bool may_be_nearer(const struct zr_window_mesh *mesh, uint32_t hider, dou
            mesh->points[corners[2]].z < depth;
 }
 
-static bool is_inside(const struct zr_window_mesh *mesh, uint32_t hider, double x, double y)
+bool zr_hider_covers(const struct zr_window_mesh *mesh, uint32_t hider, double x, double y)
 {
     const uint32_t *corners = mesh->corners[hider];
     const struct zr_window_point *a = &mesh->points[corners[0]], *b = &mesh->points[corners[1]],
@@ -30,13 +30,19 @@ static bool is_inside(const struct zr_window_mesh *mesh, uint32_t hider, double 
     return side_of(a, b, x, y) >= 0.0 && side_of(b, c, x, y) >= 0.0 && side_of(c, a, x, y) >= 0.0;
 }
 
-struct zr_probe zr_probe_at(const struct zr_window_mesh *mesh, const struct zr_cells *cells, double x, double y)
+struct zr_cell_hiders zr_cell_hiders_at(const struct zr_cells *cells, double x, double y)
 {
     const uint32_t cell = zr_cell_at(y, cells->rows) * cells->columns + zr_cell_at(x, cells->columns);
+    return (struct zr_cell_hiders){cells->firsts[cell + 1] - cells->firsts[cell], cells->hiders + cells->firsts[cell]};
+}
+
+struct zr_probe zr_probe_at(const struct zr_window_mesh *mesh, const struct zr_cells *cells, double x, double y)
+{
+    const struct zr_cell_hiders in = zr_cell_hiders_at(cells, x, y);
     struct zr_probe nearest = {ZR_NO_HIDER, HUGE_VAL};
-    for (uint32_t i = cells->firsts[cell]; i < cells->firsts[cell + 1]; i++) {
-        const uint32_t hider = cells->hiders[i];
-        if (!may_be_nearer(mesh, hider, nearest.depth) || !is_inside(mesh, hider, x, y)) continue;
+    for (uint32_t i = 0; i < in.count; i++) {
+        const uint32_t hider = in.at[i];
+        if (!may_be_nearer(mesh, hider, nearest.depth) || !zr_hider_covers(mesh, hider, x, y)) continue;
         const double depth = zr_plane_depth(mesh, hider, x, y);
         if (depth < nearest.depth) nearest = (struct zr_probe){hider, depth};
     }

@@ -15,6 +15,17 @@ struct zr_probe {
 
 struct zr_probe zr_probe_at(const struct zr_window_mesh *mesh, const struct zr_cells *cells, double x, double y);
 
+/* The hiders of a cell. */
+struct zr_cell_hiders {
+    uint32_t count;
+    const uint32_t *at;
+};
+
+struct zr_cell_hiders zr_cell_hiders_at(const struct zr_cells *cells, double x, double y);
+
+/* Returns true if a hider covers a point, or touches it. */
+bool zr_hider_covers(const struct zr_window_mesh *mesh, uint32_t hider, double x, double y);
+
 /* Returns the depth of a hider's plane at a point. */
 double zr_plane_depth(const struct zr_window_mesh *mesh, uint32_t hider, double x, double y);
 

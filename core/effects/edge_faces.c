@@ -64,3 +64,33 @@ uint32_t zr_edge_faces_apart(const struct zr_edge_rule *rule, const struct zr_ed
     }
     return pairs;
 }
+
+/* ---- caps ---- */
+
+uint32_t zr_edge_caps_apart(const struct zr_edge_rule *rule, const struct zr_edge_line *a, const struct zr_edge_line *b,
+                            int32_t first, uint32_t pairs)
+{
+    for (uint32_t bits = pairs; bits; bits &= bits - 1) {
+        const int i = __builtin_ctz(bits);
+        if (rule->caps[a->owner[first + i] - 1] == rule->caps[b->owner[first + i] - 1]) pairs &= ~(1u << i);
+    }
+    return pairs;
+}
+
+bool zr_edge_caps_list(struct zr_arena *arena, const struct zr_geometry *geometry, const uint32_t **caps)
+{
+    bool has_caps = false;
+    *caps = NULL;
+    for (uint32_t i = 0; i < geometry->draw_count; i++)
+        has_caps = has_caps || geometry->draws[i].mesh->cap_count > 0;
+    if (!has_caps) return true;
+    uint32_t *list = zr_arena_zero(arena, geometry->primitive_count, sizeof *list);
+    for (uint32_t i = 0; list && i < geometry->draw_count; i++) {
+        const struct zr_draw *draw = &geometry->draws[i];
+        for (uint32_t k = 0; k < draw->count && draw->kind == ZR_DRAW_SHAPES; k++)
+            if (zr_mesh_face_is_cap(draw->mesh, draw->faces[k]))
+                list[draw->first + k] = draw->first_id + draw->faces[k];
+    }
+    *caps = list;
+    return list != NULL;
+}

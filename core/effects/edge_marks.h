@@ -34,6 +34,7 @@ struct zr_edge_rule {
     float limit;
     float cosine;
     const struct zr_edge_faces *faces; /* NULL: the normals alone define the planes */
+    const uint32_t *caps;              /* of zr_edge_caps_list; NULL: the scene has none */
 };
 
 /* A row or column of neighbouring samples. */
@@ -53,6 +54,14 @@ struct zr_edge_bits {
  * far from the planes of their normals. */
 uint32_t zr_edge_faces_apart(const struct zr_edge_rule *rule, const struct zr_edge_line *a,
                              const struct zr_edge_line *b, int32_t first, uint32_t pairs);
+
+/* Returns those bits of `pairs` of which one sample shows a cap and the other does not show the same one. */
+uint32_t zr_edge_caps_apart(const struct zr_edge_rule *rule, const struct zr_edge_line *a, const struct zr_edge_line *b,
+                            int32_t first, uint32_t pairs);
+
+/* Lists the face id of the cap of each primitive; 0: of no cap. Sets *caps to NULL if the geometry has no caps. False:
+ * the arena has no memory. */
+bool zr_edge_caps_list(struct zr_arena *arena, const struct zr_geometry *geometry, const uint32_t **caps);
 
 /* Compares sample i of both lines for i < count <= 64 and returns the marks as bit i. The result is symmetric in `a`
  * and `b`; nothing beyond `count` is read. A kernel. */

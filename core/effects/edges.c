@@ -63,11 +63,12 @@ struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width,
     return marks;
 }
 
-void zr_edges_set_faces(struct zr_edge_marks *marks, const struct zr_geometry *geometry,
+bool zr_edges_set_faces(struct zr_edge_marks *marks, struct zr_arena *arena, const struct zr_geometry *geometry,
                         const struct zr_scene_attributes *attributes)
 {
     marks->faces = (struct zr_edge_faces){geometry, attributes->of_draw};
     marks->rule.faces = &marks->faces;
+    return zr_edge_caps_list(arena, geometry, &marks->rule.caps);
 }
 
 /* ---- within tiles ---- */

@@ -4,12 +4,12 @@
  * How:    horizontal and vertical neighbours are compared. They form a silhouette if one is uncovered. They also form
  *         one if both points are more than 1.5 sample widths (at the farther one) from the other's plane and lie on no
  *         common surface (zr_edges_set_faces). Otherwise they form a crease if their normals differ by more than an
- *         angle. Samples without a normal, of lines, form silhouettes with uncovered samples only. Both neighbours are
- *         marked. Connected creases that fit in a small box are dropped: 12 x 12 pixels, or with scales_specks a
- *         fiftieth of the window's smaller side, 5 to 64. Marks are widened by a disc.
- * Exact:  every instruction set, thread count and order of tiles gives the same bytes.
- * Memory: two bits per sample, and 7 KiB per tile for the rows and columns at its sides, which are compared when
- *         all tiles are drawn. */
+ *         angle. Samples without a normal, of lines, form silhouettes with uncovered samples only. A cap of a section
+ *         forms one with all other faces, for any normals. Both neighbours are marked. Connected creases that fit in a
+ * small box are dropped: 12 x 12 pixels, or with scales_specks a fiftieth of the window's smaller side, 5 to 64. Marks
+ * are widened by a disc. Exact:  every instruction set, thread count and order of tiles gives the same bytes. Memory:
+ * two bits per sample, and 7 KiB per tile for the rows and columns at its sides, which are compared when all tiles are
+ * drawn. */
 #ifndef ZR_EDGES_H
 #define ZR_EDGES_H
 
@@ -34,8 +34,9 @@ struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width,
 float zr_edges_width_in(const struct zr_edges *edges, uint32_t width, uint32_t height);
 
 /* Sets the triangles that owner ids refer to, before the first tile: parts of one surface then have no silhouette
- * between them, for any normals. Both pointers must stay valid until zr_edges_finish returns. */
-void zr_edges_set_faces(struct zr_edge_marks *marks, const struct zr_geometry *geometry,
+ * between them, for any normals. Both pointers must stay valid until zr_edges_finish returns. False: the arena has no
+ * memory. */
+bool zr_edges_set_faces(struct zr_edge_marks *marks, struct zr_arena *arena, const struct zr_geometry *geometry,
                         const struct zr_scene_attributes *attributes);
 
 /* Marks the edges within tile `number`, and keeps its sides for zr_edges_finish. Several threads may mark different

@@ -43,6 +43,11 @@ static inline void compare(const struct zr_edge_rule *rule, const struct zr_edge
         compare_faces(rule, a, b, at, &apart, &bent);
         uint32_t steps = zr_vm_bits(apart) & both;
         if (steps && rule->faces) steps = zr_edge_faces_apart(rule, a, b, at, steps);
+        if (rule->caps) {
+            const zr_vm same = zr_vi_eq(zr_vi_load(a->owner + at), zr_vi_load(b->owner + at));
+            const uint32_t pairs = both & ~zr_vm_bits(same);
+            if (pairs) steps |= zr_edge_caps_apart(rule, a, b, at, pairs);
+        }
         silhouettes |= steps;
         creases = zr_vm_bits(bent) & both & ~silhouettes;
     }

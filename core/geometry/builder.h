@@ -3,6 +3,7 @@
 #define ZR_BUILDER_H
 
 #include "base/arena.h"
+#include "geometry/claims.h"
 #include "geometry/clip.h"
 #include "geometry/fans.h"
 #include "geometry/geometry.h"
@@ -28,8 +29,9 @@ struct zr_wound_edge {
 struct zr_winding_scratch {
     struct zr_wound_edge *edges; /* of the current cap */
     uint32_t edge_count, edge_room;
-    void *rows, *numbers; /* arrays by row of the window, and by edge */
+    void *rows, *walls, *numbers; /* arrays by row and by column of the window, and by edge; NULL: no cap yet */
     uint32_t number_room;
+    struct zr_claims claims;
 };
 
 /* Arrays for primitives that are placed one by one. A draw never spans two of these arrays, so nothing moves. */

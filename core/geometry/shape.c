@@ -214,7 +214,7 @@ void zr_shape_place(struct zr_builder *builder, uint32_t face, const struct zr_c
     own.back = zr_shape_shows_back(builder, face);
     for (uint32_t r = 0; r < ZR_MUTANT(holes_filled, rings.count, 1u); r++)
         add_ring(&trace, rings.offsets[r], rings.offsets[r + 1]);
-    if (is_cap && !zr_winding_add(builder)) return;
+    if (is_cap && !zr_winding_add(builder, face - (builder->mesh->face_count - builder->mesh->cap_count))) return;
     if (!zr_builder_reserve_shape(builder, 0)) return;
     if (trace.clipped) drop_pairs(geometry, first_edge);
     struct zr_shape shape = shape_of_edges(geometry, first_edge);

@@ -13,6 +13,8 @@ struct wall {
 struct winding {
     struct zr_builder *builder;
     const struct zr_wound_edge *edges;
+    const struct zr_claims *claims; /* NULL: no other cap lies in the plane */
+    uint32_t plane;
     uint32_t *starts; /* per row from first_row on: 1 + the first edge that begins there; 0: none */
     uint32_t *next;   /* per edge: 1 + the next one that begins in the same row; 0: none */
     uint32_t *active;
@@ -77,32 +79,60 @@ static void begin_row(struct winding *w, int32_t row)
     sort(w->changes, kept);
 }
 
-/* Returns true if the rules differ at a sample of the row. */
-static bool row_differs(const struct winding *w)
+/* Returns true if the rules differ at a sample of the row, or if another cap has taken one. */
+static bool row_differs(const struct winding *w, int32_t row)
 {
     int32_t number = 0;
     for (uint32_t i = 0; i < w->active_count; i++) {
-        const bool moves = i > 0 && w->changes[i].column > w->changes[i - 1].column;
-        if (moves && number != 0 && (number & 1) == 0) return true;
+        const int32_t from = i > 0 ? w->changes[i - 1].column : 0, to = w->changes[i].column;
+        if (from < to && number != 0) {
+            bool is_taken = false;
+            if ((number & 1) == 0) return true;
+            if (w->claims && (zr_claims_run(w->claims, w->plane, row, from, to, &is_taken) < to || is_taken))
+                return true;
+        }
         number += w->changes[i].sign;
     }
     return false;
 }
 
-/* Lists the ends of the runs of the row whose winding numbers are not 0. */
-static void find_walls(struct winding *w, int32_t row)
+/* Two walls in one column are a run without samples, or a gap without samples. */
+static void add_wall(struct winding *w, int32_t column, int32_t row)
 {
-    int32_t number = 0;
-    w->wall_count = 0;
+    if (w->wall_count > 0 && w->walls[w->wall_count - 1].column == column)
+        w->wall_count--;
+    else
+        w->walls[w->wall_count++] = (struct wall){column, row};
+}
+
+/* Adds the free samples of a run. */
+static void add_free(struct winding *w, int32_t row, int32_t begin, int32_t end)
+{
+    while (begin < end) {
+        bool is_taken = false;
+        const int32_t next = w->claims ? zr_claims_run(w->claims, w->plane, row, begin, end, &is_taken) : end;
+        if (!is_taken) add_wall(w, begin, row);
+        if (!is_taken) add_wall(w, next, row);
+        begin = next;
+    }
+}
+
+/* Calls `visit` with each run of the row whose winding numbers are not 0. */
+static void for_each_run(struct winding *w, int32_t row,
+                         void (*visit)(struct winding *w, int32_t row, int32_t begin, int32_t end))
+{
+    int32_t number = 0, begin = 0;
     for (uint32_t i = 0; i < w->active_count; i++) {
         const int32_t before = number, column = w->changes[i].column;
         number += w->changes[i].sign;
-        if ((before == 0) == (number == 0)) continue;
-        if (w->wall_count > 0 && w->walls[w->wall_count - 1].column == column)
-            w->wall_count--; /* a run without samples, or a gap without samples */
-        else
-            w->walls[w->wall_count++] = (struct wall){column, row};
+        if (before == 0) begin = column;
+        if (before != 0 && number == 0 && begin < column) visit(w, row, begin, column);
     }
+}
+
+static void take(struct winding *w, int32_t row, int32_t begin, int32_t end)
+{
+    zr_claims_take(w->claims, w->plane, row, begin, end);
 }
 
 /* Appends a vertical edge up to the begin of `row`. */
@@ -169,7 +199,7 @@ static bool differs(struct winding *w, uint32_t count)
     for (int32_t row = w->first_row; row < w->end_row; row++) {
         begin_row(w, row);
         if (!zr_builder_go_on(w->builder, w->active_count)) return false;
-        if (row_differs(w)) return true;
+        if (row_differs(w, row)) return true;
     }
     return false;
 }
@@ -180,23 +210,42 @@ static bool add_walls(struct winding *w, uint32_t count)
     for (int32_t row = w->first_row; row < w->end_row; row++) {
         begin_row(w, row);
         if (!zr_builder_go_on(w->builder, w->active_count)) return false;
-        find_walls(w, row);
+        w->wall_count = 0;
+        for_each_run(w, row, add_free);
+        if (w->claims) for_each_run(w, row, take);
         if (!join_walls(w, row)) return false;
     }
     w->wall_count = 0;
     return join_walls(w, w->end_row);
 }
 
+static bool take_rows(struct winding *w, uint32_t count)
+{
+    list_starts(w, count);
+    for (int32_t row = w->first_row; row < w->end_row; row++) {
+        begin_row(w, row);
+        if (!zr_builder_go_on(w->builder, w->active_count)) return false;
+        for_each_run(w, row, take);
+    }
+    return true;
+}
+
 /* ---- scratch ---- */
 
 /* Bytes per edge of the arrays by edge. */
-enum { NUMBER_BYTES = 2 * sizeof(uint32_t) + sizeof(struct change) + 2 * sizeof(struct wall) };
+enum { NUMBER_BYTES = 2 * sizeof(uint32_t) + sizeof(struct change) };
 
 static bool make_rooms(struct zr_builder *builder, uint32_t count, struct winding *w)
 {
     struct zr_winding_scratch *scratch = &builder->winding;
-    if (!scratch->rows)
-        scratch->rows = zr_arena_alloc(builder->arena, builder->geometry->window.height, sizeof *w->starts);
+    const struct zr_window *window = &builder->geometry->window;
+    const size_t columns = (size_t)window->width + 1;
+    if (!scratch->rows) {
+        scratch->rows = zr_arena_alloc(builder->arena, window->height, sizeof *w->starts);
+        scratch->walls = zr_arena_alloc(builder->arena, 2 * columns, sizeof *w->walls);
+        if (!zr_claims_make(builder->arena, builder->scene, window->width, window->height, &scratch->claims))
+            return false;
+    }
     if (count > scratch->number_room) {
         scratch->number_room = scratch->edge_room; /* grows by doubling */
         scratch->numbers = zr_arena_alloc(builder->arena, scratch->number_room, NUMBER_BYTES);
@@ -204,10 +253,10 @@ static bool make_rooms(struct zr_builder *builder, uint32_t count, struct windin
     if (!zr_arena_ok(builder->arena)) return false;
     const size_t room = scratch->number_room;
     w->starts = scratch->rows;
+    w->walls = scratch->walls;
+    w->earlier = w->walls + columns;
     w->changes = scratch->numbers;
-    w->walls = (struct wall *)(void *)(w->changes + room);
-    w->earlier = w->walls + room;
-    w->next = (uint32_t *)(void *)(w->earlier + room);
+    w->next = (uint32_t *)(void *)(w->changes + room);
     w->active = w->next + room;
     return true;
 }
@@ -231,7 +280,7 @@ void zr_winding_note(struct zr_builder *builder, const struct zr_grid_edge *edge
     scratch->edges[scratch->edge_count++] = (struct zr_wound_edge){*edge, sign};
 }
 
-bool zr_winding_add(struct zr_builder *builder)
+bool zr_winding_add(struct zr_builder *builder, uint32_t cap)
 {
     struct zr_geometry *geometry = builder->geometry;
     const uint32_t count = builder->winding.edge_count;
@@ -239,10 +288,12 @@ bool zr_winding_add(struct zr_builder *builder)
     builder->winding.edge_count = 0;
     if (count == 0) return zr_arena_ok(builder->arena);
     if (!zr_arena_ok(builder->arena) || !make_rooms(builder, count, &w)) return false;
+    w.plane = builder->mesh->cap_planes ? builder->mesh->cap_planes[cap] : 0;
+    if (builder->winding.claims.bits[w.plane]) w.claims = &builder->winding.claims;
     find_rows(&w, count);
     if (differs(&w, count)) return add_walls(&w, count);
     if (zr_is_cancelled(builder->cancel) || !zr_builder_reserve_shape(builder, count)) return false;
     for (uint32_t i = 0; i < count; i++)
         geometry->edges[geometry->edge_count++] = w.edges[i].edge;
-    return true;
+    return !w.claims || take_rows(&w, count);
 }

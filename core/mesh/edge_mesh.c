@@ -4,6 +4,7 @@
 #include "base/sort.h"
 #include "geometry/fans.h"
 #include "geometry/triangulate.h"
+#include "mesh/cap_rings.h"
 #include "mesh/weld.h"
 
 enum { ITEMS_A_CANCEL_CHECK = 1 << 14, VERTICES_A_RANGE = 1 << 12 };
@@ -80,7 +81,8 @@ static void add_triangle(struct making *m, uint32_t face, const uint32_t slots[3
 struct cutting {
     struct zr_triangulator triangulator;
     zr_vec4 *points;
-    uint32_t *offsets, (*triangles)[3];
+    uint32_t *offsets, *slots, (*triangles)[3];
+    uint32_t *groups; /* per ring of a cap */
 };
 
 /* Makes room for the largest face. */
@@ -93,27 +95,46 @@ static bool reserve(struct zr_arena *arena, const struct zr_mesh *mesh, struct c
         if (holes > rings) rings = holes;
     }
     cutting->points = zr_arena_alloc(arena, corners, sizeof *cutting->points);
+    cutting->slots = zr_arena_alloc(arena, corners, sizeof *cutting->slots);
+    cutting->groups = zr_arena_alloc(arena, rings, sizeof *cutting->groups);
     cutting->offsets = zr_arena_alloc(arena, (size_t)rings + 1, sizeof *cutting->offsets);
     cutting->triangles = zr_arena_alloc(arena, zr_triangulate_count_max(corners, rings), sizeof *cutting->triangles);
     return zr_triangulator_reserve(arena, &cutting->triangulator, corners, rings) && zr_arena_ok(arena);
 }
 
-static void cut_face(struct making *m, struct cutting *cutting, uint32_t face)
+/* Triangulates the rings of a group. */
+static void cut_rings(struct making *m, struct cutting *cutting, uint32_t face, uint32_t group)
 {
     const struct zr_mesh *mesh = m->mesh;
     const struct zr_rings rings = zr_mesh_rings(mesh, face);
-    const uint32_t begin = rings.offsets[0], corners = rings.offsets[rings.count] - begin;
-    for (uint32_t i = 0; i < corners; i++)
-        cutting->points[i] = mesh->positions[mesh->indices[begin + i]];
-    for (uint32_t r = 0; r <= rings.count; r++)
-        cutting->offsets[r] = rings.offsets[r] - begin;
-    cutting->triangulator.loops.cancel = m->cancel;
-    const uint32_t count =
-        zr_triangulate(&cutting->triangulator, cutting->points, cutting->offsets, rings.count, cutting->triangles);
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t *cut = cutting->triangles[i];
-        add_triangle(m, face, (const uint32_t[3]){begin + cut[0], begin + cut[1], begin + cut[2]});
+    uint32_t corners = 0, count = 0;
+    for (uint32_t r = group; r < rings.count; r++) {
+        if (cutting->groups[r] != group) continue;
+        cutting->offsets[count++] = corners;
+        for (uint32_t i = rings.offsets[r]; i < rings.offsets[r + 1]; i++, corners++) {
+            cutting->points[corners] = mesh->positions[mesh->indices[i]];
+            cutting->slots[corners] = i;
+        }
     }
+    cutting->offsets[count] = corners;
+    cutting->triangulator.loops.cancel = m->cancel;
+    const uint32_t triangles =
+        zr_triangulate(&cutting->triangulator, cutting->points, cutting->offsets, count, cutting->triangles);
+    for (uint32_t i = 0; i < triangles; i++) {
+        const uint32_t *cut = cutting->triangles[i], *slots = cutting->slots;
+        add_triangle(m, face, (const uint32_t[3]){slots[cut[0]], slots[cut[1]], slots[cut[2]]});
+    }
+}
+
+static void cut_face(struct making *m, struct cutting *cutting, uint32_t face)
+{
+    const struct zr_rings rings = zr_mesh_rings(m->mesh, face);
+    if (zr_mesh_face_is_cap(m->mesh, face))
+        zr_cap_rings_group(m->mesh, &rings, m->cancel, cutting->groups);
+    else
+        memset(cutting->groups, 0, rings.count * sizeof *cutting->groups);
+    for (uint32_t r = 0; r < rings.count && !zr_is_cancelled(m->cancel); r++)
+        if (cutting->groups[r] == r) cut_rings(m, cutting, face, r);
 }
 
 /* Returns the largest number of triangles that the faces can give. */

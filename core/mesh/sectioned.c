@@ -132,6 +132,7 @@ static bool make_rooms(struct zr_sectioning *m)
     m->corners = zr_arena_alloc(m->arena, corners, sizeof *m->corners);
     m->numbers = zr_arena_alloc(m->arena, faces + wires, sizeof *m->numbers);
     m->cap_numbers = zr_arena_alloc(m->arena, faces, sizeof *m->cap_numbers);
+    m->cap_planes = zr_arena_alloc(m->arena, m->slices.cap_count, sizeof *m->cap_planes);
     return zr_arena_ok(m->arena);
 }
 
@@ -265,8 +266,11 @@ static enum zr_status build(struct zr_sectioning *m, struct zr_sectioned *out)
     out->numbers = m->numbers;
     out->caps = m->slices.caps;
     out->cap_numbers = m->cap_numbers + (m->face_count - caps);
-    for (uint32_t i = 0; i < caps; i++)
+    for (uint32_t i = 0; i < caps; i++) {
         m->numbers[m->face_count - caps + i] = (uint32_t)zr_mesh_ids(m->mesh) + i;
+        m->cap_planes[i] = m->slices.caps[out->cap_numbers[i]].plane;
+    }
+    mesh->cap_planes = m->cap_planes;
     if (zr_is_cancelled(m->cancel)) return ZR_CANCELLED;
     return zr_arena_ok(m->arena) ? ZR_OK : ZR_NO_MEMORY;
 }

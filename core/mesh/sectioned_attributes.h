@@ -23,7 +23,7 @@ struct zr_sectioning {
     uint32_t face_count, ring_count, corner_count;
     struct zr_wires wires;
     /* of the new mesh */
-    uint32_t *offsets, *face_rings, *ring_offsets, *indices, *corners, *numbers, *cap_numbers;
+    uint32_t *offsets, *face_rings, *ring_offsets, *indices, *corners, *numbers, *cap_numbers, *cap_planes;
 };
 
 /* Returns true once per ZR_SECTIONING_CANCEL_CHECK corners if the request is cancelled; results are then not used. */

@@ -177,7 +177,9 @@ static enum zr_status draw_samples(const struct drawing *d, const struct zr_samp
     const struct zr_pass_desc desc = pass_at(d, side, true);
     enum zr_status status = ZR_OK;
     STAGE(zr_pass_make(d->arena, d->team, &desc, d->cancel, pass));
-    if (status == ZR_OK && stages->edges) zr_edges_set_faces(stages->edges, &pass->geometry, &pass->attributes);
+    if (status == ZR_OK && stages->edges &&
+        !zr_edges_set_faces(stages->edges, d->arena, &pass->geometry, &pass->attributes))
+        status = ZR_NO_MEMORY;
     STAGE(zr_supersample_light(d->team, pass, stages, side, d->cancel, d->frame));
     if (status == ZR_OK) d->frame->counts = zr_pass_counts(pass);
     return status;

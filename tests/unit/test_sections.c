@@ -263,6 +263,27 @@ TEST_AROUND(info_has_areas_of_caps_and_counts_their_pixels, open_arena, close_ar
     assert_non_null(memmem(answer.bytes, answer.size, "\"capArea\":3.3", strlen("\"capArea\":3.3")));
 }
 
+/* Facts of parts and meshes are those of the whole scene. Counts are of what is drawn: pieces of faces, and caps. */
+TEST_AROUND(facts_are_those_of_the_whole_scene_and_counts_those_of_the_cut_one, open_arena, close_arena)
+{
+    const struct zr_frame *frames[2];
+    begin(SOLID_CUBE, 32);
+    test.scene.views[0].direction = (zr_vec3){-1, -0.5f, -0.75f};
+    test.outputs[1] = (struct zr_output){.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
+    test.scene.sections.planes[0] = (struct zr_section){.normal = {1, 0, 0}, .point = {0.5, 0, 0}};
+    for (uint32_t i = 0; i < 2; i++) {
+        test.scene.sections.count = i;
+        frames[i] = scene_render(&arena, NULL, &test.scene);
+        assert_true(fabs(frames[i]->parts.facts[0].volume - 8) < 1e-6);
+        assert_true(fabs(frames[i]->parts.facts[0].area - 24) < 1e-6);
+        assert_int_equal(frames[i]->parts.facts[0].triangles, 12);
+        assert_true(frames[i]->parts.facts[0].max.x == 1.0f && frames[i]->bounds.max.x == 1.0f);
+    }
+    assert_int_equal(frames[0]->counts.polygons, 6);
+    assert_int_equal(frames[1]->counts.polygons, 6); /* without the face at x = 1, with the cap */
+    assert_int_equal(frames[1]->counts.concave_polygons, 1);
+}
+
 /* ---- parts ---- */
 
 static struct zr_error render_error(void)

@@ -1,0 +1,94 @@
+#include "mesh/cap_rings.h"
+
+struct point {
+    double x, y;
+};
+
+struct grouping {
+    const struct zr_mesh *mesh;
+    const struct zr_rings *rings;
+    int axis; /* along which corners are projected */
+};
+
+static struct point project(const struct grouping *g, uint32_t slot)
+{
+    const zr_vec3 p = zr_vec4_over_w(g->mesh->positions[g->mesh->indices[slot]]);
+    const double at[3] = {(double)p.x, (double)p.y, (double)p.z};
+    return (struct point){at[(g->axis + 1) % 3], at[(g->axis + 2) % 3]};
+}
+
+/* Returns twice the signed area of a ring along the axis. */
+static double area_of(const struct grouping *g, uint32_t ring)
+{
+    const uint32_t begin = g->rings->offsets[ring], end = g->rings->offsets[ring + 1];
+    const struct point first = project(g, begin);
+    double sum = 0.0;
+    for (uint32_t i = begin + 1; i + 1 < end; i++) {
+        const struct point p = project(g, i), q = project(g, i + 1);
+        sum += (p.x - first.x) * (q.y - first.y) - (p.y - first.y) * (q.x - first.x);
+    }
+    return sum;
+}
+
+/* Selects the axis along which ring 0 has the largest area. Returns that area, with its sign. */
+static double choose_axis(struct grouping *g)
+{
+    double most = 0.0;
+    int best = 0;
+    for (g->axis = 0; g->axis < 3; g->axis++) {
+        const double area = area_of(g, 0);
+        if (!(fabs(area) > fabs(most))) continue;
+        most = area;
+        best = g->axis;
+    }
+    g->axis = best;
+    return most;
+}
+
+/* Returns true if a ray from the point crosses the ring an odd number of times. */
+static bool contains(const struct grouping *g, uint32_t ring, struct point at)
+{
+    const uint32_t begin = g->rings->offsets[ring], end = g->rings->offsets[ring + 1];
+    struct point a = project(g, end - 1);
+    bool is_inside = false;
+    for (uint32_t i = begin; i < end; i++) {
+        const struct point b = project(g, i);
+        if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (b.x - a.x) * ((at.y - a.y) / (b.y - a.y)))
+            is_inside = !is_inside;
+        a = b;
+    }
+    return is_inside;
+}
+
+/* Returns true if the ring contains the middles of most of three edges of the other. */
+static bool is_around(const struct grouping *g, uint32_t ring, uint32_t other)
+{
+    const uint32_t begin = g->rings->offsets[other], count = g->rings->offsets[other + 1] - begin;
+    int inside = 0;
+    for (uint32_t k = 0; k < 3; k++) {
+        const uint32_t i = (uint32_t)((uint64_t)count * k / 3);
+        const struct point a = project(g, begin + i), b = project(g, begin + (i + 1) % count);
+        inside += contains(g, ring, (struct point){0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
+    }
+    return inside >= 2;
+}
+
+void zr_cap_rings_group(const struct zr_mesh *mesh, const struct zr_rings *rings, const struct zr_cancel *cancel,
+                        uint32_t *groups)
+{
+    struct grouping g = {.mesh = mesh, .rings = rings};
+    const double sign = choose_axis(&g);
+    for (uint32_t hole = 0; hole < rings->count; hole++) {
+        double least = HUGE_VAL;
+        const double own = area_of(&g, hole);
+        groups[hole] = hole;
+        for (uint32_t ring = 0; own * sign < 0.0 && ring < rings->count; ring++) {
+            const double area = area_of(&g, ring);
+            if (zr_is_cancelled(cancel)) return;
+            if (area * sign <= 0.0 || fabs(area) >= least || fabs(area) < fabs(own) || !is_around(&g, ring, hole))
+                continue;
+            least = fabs(area);
+            groups[hole] = ring;
+        }
+    }
+}
