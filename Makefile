@@ -313,6 +313,13 @@ feature-edges: ## borders and creases of the models beside those that VTK finds
 	@.ci/need $(PYTHON)=python3 /usr/lib/python3/dist-packages/vtk.py=python3-vtk9
 	@$(PYTHON) tests/reference/feature_edges.py $(DATA)/models
 
+.PHONY: sections
+sections: ## caps beside winding numbers in double, of our solids and the models, and their areas beside vtkCutter and shapely: SIDE=96
+	@.ci/need $(NEED_BUILD) $(NEED_TEST) $(PYTHON)=python3 $(addprefix /usr/lib/python3/dist-packages/,vtk.py=python3-vtk9 shapely=python3-shapely numpy=python3-numpy)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster $(BUILD)/tests/unit/test_section_caps
+	@SECTIONS=$(or $(SIDE),96) ZRASTER_DATA=$(DATA) $(BUILD)/tests/unit/test_section_caps
+	@/usr/bin/python3 tests/reference/sections.py $(BUILD) $(DATA)/models
+
 .PHONY: bench-costs
 bench-costs: ## predicted times beside those taken, of all scenes and models
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/tests/bench/alone/costs
