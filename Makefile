@@ -344,6 +344,7 @@ bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster
 	@$(npm_install) $(LOADER_PACKAGES)
 	@xvfb-run -a /usr/bin/python3 tests/bench/rivals/compare.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
+	@/usr/bin/python3 tests/bench/rivals/sections.py $(BUILD) $(addprefix $(DATA)/models/,parts/housing.obj fandisk.obj spot.obj)
 	@xvfb-run -a /usr/bin/python3 tests/bench/rivals/loading.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
 
 .PHONY: fuzz

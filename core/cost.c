@@ -215,6 +215,11 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     counts[ZR_COST_LINE_FRAGMENT] = times * sample->line_fragments;
     counts[ZR_COST_SHAPE_CORNER] = (passes->centres + passes->samples + passes->maps) * scale * sample->shape_corners;
     counts[ZR_COST_SHAPE_SAMPLE] = drawn * scale * sample->shape_samples;
+    /* Each tile looks at all edges of a cap. For lines of the mesh, the cap is triangulated. */
+    const double caps = scale * sample->cap_corners;
+    counts[ZR_COST_CAP_TILE] = caps * fmax(drawn * pixels / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
+    if (passes->samples > 0.0 && picture->is_linear && draws_lines(picture))
+        counts[ZR_COST_SHAPE_CORNER] += 0.25 * caps * caps / fmax((double)scene->instance_count, 1.0);
     counts[ZR_COST_LAYER] = drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
     counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;

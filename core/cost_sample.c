@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "geometry/face.h"
+#include "scene/section_planes.h"
 
 /* SAMPLES: most faces, lines and points in the sample. SAMPLED_CORNERS: approximate limit of their corners. */
 enum { SAMPLES = 1024, SAMPLED_CORNERS = 1 << 16 };
@@ -13,6 +14,8 @@ struct tally {
     zr_mat4 world_to_clip, object_to_clip;
     const struct zr_camera *camera;
     bool is_mirrored;
+    struct zr_section_planes planes; /* none if they are refused */
+    const zr_mat4 *object_to_world;
 };
 
 /* Projection of a face, line or point to the window. */
@@ -139,6 +142,24 @@ static void add_light(struct tally *tally, const struct zr_material *material, d
     }
 }
 
+/* Counts the planes that have corners of the face on both sides. */
+static void add_crossings(struct tally *tally, const struct zr_mesh *mesh, uint32_t face)
+{
+    for (uint32_t k = 0; k < tally->planes.count; k++) {
+        const struct zr_section_plane *plane = &tally->planes.at[k];
+        bool has_kept = false, has_cut = false;
+        for (uint32_t i = mesh->face_offsets[face]; i < mesh->face_offsets[face + 1]; i++) {
+            const zr_vec4 p = zr_mat4_apply(tally->object_to_world, mesh->positions[mesh->indices[i]]);
+            const double side =
+                ((plane->normal[0] * (double)p.x + plane->normal[1] * (double)p.y) + plane->normal[2] * (double)p.z) +
+                plane->offset * (double)p.w;
+            has_kept = has_kept || side > 0.0;
+            has_cut = has_cut || !(side > 0.0);
+        }
+        tally->sums.cap_corners += has_kept && has_cut;
+    }
+}
+
 static void add_face(struct tally *tally, const struct zr_mesh *mesh, uint32_t face)
 {
     const struct zr_material *material = zr_material_of_face(tally->sums.scene, mesh, face);
@@ -150,6 +171,7 @@ static void add_face(struct tally *tally, const struct zr_mesh *mesh, uint32_t f
         tally->sums.line_fragments += tally->line_width * length_in_window(tally, &print);
         tally->sums.outlines += corners;
     }
+    add_crossings(tally, mesh, face);
     if (material->unfilled) return;
     if (mesh->face_materials && face > 0 && mesh->face_materials[face] != mesh->face_materials[face - 1])
         tally->sums.runs += 1.0;
@@ -239,6 +261,7 @@ static void walk(struct tally *tally, uint64_t primitives, uint64_t samples)
             end += zr_mesh_ids(mesh);
         }
         if (instance) {
+            tally->object_to_world = &instance->object_to_world;
             tally->object_to_clip = zr_mat4_mul(&tally->world_to_clip, &instance->object_to_world);
             tally->is_mirrored = zr_camera_reverses_windings(tally->camera, &instance->object_to_world);
         }
@@ -263,6 +286,8 @@ struct zr_cost_sample zr_cost_sample_of(const struct zr_scene *scene, const stru
                           .world_to_clip = zr_mat4_mul(&resolved->camera.projection, &resolved->camera.world_to_eye),
                           .camera = &resolved->camera};
     uint64_t primitives = 0, corners = 0;
+    struct zr_error error = {.count = 0};
+    if (zr_section_planes_find(scene, resolved, &tally.planes, &error) != ZR_OK) tally.planes.count = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         primitives += zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
         corners += zr_mesh_corners(&scene->meshes[scene->instances[i].mesh]);

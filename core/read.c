@@ -88,9 +88,10 @@ static enum zr_status edit_parts(const struct zr_request *request, struct zr_sce
                                  struct zr_error *error)
 {
     struct zr_error faults = {0};
-    if (!zr_part_keys_are_given(&builder->scene->parts)) return ZR_OK;
+    if (!zr_part_keys_are_given(&builder->scene->parts) && builder->scene->sections.uncut_count == 0) return ZR_OK;
     if (!fits_memory(builder->arena, builder->scene)) return ZR_NO_MEMORY;
-    const enum zr_status status = zr_parts_apply(builder, &faults);
+    enum zr_status status = zr_parts_apply(builder, &faults);
+    if (status == ZR_OK) status = zr_parts_check_uncut(builder, &faults);
     if (status == ZR_BAD_SCENE) zr_query_report(request, status, &faults, error);
     return status;
 }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "base/mutant.h"
+#include "geometry/cap_hull.h"
 #include "geometry/clip.h"
 #include "geometry/winding.h"
 
@@ -181,10 +182,14 @@ static void place_triangles(struct zr_builder *builder, uint32_t begin, const st
     }
 }
 
-/* Places the fans of all rings: for a cap, any triangle has the same plane. A point with a winding number other than 0
- * lies in one of them. */
+/* Places a fan over most of a cap, then the fans of all rings: any triangle has the same plane. A point with a winding
+ * number other than 0 lies in one of the latter. */
 static void place_fans(struct zr_builder *builder, const struct zr_rings *rings, const struct zr_common *common)
 {
+    uint32_t hull[ZR_CAP_HULL_MAX];
+    const uint32_t around = zr_cap_hull_find(builder->mesh, rings, hull);
+    for (uint32_t i = 2; i < around; i++)
+        zr_place_triangle(builder, (const uint32_t[3]){hull[i - 1], hull[i], hull[0]}, common);
     for (uint32_t r = 0; r < rings->count; r++) {
         const uint32_t first = rings->offsets[r];
         if (!zr_builder_go_on(builder, rings->offsets[r + 1] - first)) return;

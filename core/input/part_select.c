@@ -314,3 +314,22 @@ enum zr_status zr_parts_apply(struct zr_scene_builder *builder, struct zr_error 
     if (error->count > 0) return ZR_BAD_SCENE;
     return edit(&s, &made);
 }
+
+/* ---- sections ---- */
+
+enum zr_status zr_parts_check_uncut(struct zr_scene_builder *builder, struct zr_error *error)
+{
+    const struct zr_sections *sections = &builder->scene->sections;
+    if (sections->uncut_count == 0) return ZR_OK;
+    const struct zr_part_list list = zr_part_list_make(builder->arena, builder->scene, ZR_PARTS_SELECTED_MAX);
+    struct selecting s = {.builder = builder, .list = &list, .error = error};
+    if (!zr_arena_ok(builder->arena) || zr_is_cancelled(builder->arena->cancel)) return ZR_NO_MEMORY;
+    for (uint32_t i = 0; i < sections->uncut_count && list.count < ZR_PARTS_SELECTED_MAX; i++) {
+        const struct zr_part_pattern pattern = {.text = sections->uncut[i]};
+        char pointer[ZR_POINTER_SIZE];
+        snprintf(pointer, sizeof pointer, "/sections/uncut/%" PRIu32, i);
+        const struct zr_part_set set = {.count = 1, .patterns = &pattern, .pointer = pointer};
+        if (!zr_part_list_find(&list, pattern.text)) refuse_text(&s, &set, 0);
+    }
+    return error->count > 0 ? ZR_BAD_SCENE : ZR_OK;
+}

@@ -18,4 +18,8 @@ enum { ZR_PARTS_SELECTED_MAX = 1 << 17 };
  * if keys exclude one another. Returns ZR_NO_MEMORY without memory, or if arena->cancel is raised. */
 enum zr_status zr_parts_apply(struct zr_scene_builder *builder, struct zr_error *error);
 
+/* Checks that the parts which sections leave uncut exist, in the scene after zr_parts_apply. Returns ZR_BAD_SCENE, with
+ * the pointers of unknown names, and ZR_NO_MEMORY as zr_parts_apply does. */
+enum zr_status zr_parts_check_uncut(struct zr_scene_builder *builder, struct zr_error *error);
+
 #endif

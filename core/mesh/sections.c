@@ -7,7 +7,7 @@
 #include "mesh/hatch.h"
 #include "scene/part_list.h"
 
-enum { FACES_A_CANCEL_CHECK = 1 << 13 };
+enum { FACES_A_CANCEL_CHECK = 1 << 13, POSITIONS_A_CANCEL_CHECK = 1 << 17 };
 
 struct cutting {
     struct zr_arena *arena;
@@ -91,10 +91,13 @@ static struct zr_section_cut cut_of(const struct cutting *c, const zr_mat4 *m)
     return cut;
 }
 
-static bool is_placed(const struct zr_mesh *mesh)
+/* If cancelled, returns any of both. */
+static bool is_placed(const struct zr_mesh *mesh, const struct zr_cancel *cancel)
 {
-    for (uint32_t p = 0; p < mesh->position_count; p++)
+    for (uint32_t p = 0; p < mesh->position_count; p++) {
+        if (p % POSITIONS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return true;
         if (!(mesh->positions[p].w > 0.0f)) return false;
+    }
     return true;
 }
 
@@ -245,7 +248,7 @@ static enum zr_status cut_instance(struct cutting *c, uint32_t instance, struct 
     struct zr_sectioned made;
     if (zr_is_cancelled(c->cancel)) return ZR_CANCELLED;
     if (side == ZR_SECTION_WHOLE) return ZR_OK;
-    if (!is_placed(mesh))
+    if (!is_placed(mesh, c->cancel))
         return zr_error_add(error, ZR_BAD_SCENE, "/sections",
                             "a plane meets the mesh \"%.100s\", which has positions with w <= 0: these cannot be cut",
                             mesh->name);
@@ -286,6 +289,7 @@ static bool make_ids(struct cutting *c, struct zr_sections_cut *out)
         const uint32_t own = (uint32_t)zr_mesh_ids(mesh);
         if (zr_is_cancelled(c->cancel)) return true;
         for (uint32_t k = 0; k < own; k++) {
+            if (k % POSITIONS_A_CANCEL_CHECK == 0 && zr_is_cancelled(c->cancel)) return true;
             const uint32_t number = c->numbers[i] ? c->numbers[i][k] : k;
             ids[id++] = number < old ? first + number : cap++;
         }

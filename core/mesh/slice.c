@@ -94,6 +94,7 @@ static enum zr_status list_faces(struct zr_arena *arena, const struct zr_slices 
     uint64_t faces = 0, rings = 0, corners = 0;
     for (uint32_t face = 0; face < mesh->face_count; face++) {
         const uint32_t count = mesh->face_offsets[face + 1] - mesh->face_offsets[face];
+        if (face % VERTICES_A_CANCEL_CHECK == 0 && zr_is_cancelled(slices->cancel)) return ZR_CANCELLED;
         if ((slices->parts[part_of(mesh, face)] == ZR_SLICE_UNCUT) != uncut) continue;
         faces += fans ? count - 2 : 1;
         rings += fans ? count - 2 : zr_mesh_rings(mesh, face).count;
@@ -112,10 +113,13 @@ static enum zr_status list_faces(struct zr_arena *arena, const struct zr_slices 
 }
 
 /* Sets points[v] to the first position of each vertex. */
-static void list_points(const struct zr_mesh *mesh, const uint32_t *vertices, zr_vec3 *points)
+static void list_points(const struct zr_mesh *mesh, const struct zr_cancel *cancel, const uint32_t *vertices,
+                        zr_vec3 *points)
 {
-    for (uint32_t p = mesh->position_count; p-- > 0;)
+    for (uint32_t p = mesh->position_count; p-- > 0;) {
+        if (p % VERTICES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         points[vertices[p]] = zr_vec4_over_w(mesh->positions[p]);
+    }
 }
 
 enum zr_status zr_slices_begin(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
@@ -138,7 +142,7 @@ enum zr_status zr_slices_begin(struct zr_arena *arena, struct zr_team *team, con
     slices->corner_count = slices->slot_count;
     slices->vertex_count = zr_weld_make(team, cancel, &input, room, vertices);
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    list_points(mesh, vertices, points);
+    list_points(mesh, cancel, vertices, points);
     const enum zr_status status = list_faces(arena, slices, true, uncut);
     return status == ZR_OK ? list_faces(arena, slices, false, faces) : status;
 }

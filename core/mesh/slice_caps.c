@@ -1,5 +1,3 @@
-#include <stdlib.h>
-
 #include "mesh/slice.h"
 
 /* Segments in the order of their begins. */
@@ -12,13 +10,44 @@ struct joining {
     struct zr_slice_faces *faces;
 };
 
-static int compare(const void *left, const void *right)
+enum { SEGMENTS_A_CANCEL_CHECK = 1 << 13 };
+
+static bool is_before(const struct zr_slice_segment *a, const struct zr_slice_segment *b)
 {
-    const struct zr_slice_segment *a = left, *b = right;
-    if (a->part != b->part) return a->part < b->part ? -1 : 1;
-    if (a->from != b->from) return a->from < b->from ? -1 : 1;
-    if (a->to != b->to) return a->to < b->to ? -1 : 1;
-    return a->face < b->face ? -1 : a->face > b->face;
+    if (a->part != b->part) return a->part < b->part;
+    if (a->from != b->from) return a->from < b->from;
+    if (a->to != b->to) return a->to < b->to;
+    return a->face < b->face;
+}
+
+/* Merges from[begin .. middle - 1] and from[middle .. end - 1] to to[begin .. end - 1]. Returns false if cancelled. */
+static bool merge(const struct zr_cancel *cancel, const struct zr_slice_segment *from, uint32_t begin, uint32_t middle,
+                  uint32_t end, struct zr_slice_segment *to)
+{
+    for (uint32_t i = begin, left = begin, right = middle; i < end; i++) {
+        if (i % SEGMENTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        const bool takes_right = left == middle || (right < end && is_before(&from[right], &from[left]));
+        to[i] = from[takes_right ? right++ : left++];
+    }
+    return true;
+}
+
+/* Sorts by runs of growing length, for a library's sort cannot be cancelled. Returns the sorted ones, in `segments` or
+ * in `room`; NULL if cancelled. */
+static struct zr_slice_segment *sort(const struct zr_cancel *cancel, struct zr_slice_segment *segments,
+                                     struct zr_slice_segment *room, uint32_t count)
+{
+    for (uint64_t run = 1; run < count; run *= 2) {
+        for (uint64_t begin = 0; begin < count; begin += 2 * run) {
+            const uint64_t middle = begin + run < count ? begin + run : count,
+                           end = begin + 2 * run < count ? begin + 2 * run : count;
+            if (!merge(cancel, segments, (uint32_t)begin, (uint32_t)middle, (uint32_t)end, room)) return NULL;
+        }
+        struct zr_slice_segment *sorted = room;
+        room = segments;
+        segments = sorted;
+    }
+    return segments;
 }
 
 /* Returns the first segment of the part that begins at the vertex, or `count`. */
@@ -63,6 +92,7 @@ static void add_loop(struct joining *j, uint32_t first)
     struct zr_slice_faces *faces = j->faces;
     const uint32_t begin = faces->corner_count;
     for (uint32_t at = first; at < j->count; at = after(j, &j->segments[at])) {
+        if (faces->corner_count % SEGMENTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(j->slices->cancel)) break;
         j->is_used[at] = true;
         faces->corners[faces->corner_count++] = make_corner(j->slices, j->segments[at].from);
     }
@@ -80,7 +110,10 @@ static uint32_t add_cap(struct joining *j, uint32_t first)
     const uint32_t part = j->segments[first].part, rings = faces->ring_count;
     uint32_t end = first;
     for (; end < j->count && j->segments[end].part == part; end++)
-        if (!j->is_used[end]) add_loop(j, end);
+        if (!j->is_used[end]) {
+            if (zr_is_cancelled(slices->cancel)) return j->count;
+            add_loop(j, end);
+        }
     if (faces->ring_count == rings) return end;
     slices->caps[slices->cap_count] = (struct zr_slice_cap){part, slices->plane_count, j->segments[first].face};
     faces->numbers[faces->face_count] = slices->mesh->face_count + slices->cap_count++;
@@ -100,8 +133,11 @@ static uint32_t count_parts(const struct zr_slice_segment *segments, uint32_t co
 enum zr_status zr_slice_caps_add(struct zr_arena *arena, struct zr_slices *slices, struct zr_slice_segment *segments,
                                  uint32_t count, struct zr_slice_faces *faces)
 {
-    struct joining j = {.slices = slices, .segments = segments, .count = count, .faces = faces};
-    qsort(segments, count, sizeof *segments, compare);
+    struct joining j = {.slices = slices, .count = count, .faces = faces};
+    struct zr_slice_segment *other = zr_arena_alloc(arena, count, sizeof *other);
+    if (!other) return ZR_NO_MEMORY;
+    j.segments = segments = sort(slices->cancel, segments, other, count);
+    if (!segments) return ZR_CANCELLED;
     const uint32_t caps = slices->cap_count, parts = count_parts(segments, count);
     struct zr_slice_cap *room = zr_arena_grow(arena, slices->caps, caps, (size_t)caps + parts, sizeof *room);
     j.next = zr_arena_alloc(arena, count, sizeof *j.next);
@@ -114,5 +150,5 @@ enum zr_status zr_slice_caps_add(struct zr_arena *arena, struct zr_slices *slice
         if (zr_is_cancelled(slices->cancel)) return ZR_CANCELLED;
         at = add_cap(&j, at);
     }
-    return ZR_OK;
+    return zr_is_cancelled(slices->cancel) ? ZR_CANCELLED : ZR_OK;
 }

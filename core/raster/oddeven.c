@@ -90,6 +90,14 @@ static void put_triangle(const struct zr_setup *setup, uint32_t owner, struct fl
         }
 }
 
+static bool any_flag(const struct flags *flags)
+{
+    uint64_t any = 0;
+    for (int row = 0; row < ZR_TILE_SIZE; row++)
+        any |= flags->rows[row];
+    return any != 0;
+}
+
 /* Stores the remaining samples, which no triangle covers since the polygon is clipped or its triangles are thin.
  * Processes runs of samples at once. */
 static void put_rest(const struct zr_geometry *geometry, const struct zr_primitive *primitive,
@@ -124,6 +132,7 @@ void zr_oddeven_draw(const struct zr_geometry *geometry, const struct zr_primiti
         if (!zr_tile_touches(tile, box)) continue;
         struct zr_setup setup = zr_setup_make(geometry->vertices, &triangle);
         put_triangle(&setup, number + 1, &flags, tile);
+        if (!any_flag(&flags)) return;
     }
     put_rest(geometry, primitive, &flags, tile);
 }

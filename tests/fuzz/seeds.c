@@ -84,6 +84,11 @@ static void write_scene_files(void)
 #define WINDOW   "\"window\":{\"width\":16,\"height\":9}"
 #define TRIANGLE "\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]"
 
+#define TETRAHEDRON(name, x)                                                                                           \
+    "{\"name\":\"" name "\",\"positions\":[[" x                                                                        \
+    ",0,0],[1,0,0],[0,1,0],[0,0,1]],\"faces\":[[0,2,1],[0,1,3],[0,3,2],[1,2,3]]}"
+#define TETRAHEDRA "\"meshes\":[" TETRAHEDRON("a", "0") "," TETRAHEDRON("b", "0.1") "],"
+
 static void write_scenes(void)
 {
     static const struct text texts[] = {
@@ -99,6 +104,14 @@ static void write_scenes(void)
                     "{\"vertices\":[[0,0,1],[1,0,0],[0,1,1]],\"color\":\"#cc3333\",\"doubleSided\":true}]}"},
         {"orbit", "{" WINDOW "," TRIANGLE ",\"view\":{\"azimuthDegrees\":30,\"elevationDegrees\":20,\"up\":[0,0,1],"
                   "\"fit\":{\"padding\":0.1},\"perspective\":{\"xfov\":0.5}}}"},
+        {"corner",
+         "{" WINDOW ",\"look\":\"technical\",\"edges\":{\"from\":\"mesh\",\"hiddenLines\":true}," TETRAHEDRA
+         "\"sections\":{\"planes\":[{\"axis\":\"x\",\"fraction\":0.4,\"keep\":\"negative\"},{\"axis\":\"y\","
+         "\"offset\":0.2,\"keep\":\"positive\"},{\"normal\":[1,2,-1],\"point\":[0.2,0.2,0.2]}],\"corner\":true,"
+         "\"uncut\":[\"b\"]},\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"info\"}]}"},
+        {"overlapping-caps",
+         "{" WINDOW "," TETRAHEDRA "\"sections\":{\"planes\":[{\"axis\":\"z\",\"offset\":0.1},{\"normal\":"
+         "[0,0,1],\"keep\":\"positive\"}],\"hatch\":false}}"},
         {"intrinsics", "{" WINDOW "," TRIANGLE ",\"view\":{\"R\":[1,0,0,0,1,0,0,0,1],\"t\":[0,0,4],\"intrinsics\":"
                        "{\"fx\":20,\"cx\":8,\"skew\":0.1},\"pixelCenter\":0,\"znear\":1,\"zfar\":10}}"},
     };

@@ -1,5 +1,6 @@
 #include "reference/batches_builder.h"
 
+#include "geometry/cap_hull.h"
 #include "geometry/clip.h"
 #include "geometry/face.h"
 #include "geometry/place.h"
@@ -127,12 +128,20 @@ static void light_one_side(struct reference_batch *batch, bool back)
     if (batch->light != REFERENCE_UNLIT) batch->light = back ? REFERENCE_LIT_BACK : REFERENCE_LIT_FRONT;
 }
 
-/* The fans of all rings: any triangle of a cap has its plane. */
-static bool cut_cap(struct zr_arena *arena, const struct zr_rings *rings, struct batches_cut *cut)
+/* A fan over most of the cap, and the fans of all rings: any triangle of a cap has its plane. */
+static bool cut_cap(struct zr_arena *arena, const struct zr_mesh *mesh, const struct zr_rings *rings,
+                    struct batches_cut *cut)
 {
     const uint32_t begin = rings->offsets[0];
-    cut->triangles = zr_arena_alloc(arena, rings->offsets[rings->count] - begin, sizeof *cut->triangles);
+    uint32_t hull[ZR_CAP_HULL_MAX];
+    const uint32_t around = zr_cap_hull_find(mesh, rings, hull);
+    cut->triangles =
+        zr_arena_alloc(arena, rings->offsets[rings->count] - begin + ZR_CAP_HULL_MAX, sizeof *cut->triangles);
     cut->count = 0;
+    for (uint32_t i = 2; cut->triangles && i < around; i++, cut->count++) {
+        const uint32_t fan[3] = {hull[i - 1] - begin, hull[i] - begin, hull[0] - begin};
+        memcpy(cut->triangles[cut->count], fan, sizeof fan);
+    }
     for (uint32_t r = 0; cut->triangles && r < rings->count; r++) {
         const uint32_t first = rings->offsets[r] - begin;
         for (uint32_t i = first + 2; i < rings->offsets[r + 1] - begin; i++, cut->count++) {
@@ -148,7 +157,7 @@ bool batches_cut_face(struct zr_arena *arena, const struct zr_mesh *mesh, uint32
     struct zr_rings rings = zr_mesh_rings(mesh, face);
     struct zr_triangulator triangulator = {.node_capacity = 0};
     uint32_t begin = rings.offsets[0], corners = rings.offsets[rings.count] - begin;
-    if (zr_mesh_face_is_cap(mesh, face)) return cut_cap(arena, &rings, cut);
+    if (zr_mesh_face_is_cap(mesh, face)) return cut_cap(arena, mesh, &rings, cut);
     zr_vec4 *points = zr_arena_alloc(arena, corners, sizeof *points);
     uint32_t *offsets = zr_arena_alloc(arena, (size_t)rings.count + 1, sizeof *offsets);
     cut->triangles = zr_arena_alloc(arena, zr_triangulate_count_max(corners, rings.count), sizeof *cut->triangles);
@@ -216,6 +225,14 @@ static bool append_triangles(struct batches_builder *b, const struct batches_sou
     return true;
 }
 
+/* A stencil bit per plane, which has room for three: its caps share no samples. */
+static uint8_t claim_of(const struct batches_source *s)
+{
+    const struct zr_mesh *mesh = s->mesh;
+    const uint32_t plane = mesh->cap_planes ? mesh->cap_planes[s->face - (mesh->face_count - mesh->cap_count)] : 3;
+    return plane < 3 ? (uint8_t)(16u << plane) : 0;
+}
+
 static bool append_parity(struct batches_builder *b, const struct batches_source *s, struct reference_batch *batch)
 {
     struct zr_rings rings = zr_mesh_rings(s->mesh, s->face);
@@ -232,6 +249,7 @@ static bool append_parity(struct batches_builder *b, const struct batches_source
     light_one_side(batch, back);
     batch->mode = REFERENCE_PARITY;
     batch->winding = zr_mesh_face_is_cap(s->mesh, s->face);
+    batch->claim = batch->winding ? claim_of(s) : 0;
     batch->cull = false;
     b->out->parity_faces++;
     return batches_append(b, batch);

@@ -69,7 +69,9 @@ struct reference_batch {
     /* REFERENCE_PARITY: the fans of its rings, as triangles, whose parity tells what is inside; the
      * triangles of first and count then tell depth and colour there, the first that covers a sample. */
     uint32_t rings_first, rings_count;
-    bool winding; /* of REFERENCE_PARITY: the non-zero rule instead, for winding numbers from -127 to 127 */
+    bool winding;  /* of REFERENCE_PARITY: the non-zero rule instead, for winding numbers from -15 to 15 */
+    uint8_t claim; /* of winding: a stencil bit of its plane, above those of the number; samples that have it are left
+                      to the batch that set it; 0: none */
     const zr_mat4 *modelview;
     enum reference_light light;
     const zr_vec3

@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Stencil bits. A gap is inside by the odd-even rule and in none of the triangles. */
-enum { INSIDE = 127, GAP = 128 };
+enum { INSIDE = 15, GAP = 128 };
 
 /* Asked by the leak sanitizer, where there is one: Mesa keeps what it made once a
  * process, even after its context is gone. */
@@ -247,6 +247,15 @@ static void count_rings(const struct reference *reference, const struct referenc
     }
     draw_corners(reference, arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
     glStencilMask(INSIDE);
+    if (batch->claim == 0) return;
+    glStencilFunc(GL_EQUAL, batch->claim, batch->claim); /* what an earlier cap of the plane has taken */
+    glStencilOp(GL_KEEP, GL_ZERO, GL_ZERO);
+    draw_corners(reference, arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
+    glStencilMask(batch->claim);
+    glStencilFunc(GL_NOTEQUAL, batch->claim, INSIDE);
+    glStencilOp(GL_KEEP, GL_REPLACE, GL_REPLACE);
+    draw_corners(reference, arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
+    glStencilMask(INSIDE);
 }
 
 /* The count of the rings' fans in stencil bits; then the triangles where it is not 0, each clearing it, so that the
@@ -367,7 +376,7 @@ bool reference_draw_batches(struct reference *reference, const struct reference_
     if (arrays->textures_of && !(textures = reference_textures_make(arrays->textures_of, arrays->decode, error)))
         return false;
     glClearColor(arrays->background.x, arrays->background.y, arrays->background.z, arrays->background.w);
-    glStencilMask(INSIDE | GAP);
+    glStencilMask(~0u);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (reference->stencil ? GL_STENCIL_BUFFER_BIT : 0u));
     set_fog(&arrays->fog);
     enable(GL_BLEND, arrays->blended);

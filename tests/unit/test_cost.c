@@ -67,6 +67,21 @@ TEST(what_is_not_drawn_costs_no_more_than_its_facts)
     assert_true(cost.window_bytes == 0.0);
 }
 
+/* The plane crosses one of the two triangles, the other one only in a corner and an edge. */
+TEST(caps_are_foretold_by_the_faces_that_planes_cross)
+{
+    half_a_window();
+    test.scene.sections.count = 1;
+    test.scene.sections.planes[0] = (struct zr_section){.keep = ZR_SECTION_KEEP_POSITIVE, .normal = {2, 1, 0}};
+    test.scene.sections.planes[0].point[0] = -0.5;
+    assert_near(count(ZR_COST_SECTION_CORNER), 6 * 3);
+    assert_near(count(ZR_COST_CAP_TILE), 2.0 * PIXELS / (64 * 64));
+    test.scene.sections.planes[0].keep = ZR_SECTION_KEEP_NEGATIVE;
+    test.scene.sections.planes[0].point[0] = -1;
+    test.scene.sections.planes[0].normal[1] = 0;
+    assert_near(count(ZR_COST_CAP_TILE), 0);
+}
+
 TEST(only_what_is_seen_in_the_window_has_fragments)
 {
     /* A triangle around the whole window, which counts as half of it, since its box is twice as large; one beside the
@@ -226,11 +241,8 @@ TEST(predicted_memory_is_held)
         test.scene.picture.side = i & 2 ? 2 : 1;
         test.scene.picture.is_linear = i & 4;
         test.scene.picture.occlusion = (struct zr_occlusion){i & 4, 0.2f, 2};
-        test.scene.picture.edges = (struct zr_edges){.is_on = i & 4,
-                                                     .width = 1.5f,
-                                                     .crease_degrees = 30,
-                                                     .silhouette_opacity = 1,
-                                                     .crease_opacity = 1};
+        test.scene.picture.edges = (struct zr_edges){
+            .is_on = i & 4, .width = 1.5f, .crease_degrees = 30, .silhouette_opacity = 1, .crease_opacity = 1};
         if (i >= 8) {
             scene_of_triangles(&test, 256, 256, many, i >= 16 ? TEST_TRIANGLES_MAX : LAYERS);
             test.scene.algorithm = i & 1 ? ZR_ALGORITHM_EDGELIST : ZR_ALGORITHM_HALFSPACE;
