@@ -239,10 +239,11 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
     builder->object_to_eye = zr_mat4_mul(&camera->world_to_eye, &instance->object_to_world);
     builder->object_to_clip = zr_mat4_mul(&camera->projection, &builder->object_to_eye);
     struct placing placing = {.builder = builder,
-                              .out = geometry->vertices + geometry->vertex_count,
+                              .out = mesh->position_count > 0 ? geometry->vertices + geometry->vertex_count : NULL,
                               .transform = zr_transform_of(zr_team_isa(builder->team))};
     placing.streamed = mesh->position_count >= STREAMED_VERTICES && (uintptr_t)placing.out % ZR_CACHE_LINE == 0;
-    zr_team_ranges(builder->team, mesh->position_count, VERTICES_A_RANGE, place_vertices, &placing);
+    if (mesh->position_count > 0) /* a mesh that a section cuts away has none */
+        zr_team_ranges(builder->team, mesh->position_count, VERTICES_A_RANGE, place_vertices, &placing);
     builder->any_outcodes = placing.any_outcodes;
     geometry->vertex_count += mesh->position_count;
     geometry->instances[builder->instance] =
