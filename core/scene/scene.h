@@ -128,7 +128,7 @@ struct zr_mesh {
 
     /* The last faces of a sectioned mesh: planar, and filled by the non-zero rule over all of their rings. */
     uint32_t cap_count;
-    const uint32_t *cap_planes;          /* per cap: number of its plane */
+    const uint32_t *cap_planes;          /* per cap: number of its plane; NULL: caps share none */
     const struct zr_mesh_source *source; /* NULL: not sectioned */
 };
 
