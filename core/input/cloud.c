@@ -25,11 +25,14 @@ bool zr_cloud_take_edges(struct zr_parsed_scene *root)
 void zr_cloud_draw_in_ink(const struct zr_query *query)
 {
     const struct zr_scene_builder *builder = query->given.builder;
-    const zr_vec3 ink = builder->scene->picture.edges.color;
-    if (builder->scene->look->material.shading == ZR_SHADING_PBR) return;
+    const struct zr_look *look = builder->scene->look;
+    const zr_vec3 edges = builder->scene->picture.edges.color, own = look->picture.edges.color;
+    const bool is_own = edges.x == own.x && edges.y == own.y && edges.z == own.z;
+    const zr_vec4 ink = is_own && look->cloud.w > 0.0f ? look->cloud : (zr_vec4){edges.x, edges.y, edges.z, 1};
+    if (look->material.shading == ZR_SHADING_PBR) return;
     for (uint32_t i = 0; i < builder->scene->mesh_count && !query->request->color; i++)
         if (!builder->meshes[i].colors)
-            builder->materials[builder->meshes[i].material].base_color = (zr_vec4){ink.x, ink.y, ink.z, 1};
+            builder->materials[builder->meshes[i].material].base_color = ink;
 }
 
 void zr_cloud_size_points(const struct zr_query *query)

@@ -4,7 +4,6 @@
 #include "drawing/drawing.h"
 #include "drawing/ink.h"
 #include "effects/eye_dome.h"
-#include "effects/point_light.h"
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
 #include "render/depth_maps.h"
@@ -151,12 +150,9 @@ static enum zr_status draw_points_light(const struct drawing *d, struct zr_gbuff
 {
     const struct zr_picture *picture = &d->scene->picture;
     const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
-    const float share = picture->occlusion.strength / d->scene->look->picture.occlusion.strength;
     const enum zr_status status = draw_gbuffer(d, pixels);
     if (status != ZR_OK) return status;
-    *light = picture->lights_points
-                 ? zr_point_light_make(d->arena, d->team, d->cancel, pixels, share, diagonal_in_eye(d))
-                 : zr_eye_dome_make(d->arena, d->team, d->cancel, pixels, &picture->occlusion, &scale);
+    *light = zr_eye_dome_make(d->arena, d->team, d->cancel, pixels, &picture->occlusion, &scale);
     return status_of(d);
 }
 
@@ -231,7 +227,8 @@ static enum zr_status finish(const struct drawing *d, struct zr_post_desc *desc,
 static struct zr_ground_sun ground_sun_of(const struct drawing *d, const struct zr_shadow_map *shadows)
 {
     const zr_vec4 eye = zr_camera_eye(&d->frame->camera);
-    struct zr_ground_sun sun = {.map = NULL};
+    const uint32_t width = d->frame->width, height = d->frame->height;
+    struct zr_ground_sun sun = {.width = (float)width, .height = (float)height};
     for (uint32_t i = 0; shadows && i < d->scene->light_count && !sun.map; i++)
         if (d->scene->lights[i].type == ZR_LIGHT_DIRECTIONAL && shadows[i].depths) sun.map = &shadows[i];
     if (eye.w != 0.0f) sun.start = (zr_vec3){eye.x, eye.y, eye.z};

@@ -95,7 +95,7 @@ static const struct zr_light outdoor_2_lights[] = {
 #define LINEAR                LIT, SURFACES
 #define SURFACES              GOOCH, XRAY
 #define GOOCH                 .gooch = {false, 0.35f, 0.65f}
-#define XRAY                  .xray = {0.07f, 0.68f, false}
+#define XRAY                  .xray = {0.07f, 0.68f, false, 0}
 #define NEUTRAL(factor)       .tone = ZR_TONE_NEUTRAL, .exposure = (factor)
 #define NO_TONE               .tone = ZR_TONE_NONE, .exposure = 1
 #define STUDIO                .environment = {ZR_ENVIRONMENT_STUDIO, 1, 0, true}
@@ -116,7 +116,7 @@ static const struct zr_light outdoor_2_lights[] = {
     .edges = {(on), RGB(ink), (width), 40, (silhouettes), (creases), true, true}
 #define NO_EDGES_2 EDGES_2(false, INK, 1.5f, 1, 0.85f)
 #define GROUNDED_2                                                                                                     \
-    .occlusion = {true, 0.15f, 2.3f}, .lights_points = true, .has_ground = true, .softens_ground = true, .dithers = true
+    .occlusion = {true, 0.15f, 2.3f}, .has_ground = true, .softens_ground = true, .dithers = true
 
 /* Phong highlights are weak, as on plastic. */
 #define MATERIAL(model, hex, metal, rough) MATERIAL_COOL(model, hex, metal, rough, COOL)
@@ -185,10 +185,11 @@ const struct zr_look zr_looks[] = {
     {.name = "technical",
      .version = 2,
      .is_unreleased = true,
-     .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), .lights_points = true, EDGES_2(true, INK, 1.5f, 1, 0.85f),
+     .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES_2(true, INK, 1.5f, 1, 0.85f),
                  .gooch = {true, 0.35f, 0.65f}, XRAY},
      .background = OPAQUE(0xffffff),
      MATERIAL(ZR_SHADING_GOOCH, 0xfcfcfd, 0, 0.55f),
+     .cloud = OPAQUE(0x7d90a6),
      LIGHTS(studio_lights),
      ISOMETRIC(0.05f)},
     {.name = "clay",
@@ -281,7 +282,7 @@ const struct zr_look zr_looks[] = {
      .version = 2,
      .is_unreleased = true,
      .picture = {LIT, NO_TONE, STUDIO, GRADIENT(0xffffff, 0xf1f4f8), .dithers = true, OCCLUSION(false, 2), NO_EDGES_2,
-                 GOOCH, .xray = {0.11f, 0.56f, true}},
+                 GOOCH, .xray = {0.11f, 0.56f, true, 0.5f}},
      .background = OPAQUE(0xffffff),
      MATERIAL(ZR_SHADING_XRAY, 0x2b6cb0, 0, 0.55f),
      LIGHTS(studio_lights),

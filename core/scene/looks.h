@@ -29,6 +29,7 @@ struct zr_look {
 
     /* Default material of faces; its base colour is for meshes without a material and without colours. */
     struct zr_material material;
+    zr_vec4 cloud;       /* base colour of bare clouds of points, in looks drawn with ink; 0: colour of the edges */
     bool shades_by_mesh; /* gouraud for meshes with normals or vertex colours, else flat; false: material.shading */
 
     /* Lights of scenes without `lights`. ZR_LIT_CLASSIC ones replace the environment in shadings that do not use it. */

@@ -64,10 +64,12 @@ struct zr_gooch {
     float least, rise; /* share of light in creases, and what an open surface has beyond it */
 };
 
-/* Constants of the shading xray: a layer has the opacity least + rise (1 - |c|)^2, or ^3. */
+/* Constants of the shading xray: a layer has the opacity least + rise (1 - |c|)^2, or ^3, times 1 - lean x. x is that of
+ * the normal once turned towards the eye: walls that face left are denser, so that sides of a part differ. */
 struct zr_xray_opacity {
     float least, rise;
     bool is_square;
+    float lean; /* 0 .. 1 */
 };
 
 /* Largest side of the sample grid of a pixel, and most samples along the larger side of a window. */
@@ -84,7 +86,6 @@ struct zr_picture {
     enum zr_tone tone;
     float exposure; /* factor on light before tone mapping */
     struct zr_occlusion occlusion;
-    bool lights_points;  /* points without faces and lines: by near taps, else by eye-dome lighting (effects/) */
     bool has_ground;     /* shadow on the plane under the scene, if the camera is above it */
     bool softens_ground; /* that shadow is narrower and weaker under low scenes */
     bool has_ground_sun; /* the first directional lamp with shadows casts one on that plane, too */

@@ -58,7 +58,7 @@ static const char *const declarations =
     "uniform vec3 to_environment[3];\n" /* rows */
     "uniform vec4 middle;\n"            /* of the scene's bounds, from the eye; w: half their diagonal */
     "uniform vec3 gooch;\n"             /* 1 where cool is a share; least, rise */
-    "uniform vec3 xray;\n"              /* least, rise, power */
+    "uniform vec4 xray;\n"              /* least, rise, power, lean */
     "uniform vec3 lamp_to[64], lamp_color[64], lamp_ground[64];\n"
     "uniform vec3 lamp_kind[64];\n"  /* a hemisphere; lights pbr; lights flat, gouraud and phong */
     "uniform vec4 lamp_place[64];\n" /* from the eye; w: 1 where the lamp has a place */
@@ -211,8 +211,8 @@ static const char *const radiances =
     "           box(d, b2, vec3(0.95, 0.10, 0.25), 0.07, 0.62, 0.05, 0.55 * vec3(0.95, 0.99, 1.05)) +\n"
     "           box(d, b2, vec3(0.35, 0.45, -0.85), 0.55, 0.13, 0.06, vec3(1.7)) +\n"
     "           box(d, b2, vec3(-0.85, -0.42, 0.25), 0.50, 0.30, 0.25, 0.42 * vec3(1.04, 1.0, 0.96)) +\n"
-    "           box(d, b2, vec3(0.85, -0.25, 0.45), 0.40, 0.35, 0.20, 0.23 * vec3(0.96, 1.0, 1.04)) +\n"
-    "           box(d, b2, vec3(0.10, -0.97, 0.22), 0.50, 0.35, 0.30, 0.46 * vec3(1.04, 1.0, 0.96));\n"
+    "           lobe(d, b2, vec3(0.85, -0.25, 0.45), 0.52, 0.194 * vec3(0.96, 1.0, 1.04)) +\n"
+    "           lobe(d, b2, vec3(0.10, -0.97, 0.22), 0.66, 0.305 * vec3(1.04, 1.0, 0.96));\n"
     "}\n"
     "vec3 metal_2(vec3 d, float b2)\n"
     "{\n"
@@ -352,6 +352,7 @@ static const char *const surfaces =
     "    float film = shading == 7 && side != 3.0 ? xray.x + xray.y * pow(1.0 - min(abs(dot(normal, v)) / "
     "length(normal), "
     "1.0), xray.z) : 1.0;\n"
+    "    if (shading == 7 && side != 3.0) film *= 1.0 - xray.w * (dot(n, v) < 0.0 ? -n.x : n.x);\n"
     "    gl_FragColor = vec4(color_of(back ? -n : n, v, own), film);\n"
     "}\n";
 

@@ -114,7 +114,8 @@ struct uniforms {
     float exposure, toe, environment, intensity, lamp_count;
     float to_environment[3][3];
     zr_vec4 middle;
-    zr_vec3 gooch, xray;
+    zr_vec3 gooch;
+    zr_vec4 xray;
     float lamp_to[LOOK_LAMPS_MAX][3];
     float lamp_place[LOOK_LAMPS_MAX][4], lamp_spot[LOOK_LAMPS_MAX][4], lamp_end[LOOK_LAMPS_MAX][2];
     zr_vec3 lamp_color[LOOK_LAMPS_MAX], lamp_ground[LOOK_LAMPS_MAX], lamp_kind[LOOK_LAMPS_MAX];
@@ -220,7 +221,7 @@ static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
     const struct zr_xray_opacity *xray = &scene->picture.xray;
     u->middle = middle_of(twin);
     u->gooch = (zr_vec3){gooch->tints_cool, gooch->least, gooch->rise};
-    u->xray = (zr_vec3){xray->least, xray->rise, xray->is_square ? 2.0f : 3.0f};
+    u->xray = (zr_vec4){xray->least, xray->rise, xray->is_square ? 2.0f : 3.0f, xray->lean};
     set_lamps(twin, u);
 }
 
@@ -237,7 +238,7 @@ const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin)
         {"to_environment", 3, 3, u.to_environment[0]},
         {"middle", 4, 1, &u.middle.x},
         {"gooch", 3, 1, &u.gooch.x},
-        {"xray", 3, 1, &u.xray.x},
+        {"xray", 4, 1, &u.xray.x},
         {"lamp_count", 1, 1, &u.lamp_count},
         {"lamp_to", 3, LOOK_LAMPS_MAX, u.lamp_to[0]},
         {"lamp_color", 3, LOOK_LAMPS_MAX, &u.lamp_color[0].x},

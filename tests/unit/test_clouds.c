@@ -126,6 +126,15 @@ TEST_AROUND(clouds_have_no_edges_but_their_ink, open_arena, close_arena)
     zr_cloud_draw_in_ink(&query);
     const zr_vec3 ink = cloud.scene.picture.edges.color;
     assert_true(zr_vec4_equal(cloud.material.base_color, (zr_vec4){ink.x, ink.y, ink.z, 1}));
+    const struct zr_look *old = cloud.scene.look, *with_cloud = zr_look_find("technical@2");
+    cloud.scene.look = with_cloud; /* its ink hides what lies in front; another ink that is given is kept */
+    cloud.scene.picture.edges.color = with_cloud->picture.edges.color;
+    zr_cloud_draw_in_ink(&query);
+    assert_true(with_cloud->cloud.x > 0.3f && zr_vec4_equal(cloud.material.base_color, with_cloud->cloud));
+    cloud.scene.picture.edges.color = (zr_vec3){1, 0, 0};
+    zr_cloud_draw_in_ink(&query);
+    assert_true(zr_vec4_equal(cloud.material.base_color, (zr_vec4){1, 0, 0, 1}));
+    cloud.scene.look = old;
     cloud.material.base_color = (zr_vec4){1, 1, 1, 1};
     request.color = "white";
     zr_cloud_draw_in_ink(&query);

@@ -1,5 +1,4 @@
 /* Values and small stages of looks of version 2: what they add to a picture. */
-#include "effects/point_light.h"
 #include "json_check.h"
 #include "lit_samples.h"
 #include "scene/extent_view.h"
@@ -118,13 +117,30 @@ TEST_EACH_ISA(xrays_are_square_or_cubic)
         float opacity[ROOM];
         for (int i = 0; i < ROOM; i++)
             opacity[i] = 0.5f;
-        lighting.xray = (struct zr_xray_opacity){0.11f, 0.56f, is_square};
+        lighting.xray = (struct zr_xray_opacity){0.11f, 0.56f, is_square, 0};
         zr_xray_of(isa_under_test(state))(&lighting, &samples.g, opacity);
         for (int i = 0; i < 100; i++) {
             const double along = 1.0 - i / 99.0, power = along * along * (is_square ? 1.0 : along);
             assert_true(fabs((double)opacity[i] - 0.5 * (0.11 + 0.56 * power)) < 1e-6);
         }
     }
+}
+
+TEST_EACH_ISA(xrays_are_denser_on_the_left)
+{
+    const struct zr_material material = {.shading = ZR_SHADING_XRAY};
+    static const float x[4] = {-0.6f, 0.6f, 0.6f, -0.6f}, z[4] = {0.8f, 0.8f, -0.8f, -0.8f}; /* backs turn */
+    struct zr_linear_lighting lighting = parallel_light(&material);
+    float opacity[ROOM];
+    samples_clear(&samples);
+    for (size_t i = 0; i < 4; i++)
+        samples_set(&samples, i, 0, (zr_vec3){1, 1, 1}, (zr_vec3){x[i], 0, z[i]}, (zr_vec3){0, 0, 0});
+    for (int i = 0; i < ROOM; i++)
+        opacity[i] = 0.5f;
+    lighting.xray = (struct zr_xray_opacity){0.2f, 0, true, 0.5f};
+    zr_xray_of(isa_under_test(state))(&lighting, &samples.g, opacity);
+    for (int i = 0; i < 4; i++)
+        assert_true(fabs((double)opacity[i] - (i % 2 ? 0.07 : 0.13)) < 1e-6);
 }
 
 /* A plane seen in one direction has one colour under an environment far away. Near, it has a gradient; in the middle
@@ -158,60 +174,6 @@ TEST_EACH_ISA(near_environments_give_planes_a_gradient)
     assert_true(fabsf(samples.out[0][50] - others.out[0][50]) < 1e-6f);
     assert_true(fabsf(samples.out[0][0] - samples.out[0][50]) > 0.02f);
     assert_true(fabsf(samples.out[0][100] - samples.out[0][50]) > 0.02f);
-}
-
-/* ---- points ---- */
-
-enum { SIDE = 20, STRIDE = 32 };
-
-struct cloud {
-    struct zr_gbuffer pixels;
-    uint32_t owner[STRIDE * SIDE];
-    float points[3][STRIDE * SIDE];
-};
-
-/* A plane of points at z = -5. */
-static void make_plane(struct cloud *cloud)
-{
-    memset(cloud, 0, sizeof *cloud);
-    cloud->pixels = (struct zr_gbuffer){.width = SIDE, .height = SIDE, .stride = STRIDE, .owner = cloud->owner};
-    for (int k = 0; k < 3; k++)
-        cloud->pixels.point[k] = cloud->points[k];
-    for (int i = 0; i < STRIDE * SIDE; i++) {
-        cloud->owner[i] = 1;
-        cloud->points[2][i] = -5.0f;
-    }
-}
-
-static double light_of(const struct cloud *cloud, float share, int x, int y)
-{
-    struct zr_arena arena;
-    zr_arena_init(&arena, (size_t)1 << 20);
-    const float *light = zr_point_light_make(&arena, NULL, NULL, &cloud->pixels, share, 10.0f);
-    assert_non_null(light);
-    const double found = (double)light[y * STRIDE + x];
-    zr_arena_free(&arena);
-    return found;
-}
-
-TEST(points_are_darker_the_nearer_their_neighbours)
-{
-    struct cloud cloud;
-    make_plane(&cloud);
-    assert_true(light_of(&cloud, 1, 9, 9) == 1.0);
-    cloud.points[2][9 * STRIDE + 10] = -4.9f; /* half of 0.02 D = 0.2 */
-    assert_true(fabs(light_of(&cloud, 1, 9, 9) - 1 / 1.125) < 1e-5);
-    cloud.points[2][9 * STRIDE + 10] = -1.0f; /* more than all of it */
-    assert_true(light_of(&cloud, 1, 9, 9) == 0.8 || fabs(light_of(&cloud, 1, 9, 9) - 0.8) < 1e-6);
-    assert_true(fabs(light_of(&cloud, 2, 9, 9) - 1 / 1.5) < 1e-6 && light_of(&cloud, 0, 9, 9) == 1.0);
-    cloud.points[2][11 * STRIDE + 7] = -1.0f; /* the second ring */
-    assert_true(fabs(light_of(&cloud, 1, 9, 9) - 1 / 1.5) < 1e-6);
-    cloud.points[2][10 * STRIDE + 7] = -1.0f; /* between the rings */
-    cloud.points[2][9 * STRIDE + 5] = -9.0f;  /* behind */
-    assert_true(fabs(light_of(&cloud, 1, 9, 9) - 1 / 1.5) < 1e-6);
-    cloud.owner[9 * STRIDE + 10] = 0; /* nobody */
-    assert_true(fabs(light_of(&cloud, 1, 9, 9) - 0.8) < 1e-6);
-    assert_true(light_of(&cloud, 1, 0, 0) == 1.0);
 }
 
 /* ---- views ---- */

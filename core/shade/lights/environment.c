@@ -50,9 +50,8 @@ static const struct zr_environment_light OUTDOOR = {
     .box_count = 2,
     .boxes = {{.middle = {0, 0.18f, -1}, .a = 1.2f, .h = 0.18f, .w0 = 0.15f, .color = {0.55f, 0.50f, 0.42f}},
               {.middle = {0, 0.18f, 1}, .a = 1.2f, .h = 0.18f, .w0 = 0.15f, .color = {0.55f, 0.50f, 0.42f}}},
-    .lobe = {-0.48f, 0.67f, 0.57f},
-    .lobe_width = 0.7f,
-    .lobe_color = TINT(0.45f, 1.0f, 0.95f, 0.85f),
+    .lobe_count = 1,
+    .lobes = {{.middle = {-0.48f, 0.67f, 0.57f}, .w0 = 0.7f, .color = TINT(0.45f, 1.0f, 0.95f, 0.85f)}},
     .harmonics = {{0.4636f, 0.5276f, 0.6439f},
                   {-0.0299f, -0.0284f, -0.0254f},
                   {0.0820f, 0.1825f, 0.3594f},
@@ -69,7 +68,7 @@ static const struct zr_environment_light STUDIO_2 = {
     .ground = TINT(0.115f, 1.03f, 1.0f, 0.97f),
     .half_width = 0.10f,
     .nearness = 0.4f,
-    .box_count = 6,
+    .box_count = 4,
     .boxes = {{.middle = {-0.60f, 0.66f, 0.46f},
                .a = 0.48f,
                .h = 0.36f,
@@ -85,17 +84,10 @@ static const struct zr_environment_light STUDIO_2 = {
                .a = 0.50f,
                .h = 0.30f,
                .w0 = 0.25f,
-               .color = TINT(0.42f, 1.04f, 1.0f, 0.96f)},
-              {.middle = {0.85f, -0.25f, 0.45f},
-               .a = 0.40f,
-               .h = 0.35f,
-               .w0 = 0.20f,
-               .color = TINT(0.23f, 0.96f, 1.0f, 1.04f)},
-              {.middle = {0.10f, -0.97f, 0.22f},
-               .a = 0.50f,
-               .h = 0.35f,
-               .w0 = 0.30f,
-               .color = TINT(0.46f, 1.04f, 1.0f, 0.96f)}},
+               .color = TINT(0.42f, 1.04f, 1.0f, 0.96f)}},
+    .lobe_count = 2,
+    .lobes = {{.middle = {0.85f, -0.25f, 0.45f}, .w0 = 0.52f, .color = TINT(0.194f, 0.96f, 1.0f, 1.04f)},
+              {.middle = {0.10f, -0.97f, 0.22f}, .w0 = 0.66f, .color = TINT(0.305f, 1.04f, 1.0f, 0.96f)}},
     .harmonics = {{0.6576f, 0.6509f, 0.6427f},
                   {-0.3360f, -0.3266f, -0.3133f},
                   {0.4587f, 0.4576f, 0.4540f},
@@ -149,9 +141,8 @@ static const struct zr_environment_light OUTDOOR_2 = {
     .box_count = 2,
     .boxes = {{.middle = {0, 0.18f, -1}, .a = 1.2f, .h = 0.18f, .w0 = 0.15f, .color = {0.55f, 0.50f, 0.42f}},
               {.middle = {0, 0.18f, 1}, .a = 1.2f, .h = 0.18f, .w0 = 0.15f, .color = {0.55f, 0.50f, 0.42f}}},
-    .lobe = {-0.42f, 0.80f, 0.43f},
-    .lobe_width = 0.7f,
-    .lobe_color = TINT(0.45f, 1.0f, 0.95f, 0.85f),
+    .lobe_count = 1,
+    .lobes = {{.middle = {-0.42f, 0.80f, 0.43f}, .w0 = 0.7f, .color = TINT(0.45f, 1.0f, 0.95f, 0.85f)}},
     .harmonics = {{0.4636f, 0.5276f, 0.6439f},
                   {-0.0262f, -0.0249f, -0.0223f},
                   {0.0902f, 0.1903f, 0.3663f},
@@ -179,6 +170,7 @@ bool zr_environment_make(enum zr_environment_name name, struct zr_environment_li
         box->across = zr_vec3_normalize(zr_vec3_cross(up, box->middle));
         box->along = zr_vec3_cross(box->middle, box->across);
     }
-    out->lobe = zr_vec3_normalize(out->lobe);
+    for (uint32_t i = 0; i < out->lobe_count; i++)
+        out->lobes[i].middle = zr_vec3_normalize(out->lobes[i].middle);
     return true;
 }

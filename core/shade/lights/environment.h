@@ -1,4 +1,4 @@
-/* environment.h - shade: ambient light as formulas: a gradient, soft boxes and a round lobe.
+/* environment.h - shade: ambient light as formulas: a gradient, soft boxes and round lobes.
  *
  * Space:  the environment's own: y up, z towards the camera.
  * How:    radiance L gathered around direction d at GGX roughness alpha, with b^2 = (2 alpha / (1 + 2.2 alpha))^2:
@@ -7,7 +7,7 @@
  *             gradient = mix(ground, sky, S(d.y, sqrt(hw^2 + b^2)))
  *             box      = c (S(u + a, w) - S(u - a, w)) (S(v + h, w) - S(v - h, w)) S(d.m, w),  w^2 = w0^2 + b^2
  *             lobe     = c (w0^2 / w^2) / (1 + 2 (1 - d.m) / w^2)^2
- *             L        = mix(gradient + boxes + lobe, E(d), clamp((alpha - 0.2) / 0.6))
+ *             L        = mix(gradient + boxes + lobes, E(d), clamp((alpha - 0.2) / 0.6))
  *
  *         u and v are d along the box's two sides. E is irradiance / pi, a polynomial of harmonics of order 2.
  * Near:   an environment may stand at a finite distance, so that planes get a gradient: at a point P, directions R of L
@@ -20,7 +20,7 @@
 #include "base/vec.h"
 #include "scene/picture.h"
 
-enum { ZR_ENVIRONMENT_BOXES = 6, ZR_HARMONICS = 9 };
+enum { ZR_ENVIRONMENT_BOXES = 6, ZR_ENVIRONMENT_LOBES = 2, ZR_HARMONICS = 9 };
 
 struct zr_environment_box {
     zr_vec3 middle;        /* m; zr_environment_make makes it a unit vector */
@@ -29,14 +29,20 @@ struct zr_environment_box {
     zr_vec3 color;
 };
 
+/* Costs about a sixth of a box, so boxes that look round are lobes. */
+struct zr_environment_lobe {
+    zr_vec3 middle; /* m; zr_environment_make makes it a unit vector */
+    float w0;
+    zr_vec3 color;
+};
+
 struct zr_environment_light {
     zr_vec3 sky, ground;
     float half_width; /* hw, of the horizon */
     uint32_t box_count;
     struct zr_environment_box boxes[ZR_ENVIRONMENT_BOXES];
-    zr_vec3 lobe; /* direction; 0: none */
-    float lobe_width;
-    zr_vec3 lobe_color;
+    uint32_t lobe_count;
+    struct zr_environment_lobe lobes[ZR_ENVIRONMENT_LOBES];
     float nearness;                  /* k; 0: infinitely far away */
     zr_vec3 harmonics[ZR_HARMONICS]; /* factors of 1, x, y, z, xy, yz, zx, 3z^2 - 1, x^2 - y^2 */
 };

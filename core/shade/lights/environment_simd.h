@@ -40,10 +40,10 @@ static inline zr_vf zr_box_share_v(const struct zr_environment_box *box, struct 
 }
 
 /* Returns w0^2 / w^2 / (1 + 2 (1 - d.m) / w^2)^2, with one division. */
-static inline zr_vf zr_lobe_share_v(const struct zr_environment_light *light, struct zr_vec3_v d, zr_vf square_blur)
+static inline zr_vf zr_lobe_share_v(const struct zr_environment_lobe *lobe, struct zr_vec3_v d, zr_vf square_blur)
 {
-    const zr_vf square_0 = zr_vf_set(light->lobe_width * light->lobe_width), square_w = square_blur + square_0;
-    const zr_vf away = zr_vf_set(2.0f) * (zr_vf_set(1.0f) - zr_dot_v(d, zr_spread_v(light->lobe)));
+    const zr_vf square_0 = zr_vf_set(lobe->w0 * lobe->w0), square_w = square_blur + square_0;
+    const zr_vf away = zr_vf_set(2.0f) * (zr_vf_set(1.0f) - zr_dot_v(d, zr_spread_v(lobe->middle)));
     const zr_vf sum = square_w + away;
     return square_0 * square_w / (sum * sum);
 }
@@ -96,8 +96,8 @@ static inline struct zr_vec3_v zr_environment_gathered_v(const struct zr_environ
     if (gathering->is_soft) return zr_environment_diffuse_v(light, d);
     for (uint32_t i = 0; i < light->box_count; i++)
         sharp = zr_add_scaled_v(sharp, light->boxes[i].color, zr_box_share_v(&light->boxes[i], d, square_blur));
-    if (light->lobe_width > 0.0f)
-        sharp = zr_add_scaled_v(sharp, light->lobe_color, zr_lobe_share_v(light, d, square_blur));
+    for (uint32_t i = 0; i < light->lobe_count; i++)
+        sharp = zr_add_scaled_v(sharp, light->lobes[i].color, zr_lobe_share_v(&light->lobes[i], d, square_blur));
     if (gathering->is_sharp) return sharp;
     const struct zr_vec3_v soft = zr_environment_diffuse_v(light, d);
     const zr_vf share = gathering->share;
