@@ -31,8 +31,7 @@ void zr_cloud_draw_in_ink(const struct zr_query *query)
     const zr_vec4 ink = is_own && look->cloud.w > 0.0f ? look->cloud : (zr_vec4){edges.x, edges.y, edges.z, 1};
     if (look->material.shading == ZR_SHADING_PBR) return;
     for (uint32_t i = 0; i < builder->scene->mesh_count && !query->request->color; i++)
-        if (!builder->meshes[i].colors)
-            builder->materials[builder->meshes[i].material].base_color = ink;
+        if (!builder->meshes[i].colors) builder->materials[builder->meshes[i].material].base_color = ink;
 }
 
 void zr_cloud_size_points(const struct zr_query *query)

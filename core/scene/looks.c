@@ -115,8 +115,7 @@ static const struct zr_light outdoor_2_lights[] = {
 #define EDGES_2(on, ink, width, silhouettes, creases)                                                                  \
     .edges = {(on), RGB(ink), (width), 40, (silhouettes), (creases), true, true}
 #define NO_EDGES_2 EDGES_2(false, INK, 1.5f, 1, 0.85f)
-#define GROUNDED_2                                                                                                     \
-    .occlusion = {true, 0.15f, 2.3f}, .has_ground = true, .softens_ground = true, .dithers = true
+#define GROUNDED_2 .occlusion = {true, 0.15f, 2.3f}, .has_ground = true, .softens_ground = true, .dithers = true
 
 /* Phong highlights are weak, as on plastic. */
 #define MATERIAL(model, hex, metal, rough) MATERIAL_COOL(model, hex, metal, rough, COOL)

@@ -64,8 +64,8 @@ struct zr_gooch {
     float least, rise; /* share of light in creases, and what an open surface has beyond it */
 };
 
-/* Constants of the shading xray: a layer has the opacity least + rise (1 - |c|)^2, or ^3, times 1 - lean x. x is that of
- * the normal once turned towards the eye: walls that face left are denser, so that sides of a part differ. */
+/* Constants of the shading xray: a layer has the opacity least + rise (1 - |c|)^2, or ^3, times 1 - lean x. x is that
+ * of the normal once turned towards the eye: walls that face left are denser, so that sides of a part differ. */
 struct zr_xray_opacity {
     float least, rise;
     bool is_square;

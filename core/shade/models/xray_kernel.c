@@ -41,8 +41,7 @@ void ZR_KERNEL(zr_xray)(const struct zr_linear_lighting *lighting, const struct 
             const zr_vm xrays = zr_vm_andnot(find_xrays(lighting->materials, samples->material + at, seen), is_line);
             const struct zr_vec3_v to_eye = zr_to_eye_v(lighting, zr_three_of(samples->point, at));
             const zr_vf own = zr_vf_load(opacity + at), cosine = zr_dot_v(normal, to_eye);
-            zr_vf_store(opacity + at,
-                        zr_vf_select(xrays, own * opacity_of(&lighting->xray, normal, cosine), own));
+            zr_vf_store(opacity + at, zr_vf_select(xrays, own * opacity_of(&lighting->xray, normal, cosine), own));
         }
     }
 }
