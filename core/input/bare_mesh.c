@@ -139,6 +139,7 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
     } else {
         make_materials(root);
         if (has_ink) zr_cloud_draw_in_ink(query);
+        zr_wire_color(query);
     }
     zr_parsed_check_light(root);
     if (has_materials(root)) zr_parsed_drop_maps(root);

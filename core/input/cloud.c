@@ -2,15 +2,26 @@
 
 #include "scene/point_spacing.h"
 
+struct numbers {
+    uint64_t faces, lines, points;
+};
+
+static struct numbers count(const struct zr_scene *scene)
+{
+    struct numbers sum = {0, 0, 0};
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        sum.faces += scene->meshes[i].face_count;
+        sum.lines += scene->meshes[i].line_count;
+        sum.points += scene->meshes[i].point_count;
+    }
+    return sum;
+}
+
 /* True if the meshes have points, and neither faces nor lines. */
 static bool is_cloud(const struct zr_scene *scene)
 {
-    uint64_t points = 0, others = 0;
-    for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        points += scene->meshes[i].point_count;
-        others += (uint64_t)scene->meshes[i].face_count + scene->meshes[i].line_count;
-    }
-    return points > 0 && others == 0;
+    const struct numbers sum = count(scene);
+    return sum.points > 0 && sum.faces == 0 && sum.lines == 0;
 }
 
 bool zr_cloud_take_edges(struct zr_parsed_scene *root)
@@ -22,6 +33,20 @@ bool zr_cloud_take_edges(struct zr_parsed_scene *root)
     return true;
 }
 
+static void color_meshes(const struct zr_query *query, zr_vec4 color)
+{
+    const struct zr_scene_builder *builder = query->given.builder;
+    for (uint32_t i = 0; i < builder->scene->mesh_count && !query->request->color; i++)
+        if (!builder->meshes[i].colors) builder->materials[builder->meshes[i].material].base_color = color;
+}
+
+void zr_wire_color(const struct zr_query *query)
+{
+    const struct zr_scene *scene = query->given.builder->scene;
+    const struct numbers sum = count(scene);
+    if (scene->look->wire.w > 0.0f && sum.lines > 0 && sum.faces == 0) color_meshes(query, scene->look->wire);
+}
+
 void zr_cloud_draw_in_ink(const struct zr_query *query)
 {
     const struct zr_scene_builder *builder = query->given.builder;
@@ -30,8 +55,7 @@ void zr_cloud_draw_in_ink(const struct zr_query *query)
     const bool is_own = edges.x == own.x && edges.y == own.y && edges.z == own.z;
     const zr_vec4 ink = is_own && look->cloud.w > 0.0f ? look->cloud : (zr_vec4){edges.x, edges.y, edges.z, 1};
     if (look->material.shading == ZR_SHADING_PBR) return;
-    for (uint32_t i = 0; i < builder->scene->mesh_count && !query->request->color; i++)
-        if (!builder->meshes[i].colors) builder->materials[builder->meshes[i].material].base_color = ink;
+    color_meshes(query, ink);
 }
 
 void zr_cloud_size_points(const struct zr_query *query)

@@ -1,4 +1,4 @@
-/* cloud.h - input: edges, colour and size of the points of bare meshes. */
+/* cloud.h - input: edges, colour and size of the points and lines of bare meshes. */
 #ifndef ZR_CLOUD_H
 #define ZR_CLOUD_H
 
@@ -11,6 +11,9 @@ bool zr_cloud_take_edges(struct zr_parsed_scene *root);
 /* Gives points without a colour the colour of the edges, unless the look's surfaces are of the shading pbr: the base
  * colour of other looks with edges may be the background's. */
 void zr_cloud_draw_in_ink(const struct zr_query *query);
+
+/* Gives lines without a colour, in scenes without faces, the colour that the look has for them (zr_look.wire). */
+void zr_wire_color(const struct zr_query *query);
 
 /* Replaces point sizes of 0 by a size that follows from the density of the points. Makes points round in looks with
  * several samples per pixel. Requires meshes in object space and a closed builder. */

@@ -30,6 +30,7 @@ struct zr_look {
     /* Default material of faces; its base colour is for meshes without a material and without colours. */
     struct zr_material material;
     zr_vec4 cloud;       /* base colour of bare clouds of points, in looks drawn with ink; 0: colour of the edges */
+    zr_vec4 wire;        /* base colour of bare meshes of lines only, which no light makes darker; 0: as of faces */
     bool shades_by_mesh; /* gouraud for meshes with normals or vertex colours, else flat; false: material.shading */
 
     /* Lights of scenes without `lights`. ZR_LIT_CLASSIC ones replace the environment in shadings that do not use it. */

@@ -3,8 +3,13 @@
     looks_table.py BUILD MODELS TARGETS
 
 MODELS: a folder of OBJ files and its folder `parts`. TARGETS: pictures LOOK-MODEL.png, or LOOK-MODEL-below.png from
-below. Prints tables, and exits with 1 if a bar does not hold: RMS of 4 of 255 to the targets, 0.5 % of clipped pixels.
-What is missing is said on standard error.
+below. Prints tables, then a line `pass` or `FAIL` for each bar and second version, and exits with 1 if one fails:
+    targets    RMS of at most 4 of 255
+    light      percentiles of the luminance of objects, near those that the look aims at
+    clipped    at most 0.5 % of the pixels of any model
+    faces      at least 12 between faces of a cube in the preset isometric, which is the only one that shows several
+    turned     RMS of at most 1 between a model and the model turned by 90 degrees, seen from the same side
+Missing files are reported on standard error.
 """
 import os
 import struct
@@ -15,9 +20,16 @@ import zlib
 
 import numpy
 
-LOOKS = "studio clay dark metal outdoor xray blueprint technical".split()
 SIDE = 480
-RMS_MOST, CLIPPED_MOST, APART_LEAST = 4.0, 0.5, 12
+RMS_MOST, CLIPPED_MOST, APART_LEAST, TURNED_MOST = 4.0, 0.5, 12, 1.0
+# Median, 5th and 95th percentile of the luminance of objects that second versions aim at, and how far they may be off.
+# What lines alone decide has no bar.
+AIMS = {"studio": (160, 100, 201), "clay": (171, 107, 209), "dark": (185, 117, 228), "metal": (157, 84, 223),
+        "outdoor": (188, 122, 212), "xray": (204, 160, 224), "blueprint": (112, 77, None),
+        "technical": (228, None, 247)}
+AIM_WITHIN = 10
+# Layers of x-rays add up, and a face behind another one has its colour.
+SEE_THROUGH = ("xray",)
 ABOVE, BELOW = ["--azimuth", "35", "--elevation", "28"], ["--azimuth", "35", "--elevation", "-28"]
 ANGLES = [(45, 35.2644), (35, 28), (-35, 28), (15, 20), (60, 20), (45, 45), (30, -28), (-45, -20)]
 
@@ -91,10 +103,27 @@ def view_of(look, angles):
     return [] if look in ("technical", "blueprint") and angles is ABOVE else angles
 
 
-def compare_targets(renderer, models, targets):
-    """Returns true if all are near."""
-    good = True
+class Bars:
+    def __init__(self):
+        self.lines = []
+
+    def hold(self, name, what, figure, good):
+        self.lines.append("%s %-9s %-12s %s" % ("pass" if good else "FAIL", what, name, figure))
+
+    def print(self):
+        """Returns true if all hold."""
+        print("# bars")
+        print("\n".join(self.lines))
+        return not any(line.startswith("FAIL") for line in self.lines)
+
+
+def rms(a, b):
+    return float(numpy.sqrt(numpy.mean((a - b) ** 2)))
+
+
+def compare_targets(renderer, models, targets, bars):
     print("# RMS to targets, of 255; pixels that differ by more than 2")
+    worst = {}
     for name in sorted(os.listdir(targets)):
         look, model = name[:-len(".png")].split("-")[:2]
         if model not in models:
@@ -102,11 +131,33 @@ def compare_targets(renderer, models, targets):
             continue
         view = view_of(look, BELOW if name.endswith("-below.png") else ABOVE)
         drawn, _ = renderer.draw(models[model], look + "@2", "480x360", view, "faceId")
-        off = numpy.abs(drawn - read_png(os.path.join(targets, name)))
-        rms = float(numpy.sqrt(numpy.mean(off * off)))
-        good &= rms <= RMS_MOST
-        print("%-28s %6.3f %7.3f %%%s" % (name, rms, 100 * numpy.mean(off.max(2) > 2), "" if rms <= RMS_MOST else "  BAD"))
-    return good
+        target = read_png(os.path.join(targets, name))
+        worst[look] = max(worst.get(look, 0), rms(drawn, target))
+        print("%-28s %6.3f %7.3f %%" % (name, rms(drawn, target), 100 * numpy.mean(numpy.abs(drawn - target).max(2) > 2)))
+    for look, off in worst.items():
+        bars.hold(look + "@2", "targets", "RMS %.2f" % off, off <= RMS_MOST)
+
+
+def turn(path, folder):
+    """Writes an OBJ turned by 90 degrees around y, and returns its path: x, y, z becomes z, y, -x."""
+    out = os.path.join(folder, "turned.obj")
+    with open(path) as file, open(out, "w") as to:
+        for line in file:
+            word = line.split()
+            if word and word[0] in ("v", "vn"):
+                x = word[1][1:] if word[1].startswith("-") else "-" + word[1]
+                line = " ".join([word[0], word[3], word[2], x]) + "\n"
+            to.write(line)
+    return out
+
+
+def compare_turned(renderer, path, look, bars):
+    """The model turned with the camera: no measure of a look depends on the axes."""
+    straight, _ = renderer.draw(path, look, "480x360", ["--azimuth", "35", "--elevation", "28"], "faceId")
+    turned, _ = renderer.draw(turn(path, renderer.folder), look, "480x360",
+                              ["--azimuth", "125", "--elevation", "28"], "faceId")
+    off = rms(straight, turned)
+    bars.hold(look, "turned", "RMS %.2f" % off, off <= TURNED_MOST)
 
 
 def measure(renderer, models, look):
@@ -122,22 +173,54 @@ def measure(renderer, models, look):
     return [*table[:, :3].mean(0), table[:, 3].max()]
 
 
+def near(mask, reach):
+    """Returns the pixels that have one of the mask at most `reach` rows and columns away."""
+    for axis in (0, 1):
+        mask = numpy.any([numpy.roll(mask, k, axis) for k in range(-reach, reach + 1)], 0)
+    return mask
+
+
 def faces_apart(renderer, cube, look, angles):
-    """Returns the least difference of the medians of two visible faces."""
+    """Returns the least difference of two visible faces of a cube along their common edge, beside its line."""
     view = ["--azimuth", "%g" % angles[0], "--elevation", "%g" % angles[1]]
-    picture, normals = renderer.draw(cube, look, "%dx%d" % (SIDE, SIDE), view, "faceId")
-    grey, medians = luminance(picture), []
-    for group in numpy.unique((normals[normals > 0] - 1) // 2):
-        of_it = (normals > 0) & ((normals - 1) // 2 == group)
-        if of_it.sum() > 200:
-            medians.append(numpy.median(grey[of_it]))
-    medians.sort()
-    return min(numpy.diff(medians)) if len(medians) > 1 else 0.0
+    picture, faces = renderer.draw(cube, look, "%dx%d" % (SIDE, SIDE), view, "faceId")
+    grey = luminance(picture)
+    sides = [(faces > 0) & ((faces - 1) // 2 == n) for n in numpy.unique((faces[faces > 0] - 1) // 2)]
+    close, broad = [near(side, 4) for side in sides], [near(side, 12) for side in sides]
+    apart = []
+    for a in range(len(sides)):
+        for b in range(a):
+            strips = [sides[i] & broad[k] & ~numpy.any([close[j] for j in range(len(sides)) if j != i], 0)
+                      for i, k in ((a, b), (b, a))]
+            if min(strip.sum() for strip in strips) > 100:
+                apart.append(abs(numpy.median(grey[strips[0]]) - numpy.median(grey[strips[1]])))
+    return min(apart) if apart else 255.0
+
+
+def hold_light(bars, look, row):
+    off = max(abs(got - aim) for got, aim in zip(row, AIMS[look]) if aim is not None)
+    bars.hold(look + "@2", "light", "%.0f %.0f %.0f, off by up to %.0f" % (*row[:3], off), off <= AIM_WITHIN)
+    bars.hold(look + "@2", "clipped", "%.2f %%" % row[3], row[3] <= CLIPPED_MOST)
+
+
+def print_light(renderer, models, bars):
+    print("# luminance of objects, mean of %d models; clipped: worst model, %%" % len(models))
+    print("# look        median    5 %   95 %  clipped   least difference of faces of a cube: isometric, of 8 views")
+    for look in AIMS:
+        for version in (1, 2):
+            name = "%s@%d" % (look, version)
+            row = measure(renderer, models.values(), name)
+            apart = [faces_apart(renderer, models["cube"], name, a) for a in ANGLES] if "cube" in models else []
+            print("%-13s %6.0f %6.0f %6.0f %7.2f  %6.1f %6.1f" % (name, *row, *((apart[0], min(apart)) if apart else (0, 0))))
+            if version == 2:
+                hold_light(bars, look, row)
+            if version == 2 and apart and look not in SEE_THROUGH:
+                bars.hold(name, "faces", "%.1f" % apart[0], apart[0] >= APART_LEAST)
 
 
 def main():
     build, folder, targets = sys.argv[1:4]
-    models = {}
+    models, bars = {}, Bars()
     for place in (folder, os.path.join(folder, "parts")):
         for name in sorted(os.listdir(place)) if os.path.isdir(place) else []:
             if name.endswith(".obj"):
@@ -145,26 +228,16 @@ def main():
     if not models:
         print("SKIPPED: no OBJ in %s (DATA=FOLDER of models)" % folder, file=sys.stderr)
         return 0
-    good = True
     with tempfile.TemporaryDirectory() as place:
         renderer = Renderer(build, place)
         if os.path.isdir(targets):
-            good = compare_targets(renderer, models, targets)
+            compare_targets(renderer, models, targets, bars)
         else:
             print("SKIPPED: no targets in %s (TARGETS=FOLDER)" % targets, file=sys.stderr)
-        print("# luminance of objects, mean of %d models; clipped: worst model, %%" % len(models))
-        print("# look        median    5 %   95 %  clipped   least difference of faces of a cube: isometric, of 8 views")
-        for look in LOOKS:
-            for version in (1, 2):
-                name = "%s@%d" % (look, version)
-                row = measure(renderer, models.values(), name)
-                apart = [faces_apart(renderer, models["cube"], name, a) for a in ANGLES] if "cube" in models else [0]
-                is_bad = version == 2 and row[3] > CLIPPED_MOST
-                good &= not is_bad
-                low = version == 2 and min(apart) < APART_LEAST
-                print("%-13s %6.0f %6.0f %6.0f %7.2f  %6.1f %6.1f%s%s" % (
-                    name, *row, apart[0], min(apart), "  BAD" if is_bad else "", "  (below %d)" % APART_LEAST if low else ""))
-    return 0 if good else 1
+        print_light(renderer, models, bars)
+        for look in AIMS if "housing" in models else []:
+            compare_turned(renderer, models["housing"], look + "@2", bars)
+    return 0 if bars.print() else 1
 
 
 sys.exit(main())

@@ -144,4 +144,23 @@ TEST_AROUND(clouds_have_no_edges_but_their_ink, open_arena, close_arena)
     assert_true(cloud.material.base_color.x == 1);
 }
 
+TEST_AROUND(lines_alone_have_the_looks_colour_of_lines, open_arena, close_arena)
+{
+    struct cloud cloud;
+    struct zr_request request = {.size = 0};
+    struct zr_query query = {.request = &request, .given = {.scene = &cloud.scene, .builder = &cloud.builder}};
+    open_plane(&cloud, 2, 1);
+    const zr_vec4 own = cloud.material.base_color;
+    cloud.mesh.line_count = 1;
+    zr_wire_color(&query); /* this look has none */
+    assert_true(zr_vec4_equal(cloud.material.base_color, own));
+    cloud.scene.look = zr_look_find("clay@2");
+    cloud.mesh.face_count = 1;
+    zr_wire_color(&query);
+    assert_true(zr_vec4_equal(cloud.material.base_color, own));
+    cloud.mesh.face_count = 0;
+    zr_wire_color(&query);
+    assert_true(zr_vec4_equal(cloud.material.base_color, cloud.scene.look->wire) && cloud.scene.look->wire.w == 1);
+}
+
 RUN_TESTS(NULL, NULL)
