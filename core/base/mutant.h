@@ -84,6 +84,11 @@
     row(fresnel_of_4th_power)       /* 25, of lamps */                                                                \
     row(environment_not_blurred)    /* 26, as mirrors show it */                                                      \
     row(environment_not_turned)     /* 26, it moves with the camera */                                                \
+    row(environment_far)            /* 26, infinitely far away */                                                     \
+    row(near_as_mirrored)           /* 26, E moves as far as what mirrors show */                                     \
+    row(dither_from_above)          /* 23, rows of the pattern count from the highest */                              \
+    row(dithered_surfaces)          /* 23, not the background alone */                                                \
+    row(xray_upright)               /* 30, walls on the left are no denser */                                         \
     row(texels_from_corners)        /* 31, interpolation between the corners of texels, not between their centres */  \
     row(levels_half_off)            /* 31, which level */                                                             \
     row(tone_keeps_hue)             /* 27, bright colours do not fade to white */                                     \

@@ -49,7 +49,8 @@ static inline zr_vf dither_of(const struct zr_finish_row *row, uint32_t x)
 {
     const zr_vf zero = zr_vf_set(0.0f);
     const zr_vm covered = zr_vf_lt(zero, zr_vf_load(row->cover + x));
-    return zr_vf_select(covered, zero, zr_vf_load(row->dither + x % ZR_DITHER_ROOM));
+    const zr_vf moved = zr_vf_load(row->dither + x % ZR_DITHER_ROOM);
+    return ZR_MUTANT(dithered_surfaces, zr_vf_select(covered, zero, moved), moved);
 }
 
 /* Encodes as bytes with straight alpha. Pixels of opacity 0 are black. */

@@ -102,9 +102,15 @@ static const struct zr_light outdoor_2_lights[] = {
 #define OUTDOOR               .environment = {ZR_ENVIRONMENT_OUTDOOR, 1, 0, false}
 #define GRADIENT(from, to)    .has_gradient = true, .top = RGB(from), .bottom = RGB(to)
 #define OCCLUSION(on, factor) .occlusion = {(on), 0.2f, (factor)}
-#define EDGES(on, ink)        .edges = {(on), RGB(ink), 1.5f, 30, 1, 0.85f, false, false}
-#define INK                   0x1f2a36
-#define COOL                  0x9fb0c3
+#define EDGES(on, ink)                                                                                                 \
+    .edges = {.is_on = (on),                                                                                           \
+              .color = RGB(ink),                                                                                       \
+              .width = 1.5f,                                                                                           \
+              .crease_degrees = 30,                                                                                    \
+              .silhouette_opacity = 1,                                                                                 \
+              .crease_opacity = 0.85f}
+#define INK  0x1f2a36
+#define COOL 0x9fb0c3
 
 #define GROUNDED OCCLUSION(true, 2), .has_ground = true, EDGES(false, INK)
 
@@ -112,8 +118,15 @@ static const struct zr_light outdoor_2_lights[] = {
 #define STUDIO_2  .environment = {ZR_ENVIRONMENT_STUDIO_2, 1, 0, true}
 #define METAL_2   .environment = {ZR_ENVIRONMENT_METAL_2, 1, 0, true}
 #define OUTDOOR_2 .environment = {ZR_ENVIRONMENT_OUTDOOR_2, 1, 0, false}
-#define EDGES_2(on, ink, width, silhouettes, creases)                                                                  \
-    .edges = {(on), RGB(ink), (width), 40, (silhouettes), (creases), true, true}
+#define EDGES_2(on, ink, wide, silhouettes, creases)                                                                   \
+    .edges = {.is_on = (on),                                                                                           \
+              .color = RGB(ink),                                                                                       \
+              .width = (wide),                                                                                         \
+              .crease_degrees = 40,                                                                                    \
+              .silhouette_opacity = (silhouettes),                                                                     \
+              .crease_opacity = (creases),                                                                             \
+              .scales_width = true,                                                                                    \
+              .scales_specks = true}
 #define NO_EDGES_2 EDGES_2(false, INK, 1.5f, 1, 0.85f)
 #define GROUNDED_2 .occlusion = {true, 0.15f, 2.3f}, .has_ground = true, .softens_ground = true, .dithers = true
 

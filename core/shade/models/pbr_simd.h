@@ -142,11 +142,11 @@ static inline struct zr_ambient_v zr_pbr_gather_v(const struct zr_linear_lightin
     if (lighting->has_environment) {
         const struct zr_environment_light *light = &lighting->environment;
         const zr_vf intensity = zr_vf_set(lighting->environment_intensity);
-        const float near = lighting->nearness;
+        const float near = ZR_MUTANT(environment_far, lighting->nearness, 0.0f);
         struct zr_vec3_v seen = s->normal, seen_mirrored = mirrored;
         if (near > 0.0f) {
             const struct zr_vec3_v from_middle = zr_minus_v(s->point, zr_spread_v(lighting->middle));
-            seen = zr_seen_near_v(seen, from_middle, 0.5f * near);
+            seen = zr_seen_near_v(seen, from_middle, ZR_MUTANT(near_as_mirrored, 0.5f * near, near));
             seen_mirrored = zr_seen_near_v(mirrored, from_middle, near);
         }
         const struct zr_vec3_v n = zr_to_environment_v(lighting, seen),

@@ -16,7 +16,8 @@ static inline zr_vm find_xrays(const struct zr_material *materials, const uint32
 /* Returns 1 - lean x, where x is that of the normal once turned towards the eye: to the right in the picture. */
 static inline zr_vf leaned(const struct zr_xray_opacity *xray, struct zr_vec3_v normal, zr_vf cosine)
 {
-    const zr_vf right = zr_vf_set(xray->lean) * normal.x, zero = zr_vf_set(0.0f);
+    const float lean = ZR_MUTANT(xray_upright, xray->lean, 0.0f);
+    const zr_vf right = zr_vf_set(lean) * normal.x, zero = zr_vf_set(0.0f);
     return zr_vf_set(1.0f) + zr_vf_select(zr_vf_lt(cosine, zero), right, zero - right);
 }
 
