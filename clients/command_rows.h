@@ -21,7 +21,9 @@
 /* ROW(ID, name, short letter or 0, placeholder or NULL for a switch, letters of its commands, help) */
 #define OUTPUT_OPTION_ROWS(ROW)                                                                                        \
     ROW(OUTPUT, "output", 'o', "FILE|DIR|-", "rbcw",                                                                   \
-        "file, folder or standard output (default: FILE with another ending, in this folder; compare: none)")          \
+        "file, folder or standard output; .svg: lines alone (default: FILE with another ending, in this folder; "      \
+        "compare: "                                                                                                    \
+        "none)")                                                                                                       \
     ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS, "window in pixels; N means NxN; -W or -H alone keeps 4:3")       \
     ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcw", "no overwriting of existing files")                               \
     ROW(SHOW, "show", 0, NULL, "rw", "picture in the terminal (kitty, iTerm2, sixel)")                                 \

@@ -20,12 +20,13 @@ static const struct format FORMATS[] = {
     {"image/png", "png", "a PNG", ""},
     {"application/x-npy", "npy", "an array (NPY)", "; depth has a PNG, too: --encoding png16"},
     {"application/json", "json", "JSON", ""},
+    {"image/svg+xml", "svg", "an SVG", ""},
     {"application/zip", "zip", "a ZIP archive of several outputs", "; or get one of them: --channel color"},
 };
 
 /* Endings of formats that are never written. Other endings, such as .part, name no format. */
-static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "tiff", "webp", "bmp",  "ppm", "pgm",
-                                      "exr", "hdr",  "svg", "pdf", "npz",  "gz",   "html", "txt", "csv"};
+static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "tiff", "webp", "bmp", "ppm", "pgm",
+                                      "exr", "hdr",  "pdf", "npz", "gz",   "html", "txt", "csv"};
 
 static const struct format *format_of(const char *type)
 {
@@ -75,6 +76,15 @@ bool output_is_name(const char *name)
     for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
         if (strcasecmp(ending, FORMATS[i].ending) == 0 && !input_has_ending(name)) return true;
     return strcmp(name, "-") == 0 || is_foreign(ending) || output_is_folder(name);
+}
+
+void output_set_encoding(struct options *options)
+{
+    const char *out = options->own[OPTION_OUTPUT];
+    if (!out || strcasecmp(ending_of(out), "svg") != 0) return;
+    if (options->parameters[PARAMETER_channel] || options->parameters[PARAMETER_encoding]) return;
+    options->parameters[PARAMETER_channel] = "color";
+    options->parameters[PARAMETER_encoding] = "svg";
 }
 
 bool output_may_be_folder(const char *path)

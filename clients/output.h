@@ -22,6 +22,9 @@ struct target output_target(const char *file, const char *out);
 /* Returns true if a name can only be that of an output. */
 bool output_is_name(const char *name);
 
+/* Sets the encoding svg if the output's name ends so, and neither a channel nor an encoding is given. */
+void output_set_encoding(struct options *options);
+
 /* Checks before drawing: the folder exists (a name with a slash at its end makes it), the input is not overwritten,
  * the ending is that of an output. Returns 0, or an exit status with lines in *faults. */
 int output_check(const struct target *target, struct bytes *faults);

@@ -84,6 +84,7 @@ int command_watch(struct options *options)
     if (options->file_count != 1 || strcmp(options->files[0], "-") == 0)
         return options_wrong("watch needs one file: \"zraster watch part.stl -o part.png\"");
     const char *path = options->files[0];
+    output_set_encoding(options);
     int status = input_check_type(options);
     if (status == 0 && access(path, R_OK) != 0) status = options_wrong("%s: there is no such file to watch", path);
     if (status == 0) status = check_parts(options);

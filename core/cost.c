@@ -50,7 +50,7 @@ static struct passes passes_of(const struct zr_scene *scene, const struct zr_res
     const struct zr_picture *picture = &scene->picture;
     const struct zr_view *view = &scene->views[0];
     struct passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0, .side = 1.0};
-    if (!zr_view_wants(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
+    if (!zr_view_has_pixels(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
     passes.samples = 1.0;
     passes.side = (double)picture->side;
     passes.centres = wants_channels(view);
@@ -118,6 +118,14 @@ static bool draws_lines(const struct zr_picture *picture)
     return picture->edges.is_on && picture->edges.is_from_mesh;
 }
 
+/* Returns how often lines of the mesh are found: for a picture, and for a file. */
+static double line_times(const struct zr_scene *scene, const struct passes *passes)
+{
+    const bool in_picture = passes->samples > 0.0 && scene->picture.is_linear;
+    if (scene->is_undrawn || !draws_lines(&scene->picture)) return 0.0;
+    return (in_picture ? 1.0 : 0.0) + (zr_view_encodes(&scene->views[0], ZR_ENCODING_SVG) ? 1.0 : 0.0);
+}
+
 static double window_bytes(const struct zr_scene *scene, const struct passes *passes, double kept)
 {
     const struct zr_picture *picture = &scene->picture;
@@ -125,7 +133,7 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
     const double pixels = (double)view->width * (double)view->height, samples = pixels * passes->side * passes->side;
     double sum = pixels * bytes_of_channels(view) + bytes_of_layers(scene, samples, kept);
     if (scene->is_undrawn) return 0.0;
-    if (zr_view_wants(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
+    if (zr_view_has_pixels(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* these keep a z-buffer of the whole window */
         sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
     if (passes->samples == 0.0 || !picture->is_linear) return sum;
@@ -167,8 +175,7 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
                 (double)mesh->face_offsets[mesh->face_count] * (2.0 + (double)scene->sections.count);
         if (passes->makes_normals || (is_smooth && mesh->normal_count == 0 && !scene->is_undrawn))
             counts[ZR_COST_NORMAL] += triangles;
-        if (passes->samples > 0.0 && scene->picture.is_linear && draws_lines(&scene->picture))
-            counts[ZR_COST_DRAWN_TRIANGLE] += triangles;
+        counts[ZR_COST_DRAWN_TRIANGLE] += line_times(scene, passes) * triangles;
     }
 }
 
@@ -185,6 +192,7 @@ static void count_outputs(const struct zr_scene *scene, double *counts)
     const double pixels = (double)view->width * (double)view->height;
     for (uint32_t i = 0; !scene->is_undrawn && i < view->output_count; i++) {
         const enum zr_encoding encoding = view->outputs[i].encoding;
+        if (encoding == ZR_ENCODING_SVG) continue;
         counts[ZR_COST_OUTPUT_WORD] += pixels * fmax((double)zr_channel_rows[view->outputs[i].channel].words, 1.0);
         counts[ZR_COST_CHANNEL_PIXEL] += pixels * CHANNEL_TIMES[view->outputs[i].channel];
         if (encoding != ZR_ENCODING_PNG && encoding != ZR_ENCODING_PNG16) continue;
@@ -231,7 +239,8 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
         counts[ZR_COST_COMPARISON] =
             0.5 * faces * faces * meets_x * meets_y * (1.0 + 0.25 * sample->fragments / sample->faces) * drawn;
     }
-    if (!zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR)) return;
+    counts[ZR_COST_DRAWN_PIXEL] = line_times(scene, passes) * scale * sample->fragments;
+    if (!zr_view_has_pixels(&scene->views[0], ZR_CHANNEL_COLOR)) return;
     /* Shading runs once per covered sample, and once per translucent fragment. */
     const double side_squared = passes->samples > 0.0 ? passes->side * passes->side : 1.0;
     const double shaded = fmin(scale * sample->fragments, pixels) + scale * sample->layered;
@@ -251,9 +260,7 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     const bool has_ground_sun = picture->has_ground && picture->has_ground_sun && passes->lamp_maps > 0;
     counts[ZR_COST_SHADOW_SAMPLE] = share * sample->shadows + (has_ground_sun ? pixels : 0.0);
     if (picture->occlusion.is_on) counts[ZR_COST_OCCLUSION_PIXEL] = fmin(scale * sample->fragments, pixels);
-    if (draws_lines(picture)) {
-        counts[ZR_COST_DRAWN_PIXEL] = scale * sample->fragments;
-    } else if (picture->edges.is_on) {
+    if (picture->edges.is_on && !picture->edges.is_from_mesh) {
         counts[ZR_COST_EDGE_SAMPLE] = samples;
         const struct zr_view *view = &scene->views[0];
         const double width = (double)zr_edges_width_in(&picture->edges, view->width, view->height);

@@ -7,6 +7,7 @@
 #include "output/depth16.h"
 #include "output/fragments_json.h"
 #include "output/info.h"
+#include "output/line_file.h"
 #include "output/npy.h"
 #include "output/png.h"
 #include "scene/looks.h"
@@ -19,7 +20,8 @@ static const struct {
 } FILE_TYPES[ZR_ENCODING_COUNT] = {[ZR_ENCODING_PNG] = {"png", "image/png"},
                                    [ZR_ENCODING_PNG16] = {"png", "image/png"},
                                    [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
-                                   [ZR_ENCODING_JSON] = {"json", "application/json"}};
+                                   [ZR_ENCODING_JSON] = {"json", "application/json"},
+                                   [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"}};
 
 /* Inputs of encoding, and the results that the output info reports about the other outputs. */
 struct encoding {
@@ -105,6 +107,8 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     case ZR_ENCODING_JSON:
         if (output->channel == ZR_CHANNEL_FRAGMENTS) return zr_fragments_json_write(e->scene, f, out);
         return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, out);
+    case ZR_ENCODING_SVG:
+        return zr_line_file_write(e->scene, f, out) ? ZR_OK : ZR_NO_MEMORY;
     case ZR_ENCODING_COUNT:
         break;
     }

@@ -23,8 +23,8 @@
     KIND(PIXEL, "PIXELS") /* integer, from 0 */                                                                        \
     KIND(VECTOR, "X,Y,Z")                                                                                              \
     KIND(PARTS, "NAME,...") /* names, patterns or ids of parts, with commas between them */                            \
-    KIND(PLANES, "PLANES") /* AXIS[:FRACTION[:KEEP]], with commas between planes */                                    \
-    KIND(COLOR, "COLOR")   /* opaque */                                                                                \
+    KIND(PLANES, "PLANES")  /* AXIS[:FRACTION[:KEEP]], with commas between planes */                                   \
+    KIND(COLOR, "COLOR")    /* opaque */                                                                               \
     KIND(BACKGROUND, "COLOR")                                                                                          \
     KIND(OUTLINE, "COLOR") /* true, false, or opaque */
 
@@ -34,7 +34,7 @@
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
         "outputs instead of the scene's, with commas between them: color, depth, normals or others")                   \
     ROW(encoding, "/outputs/0/encoding", ANY, NAME,                                                                    \
-        "format of the output: png, npy, png16 or json (default: by channel)")                                         \
+        "format of the output: png, svg (lines alone), npy, png16 or json (default: by channel)")                      \
     ROW(scale, "/outputs/0/scale", ANY, UNITS, "scene units per step of a 16-bit depth picture")                       \
     ROW(x, "/outputs/0/x", ANY, PIXEL, "column of the pixel for the channel fragments, from 0 at the left")            \
     ROW(y, "/outputs/0/y", ANY, PIXEL, "row of that pixel, from 0 at the top")                                         \

@@ -247,6 +247,12 @@ static void read_rows(const struct reading *r, const struct row *row, const stru
     read_text(r, &json, is_of_query(row->pointer), reported);
 }
 
+/* True if the query wants lines alone, which the look studio has not. */
+static bool is_svg(const struct zr_request *request)
+{
+    return request->encoding && strcmp(request->encoding, "svg") == 0;
+}
+
 static void open_query(const struct zr_request *request, const struct zr_limits *limits,
                        struct zr_scene_builder *builder, struct zr_query *query)
 {
@@ -264,7 +270,7 @@ static void open_query(const struct zr_request *request, const struct zr_limits 
     if (format->has_view) return;
     /* A key of the query's view overrides that key of the look's view. */
     given->look = request->look ? zr_look_find(request->look) : NULL;
-    if (!given->look) given->look = zr_look_find("studio");
+    if (!given->look) given->look = zr_look_find(is_svg(request) ? "technical@2" : "studio");
     zr_look_set_view(given->look, &given->scene->views[0]);
 }
 

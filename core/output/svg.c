@@ -13,6 +13,8 @@ double zr_iso_line_width(double width)
     static const double series[] = {0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0};
     enum { COUNT = sizeof series / sizeof *series };
     int i = 0;
+    if (width * width * 1.4 < series[0] * series[0] || width * width > 1.4 * series[COUNT - 1] * series[COUNT - 1])
+        return width;
     while (i + 1 < COUNT && width * width > series[i] * series[i + 1])
         i++;
     return series[i];
@@ -147,16 +149,25 @@ static void print_lines(const struct zr_svg_desc *desc, struct zr_buffer *out, c
     }
 }
 
+/* Prints the paper as a style, which viewers show and plotters ignore. */
+static void print_paper(struct zr_buffer *out, const zr_vec3 *paper)
+{
+    if (paper)
+        print(out, " style=\"background:#%02x%02x%02x\"", byte_of(paper->x), byte_of(paper->y), byte_of(paper->z));
+}
+
 bool zr_svg_encode(const struct zr_svg_desc *desc, struct zr_buffer *out)
 {
     const double width = (double)desc->width * desc->pixel, height = (double)desc->height * desc->pixel;
     const uint32_t *sorted = sort_lines(desc, out->arena);
     if (!sorted) return false;
     print(out,
-          "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.9g%s\" height=\"%.9g%s\" viewBox=\"0 0 %.9g %.9g\" "
-          "fill=\"none\" stroke=\"#%02x%02x%02x\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
+          "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.7g%s\" height=\"%.7g%s\" viewBox=\"0 0 %.7g %.7g\" "
+          "fill=\"none\" stroke=\"#%02x%02x%02x\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
           width, desc->unit, height, desc->unit, width, height, byte_of(desc->color.x), byte_of(desc->color.y),
           byte_of(desc->color.z));
+    print_paper(out, desc->paper);
+    print(out, ">\n");
     print_lines(desc, out, sorted);
     print(out, "</svg>\n");
     return zr_arena_ok(out->arena);

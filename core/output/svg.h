@@ -20,13 +20,14 @@ struct zr_svg_desc {
     const char *unit;                 /* of the size: "mm", or "" */
     double widths[ZR_STROKE_CLASSES]; /* of lines, in units of the output */
     zr_vec3 color;                    /* sRGB-encoded, 0..1 */
+    const zr_vec3 *paper;             /* colour behind the lines, likewise; NULL: none */
 };
 
 /* Appends the file. Returns false if the arena failed. */
 bool zr_svg_encode(const struct zr_svg_desc *desc, struct zr_buffer *out);
 
 /* Returns the line width of ISO 128-2 that is nearest to `width` by ratio: 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1, 1.4 or
- * 2 mm. */
+ * 2 mm. A width beyond the series, by more than half of its ratio of sqrt(2), stays. */
 double zr_iso_line_width(double width);
 
 #endif

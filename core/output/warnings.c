@@ -115,6 +115,46 @@ static void add_counts(struct zr_arena *arena, const struct zr_scene *scene, con
                             frame->base->clamped_depths);
 }
 
+/* Adds a warning about elements that a file of lines lacks. */
+static void add_left_out(struct zr_arena *arena, const struct zr_frame *frame, struct zr_warning_list *w)
+{
+    const uint64_t lines = frame->counts.lines, points = frame->counts.points;
+    if (frame->lines && lines + points > 0)
+        zr_warning_list_add(arena, w,
+                            "%" PRIu64 " lines and %" PRIu64
+                            " points are left out of the SVG: it has the lines of faces alone",
+                            lines, points);
+}
+
+/* Counts the faces with a mask. */
+static uint64_t count_masked(const struct zr_scene *scene)
+{
+    uint64_t count = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        for (uint32_t face = 0; face < mesh->face_count; face++)
+            count += zr_material_of_face(scene, mesh, face)->alpha_mode == ZR_ALPHA_MASK;
+    }
+    return count;
+}
+
+/* Adds a warning about faces whose holes show in the picture, but not in its lines. */
+static void add_masked(struct zr_arena *arena, const struct zr_scene *scene, struct zr_warning_list *w)
+{
+    const struct zr_edges *edges = &scene->picture.edges;
+    bool has_mask = false;
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        has_mask = has_mask || scene->materials[i].alpha_mode == ZR_ALPHA_MASK;
+    if (!has_mask || !edges->is_on || !edges->is_from_mesh || !zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR))
+        return;
+    const uint64_t faces = count_masked(scene);
+    if (faces > 0)
+        zr_warning_list_add(arena, w,
+                            "%" PRIu64 " faces have the alphaMode MASK: they hide lines of the mesh as if they had no "
+                            "holes",
+                            faces);
+}
+
 /* Returns true if the near plane separates the vertices: some are cut off by it, and some lie beyond it. */
 static bool near_plane_cuts(const struct zr_scene *scene, const struct zr_camera *camera)
 {
@@ -208,6 +248,8 @@ struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, cons
     for (uint32_t i = 0; i < scene->warning_count; i++)
         zr_warning_list_add(arena, &w.first, "%s", scene->warnings[i]);
     add_counts(arena, scene, frame, &w.first);
+    add_left_out(arena, frame, &w.first);
+    if (!scene->is_undrawn) add_masked(arena, scene, &w.first);
     if (frame->sections && frame->sections->warning)
         zr_warning_list_add(arena, &w.first, "%s", frame->sections->warning);
     if (zr_view_warns(&frame->camera, text)) zr_warning_list_add(arena, &w.first, "%s", text);

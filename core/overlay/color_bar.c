@@ -136,7 +136,7 @@ void zr_color_bar_warn(struct zr_arena *arena, const struct zr_scene *scene, con
 {
     const struct zr_color_bar *bar = &scene->color_bar;
     struct zr_color_bar_layout layout;
-    if (!bar->is_on || !zr_view_wants(view, ZR_CHANNEL_COLOR)) return;
+    if (!bar->is_on || !zr_view_has_pixels(view, ZR_CHANNEL_COLOR)) return;
     const struct zr_color_scale *scale = zr_color_bar_scale(scene);
     if (!scale) {
         zr_warning_list_add(arena, warnings,

@@ -1,13 +1,12 @@
 /* The stages of a picture, from top to bottom: each STAGE of draw_light is one. */
 #include "render/picture.h"
 
-#include "drawing/drawing.h"
-#include "drawing/ink.h"
 #include "effects/eye_dome.h"
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
 #include "render/depth_maps.h"
 #include "render/finish.h"
+#include "render/mesh_lines.h"
 #include "render/stage.h"
 #include "render/supersample.h"
 #include "scene/looks.h"
@@ -189,31 +188,6 @@ static enum zr_status begin_edges(const struct drawing *d, struct zr_edge_marks 
     return status_of(d);
 }
 
-/* Draws the lines of the mesh over the finished picture. */
-static enum zr_status draw_lines(const struct drawing *d)
-{
-    const struct zr_edges *edges = &d->scene->picture.edges;
-    const uint32_t width = d->frame->width, height = d->frame->height;
-    const struct zr_drawing_desc desc = {
-        .scene = d->scene,
-        .camera = &d->frame->camera,
-        .bounds = &d->frame->bounds,
-        .width = width,
-        .height = height,
-        .rule = {.crease_degrees = edges->crease_degrees, .ignores_normals = edges->ignores_normals},
-        .has_hidden = edges->has_hidden};
-    const float w = zr_stroke_width(edges->width, width, height);
-    float *opacity = floats(d, (size_t)width * height);
-    struct zr_arena scratch = zr_arena_open_scratch(d->arena);
-    struct zr_drawing drawing;
-    enum zr_status status = status_of(d);
-    STAGE(zr_drawing_make(&scratch, d->team, d->cancel, &desc, &drawing));
-    STAGE(zr_strokes_draw(&scratch, d->team, d->cancel, &drawing.polylines, w, width, height, opacity));
-    zr_arena_close_scratch(&scratch, d->arena);
-    if (status == ZR_OK) zr_ink_lay(d->team, d->cancel, opacity, edges->color, width, height, d->frame->color);
-    return status == ZR_OK ? status_of(d) : status;
-}
-
 static enum zr_status finish(const struct drawing *d, struct zr_post_desc *desc, struct zr_edge_marks *edges)
 {
     if (edges) desc->ink = zr_edges_finish(edges, d->arena, d->team, d->cancel);
@@ -271,7 +245,8 @@ static enum zr_status draw_light(struct drawing *d)
     if (status == ZR_OK && points_light)
         zr_eye_dome_apply(d->team, d->cancel, &pixels, points_light, light.color, light.stride);
     STAGE(finish(d, &desc, stages.edges));
-    if (picture->edges.is_on && picture->edges.is_from_mesh) STAGE(draw_lines(d));
+    if (picture->edges.is_on && picture->edges.is_from_mesh)
+        STAGE(zr_mesh_lines_draw(d->arena, d->team, d->scene, d->cancel, d->frame));
     return status;
 }
 
@@ -283,14 +258,20 @@ static void blend_xrays(struct zr_material *material)
     material->alpha_mode = ZR_ALPHA_BLEND;
 }
 
+bool zr_picture_scene(struct zr_arena *arena, const struct zr_scene *scene, struct zr_scene *edited,
+                      const struct zr_scene **out)
+{
+    *out = scene;
+    if (!zr_any_is_xray(scene->materials, scene->material_count)) return true;
+    *out = edited;
+    return zr_scene_edit_materials(arena, scene, blend_xrays, edited);
+}
+
 enum zr_status zr_picture_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     struct drawing drawing = {arena, team, scene, cancel, frame, NULL};
     struct zr_scene with_xrays;
-    if (zr_any_is_xray(scene->materials, scene->material_count)) {
-        if (!zr_scene_edit_materials(arena, scene, blend_xrays, &with_xrays)) return ZR_NO_MEMORY;
-        drawing.scene = &with_xrays;
-    }
+    if (!zr_picture_scene(arena, scene, &with_xrays, &drawing.scene)) return ZR_NO_MEMORY;
     return scene->picture.is_linear ? draw_light(&drawing) : draw_bytes(&drawing);
 }

@@ -12,6 +12,11 @@ static inline bool zr_picture_has_own_passes(const struct zr_picture *picture)
     return picture->is_linear || picture->side > 1;
 }
 
+/* Returns the scene that pictures show: surfaces with the shading xray are blended and double-sided. *out is `scene`
+ * itself or `edited`. False without memory. */
+bool zr_picture_scene(struct zr_arena *arena, const struct zr_scene *scene, struct zr_scene *edited,
+                      const struct zr_scene **out);
+
 /* Draws frame->color. The frame has its camera and bounds. Returns ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY or ZR_INTERNAL. */
 enum zr_status zr_picture_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                const struct zr_cancel *cancel, struct zr_frame *frame);

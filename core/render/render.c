@@ -9,6 +9,7 @@
 #include "raster/textbook/algorithms.h"
 #include "render/frame_parts.h"
 #include "render/layer_channels.h"
+#include "render/mesh_lines.h"
 #include "render/pass.h"
 #include "render/picture.h"
 #include "render/pixel_fragments.h"
@@ -62,7 +63,17 @@ static enum zr_status draw_picture_and_channels(struct zr_arena *arena, struct z
     return status;
 }
 
-/* Only the fragments of a pixel stay in `arena`. */
+/* Makes the lines of a file. */
+static enum zr_status make_lines(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                 const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    struct zr_scene edited;
+    const struct zr_scene *shown;
+    if (!zr_picture_scene(scratch, scene, &edited, &shown)) return ZR_NO_MEMORY;
+    return zr_mesh_lines_keep(arena, scratch, team, shown, cancel, frame);
+}
+
+/* Only the fragments of a pixel and the lines of a file stay in `arena`. */
 static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
                                  const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
 {
@@ -73,6 +84,7 @@ static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratc
                       : draw_channels(scratch, team, scene, cancel, frame));
     if (status == ZR_OK) zr_color_bar_draw(scene, frame);
     if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(scratch, team, scene, cancel, frame));
+    if (zr_view_encodes(frame->view, ZR_ENCODING_SVG)) STAGE(make_lines(arena, scratch, team, scene, cancel, frame));
     if (pixel) STAGE(zr_pixel_fragments_find(arena, scratch, team, scene, pixel->x, pixel->y, cancel, frame));
     return status;
 }

@@ -127,6 +127,17 @@ static const struct zr_light outdoor_2_lights[] = {
               .crease_opacity = (creases),                                                                             \
               .scales_width = true,                                                                                    \
               .scales_specks = true}
+/* Lines of the mesh, whose width grows with the window. */
+#define EDGES_OF_MESH(ink)                                                                                             \
+    .edges = {.is_on = true,                                                                                           \
+              .color = RGB(ink),                                                                                       \
+              .width = 0,                                                                                              \
+              .crease_degrees = 30,                                                                                    \
+              .silhouette_opacity = 1,                                                                                 \
+              .crease_opacity = 0.85f,                                                                                 \
+              .scales_width = true,                                                                                    \
+              .scales_specks = true,                                                                                   \
+              .is_from_mesh = true}
 #define NO_EDGES_2 EDGES_2(false, INK, 1.5f, 1, 0.85f)
 #define GROUNDED_2 .occlusion = {true, 0.15f, 2.3f}, .has_ground = true, .softens_ground = true, .dithers = true
 
@@ -197,7 +208,7 @@ const struct zr_look zr_looks[] = {
     {.name = "technical",
      .version = 2,
      .is_unreleased = true,
-     .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES_2(true, INK, 1.5f, 1, 0.85f),
+     .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES_OF_MESH(INK),
                  .gooch = {true, 0.35f, 0.65f}, XRAY},
      .background = OPAQUE(0xffffff),
      MATERIAL(ZR_SHADING_GOOCH, 0xfcfcfd, 0, 0.55f),
@@ -279,8 +290,8 @@ const struct zr_look zr_looks[] = {
     {.name = "blueprint",
      .version = 2,
      .is_unreleased = true,
-     .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.6f), EDGES_2(true, 0xe8f0fa, 1.3f, 1, 0.80f),
-                 .gooch = {true, 0.2f, 0.8f}, XRAY},
+     .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.6f), EDGES_OF_MESH(0xe8f0fa), .gooch = {true, 0.2f, 0.8f},
+                 XRAY},
      .background = OPAQUE(0x1d4a86),
      MATERIAL_COOL(ZR_SHADING_GOOCH, 0x5086c8, 0, 0.55f, 0x4c6290),
      LIGHTS(studio_lights),

@@ -450,11 +450,27 @@ static inline bool zr_view_wants(const struct zr_view *view, enum zr_channel cha
     return zr_view_output(view, channel) != NULL;
 }
 
-/* True if an output has the channel, or if `info` or `fragments` is computed from it. */
+/* True if an output has the encoding. */
+static inline bool zr_view_encodes(const struct zr_view *view, enum zr_encoding encoding)
+{
+    for (uint32_t i = 0; i < view->output_count; i++)
+        if (view->outputs[i].encoding == encoding) return true;
+    return false;
+}
+
+/* True if an output has pixels of the channel. */
+static inline bool zr_view_has_pixels(const struct zr_view *view, enum zr_channel channel)
+{
+    for (uint32_t i = 0; i < view->output_count; i++)
+        if (view->outputs[i].channel == channel && view->outputs[i].encoding != ZR_ENCODING_SVG) return true;
+    return false;
+}
+
+/* True if an output has pixels of the channel, or if `info` or `fragments` is computed from them. */
 static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel channel)
 {
     const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS);
-    return zr_view_wants(view, channel) || (lists && channel == ZR_CHANNEL_WINDOW_DEPTH) ||
+    return zr_view_has_pixels(view, channel) || (lists && channel == ZR_CHANNEL_WINDOW_DEPTH) ||
            (channel == ZR_CHANNEL_FACE_ID && (lists || zr_view_wants(view, ZR_CHANNEL_INFO)));
 }
 

@@ -99,6 +99,34 @@ static void check_layers(const struct zr_scene *scene, const struct zr_view *vie
                          zr_channel_rows[channels[i]].name);
 }
 
+static bool has_faces(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->instance_count; i++)
+        if (scene->meshes[scene->instances[i].mesh].face_count > 0) return true;
+    return false;
+}
+
+/* An SVG has lines of the mesh, and nothing else. */
+static void check_svg(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    const struct zr_edges *edges = &scene->picture.edges;
+    if (!zr_view_encodes(view, ZR_ENCODING_SVG)) return;
+    if (scene->base)
+        zr_error_add(error, ZR_BAD_SCENE, "/base",
+                     "the encoding svg has the lines of the mesh alone, so it does not go with a base");
+    else if (!edges->is_on)
+        zr_error_add(error, ZR_BAD_SCENE, "/edges",
+                     "none: the encoding svg has the lines of the mesh alone; give \"edges\": {\"from\": \"mesh\"}, or "
+                     "the look technical@2");
+    else if (!edges->is_from_mesh)
+        zr_error_add(
+            error, ZR_BAD_SCENE, "/edges",
+            "from samples of the picture, which the encoding svg has not: give \"edges\": {\"from\": \"mesh\"}, "
+            "or the look technical@2");
+    else if (!has_faces(scene))
+        zr_error_add(error, ZR_BAD_SCENE, NULL, "the encoding svg has the lines of faces, and the scene has no face");
+}
+
 /* A request without drawing has only facts as outputs. */
 static void check_undrawn(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
@@ -154,6 +182,7 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     check_xrays(scene, view, error);
     check_layers(scene, view, error);
     check_pixels(view, error);
+    check_svg(scene, view, error);
     check_undrawn(scene, view, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;
 }

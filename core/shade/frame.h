@@ -41,6 +41,8 @@ struct zr_frame_parts {
     const double *cap_areas; /* per listed part: area of its caps, world units; NULL: the scene is not cut open */
 };
 
+struct zr_line_sheet; /* drawing/line_sheet.h */
+
 struct zr_frame {
     const struct zr_view *view; /* view of the rendered scene; NULL: this is a depth map */
     uint32_t width, height;
@@ -55,6 +57,7 @@ struct zr_frame {
     };
     struct zr_pixel_fragments fragments;    /* only if wanted */
     struct zr_frame_parts parts;            /* only if info is wanted */
+    const struct zr_line_sheet *lines;      /* only if an SVG is wanted */
     const struct zr_sections_cut *sections; /* mesh/sections.h; NULL: the scene is not cut open */
     const struct zr_base *base;             /* background pixels, with window_depth filled in; NULL: none */
     struct zr_camera camera;

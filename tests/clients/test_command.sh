@@ -43,6 +43,13 @@ check "also in the current folder" 0 "$zraster" scene.json --channel depth,norma
 verdict "with the same names" [ -s scene.depth.npy -a -s scene.normals.npy ]
 check "or become one archive" 0 "$zraster" part.stl -c color,depth -o both.zip -s 8
 verdict "which is a ZIP" [ "$(head -c 2 both.zip)" = PK ]
+check "an output named .svg has lines alone" 0 "$zraster" part.stl -o part.svg -s 8
+verdict "as SVG" [ "$(head -c 5 part.svg)" = "<svg " ]
+check "also as the second argument" 0 "$zraster" part.stl lines.svg -s 8
+verdict "with the same bytes" cmp -s part.svg lines.svg
+check "not of a look without lines" 1 "$zraster" part.stl -o none.svg --look clay
+verdict "which is refused" grep -q '/edges: none: the encoding svg' "$complained"
+check "nor of a channel without them" 2 "$zraster" part.stl -o part.svg -c depth
 check "existing files are overwritten" 0 "$zraster" part.stl -o new -s 9
 verdict "with the new picture" [ "$(size_of_png new/part.png)" = 9x9 ]
 check "-n refuses to overwrite" 1 "$zraster" part.stl -o new -s 10 -n

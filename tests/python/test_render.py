@@ -326,6 +326,22 @@ class Pictures(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, r"save: a path such as 'part.png', or a file with write\(\)"):
             picture.save(3)
 
+    def test_svg(self):
+        """lines of a mesh are a file without pixels"""
+        scene = {**SCENE, "edges": {"from": "mesh"}}
+        picture = zraster.render(scene, [{"channel": "color", "encoding": "svg"}])
+        self.assertEqual(picture.content_type, "image/svg+xml")
+        self.assertTrue(picture._repr_svg_().startswith("<svg "))
+        self.assertIsNone(picture._repr_png_())
+        self.assertEqual(list(picture), ["color"])
+        with tempfile.TemporaryDirectory() as folder:
+            picture.save(os.path.join(folder, "a.svg"))
+            self.assertEqual(support.read(os.path.join(folder, "a.svg")), picture.content)
+        with self.assertRaises(KeyError):
+            picture["color"]
+        copied = pickle.loads(pickle.dumps(picture))
+        self.assertEqual(copied.content_type, "image/svg+xml")
+
     def test_facts(self):
         """a picture has its look, channels, info and PNG"""
         picture = zraster.render(SCENE, ["color", "info", {"channel": "normals", "encoding": "png"}], look="clay")

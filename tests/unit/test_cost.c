@@ -141,6 +141,26 @@ TEST(lines_of_the_mesh_are_counted)
     assert_true(of_mesh.window_bytes < of_samples.window_bytes);
 }
 
+TEST(a_file_of_lines_is_counted_without_samples)
+{
+    static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_SVG},
+                                               {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG}};
+    half_a_window();
+    test.scene.picture.is_linear = true;
+    test.scene.picture.side = 4;
+    test.scene.picture.edges = (struct zr_edges){.is_on = true, .is_from_mesh = true};
+    test.scene.views[0].outputs = outputs;
+    const struct zr_cost of_file = scene_cost(&test.scene);
+    assert_near(of_file.counts[ZR_COST_DRAWN_TRIANGLE], 2);
+    assert_near(of_file.counts[ZR_COST_DRAWN_PIXEL], PIXELS / 2);
+    assert_true(of_file.counts[ZR_COST_WINDOW_SAMPLE] == 0 && of_file.counts[ZR_COST_PNG_PIXEL] == 0);
+    test.scene.views[0].output_count = 2;
+    const struct zr_cost of_both = scene_cost(&test.scene);
+    assert_near(of_both.counts[ZR_COST_DRAWN_TRIANGLE], 4);
+    assert_near(of_both.counts[ZR_COST_DRAWN_PIXEL], PIXELS);
+    assert_near(of_both.counts[ZR_COST_WINDOW_SAMPLE], 16 * PIXELS);
+}
+
 /* By the textbook lamps light faces, vertices, or pixels. */
 TEST(lamps_of_the_textbook_are_counted)
 {

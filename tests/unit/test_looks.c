@@ -42,7 +42,8 @@ TEST(each_row_has_what_rows_must_have)
         assert_true(p->line_width == 1 && p->exposure > 0 && p->environment.intensity == 1);
         assert_true(p->crease_degrees > 0 && p->crease_degrees <= 180);
         assert_true(p->occlusion.radius > 0 && p->occlusion.strength > 0);
-        assert_true(p->edges.width > 0 && p->edges.crease_degrees > 0 && is_color(p->edges.color));
+        assert_true((p->edges.width > 0 || p->edges.is_from_mesh) && p->edges.crease_degrees > 0 &&
+                    is_color(p->edges.color));
         assert_true(p->edges.silhouette_opacity >= 0 && p->edges.silhouette_opacity <= 1);
         assert_true(p->edges.crease_opacity > 0 && p->edges.crease_opacity <= 1);
         assert_true(p->gooch.least > 0 && fabsf(p->gooch.least + p->gooch.rise - 1) < 1e-6f);

@@ -87,8 +87,21 @@ TEST(a_full_arena_is_told)
 
 TEST(widths_of_iso_are_the_nearest_by_ratio)
 {
-    assert_true(zr_iso_line_width(0.01) == 0.13 && zr_iso_line_width(0.2) == 0.18 && zr_iso_line_width(0.22) == 0.25);
-    assert_true(zr_iso_line_width(0.59) == 0.5 && zr_iso_line_width(0.6) == 0.7 && zr_iso_line_width(9.0) == 2.0);
+    assert_true(zr_iso_line_width(0.12) == 0.13 && zr_iso_line_width(0.2) == 0.18 && zr_iso_line_width(0.22) == 0.25);
+    assert_true(zr_iso_line_width(0.59) == 0.5 && zr_iso_line_width(0.6) == 0.7 && zr_iso_line_width(2.3) == 2.0);
+}
+
+TEST(widths_beyond_the_series_stay)
+{
+    assert_true(zr_iso_line_width(0.1) == 0.1 && zr_iso_line_width(9.0) == 9.0);
+}
+
+TEST(paper_is_a_style)
+{
+    static const zr_vec3 blue = {0, 0, 1};
+    struct zr_svg_desc desc = usual();
+    desc.paper = &blue;
+    assert_non_null(strstr(encode(&desc), "stroke-linejoin=\"round\" style=\"background:#0000ff\">\n"));
 }
 
 RUN_TESTS(open_arena, close_arena)

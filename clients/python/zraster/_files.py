@@ -10,7 +10,13 @@ from typing import Any, Dict, Mapping
 from ._errors import OptionError
 
 PNG = b"\x89PNG\r\n\x1a\n"
-SUFFIXES = {"image/png": ".png", "application/zip": ".zip", "application/json": ".json", "application/x-npy": ".npy"}
+SUFFIXES = {
+    "image/png": ".png",
+    "image/svg+xml": ".svg",
+    "application/zip": ".zip",
+    "application/json": ".json",
+    "application/x-npy": ".npy",
+}
 
 
 def unzip(data: bytes) -> Dict[str, bytes]:

@@ -63,9 +63,9 @@ class Drawn:
         found = c.Array()
 
         def is_there(row: Dict[str, Any]) -> bool:
-            if "json" in row["encodings"]:
-                return self.encode(row["name"]) is not None
-            return bool(c.library.picture_channel(self.handle.pointer, row["name"].encode(), byref(found)))
+            if c.library.picture_channel(self.handle.pointer, row["name"].encode(), byref(found)):
+                return True
+            return not {"json", "svg"}.isdisjoint(row["encodings"]) and self.encode(row["name"]) is not None
 
         return [row["name"] for row in shared().tables["channels"] if is_there(row)]
 
@@ -96,7 +96,7 @@ class Files:
         if name not in self.files:
             return None
         data = self.files[name]
-        signatures = {b"\x89PNG": "image/png", b"\x93NUM": "application/x-npy"}
+        signatures = {b"\x89PNG": "image/png", b"\x93NUM": "application/x-npy", b"<svg": "image/svg+xml"}
         return data, signatures.get(data[:4], "application/json")
 
     def array(self, channel: str) -> Any:
@@ -172,11 +172,11 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
         return data if type_ == "image/png" else self._encode("color")[0]
 
     def file(self, channel: str) -> bytes:
-        """Returns the file of a channel: PNG, NPY or JSON."""
+        """Returns the file of a channel: PNG, SVG, NPY or JSON."""
         return self._encode(channel)[0]
 
     def save(self, path: Any) -> None:
-        """Writes the file that the ending of the path selects: .png, .npy or .json, or .zip for several channels.
+        """Writes the file that the ending of the path selects: .png, .svg, .npy or .json, or .zip for several channels.
         Without an ending, writes `content`. An object with write(), such as io.BytesIO(), gets `content`, too."""
         if not isinstance(path, (str, os.PathLike)):
             expect(hasattr(path, "write"), "save", "a path such as 'part.png', or a file with write()", path)
@@ -192,7 +192,11 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
             file.write(fitting[0])
 
     def _repr_png_(self) -> Optional[bytes]:
-        return self.png if "color" in self or self.content_type == "image/png" else None
+        is_png = self.content_type == "image/png" or ("color" in self and self._encode("color")[1] == "image/png")
+        return self.png if is_png else None
+
+    def _repr_svg_(self) -> Optional[str]:
+        return self.content.decode() if self.content_type == "image/svg+xml" else None
 
     # ---- arrays ----
 

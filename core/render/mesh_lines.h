@@ -1,0 +1,16 @@
+/* mesh_lines.h - render: lines of the mesh (drawing/drawing.h), as ink over a finished picture or for a file. */
+#ifndef ZR_MESH_LINES_H
+#define ZR_MESH_LINES_H
+
+#include "base/team.h"
+#include "shade/frame.h"
+
+/* Draws the lines over frame->color. Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
+enum zr_status zr_mesh_lines_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                  const struct zr_cancel *cancel, const struct zr_frame *frame);
+
+/* Makes frame->lines in `arena`. Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
+enum zr_status zr_mesh_lines_keep(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                  const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame);
+
+#endif
