@@ -208,6 +208,13 @@ looks: ## second versions of looks beside the first: brightness, contrast, and d
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@$(PYTHON) tests/reference/looks_table.py $(BUILD) $(DATA)/models $(or $(TARGETS),$(DATA)/../design/look2)
 
+.PHONY: lines
+lines: ## lines of the mesh: edges beside those of VTK, specks of ink, distance to target pictures, SVG beside PNG; TARGETS=DIR
+	@.ci/need $(NEED_BUILD) /usr/share/doc/python3-numpy=python3-numpy xmllint=libxml2-utils rsvg-convert=librsvg2-bin
+	@$(MAKE) -s feature-edges
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
+	@$(PYTHON) tests/reference/lines_table.py $(BUILD) $(DATA)/models $(or $(TARGETS),$(DATA)/../design/eye)
+
 LOADER_PACKAGES := three@0.187 linkedom@0.18 gltf-validator@2.0.0-dev.3.10 obj2gltf@3.2.0
 npm_install = npm install --silent --no-audit --no-fund --prefix $(BUILD)/loaders
 # Models of other packages, in formats that the loaders read.

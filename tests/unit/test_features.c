@@ -109,8 +109,8 @@ TEST(culled_faces_leave_borders)
 
 /* ---- models ---- */
 
-/* Counts of tests/reference/feature_edges.py, which compares these rows with those of vtkFeatureEdges. Only the creases
- * of suzanne differ: it has bent quads, whose normals VTK averages; here the two triangles beside the edge count. */
+/* Counts of tests/reference/feature_edges.py, which compares these rows with those of vtkFeatureEdges. Suzanne has bent
+ * quads, of which VTK gets the triangles. */
 static const struct counts {
     const char *name;
     uint32_t borders, creases, more;
