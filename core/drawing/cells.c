@@ -13,7 +13,7 @@ struct binning {
     const struct zr_cancel *cancel;
     uint32_t columns, rows, hider_count, chunk_count;
     uint32_t *counts; /* [chunk][cell]: entries, then the next free one */
-    uint32_t *hiders;
+    struct zr_cell_entry *entries;
 };
 
 static uint32_t chunk_begin(const struct binning *b, size_t chunk)
@@ -49,42 +49,88 @@ static struct span span_of(const struct zr_window_point *const corners[3], doubl
     return span;
 }
 
-static void add_to(const struct binning *b, uint32_t *counts, uint32_t row, uint32_t column, uint32_t hider)
+/* A triangle; its extents in steps of the window, from the lower left of cell 0. */
+struct placed {
+    uint32_t hider;
+    int32_t low_x, low_y, high_x, high_y;
+    float near;
+};
+
+/* Returns the largest float that is not greater. */
+static float rounded_down(double value)
+{
+    const float near = (float)value;
+    return (double)near > value ? nextafterf(near, -HUGE_VALF) : near;
+}
+
+/* Returns the step of a coordinate, held within 0 .. most. */
+static int32_t step_of(double coordinate, uint32_t cells)
+{
+    const double step = (coordinate + ZR_WINDOW_MARGIN) * ZR_BOX_STEPS, most = (double)cells * ZR_CELL_STEPS;
+    return step >= most ? (int32_t)most : step > 0.0 ? (int32_t)step : 0;
+}
+
+static uint8_t in_cell(int32_t step, uint32_t cell)
+{
+    const int32_t own = step - (int32_t)(cell * ZR_CELL_STEPS);
+    return own < 0 ? 0 : own < ZR_CELL_STEPS ? (uint8_t)own : ZR_CELL_STEPS - 1;
+}
+
+static struct zr_cell_entry entry_in(const struct placed *p, uint32_t row, uint32_t column)
+{
+    return (struct zr_cell_entry){
+        p->hider,
+        p->near,
+        {in_cell(p->low_x, column), in_cell(p->low_y, row), in_cell(p->high_x, column), in_cell(p->high_y, row)}};
+}
+
+static void add_to(const struct binning *b, uint32_t *counts, uint32_t row, uint32_t column, const struct placed *p)
 {
     uint32_t *count = &counts[row * b->columns + column];
-    if (b->hiders) b->hiders[*count] = hider;
+    if (b->entries) b->entries[*count] = entry_in(p, row, column);
     (*count)++;
 }
 
 /* Adds a triangle to the cells of a row. */
-static void add_row(const struct binning *b, uint32_t *counts, uint32_t row, struct span span, uint32_t hider)
+static void add_row(const struct binning *b, uint32_t *counts, uint32_t row, struct span span,
+                    const struct placed *placed)
 {
     if (!(span.high >= -ZR_WINDOW_MARGIN && span.low <= zr_cell_border(b->columns))) return;
     const uint32_t end = zr_cell_at(span.high + rim, b->columns);
     for (uint32_t column = zr_cell_at(span.low - rim, b->columns); column <= end; column++)
-        add_to(b, counts, row, column, hider);
+        add_to(b, counts, row, column, placed);
 }
 
-/* Adds a triangle to all cells that it overlaps: counts it, or with b->hiders writes it. */
+/* Adds a triangle to all cells that it overlaps: counts it, or with b->entries writes it. */
 static void add(const struct binning *b, uint32_t *counts, uint32_t hider)
 {
     const struct zr_window_point *corners[3];
     struct span across = {HUGE_VAL, -HUGE_VAL}, up = {HUGE_VAL, -HUGE_VAL};
+    struct placed placed = {.hider = hider};
+    double near = HUGE_VAL;
     for (int k = 0; k < 3; k++) {
         corners[k] = &b->mesh->points[b->mesh->corners[hider][k]];
         widen(&across, corners[k]->x);
         widen(&up, corners[k]->y);
+        if (corners[k]->z < near) near = corners[k]->z;
+    }
+    if (b->entries) {
+        placed.low_x = step_of(across.low - rim, b->columns);
+        placed.high_x = step_of(across.high + rim, b->columns);
+        placed.low_y = step_of(up.low - rim, b->rows);
+        placed.high_y = step_of(up.high + rim, b->rows);
+        placed.near = rounded_down(near);
     }
     const uint32_t first = zr_cell_at(up.low - rim, b->rows), last = zr_cell_at(up.high + rim, b->rows);
     if (first == last) {
-        add_row(b, counts, first, across, hider);
+        add_row(b, counts, first, across, &placed);
         return;
     }
     for (uint32_t row = first; row <= last; row++)
         add_row(b, counts, row,
                 span_of(corners, row == first ? -HUGE_VAL : zr_cell_border(row) - rim,
                         row == last ? HUGE_VAL : zr_cell_border(row + 1) + rim),
-                hider);
+                &placed);
 }
 
 static void bin_chunks(void *context, size_t begin, size_t end)
@@ -133,9 +179,9 @@ enum zr_status zr_cells_make(struct zr_arena *arena, struct zr_team *team, const
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     zr_team_ranges(team, b.chunk_count, 1, bin_chunks, &b);
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    b.hiders = sum_counts(&b, firsts) ? zr_arena_alloc(arena, firsts[cells], sizeof *b.hiders) : NULL;
-    if (!b.hiders) return ZR_NO_MEMORY;
+    b.entries = sum_counts(&b, firsts) ? zr_arena_alloc(arena, firsts[cells], sizeof *b.entries) : NULL;
+    if (!b.entries) return ZR_NO_MEMORY;
     zr_team_ranges(team, b.chunk_count, 1, bin_chunks, &b);
-    *out = (struct zr_cells){.columns = b.columns, .rows = b.rows, .firsts = firsts, .hiders = b.hiders};
+    *out = (struct zr_cells){.columns = b.columns, .rows = b.rows, .firsts = firsts, .entries = b.entries};
     return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -2,7 +2,7 @@
  *
  * Space:  window_view.h. Cell 0 begins ZR_WINDOW_MARGIN to the left of and below the window.
  * How:    a triangle is listed in the cells that it overlaps, or that are within 1e-5 pixel of it.
- * Exact:  lists ascend; the same for any number of threads. */
+ * Exact:  lists ascend by hider; the same for any number of threads. */
 #ifndef ZR_CELLS_H
 #define ZR_CELLS_H
 
@@ -10,10 +10,25 @@
 
 enum { ZR_CELL_PIXELS = 8 };
 
+/* A box within a cell, rounded outwards, in ZR_BOX_STEPS per pixel from the cell's lower left. */
+struct zr_cell_box {
+    uint8_t low_x, low_y, high_x, high_y;
+};
+
+/* A triangle or cut piece of the window mesh in a cell. Most are far from a line in it, or behind; their boxes tell so
+ * without a look at their corners. */
+struct zr_cell_entry {
+    uint32_t hider;
+    float near; /* depth of its nearest corner, rounded towards the eye */
+    struct zr_cell_box box;
+};
+
+enum { ZR_BOX_STEPS = 32, ZR_CELL_STEPS = ZR_BOX_STEPS * ZR_CELL_PIXELS }; /* 256 */
+
 struct zr_cells {
     uint32_t columns, rows;
     const uint32_t *firsts; /* columns * rows + 1: index of a cell's first entry */
-    const uint32_t *hiders; /* triangles and cut pieces of the window mesh */
+    const struct zr_cell_entry *entries;
 };
 
 /* Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
@@ -32,6 +47,19 @@ static inline uint32_t zr_cell_at(double coordinate, uint32_t count)
 static inline double zr_cell_border(uint32_t cell)
 {
     return (double)cell * ZR_CELL_PIXELS - ZR_WINDOW_MARGIN;
+}
+
+/* Returns the step of a coordinate in a column or row, held within the cell. */
+static inline uint8_t zr_box_step(double coordinate, uint32_t cell)
+{
+    const double step = (coordinate - zr_cell_border(cell)) * ZR_BOX_STEPS, most = ZR_CELL_STEPS - 1;
+    return step >= most ? (uint8_t)most : step > 0.0 ? (uint8_t)step : 0;
+}
+
+/* True if two boxes of a cell have no point in common. */
+static inline bool zr_boxes_are_apart(const struct zr_cell_box *a, const struct zr_cell_box *b)
+{
+    return (a->high_x < b->low_x) | (b->high_x < a->low_x) | (a->high_y < b->low_y) | (b->high_y < a->low_y);
 }
 
 #endif

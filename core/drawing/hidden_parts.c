@@ -5,6 +5,9 @@
 /* Parts within a cell: a cell holds less than 12 pixels of a line, and parts are a gap apart from one another. */
 enum { PARTS_A_CELL = 32, PARTS_KEPT = 4, LINES_A_RANGE = 16, HIDERS_A_CANCEL_CHECK = 1 << 14 };
 
+/* Widens the boxes of lines, in pixels: more than rounding moves them. */
+static const double box_rim = 1e-4;
+
 struct finding {
     const struct zr_window_mesh *mesh;
     const struct zr_cells *cells;
@@ -75,8 +78,6 @@ static bool hides(const struct zr_window_point *const corners[3], const struct w
 {
     const struct zr_window_point *a = corners[0], *b = corners[1], *c = corners[2];
     const struct zr_window_point *p = &w->line->ends[0], *q = &w->line->ends[1];
-    const double back = p->z > q->z ? p->z : q->z;
-    if (back < a->z && back < b->z && back < c->z) return false;
     for (int k = 0; k < 3; k++) {
         const struct zr_window_point *from = corners[k], *to = corners[(k + 1) % 3];
         const double x = to->x - from->x, y = to->y - from->y, rim = ZR_HIDDEN_RIM * (fabs(x) + fabs(y));
@@ -114,15 +115,30 @@ static void append(struct walk *w, const struct parts *parts)
     }
 }
 
+/* Returns the box of a line between two t in a cell. */
+static struct zr_cell_box box_of(const struct finding *f, const struct walk *w, uint32_t cell, double begin, double end)
+{
+    const struct zr_window_point *p = &w->line->ends[0];
+    const uint32_t column = cell % f->cells->columns, row = cell / f->cells->columns;
+    const double x0 = p->x + begin * w->dx, x1 = p->x + end * w->dx, y0 = p->y + begin * w->dy, y1 = p->y + end * w->dy;
+    return (struct zr_cell_box){
+        zr_box_step((x0 < x1 ? x0 : x1) - box_rim, column), zr_box_step((y0 < y1 ? y0 : y1) - box_rim, row),
+        zr_box_step((x0 < x1 ? x1 : x0) + box_rim, column), zr_box_step((y0 < y1 ? y1 : y0) + box_rim, row)};
+}
+
 static void visit_cell(const struct finding *f, struct walk *w, uint32_t cell, double begin, double end)
 {
+    const double back = w->line->ends[0].z > w->line->ends[1].z ? w->line->ends[0].z : w->line->ends[1].z;
+    const struct zr_cell_box box = box_of(f, w, cell, begin, end);
     struct parts parts = {.count = 0};
     for (uint32_t i = f->cells->firsts[cell]; i < f->cells->firsts[cell + 1]; i++) {
         if (++w->unchecked > HIDERS_A_CANCEL_CHECK) {
             if (zr_is_cancelled(f->cancel)) return;
             w->unchecked = 0;
         }
-        const uint32_t hider = f->cells->hiders[i], source = zr_hider_source(f->mesh, hider);
+        const struct zr_cell_entry *entry = &f->cells->entries[i];
+        if (zr_boxes_are_apart(&entry->box, &box) || back < (double)entry->near) continue;
+        const uint32_t hider = entry->hider, source = zr_hider_source(f->mesh, hider);
         const uint32_t *corners = f->mesh->corners[hider];
         const struct zr_window_point *points[3] = {&f->mesh->points[corners[0]], &f->mesh->points[corners[1]],
                                                    &f->mesh->points[corners[2]]};

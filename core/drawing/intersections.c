@@ -163,10 +163,11 @@ static bool line_of(const struct seeking *s, uint32_t a, uint32_t b, uint32_t ce
     return row * s->cells->columns + column == cell;
 }
 
-static bool has_two_pieces(const struct seeking *s, const uint32_t *hiders, uint32_t count)
+static bool has_two_pieces(const struct seeking *s, const struct zr_cell_entry *entries, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++)
-        if (s->pieces[zr_hider_source(s->mesh, hiders[i])] != s->pieces[zr_hider_source(s->mesh, hiders[0])])
+        if (s->pieces[zr_hider_source(s->mesh, entries[i].hider)] !=
+            s->pieces[zr_hider_source(s->mesh, entries[0].hider)])
             return true;
     return false;
 }
@@ -174,26 +175,27 @@ static bool has_two_pieces(const struct seeking *s, const uint32_t *hiders, uint
 /* Finds the lines that the cell makes. Returns their number; writes them if `out` is not NULL. */
 static uint32_t seek(const struct seeking *s, uint32_t cell, struct zr_line *out)
 {
-    const uint32_t *hiders = s->cells->hiders + s->cells->firsts[cell];
+    const struct zr_cell_entry *entries = s->cells->entries + s->cells->firsts[cell];
     const uint32_t count = s->cells->firsts[cell + 1] - s->cells->firsts[cell];
     uint32_t found = 0, unchecked = 0;
-    if (!has_two_pieces(s, hiders, count)) return 0;
+    if (!has_two_pieces(s, entries, count)) return 0;
     for (uint32_t i = 0; i < count; i++) {
         const struct zr_window_point *first[3], *second[3];
-        corners_of(s, hiders[i], first);
+        corners_of(s, entries[i].hider, first);
         const struct box box = box_of(first);
-        const uint32_t piece = s->pieces[zr_hider_source(s->mesh, hiders[i])];
+        const uint32_t piece = s->pieces[zr_hider_source(s->mesh, entries[i].hider)];
         if ((unchecked += count) > PAIRS_A_CANCEL_CHECK) {
             if (zr_is_cancelled(s->cancel)) return found;
             unchecked = 0;
         }
         for (uint32_t k = i + 1; k < count; k++) {
             struct zr_line line;
-            if (s->pieces[zr_hider_source(s->mesh, hiders[k])] == piece) continue;
-            corners_of(s, hiders[k], second);
+            if (zr_boxes_are_apart(&entries[i].box, &entries[k].box)) continue;
+            if (s->pieces[zr_hider_source(s->mesh, entries[k].hider)] == piece) continue;
+            corners_of(s, entries[k].hider, second);
             const struct box other = box_of(second);
-            if (is_apart(&box, &other) || share_corner(s, hiders[i], hiders[k]) ||
-                !line_of(s, hiders[i], hiders[k], cell, &line))
+            if (is_apart(&box, &other) || share_corner(s, entries[i].hider, entries[k].hider) ||
+                !line_of(s, entries[i].hider, entries[k].hider, cell, &line))
                 continue;
             if (out) out[found] = line;
             found++;

@@ -131,9 +131,9 @@ static uint32_t cap_beside(const struct making *m, const struct middle *at, doub
     const double x = at->x + left * at->left_x, y = at->y + left * at->left_y;
     const struct zr_drawn_instance *of;
     uint32_t first = ZR_NO_HIDER;
-    struct zr_cell_hiders in = zr_cell_hiders_at(m->cells, x, y);
+    const struct zr_cell_hiders in = zr_cell_hiders_at(m->cells, x, y);
     for (uint32_t i = 0; i < in.count; i++) {
-        const uint32_t hider = in.at[i];
+        const uint32_t hider = in.at[i].hider;
         if (first != ZR_NO_HIDER && zr_hider_source(m->mesh, hider) >= zr_hider_source(m->mesh, first)) continue;
         if (!zr_hider_covers(m->mesh, hider, x, y)) continue;
         if (fabs(zr_plane_depth(m->mesh, hider, at->x, at->y) - at->z) >= seam_depth) continue;

@@ -14,14 +14,6 @@ double zr_plane_depth(const struct zr_window_mesh *mesh, uint32_t hider, double 
     return a->z + (of_b * (b->z - a->z) + of_c * (c->z - a->z)) / area;
 }
 
-/* Returns false if all corners lie behind a depth. */
-static bool may_be_nearer(const struct zr_window_mesh *mesh, uint32_t hider, double depth)
-{
-    const uint32_t *corners = mesh->corners[hider];
-    return mesh->points[corners[0]].z < depth || mesh->points[corners[1]].z < depth ||
-           mesh->points[corners[2]].z < depth;
-}
-
 bool zr_hider_covers(const struct zr_window_mesh *mesh, uint32_t hider, double x, double y)
 {
     const uint32_t *corners = mesh->corners[hider];
@@ -33,16 +25,22 @@ bool zr_hider_covers(const struct zr_window_mesh *mesh, uint32_t hider, double x
 struct zr_cell_hiders zr_cell_hiders_at(const struct zr_cells *cells, double x, double y)
 {
     const uint32_t cell = zr_cell_at(y, cells->rows) * cells->columns + zr_cell_at(x, cells->columns);
-    return (struct zr_cell_hiders){cells->firsts[cell + 1] - cells->firsts[cell], cells->hiders + cells->firsts[cell]};
+    return (struct zr_cell_hiders){cells->firsts[cell + 1] - cells->firsts[cell], cells->entries + cells->firsts[cell]};
 }
 
 struct zr_probe zr_probe_at(const struct zr_window_mesh *mesh, const struct zr_cells *cells, double x, double y)
 {
-    const struct zr_cell_hiders in = zr_cell_hiders_at(cells, x, y);
+    const uint32_t column = zr_cell_at(x, cells->columns), row = zr_cell_at(y, cells->rows);
+    const uint32_t cell = row * cells->columns + column;
+    const uint8_t step_x = zr_box_step(x, column), step_y = zr_box_step(y, row);
+    const struct zr_cell_box box = {step_x, step_y, step_x, step_y};
     struct zr_probe nearest = {ZR_NO_HIDER, HUGE_VAL};
-    for (uint32_t i = 0; i < in.count; i++) {
-        const uint32_t hider = in.at[i];
-        if (!may_be_nearer(mesh, hider, nearest.depth) || !zr_hider_covers(mesh, hider, x, y)) continue;
+    const uint32_t first = cells->firsts[cell], count = cells->firsts[cell + 1] - first;
+    for (uint32_t i = first; i < first + count && !zr_cell_ends(&cells->entries[i], nearest.depth, count); i++) {
+        const struct zr_cell_entry *entry = &cells->entries[i];
+        const uint32_t hider = entry->hider;
+        if (zr_boxes_are_apart(&entry->box, &box) || !((double)entry->near < nearest.depth)) continue;
+        if (!zr_hider_covers(mesh, hider, x, y)) continue;
         const double depth = zr_plane_depth(mesh, hider, x, y);
         if (depth < nearest.depth) nearest = (struct zr_probe){hider, depth};
     }

@@ -18,7 +18,7 @@ struct zr_probe zr_probe_at(const struct zr_window_mesh *mesh, const struct zr_c
 /* The hiders of a cell. */
 struct zr_cell_hiders {
     uint32_t count;
-    const uint32_t *at;
+    const struct zr_cell_entry *at;
 };
 
 struct zr_cell_hiders zr_cell_hiders_at(const struct zr_cells *cells, double x, double y);
