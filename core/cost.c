@@ -208,6 +208,14 @@ static double layer_walks(const struct zr_view *view)
            (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0);
 }
 
+/* Pixels of a cell of drawing/cells.h. */
+#define CELL_PIXELS 64.0
+
+static double square(double value)
+{
+    return value * value;
+}
+
 static void count_fragments(const struct zr_cost_sample *sample, const struct passes *passes, double *counts)
 {
     const struct zr_scene *scene = sample->scene;
@@ -240,6 +248,8 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
             0.5 * faces * faces * meets_x * meets_y * (1.0 + 0.25 * sample->fragments / sample->faces) * drawn;
     }
     counts[ZR_COST_DRAWN_PIXEL] = line_times(scene, passes) * scale * sample->fragments;
+    const double cells = fmin(0.5 * scale * sample->fragments, pixels) / CELL_PIXELS + 1.0;
+    counts[ZR_COST_DRAWN_PAIR] = line_times(scene, passes) * square(scale * sample->faces) / cells;
     if (!zr_view_has_pixels(&scene->views[0], ZR_CHANNEL_COLOR)) return;
     /* Shading runs once per covered sample, and once per translucent fragment. */
     const double side_squared = passes->samples > 0.0 ? passes->side * passes->side : 1.0;

@@ -41,8 +41,9 @@
     ROW(OCCLUSION_PIXEL, 42.0, "pixels with occlusion")                                                                \
     ROW(EDGE_SAMPLE, 0.1, "samples with edges")                                                                        \
     ROW(EDGE_WIDTH_SAMPLE, 0.02, "samples times the width of edges")                                                   \
-    ROW(DRAWN_TRIANGLE, 450.0, "triangles whose lines are found")                                                      \
+    ROW(DRAWN_TRIANGLE, 1000.0, "triangles whose lines are found")                                                     \
     ROW(DRAWN_PIXEL, 4.0, "pixels of faces in which lines are found, hidden ones too")                                 \
+    ROW(DRAWN_PAIR, 0.35, "pairs of triangles within 8 x 8 pixels, for lines of the mesh")                             \
     ROW(MAP_TEXEL, 18.0, "texels of shadow maps")                                                                      \
     ROW(MAP_FRAGMENT, 0.24, "texels of faces in shadow maps")                                                          \
     ROW(LEVEL_TEXEL, 4.0, "texels of textures' levels")                                                                \

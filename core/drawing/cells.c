@@ -1,9 +1,10 @@
 #include "drawing/cells.h"
 
 #include "base/cancel.h"
+#include "base/sort.h"
 
 /* Triangles are dealt to chunks, whose counts are kept apart. */
-enum { CHUNKS_MOST = 16, HIDERS_A_CHUNK = 4096, HIDERS_A_CANCEL_CHECK = 1 << 10, CELLS_A_RANGE = 1 << 12 };
+enum { CHUNKS_MOST = 16, HIDERS_A_CHUNK = 4096, HIDERS_A_CANCEL_CHECK = 1 << 10, SORTED_A_RANGE = 16 };
 
 /* Widens triangles, in pixels. */
 static const double rim = 1e-5;
@@ -145,6 +146,66 @@ static void bin_chunks(void *context, size_t begin, size_t end)
     }
 }
 
+/* ---- long lists ---- */
+
+struct sorting {
+    const struct zr_cancel *cancel;
+    const uint32_t *firsts;
+    struct zr_cell_entry *entries, *sorted;
+    uint64_t *keys;
+};
+
+/* Returns a number that ascends with a float. */
+static uint32_t ordered(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits >> 31 ? ~bits : bits | UINT32_C(1) << 31;
+}
+
+/* Sorts a list by `near`, and keeps the order of entries with the same one. */
+static void sort_cell(const struct sorting *s, uint32_t first, uint32_t count)
+{
+    struct zr_cell_entry *entries = s->entries + first, *sorted = s->sorted + first;
+    uint64_t *keys = s->keys + first;
+    for (uint32_t i = 0; i < count; i++)
+        keys[i] = (uint64_t)ordered(entries[i].near) << 32 | i;
+    zr_sort_u64(keys, count);
+    for (uint32_t i = 0; i < count; i++)
+        sorted[i] = entries[(uint32_t)keys[i]];
+    memcpy(entries, sorted, count * sizeof *entries);
+}
+
+static void sort_range(void *context, size_t begin, size_t end)
+{
+    const struct sorting *s = context;
+    for (size_t cell = begin; cell < end && !zr_is_cancelled(s->cancel); cell++) {
+        const uint32_t count = s->firsts[cell + 1] - s->firsts[cell];
+        if (count > ZR_CELL_UNSORTED_MOST) sort_cell(s, s->firsts[cell], count);
+    }
+}
+
+static bool has_long_list(const uint32_t *firsts, size_t cells)
+{
+    for (size_t cell = 0; cell < cells; cell++)
+        if (firsts[cell + 1] - firsts[cell] > ZR_CELL_UNSORTED_MOST) return true;
+    return false;
+}
+
+/* Sorts long lists. False if the arena failed. */
+static bool sort_long_lists(struct zr_arena *arena, struct zr_team *team, const struct binning *b,
+                            const uint32_t *firsts)
+{
+    const size_t cells = (size_t)b->columns * b->rows;
+    struct sorting s = {.cancel = b->cancel, .firsts = firsts, .entries = b->entries};
+    if (!has_long_list(firsts, cells)) return true;
+    s.sorted = zr_arena_alloc(arena, firsts[cells], sizeof *s.sorted);
+    s.keys = zr_arena_alloc(arena, firsts[cells], sizeof *s.keys);
+    if (!zr_arena_ok(arena)) return false;
+    zr_team_ranges(team, cells, SORTED_A_RANGE, sort_range, &s);
+    return true;
+}
+
 /* Turns counts into indices of entries, cell by cell. False if there are more than 32 bits count. */
 static bool sum_counts(const struct binning *b, uint32_t *firsts)
 {
@@ -182,6 +243,7 @@ enum zr_status zr_cells_make(struct zr_arena *arena, struct zr_team *team, const
     b.entries = sum_counts(&b, firsts) ? zr_arena_alloc(arena, firsts[cells], sizeof *b.entries) : NULL;
     if (!b.entries) return ZR_NO_MEMORY;
     zr_team_ranges(team, b.chunk_count, 1, bin_chunks, &b);
+    if (!zr_is_cancelled(cancel) && !sort_long_lists(arena, team, &b, firsts)) return ZR_NO_MEMORY;
     *out = (struct zr_cells){.columns = b.columns, .rows = b.rows, .firsts = firsts, .entries = b.entries};
     return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -2,7 +2,8 @@
  *
  * Space:  window_view.h. Cell 0 begins ZR_WINDOW_MARGIN to the left of and below the window.
  * How:    a triangle is listed in the cells that it overlaps, or that are within 1e-5 pixel of it.
- * Exact:  lists ascend by hider; the same for any number of threads. */
+ * Order:  lists ascend by hider; those of more than ZR_CELL_UNSORTED_MOST by `near` first, so that searches end early.
+ * Exact:  the same for any number of threads. */
 #ifndef ZR_CELLS_H
 #define ZR_CELLS_H
 
@@ -22,6 +23,8 @@ struct zr_cell_entry {
     float near; /* depth of its nearest corner, rounded towards the eye */
     struct zr_cell_box box;
 };
+
+enum { ZR_CELL_UNSORTED_MOST = 512 };
 
 enum { ZR_BOX_STEPS = 32, ZR_CELL_STEPS = ZR_BOX_STEPS * ZR_CELL_PIXELS }; /* 256 */
 
@@ -54,6 +57,12 @@ static inline uint8_t zr_box_step(double coordinate, uint32_t cell)
 {
     const double step = (coordinate - zr_cell_border(cell)) * ZR_BOX_STEPS, most = ZR_CELL_STEPS - 1;
     return step >= most ? (uint8_t)most : step > 0.0 ? (uint8_t)step : 0;
+}
+
+/* True if all entries from this one on lie behind a depth. `count`: entries of the cell. */
+static inline bool zr_cell_ends(const struct zr_cell_entry *entry, double depth, uint32_t count)
+{
+    return (double)entry->near > depth && count > ZR_CELL_UNSORTED_MOST;
 }
 
 /* True if two boxes of a cell have no point in common. */

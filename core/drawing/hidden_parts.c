@@ -131,7 +131,8 @@ static void visit_cell(const struct finding *f, struct walk *w, uint32_t cell, d
     const double back = w->line->ends[0].z > w->line->ends[1].z ? w->line->ends[0].z : w->line->ends[1].z;
     const struct zr_cell_box box = box_of(f, w, cell, begin, end);
     struct parts parts = {.count = 0};
-    for (uint32_t i = f->cells->firsts[cell]; i < f->cells->firsts[cell + 1]; i++) {
+    const uint32_t first = f->cells->firsts[cell], count = f->cells->firsts[cell + 1] - first;
+    for (uint32_t i = first; i < first + count && !zr_cell_ends(&f->cells->entries[i], back, count); i++) {
         if (++w->unchecked > HIDERS_A_CANCEL_CHECK) {
             if (zr_is_cancelled(f->cancel)) return;
             w->unchecked = 0;

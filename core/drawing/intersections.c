@@ -188,7 +188,7 @@ static uint32_t seek(const struct seeking *s, uint32_t cell, struct zr_line *out
             if (zr_is_cancelled(s->cancel)) return found;
             unchecked = 0;
         }
-        for (uint32_t k = i + 1; k < count; k++) {
+        for (uint32_t k = i + 1; k < count && !zr_cell_ends(&entries[k], box.high[2], count); k++) {
             struct zr_line line;
             if (zr_boxes_are_apart(&entries[i].box, &entries[k].box)) continue;
             if (s->pieces[zr_hider_source(s->mesh, entries[k].hider)] == piece) continue;

@@ -1,23 +1,38 @@
-/* Whole requests: looks of the bunny at 512x512 to PNG, against its plain flat picture. */
+/* Whole requests at 512x512: looks of the bunny to PNG, against its plain flat picture; lines of the mesh against those
+ * of samples, and as SVG. */
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "bench/looks.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/wire.h"
 #include "bench/works.h"
+#include "reference/models.h"
 #include "server/daemon.h"
 
 enum { OURS, THEIRS, SIDES };
 
+#define FLAT                                                                                                           \
+    "\"shading\":\"flat\",\"view\":{\"azimuthDegrees\":35,\"elevationDegrees\":28,\"perspective\":{\"yfovDegrees\":"   \
+    "30},"                                                                                                             \
+    "\"fit\":{\"padding\":0.07}}"
+#define LOOK(name) "\"look\":\"" name "\""
+#define SVG        ",\"outputs\":[{\"channel\":\"color\",\"encoding\":\"svg\"}]"
+
+/* Keys of the scenes of both sides. */
 static const struct {
-    const char *look;
+    const char *name, *mesh; /* mesh: a model; NULL: the animal of works.h */
+    const char *ours, *theirs;
     struct bar bar;
 } looks[] = {
-    {"studio", {1.0 / 6, 0.25}},
-    {"technical", {0, 0}},
-    {"outdoor", {0, 0}},
+    {"studio of %.30s to PNG against flat", NULL, LOOK("studio"), FLAT, {1.0 / 6, 0.25}},
+    {"technical of %.30s to PNG against flat", NULL, LOOK("technical"), FLAT, {0, 0}},
+    {"outdoor of %.30s to PNG against flat", NULL, LOOK("outdoor"), FLAT, {0, 0}},
+    {"technical@2 of %.30s against technical@1", NULL, LOOK("technical@2"), LOOK("technical@1"), {1 / 1.5, 1}},
+    {"technical@2 of %.30s against technical@1", "gear", LOOK("technical@2"), LOOK("technical@1"), {1, 1.2}},
+    {"SVG of %.30s, 100 ms, against technical@1", NULL, LOOK("technical@2") SVG, LOOK("technical@1"), {0, 0}},
 };
 enum { LOOKS = sizeof looks / sizeof *looks };
 
@@ -28,8 +43,10 @@ struct task {
 
 static void name_row(const struct task *task, char *name, size_t size)
 {
-    snprintf(name, size, "HTTP: %s of %.30s to PNG against flat 2T %s", looks[task->number].look, task->work->name,
-             machine_isa_name());
+    const char *mesh = looks[task->number].mesh;
+    char what[72];
+    snprintf(what, sizeof what, looks[task->number].name, mesh ? mesh : task->work->name);
+    snprintf(name, size, "HTTP: %s 2T %s", what, machine_isa_name());
 }
 
 struct asking {
@@ -80,13 +97,16 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
 {
     static struct series series[SIDES];
     const struct task *task = context;
+    const char *mesh = looks[task->number].mesh;
     struct asking asking = {.wire = {.fd = -1}};
-    char head[64];
-    snprintf(head, sizeof head, "\"look\":\"%s\"", looks[task->number].look);
-    asking.documents[OURS] = document_of(&task->work->drawing, head);
-    asking.documents[THEIRS] = document_of(
-        &task->work->drawing, "\"shading\":\"flat\",\"view\":{\"azimuthDegrees\":35,\"elevationDegrees\":28,"
-                              "\"perspective\":{\"yfovDegrees\":30},\"fit\":{\"padding\":0.07}}");
+    struct drawing model = {0};
+    char folder[600];
+    snprintf(folder, sizeof folder, "%s/parts", bench->models);
+    const bool has_model = !mesh || models_drawing(&model, folder, mesh, 0, 512, 512);
+    const struct drawing *drawing = mesh ? &model : &task->work->drawing;
+    asking.documents[OURS] = has_model ? document_of(drawing, looks[task->number].ours) : NULL;
+    asking.documents[THEIRS] = has_model ? document_of(drawing, looks[task->number].theirs) : NULL;
+    drawing_free(&model);
     struct daemon daemon = daemon_start((const char *const[]){"--workers=1", "--threads=2", NULL});
     const bool ok = asking.documents[OURS] && asking.documents[THEIRS] && wire_open(&asking.wire, daemon.port) &&
                     series_run(series, SIDES, bench->rounds, run_round, &asking);
@@ -102,6 +122,13 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     return ok;
 }
 
+static bool has_mesh(const struct bench *bench, const char *mesh)
+{
+    char path[600];
+    snprintf(path, sizeof path, "%s/parts/%s.obj", bench->models, mesh ? mesh : "");
+    return !mesh || access(path, R_OK) == 0;
+}
+
 void looks_over_http(struct bench *bench)
 {
     struct work work;
@@ -112,7 +139,11 @@ void looks_over_http(struct bench *bench)
         char name[ROW_NAME_SIZE];
         name_row(&task, name, sizeof name);
         if (!bench_wants(bench, name)) continue;
-        results_begin_table(&bench->results, "looks, over HTTP: \"theirs\" is our plain flat picture");
+        if (!has_mesh(bench, looks[task.number].mesh)) {
+            bench_complain("LEFT OUT: %s: no %s.obj in %s/parts", name, looks[task.number].mesh, bench->models);
+            continue;
+        }
+        results_begin_table(&bench->results, "looks, over HTTP: \"theirs\" is our plain flat picture, or technical@1");
         bench_in_child(bench, measure, &task, NULL);
     }
     works_free(&work);

@@ -141,6 +141,16 @@ TEST(lines_of_the_mesh_are_counted)
     assert_true(of_mesh.window_bytes < of_samples.window_bytes);
 }
 
+TEST(triangles_of_one_cell_are_counted_in_pairs)
+{
+    half_a_window();
+    test.scene.picture.is_linear = true;
+    test.scene.picture.edges = (struct zr_edges){.is_on = true, .is_from_mesh = true};
+    assert_near(count(ZR_COST_DRAWN_PAIR), 4 / (PIXELS / 4 / 64.0 + 1));
+    test.scene.picture.edges.is_from_mesh = false;
+    assert_true(count(ZR_COST_DRAWN_PAIR) == 0);
+}
+
 TEST(a_file_of_lines_is_counted_without_samples)
 {
     static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_SVG},
