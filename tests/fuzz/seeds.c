@@ -114,6 +114,8 @@ static void write_scenes(void)
          "[0,0,1],\"keep\":\"positive\"}],\"hatch\":false}}"},
         {"intrinsics", "{" WINDOW "," TRIANGLE ",\"view\":{\"R\":[1,0,0,0,1,0,0,0,1],\"t\":[0,0,4],\"intrinsics\":"
                        "{\"fx\":20,\"cx\":8,\"skew\":0.1},\"pixelCenter\":0,\"znear\":1,\"zfar\":10}}"},
+        {"svg", "{" WINDOW "," TRIANGLE ",\"edges\":{\"from\":\"mesh\",\"hiddenLines\":true,\"creaseDegrees\":20,"
+                "\"width\":2},\"outputs\":[{\"channel\":\"color\",\"encoding\":\"svg\"},{\"channel\":\"color\"}]}"},
     };
     write_scene_files();
     WRITE_TEXTS("json", texts);
