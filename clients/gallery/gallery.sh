@@ -128,6 +128,10 @@ parts parts-colors studio "one colour per part, chosen by its name" '"colors": "
 parts parts-exploded studio "the same, moved apart along y" '"colors": "parts", "explode": {"factor": 1.5, "axis": "y"}'
 parts parts-ghost studio "translucent outer parts and a highlighted axle" '"ghost": ["base", "wheel"], "highlight": "axle"'
 parts parts-hidden technical "hidden parts; the view fits the other parts" '"hide": ["base", "ca?"], "colors": "parts"'
+parts parts-section studio@2 "a corner cut away; each part has a hatch of its own" '"colors": "parts", "sections": {"planes": [{"axis": "x", "fraction": 0.5, "keep": "negative"}, {"axis": "z", "fraction": 0.5, "keep": "negative"}], "corner": true}'
+parts parts-uncut metal@2 "a half section; the axle is not cut" '"sections": {"planes": [{"axis": "z", "fraction": 0.5, "keep": "negative"}], "uncut": ["axle"]}'
+parts parts-drawing technical@2 "lines of the mesh; hidden lines are dashed" '"edges": {"from": "mesh", "hiddenLines": true}'
+parts parts-blueprint blueprint@2 "an exploded view" '"explode": {"factor": 1.5, "axis": "y"}'
 
 # ---- a colour bar ----
 
@@ -147,6 +151,9 @@ nodes='"nodes": [{"mesh": "pawn"}, {"mesh": "gold", "translation": [2.3, 0, -0.3
 printf '{"look": "studio", "window": {"width": 800, "height": 400}, "view": {"azimuthDegrees": 12, "elevationDegrees": 20, "perspective": {"yfovDegrees": 26}}, %s, %s, "meshes": [%s]}\n' \
     "$materials" "$nodes" "$meshes" >"$out/still.json"
 render still --compress small
+for name in parts-section parts-drawing parts-blueprint parts-uncut; do
+    render "$name" --compress small
+done
 for look in studio technical clay dark metal outdoor blueprint xray; do
     scene "\"look\": \"$look\", \"window\": {\"width\": 128, \"height\": 160}" "$pawn" >"$out/look-$look.json"
     render look-$look --compress small

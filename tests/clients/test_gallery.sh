@@ -18,7 +18,7 @@ verdict "every scene of the gallery is drawn" [ "$status" = 0 ]
 scenes=$(grep -c '^[a-z][a-z0-9.-]* |' clients/gallery/scenes.txt)
 names=$(sed -n 's/^<figure[^>]*><img src="\([^"]*\)\.png".*/\1/p' "$out/index.html")
 shown=$(echo "$names" | wc -l)
-verdict "the page shows $scenes scenes, 2 grids of balls, lamps, parts, and a colour bar" [ "$shown" = $((scenes + 8)) ]
+verdict "the page shows $scenes scenes, 2 grids of balls, lamps, parts, and a colour bar" [ "$shown" = $((scenes + 12)) ]
 verdict "each under a name of its own" [ "$(echo "$names" | sort -u | wc -l)" = "$shown" ]
 all_there() {
     for name in $names; do
@@ -58,7 +58,7 @@ is_todays() { # PNG
     repack "$1" "$work/a.png" && repack "$out/${1##*/}" "$work/b.png" && cmp "$work/a.png" "$work/b.png" >>"$said" 2>&1
 }
 pictures=$(grep -oE '(\]\(|src=")clients/[^")]*\.png' README.md | sed 's/.*[("]//')
-verdict "the README has a picture, and one of each look but textbook" [ "$(echo "$pictures" | wc -l)" = 9 ]
+verdict "the README has a picture, one of each look but textbook, and four of an assembly" [ "$(echo "$pictures" | wc -l)" = 13 ]
 for picture in $pictures; do
     verdict "$picture is as it is drawn now" is_todays "$picture"
 done
