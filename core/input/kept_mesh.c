@@ -26,7 +26,8 @@ enum {
     SAMPLE_BYTES = 64,
     UNIT_MIN = 64 << 10, /* of blocks for reading a small file */
     UNITS_PER_FILE = 4,
-    COMPARED_AT_ONCE = 1 << 20
+    COMPARED_AT_ONCE = 1 << 20,
+    HASHES_TRIED = 16
 };
 
 /* ---- hashes ---- */
@@ -111,25 +112,52 @@ static size_t unit_for(size_t size)
 
 /* ---- finding ---- */
 
-static bool is_equal(const struct zr_mesh_file *file, const struct copy *copy, const void *bytes, size_t size)
+/* Where a file and a kept one differ first. */
+struct difference {
+    uint64_t place[2]; /* number of the asset plus 1, or 0: the file itself; offset */
+    const char *bytes; /* from there on, of the file */
+    size_t size;
+};
+
+/* Compares bytes with a copy. Sets *at to the beginning of a block that differs. */
+static bool is_equal(const struct zr_mesh_file *file, const struct copy *copy, const void *bytes, size_t size,
+                     size_t *at)
 {
+    *at = 0;
     if (!copy->bytes) return true;
     if (copy->size != size) return false;
-    for (size_t at = 0; at < size; at += COMPARED_AT_ONCE) {
-        const size_t count = size - at < COMPARED_AT_ONCE ? size - at : COMPARED_AT_ONCE;
+    for (; *at < size; *at += COMPARED_AT_ONCE) {
+        const size_t count = size - *at < COMPARED_AT_ONCE ? size - *at : COMPARED_AT_ONCE;
         if (zr_is_cancelled(file->request->cancel)) return false;
-        if (memcmp((const char *)copy->bytes + at, (const char *)bytes + at, count) != 0) return false;
+        if (memcmp((const char *)copy->bytes + *at, (const char *)bytes + *at, count) != 0) return false;
     }
     return true;
 }
 
-static bool is_of(const struct zr_kept_mesh *mesh, const struct zr_mesh_file *file)
+static struct difference difference_of(const struct copy *copy, uint64_t asset, const void *bytes, size_t size,
+                                       size_t at)
+{
+    const char *there = copy->bytes, *given = bytes;
+    while (at < size && at < copy->size && there[at] == given[at])
+        at++;
+    return (struct difference){{asset, at}, given + at, size - at < SAMPLE_BYTES ? size - at : SAMPLE_BYTES};
+}
+
+static bool is_of(const struct zr_kept_mesh *mesh, const struct zr_mesh_file *file, struct difference *difference)
 {
     const struct zr_request *request = file->request;
+    size_t at;
+    *difference = (struct difference){.size = 0};
     if (mesh->asset_count > 0 && mesh->asset_count != request->asset_count) return false;
-    for (size_t i = 0; i < mesh->asset_count; i++)
-        if (!is_equal(file, &mesh->assets[i], request->assets[i].bytes, request->assets[i].size)) return false;
-    return is_equal(file, &mesh->file, request->bytes, request->size);
+    for (size_t i = 0; i < mesh->asset_count; i++) {
+        const struct zr_asset *asset = &request->assets[i];
+        if (is_equal(file, &mesh->assets[i], asset->bytes, asset->size, &at)) continue;
+        *difference = difference_of(&mesh->assets[i], i + 1, asset->bytes, asset->size, at);
+        return false;
+    }
+    if (is_equal(file, &mesh->file, request->bytes, request->size, &at)) return true;
+    *difference = difference_of(&mesh->file, 0, request->bytes, request->size, at);
+    return false;
 }
 
 /* Adds the flags of the model of a scene; NULL: none. */
@@ -158,15 +186,31 @@ static bool load(const struct zr_mesh_file *file, const struct zr_kept_mesh *mes
     return zr_arena_ok(arena);
 }
 
-bool zr_mesh_file_find(struct zr_mesh_file *file)
+/* Finds the file under the hash. A kept file of this hash that differs from it leads to the next hash, which is made of
+ * this one and the first difference. Sets *hash to the last one, under which the file may be kept. */
+static const struct zr_kept_mesh *find(struct zr_mesh_file *file, struct zr_file_hash *hash)
 {
     const struct zr_kept_meshes *meshes = &file->request->meshes;
+    struct difference difference;
+    for (int i = 0; i < HASHES_TRIED; i++) {
+        const struct zr_kept_mesh *mesh = meshes->find(meshes->context, hash);
+        if (!mesh || is_of(mesh, file, &difference)) return mesh;
+        if (zr_is_cancelled(file->request->cancel)) break;
+        add(file, hash, difference.place, sizeof difference.place);
+        add(file, hash, difference.bytes, difference.size);
+    }
+    file->is_taken = true;
+    return NULL;
+}
+
+bool zr_mesh_file_find(struct zr_mesh_file *file)
+{
     if (!may_keep(file) || !zr_arena_ok(file->builder->arena)) return false;
     make_hashes(file);
-    const struct zr_kept_mesh *mesh = meshes->find(meshes->context, &file->hashes[0]);
-    if (!mesh) mesh = meshes->find(meshes->context, &file->hashes[1]);
+    const struct zr_kept_mesh *mesh = find(file, &file->hashes[0]);
+    if (!mesh) mesh = find(file, &file->hashes[1]);
     if (!mesh) return false;
-    file->is_taken = mesh->share.most > zr_arena_left(file->builder->arena) || !is_of(mesh, file);
+    file->is_taken = mesh->share.most > zr_arena_left(file->builder->arena);
     return !file->is_taken && load(file, mesh);
 }
 

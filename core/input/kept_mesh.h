@@ -6,8 +6,9 @@
  *
  * Equality: a stored asset is found by the SHA-256 in its name and is not read at all. Hashing other bytes would take
  *           longer than reading many of them. They are found by a hash of their size and some samples, and all of them
- *           are then compared with a copy. If the reader has looked for other files of the request, the names and sizes
- *           of all assets are part of the hash, and the files that it found are compared with copies. The format, the
+ *           are then compared with a copy. A file that differs from the kept one of its hash has a next hash, made of
+ *           the first difference: so changed files are kept, too. If the reader has looked for other files, names and
+ *           sizes of all assets are part of the hash, and those that it found are compared with copies. The format, the
  *           pose (animation, time) and the limit of pixels are parts of the hash, too.
  * Memory:   reading is a part of the arena (base/arena.h), also if nothing is kept. A request that shares a kept file
  *           is charged for that part, so it has the same memory left as one that reads the file. If the file would not
@@ -35,7 +36,7 @@ struct zr_mesh_file {
     struct zr_assets_hash *assets;    /* of the request */
     bool is_stored;                   /* `hashes` begin with the SHA-256 of a stored asset */
     bool is_hashed;                   /* for zr_mesh_file_find and zr_mesh_file_read: `hashes` are made */
-    bool is_taken;                    /* another file of this hash is kept, or this one under other limits */
+    bool is_taken;                    /* many files of its hashes are kept, or this one does not fit */
     struct zr_file_hash hashes[2];    /* if no other file is looked for, and if one is */
 };
 

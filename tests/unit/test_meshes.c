@@ -365,6 +365,32 @@ TEST(changed_bytes_are_another_file)
     meshes_close(meshes);
 }
 
+/* Otherwise the first one would stay, and all of its changes would be read anew for ever. */
+TEST(files_that_differ_between_samples_are_kept_beside_each_other)
+{
+    enum { FILES = 4, FIRST = 4002, STEP = 24 };
+    static const char *const names[] = {"STL", "GLB", "glTF with its buffer", "scene of glTF"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        struct meshes *meshes = open_meshes(1 << 28);
+        const struct row *row = row_of(names[i]);
+        char *bytes = files[row->parts[0].name ? BIN : row->body].bytes;
+        uint64_t misses = 0;
+        for (int round = 0; round < 2; round++) {
+            misses = look(meshes).misses;
+            for (int k = 0; k < FILES; k++) {
+                bytes[FIRST + STEP * k] ^= 1;
+                for (int again = 0; again < 2; again++)
+                    ask_and_forget(meshes, row, ARENA_BYTES);
+                bytes[FIRST + STEP * k] ^= 1;
+            }
+        }
+        if (look(meshes).count != FILES || look(meshes).misses != misses)
+            fail_msg("%s: %d kept, %d read anew", names[i], (int)look(meshes).count,
+                     (int)(look(meshes).misses - misses));
+        meshes_close(meshes);
+    }
+}
+
 /* For each ceiling, requests end the same way, and say the same. */
 TEST(limits_of_memory_hold_for_kept_meshes)
 {
