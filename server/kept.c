@@ -72,7 +72,8 @@ static void list_value(struct kept *kept, struct kept_value *value)
     kept->state.bytes += value->bytes;
 }
 
-static void remove_value(struct kept *kept, struct kept_value *value)
+/* Moves a value to the list of removed ones. */
+static void remove_value(struct kept *kept, struct kept_value *value, struct kept_value **removed)
 {
     struct kept_value **link = chain_of(kept, &value->hash);
     while (*link != value)
@@ -81,31 +82,42 @@ static void remove_value(struct kept *kept, struct kept_value *value)
     unlink_use(kept, value);
     kept->state.count--;
     kept->state.bytes -= value->bytes;
-    kept->kind->free(value);
+    value->next = *removed;
+    *removed = value;
 }
 
 /* Removes the least recently used values without users, until no more than `bytes` are kept. */
-static void remove_down_to(struct kept *kept, uint64_t bytes)
+static void remove_down_to(struct kept *kept, uint64_t bytes, struct kept_value **removed)
 {
     for (struct kept_value *value = kept->oldest, *newer; value && kept->state.bytes > bytes; value = newer) {
         newer = value->newer;
         if (value->users > 0) continue;
-        remove_value(kept, value);
+        remove_value(kept, value, removed);
         kept->state.dropped++;
     }
 }
 
 /* ---- all values ---- */
 
+/* Frees removed values, without the lock: large ones take a while, for which nobody waits. */
+static void free_removed(const struct kept *kept, struct kept_value *removed)
+{
+    for (struct kept_value *next; removed; removed = next) {
+        next = removed->next;
+        kept->kind->free(removed);
+    }
+}
+
 bool kept_drop(struct kept *kept)
 {
+    struct kept_value *removed = NULL;
     pthread_mutex_lock(&kept->lock);
-    const uint64_t dropped = kept->state.dropped;
-    remove_down_to(kept, 0);
-    const bool any = kept->state.dropped > dropped;
+    remove_down_to(kept, 0, &removed);
     pthread_mutex_unlock(&kept->lock);
-    if (any) malloc_trim(0);
-    return any;
+    if (!removed) return false;
+    free_removed(kept, removed);
+    malloc_trim(0);
+    return true;
 }
 
 void kept_close(struct kept *kept)
@@ -164,11 +176,12 @@ bool kept_add(struct kept *kept, struct kept_value *value, struct kept_held **he
 {
     struct kept_held *one = held ? malloc(sizeof *one) : NULL;
     const uint64_t bytes = (value->bytes + BLOCK - 1) / BLOCK * BLOCK;
+    struct kept_value *removed = NULL;
     bool stays = false;
     pthread_mutex_lock(&kept->lock);
     struct kept_value *there = find_value(kept, &value->hash);
     value->bytes = bytes;
-    if (!there && bytes <= kept->max_bytes) remove_down_to(kept, kept->max_bytes - bytes);
+    if (!there && bytes <= kept->max_bytes) remove_down_to(kept, kept->max_bytes - bytes, &removed);
     if (there) {
         if (kept->kind->join) kept->kind->join(there, value);
     } else if (bytes <= kept->max_bytes && kept->state.bytes <= kept->max_bytes - bytes && (one || !held)) {
@@ -182,6 +195,7 @@ bool kept_add(struct kept *kept, struct kept_value *value, struct kept_held **he
         stays = true;
     }
     pthread_mutex_unlock(&kept->lock);
+    free_removed(kept, removed);
     if (!stays) kept->kind->free(value);
     return one || !held;
 }
