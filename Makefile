@@ -538,6 +538,8 @@ $(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o
 $(BUILD)/tests/unit/test_queue: $(BUILD)/server/queue.o
 $(BUILD)/tests/unit/test_images: $(BUILD)/server/images.o $(BUILD)/server/kept.o
 $(BUILD)/tests/unit/test_images: TEST_LIBS += -lnettle
+$(BUILD)/tests/unit/test_kept: $(BUILD)/server/kept.o
+$(BUILD)/tests/unit/test_kept: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/test_meshes: $(addprefix $(BUILD)/server/,images.o kept.o meshes.o)
 $(BUILD)/tests/unit/test_meshes: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/test_rendering: $(filter-out %/main.o,$(server)) $(server_support)

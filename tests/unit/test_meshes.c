@@ -1,6 +1,7 @@
 /* server/meshes.c, core/input/kept_mesh.c: model files kept between requests. No answer depends on them. */
 #include "base/team.h"
 #include "images.h"
+#include "mesh_requests.h"
 #include "meshes.h"
 #include "scene/scene.h"
 #include "sheet_files.h"
@@ -31,90 +32,6 @@ static int free_files(void **state)
         free(files[kind].bytes);
     return 0;
 }
-
-/* ---- requests ---- */
-
-#define STORED "sha256:aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"
-
-struct part {
-    const char *name;
-    enum sheet_kind kind;
-};
-
-/* Parameters are those of struct zr_request; the window is small. */
-struct row {
-    const char *name;
-    enum zr_format format;
-    enum sheet_kind body;
-    const char *scene;      /* instead of `body` */
-    enum sheet_kind stored; /* the only stored asset, under any hash */
-    struct part parts[4];
-    const char *look, *azimuth, *channel, *strict, *up, *animation;
-    bool fails;
-};
-
-#define NODES(x)        "\"nodes\":[{\"mesh\":0,\"translation\":[" #x ",0,0]},{\"mesh\":0,\"translation\":[0,0," #x "]}]"
-#define WINDOW          "\"window\":{\"width\":40,\"height\":30}"
-#define SCENE(files, x) "{" WINDOW ",\"meshes\":[" files "]," NODES(x) "}"
-
-static const struct row rows[] = {
-    {"STL", ZR_FORMAT_STL, .body = STL},
-    {"STL, other view", ZR_FORMAT_STL, .body = STL, .azimuth = "70"},
-    {"STL, y up, facts", ZR_FORMAT_STL, .body = STL, .up = "y", .channel = "info"},
-    {"STL, an asset without use", ZR_FORMAT_STL, .body = STL, .parts = {{"a.bin", BIN}}, .channel = "info"},
-    {"STL, that asset with strict", ZR_FORMAT_STL, .body = STL, .parts = {{"a.bin", BIN}}, .strict = "true",
-     .fails = true},
-    {"STL as OBJ", ZR_FORMAT_OBJ, .body = STL, .fails = true},
-    {"PLY", ZR_FORMAT_PLY, .body = PLY, .look = "technical"},
-    {"OBJ", ZR_FORMAT_OBJ, .body = OBJ, .look = "textbook"},
-    {"OBJ, facts", ZR_FORMAT_OBJ, .body = OBJ, .channel = "info"},
-    {"OBJ without its MTL", ZR_FORMAT_OBJ, .body = OBJ_OF_MTL, .channel = "info"},
-    {"OBJ with MTL", ZR_FORMAT_OBJ, .body = OBJ_OF_MTL, .parts = {{"sheet.mtl", MTL}}},
-    {"OBJ with other MTL", ZR_FORMAT_OBJ, .body = OBJ_OF_MTL, .parts = {{"sheet.mtl", OTHER_MTL}}},
-    {"OBJ with MTL of other name", ZR_FORMAT_OBJ, .body = OBJ_OF_MTL, .parts = {{"other.mtl", MTL}}, .channel = "info"},
-    {"OBJ with a texture", ZR_FORMAT_OBJ, .body = OBJ_OF_TEXTURE,
-     .parts = {{"map.mtl", MTL_OF_MAP}, {"stripes.png", PNG}}},
-    {"scene of OBJ with a texture", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"a.obj\"}", 1),
-     .parts = {{"a.obj", OBJ_OF_TEXTURE}, {"map.mtl", MTL_OF_MAP}, {"stripes.png", PNG}}},
-    {"GLB", ZR_FORMAT_GLB, .body = GLB},
-    {"GLB without animation", ZR_FORMAT_GLB, .body = GLB, .animation = "walk", .fails = true},
-    {"glTF of a short buffer", ZR_FORMAT_GLTF, .body = GLTF, .fails = true},
-    {"glTF without its buffer", ZR_FORMAT_GLTF, .body = GLTF_OF_BIN, .fails = true},
-    {"glTF with its buffer", ZR_FORMAT_GLTF, .body = GLTF_OF_BIN, .parts = {{"sheet.bin", BIN}}},
-    {"glTF and too much", ZR_FORMAT_GLTF, .body = GLTF_OF_BIN, .parts = {{"sheet.bin", BIN}, {"b", STL}},
-     .channel = "info"},
-    {"broken glTF", ZR_FORMAT_GLTF, .body = BROKEN, .fails = true},
-    {"small OBJ", ZR_FORMAT_OBJ, .body = SMALL},
-    {"scene of parts", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"a.stl\"},{\"asset\":\"a.glb\"}", 0),
-     .parts = {{"a.stl", STL}, {"a.glb", GLB}}},
-    {"scene of parts, moved", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"a.stl\"},{\"asset\":\"a.glb\"}", 0.5),
-     .parts = {{"a.stl", STL}, {"a.glb", GLB}}},
-    {"scene with another part", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"a.stl\"}", 0.5), .channel = "info",
-     .parts = {{"a.stl", STL}, {"b", SMALL}}},
-    {"scene of OBJ with MTL", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"x/a.obj\"}", 1), .channel = "info",
-     .parts = {{"x/a.obj", OBJ_OF_MTL}, {"x/sheet.mtl", MTL}, {"sheet.mtl", OTHER_MTL}}},
-    {"scene of OBJ in another folder", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"y/a.obj\"}", 1),
-     .parts = {{"y/a.obj", OBJ_OF_MTL}, {"x/sheet.mtl", MTL}, {"sheet.mtl", OTHER_MTL}}},
-    {"scene of glTF", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"a.gltf\"}", 1),
-     .parts = {{"a.gltf", GLTF_OF_BIN}, {"sheet.bin", BIN}}},
-    {"scene of a file twice", ZR_FORMAT_JSON,
-     .scene = SCENE("{\"asset\":\"a\"},{\"asset\":\"a\"},{\"asset\":\"a\"}", 1), .parts = {{"a", PLY}}},
-    {"scene of a stored file", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"" STORED "\"}", 1), .stored = GLB},
-    {"scene of a stored file, moved", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"" STORED "\"}", 2), .stored = GLB},
-    {"scene of a stored file with parts", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"" STORED "\"}", 2),
-     .stored = GLB, .parts = {{"b", SMALL}}, .channel = "info"},
-    {"scene of a file that is stored no more", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"" STORED "\"}", 1),
-     .fails = true},
-    {"scene of two names", ZR_FORMAT_JSON,
-     .scene = SCENE("{\"asset\":\"" STORED "\",\"uri\":\"data:;base64,AAAA\"}", 1), .stored = GLB, .fails = true},
-    {"scene of zeros and a part of many bytes", ZR_FORMAT_JSON,
-     .scene = SCENE("{\"asset\":\"a.gltf\"},{\"asset\":\"b.stl\"}", 1), .parts = {{"a.gltf", ZEROS}, {"b.stl", STL}}},
-    {"scene of too many zeros", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"a.gltf\"}", 1),
-     .parts = {{"a.gltf", ZEROS}}, .fails = true},
-    {"scene of a broken file", ZR_FORMAT_JSON, .scene = SCENE("{\"asset\":\"a\"}", 1), .parts = {{"a", BROKEN}},
-     .fails = true},
-};
-enum { ROWS = sizeof rows / sizeof *rows };
 
 /* ---- answers ---- */
 
@@ -454,34 +371,6 @@ TEST(a_mesh_in_use_stays_and_too_large_ones_are_not_kept)
     assert_int_equal(look(meshes).count, 0);
     meshes_close(meshes);
     ask_and_forget(NULL, row_of("STL"), ARENA_BYTES);
-}
-
-static struct kept *looked_at;
-
-static void look_and_free(struct kept_value *value)
-{
-    assert_int_equal(kept_look(looked_at).count, 0);
-    free(value);
-}
-
-static void add_value(struct kept *kept, unsigned char number)
-{
-    struct kept_value *value = calloc(1, sizeof *value);
-    assert_non_null(value);
-    value->bytes = 4096;
-    value->hash.bytes[0] = number;
-    assert_true(kept_add(kept, value, NULL));
-}
-
-/* Large values take a while to be freed, for which no other request waits. With the lock held, this test never ends. */
-TEST(values_are_freed_without_the_lock)
-{
-    static const struct kept_kind kind = {.free = look_and_free};
-    struct kept *kept = looked_at = kept_open(&kind, 4096);
-    assert_non_null(kept);
-    add_value(kept, 1);
-    assert_true(kept_drop(kept));
-    kept_close(kept);
 }
 
 /* ---- several threads ---- */
