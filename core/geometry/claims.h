@@ -2,8 +2,8 @@
  *
  * Space:  rows and columns of samples of the window.
  * Why:    caps of parts that overlap lie in one plane. Their depths are equal but for rounding, so that the samples of
- *         both would be mixed. Each sample therefore belongs to the first cap that covers it: to the part with the
- *         lowest number.
+ *         both would be mixed. Each sample therefore belongs to the first opaque cap that covers it: to the part with
+ *         the lowest number. Translucent caps take no samples, and are layers in front of or behind opaque ones.
  * Memory: one bit per sample and plane, only for planes with two caps and more. */
 #ifndef ZR_CLAIMS_H
 #define ZR_CLAIMS_H

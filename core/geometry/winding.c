@@ -289,7 +289,9 @@ bool zr_winding_add(struct zr_builder *builder, uint32_t cap)
     if (count == 0) return zr_arena_ok(builder->arena);
     if (!zr_arena_ok(builder->arena) || !make_rooms(builder, count, &w)) return false;
     w.plane = builder->mesh->cap_planes ? builder->mesh->cap_planes[cap] : 0;
-    if (builder->winding.claims.bits[w.plane]) w.claims = &builder->winding.claims;
+    const uint32_t face = builder->mesh->face_count - builder->mesh->cap_count + cap;
+    const bool is_opaque = zr_material_of_face(builder->scene, builder->mesh, face)->alpha_mode == ZR_ALPHA_OPAQUE;
+    if (is_opaque && builder->winding.claims.bits[w.plane]) w.claims = &builder->winding.claims;
     find_rows(&w, count);
     if (differs(&w, count)) return add_walls(&w, count);
     if (zr_is_cancelled(builder->cancel) || !zr_builder_reserve_shape(builder, count)) return false;

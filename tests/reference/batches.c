@@ -225,12 +225,12 @@ static bool append_triangles(struct batches_builder *b, const struct batches_sou
     return true;
 }
 
-/* A stencil bit per plane, which has room for three: its caps share no samples. */
+/* A stencil bit per plane, which has room for three: its opaque caps share no samples. */
 static uint8_t claim_of(const struct batches_source *s)
 {
     const struct zr_mesh *mesh = s->mesh;
     const uint32_t plane = mesh->cap_planes ? mesh->cap_planes[s->face - (mesh->face_count - mesh->cap_count)] : 3;
-    return plane < 3 ? (uint8_t)(16u << plane) : 0;
+    return plane < 3 && s->material->alpha_mode == ZR_ALPHA_OPAQUE ? (uint8_t)(16u << plane) : 0;
 }
 
 static bool append_parity(struct batches_builder *b, const struct batches_source *s, struct reference_batch *batch)

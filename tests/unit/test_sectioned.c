@@ -100,9 +100,10 @@ TEST_AROUND(both_sides_of_a_section_add_up, open_arena, close_arena)
 /* Planes through corners, edges and faces. */
 TEST_AROUND(planes_in_faces_and_through_corners_leave_closed_meshes, open_arena, close_arena)
 {
-    static const double planes[][4] = {
-        {1, 0, 0, 1}, {1, 0, 0, -1}, {-1, 0, 0, 1}, {0, 0, 1, 0.25}, {0, 0, 1, -0.25},  {1, 1, 0, 0},  {1, 1, 1, 0},
-        {0, 0, 1, 0}, {0, 1, 0, 0},  {1, 0, 0, 0},  {0, 0, -1, -1},  {0, 1, 0, -0.25f}, {1, -1, 0, 0}, {0, 0, 1, 0.3f}};
+    static const double planes[][4] = {{1, 0, 0, 1},     {1, 0, 0, -1},          {-1, 0, 0, 1},  {0, 0, 1, 0.25},
+                                       {0, 0, 1, -0.25}, {1, 1, 0, 0},           {1, 1, 1, 0},   {0, 0, 1, 0},
+                                       {0, 1, 0, 0},     {1, 0, 0, 0},           {0, 0, -1, -1}, {0, 1, 0, -0.25},
+                                       {1, -1, 0, 0},    {0, 0, 1, (double)0.3f}};
     for (int solid = 0; solid < SOLIDS; solid++)
         for (size_t i = 0; i < sizeof planes / sizeof *planes; i++) {
             const struct zr_mesh mesh = solid_make(&arena, (enum solid)solid);
