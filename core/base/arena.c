@@ -276,7 +276,7 @@ void zr_arena_trim(struct zr_arena *arena, void *array, size_t count, size_t new
 {
     const size_t taken = rounded_up(count * size, ZR_ARENA_ALIGN), kept = rounded_up(new_count * size, ZR_ARENA_ALIGN);
     struct zr_arena_block *block = arena->current;
-    if (!block || (char *)array + taken + GAP != block_bytes(block) + block->used) return;
+    if (!block || !array || (char *)array + taken + GAP != block_bytes(block) + block->used) return;
     ZR_FORBID((char *)array + new_count * size, taken + GAP - new_count * size);
     block->used -= taken - kept;
     arena->used -= taken - kept;
