@@ -37,7 +37,7 @@ static inline enum zr_isa isa_under_test(void **state)
 {
     enum zr_isa isa = *(enum zr_isa *)*state;
     if (!zr_isa_is_available(isa)) {
-        fprintf(stderr, "LEFT OUT: this machine or this build has no %s: whether it gives the same bytes is not known%s\n",
+        fprintf(stderr, "LEFT OUT: machine or build has no %s: whether it gives the same bytes is not known%s\n",
                 zr_isa_name(isa), isa == ZR_ISA_AVX512 ? "; `make emulated` can tell" : "");
         skip();
     }
