@@ -38,7 +38,8 @@ def of_trimesh(path):
 
 
 def of_admesh(path):
-    said = subprocess.run(["admesh", path], capture_output=True, text=True, check=True).stdout
+    # It prints the header of the file, with whatever bytes its memory has behind it.
+    said = subprocess.run(["admesh", path], capture_output=True, text=True, errors="replace", check=True).stdout
     return float(re.search(r"Volume\s*:\s*(\S+)", said).group(1)), None
 
 
