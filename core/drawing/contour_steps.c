@@ -221,7 +221,7 @@ static void judge_line(const struct contours *c, uint32_t first)
     drop(c, first, seen);
 }
 
-/* Links what is left and calls for the beginning of each line. */
+/* Links the remaining pieces, and calls `use` with the first piece of each line. */
 static enum zr_status each_line(struct contours *c, void (*use)(const struct contours *, uint32_t))
 {
     const enum zr_status status = link_contours(c);

@@ -35,7 +35,7 @@ struct parts {
     struct zr_part_of_line at[PARTS_A_CELL];
 };
 
-/* Adds a part and joins what is nearer than a gap. */
+/* Adds a part, and joins it with the parts whose distance from it is below `gap`. */
 static void add_part(struct parts *parts, double begin, double end, double gap)
 {
     uint32_t first = 0;

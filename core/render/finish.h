@@ -34,7 +34,7 @@ struct zr_finish_row {
     uint32_t count;
 };
 
-/* Row y & 3, above the lowest row, of what is added to dithered pixels. */
+/* Dither values, added to pixels before rounding. Row y of the picture, from the lowest row up, uses row y & 3. */
 enum { ZR_DITHER_SIDE = 4, ZR_DITHER_ROOM = 16 };
 extern const float zr_finish_dither[ZR_DITHER_SIDE][ZR_DITHER_ROOM];
 

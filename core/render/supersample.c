@@ -200,7 +200,7 @@ static uint32_t light_tile(const struct drawing *d, uint32_t number, const struc
 static void draw_range(void *context, size_t begin, size_t end)
 {
     struct drawing *d = context;
-    struct zr_tile tile = {0}; /* what is blended looks at samples outside the window, too */
+    struct zr_tile tile = {0}; /* blending also reads samples outside the window */
     union {
         uint32_t words[ZR_TILE_SIZE * ZR_TILE_SIZE];
         struct lit_tile lit;

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* Largest extent of what is flat, in diagonals. */
+/* Largest extent of a flat scene along an axis, in diagonals of its bounds. */
 static const double flat_most = 1e-3;
 
 /* LOW: height from which nothing is raised, 1 / diagonals. RAISED: of what has no height, degrees. */

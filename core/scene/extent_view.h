@@ -1,4 +1,4 @@
-/* extent_view.h - scene: angles of an orbit that suit the extent of what is seen. */
+/* extent_view.h - scene: angles of an orbiting camera, chosen by the extent of the scene. */
 #ifndef ZR_EXTENT_VIEW_H
 #define ZR_EXTENT_VIEW_H
 
