@@ -155,7 +155,7 @@ struct zr_answer {
     const char *content_type;
     const void *bytes;
     size_t size;
-    const char *look;     /* the scene's look with its version: "studio@1" */
+    const char *look;     /* the scene's look with its version: "studio@2" */
     const char *warnings; /* one line of whole warnings, with "; and 3 more" at its end if not all fit; "": none */
 };
 

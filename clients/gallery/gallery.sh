@@ -128,10 +128,10 @@ parts parts-colors studio "one colour per part, chosen by its name" '"colors": "
 parts parts-exploded studio "the same, moved apart along y" '"colors": "parts", "explode": {"factor": 1.5, "axis": "y"}'
 parts parts-ghost studio "translucent outer parts and a highlighted axle" '"ghost": ["base", "wheel"], "highlight": "axle"'
 parts parts-hidden technical "hidden parts; the view fits the other parts" '"hide": ["base", "ca?"], "colors": "parts"'
-parts parts-section studio@2 "a corner cut away; each part has a hatch of its own" '"colors": "parts", "sections": {"planes": [{"axis": "x", "fraction": 0.5, "keep": "negative"}, {"axis": "z", "fraction": 0.5, "keep": "negative"}], "corner": true}'
-parts parts-uncut metal@2 "a half section; the axle is not cut" '"sections": {"planes": [{"axis": "z", "fraction": 0.5, "keep": "negative"}], "uncut": ["axle"]}'
-parts parts-drawing technical@2 "lines of the mesh; hidden lines are dashed" '"edges": {"from": "mesh", "hiddenLines": true}'
-parts parts-blueprint blueprint@2 "an exploded view" '"explode": {"factor": 1.5, "axis": "y"}'
+parts parts-section studio "a corner cut away; each part has a hatch of its own" '"colors": "parts", "sections": {"planes": [{"axis": "x", "fraction": 0.5, "keep": "negative"}, {"axis": "z", "fraction": 0.5, "keep": "negative"}], "corner": true}'
+parts parts-uncut metal "a half section; the axle is not cut" '"sections": {"planes": [{"axis": "z", "fraction": 0.5, "keep": "negative"}], "uncut": ["axle"]}'
+parts parts-drawing technical "lines of the mesh; hidden lines are dashed" '"edges": {"from": "mesh", "hiddenLines": true}'
+parts parts-blueprint blueprint "an exploded view" '"explode": {"factor": 1.5, "axis": "y"}'
 
 # ---- a colour bar ----
 

@@ -270,7 +270,7 @@ static void open_query(const struct zr_request *request, const struct zr_limits 
     if (format->has_view) return;
     /* A key of the query's view overrides that key of the look's view. */
     given->look = request->look ? zr_look_find(request->look) : NULL;
-    if (!given->look) given->look = zr_look_find(is_svg(request) ? "technical@2" : "studio");
+    if (!given->look) given->look = zr_look_find(is_svg(request) ? "technical" : "studio");
     zr_look_set_view(given->look, &given->scene->views[0]);
 }
 

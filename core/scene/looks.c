@@ -191,7 +191,6 @@ const struct zr_look zr_looks[] = {
      FROM_ASIDE},
     {.name = "studio",
      .version = 2,
-     .is_unreleased = true,
      .picture = {LINEAR, NEUTRAL(1), STUDIO_2, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED_2,
                  EDGES_2(true, 0x3f4b59, 1, 0.60f, 0.45f)},
      .background = OPAQUE(0xf4f6f8),
@@ -207,7 +206,6 @@ const struct zr_look zr_looks[] = {
      ISOMETRIC(0.07f)},
     {.name = "technical",
      .version = 2,
-     .is_unreleased = true,
      .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES_OF_MESH(INK),
                  .gooch = {true, 0.35f, 0.65f}, XRAY},
      .background = OPAQUE(0xffffff),
@@ -224,7 +222,6 @@ const struct zr_look zr_looks[] = {
      FROM_ASIDE},
     {.name = "clay",
      .version = 2,
-     .is_unreleased = true,
      .picture = {LINEAR, NEUTRAL(1), STUDIO_2, GRADIENT(0xf7f4f0, 0xded6cc), GROUNDED_2, NO_EDGES_2},
      .background = OPAQUE(0xf7f4f0),
      MATERIAL(ZR_SHADING_PBR, 0xd3b9a2, 0, 0.9f),
@@ -240,7 +237,6 @@ const struct zr_look zr_looks[] = {
      FROM_ASIDE},
     {.name = "dark",
      .version = 2,
-     .is_unreleased = true,
      .picture = {LINEAR, NEUTRAL(1), STUDIO_2, GRADIENT(0x3c444d, 0x191d22), GROUNDED_2,
                  EDGES_2(true, 0x14181d, 1, 0, 0.50f)},
      .background = OPAQUE(0x3c444d),
@@ -256,7 +252,6 @@ const struct zr_look zr_looks[] = {
      FROM_ASIDE},
     {.name = "metal",
      .version = 2,
-     .is_unreleased = true,
      .picture = {LINEAR, NEUTRAL(1), METAL_2, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED_2,
                  EDGES_2(true, 0x2b3036, 1, 0.60f, 0.45f)},
      .background = OPAQUE(0xf4f6f8),
@@ -272,7 +267,6 @@ const struct zr_look zr_looks[] = {
      FROM_ASIDE},
     {.name = "outdoor",
      .version = 2,
-     .is_unreleased = true,
      .picture = {LINEAR, NEUTRAL(0.90f), OUTDOOR_2, GRADIENT(0xbcd6f0, 0xefe9de), GROUNDED_2, NO_EDGES_2,
                  .has_ground_sun = true},
      .background = OPAQUE(0xbcd6f0),
@@ -289,7 +283,6 @@ const struct zr_look zr_looks[] = {
      ISOMETRIC(0.07f)},
     {.name = "blueprint",
      .version = 2,
-     .is_unreleased = true,
      .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.6f), EDGES_OF_MESH(0xe8f0fa), .gooch = {true, 0.2f, 0.8f},
                  XRAY},
      .background = OPAQUE(0x1d4a86),
@@ -305,7 +298,6 @@ const struct zr_look zr_looks[] = {
      FROM_ASIDE},
     {.name = "xray",
      .version = 2,
-     .is_unreleased = true,
      .picture = {LIT, NO_TONE, STUDIO, GRADIENT(0xffffff, 0xf1f4f8), .dithers = true, OCCLUSION(false, 2), NO_EDGES_2,
                  GOOCH, .xray = {0.11f, 0.56f, true, 0.5f}},
      .background = OPAQUE(0xffffff),
@@ -356,7 +348,7 @@ const struct zr_look *zr_look_find(const char *text)
     const struct zr_look *found = NULL;
     for (int i = 0; i < zr_look_count; i++) {
         const struct zr_look *look = &zr_looks[i];
-        if ((!look->is_unreleased && strcmp(look->name, text) == 0) || strcmp(zr_look_pin_of(look).text, text) == 0)
+        if (strcmp(look->name, text) == 0 || strcmp(zr_look_pin_of(look).text, text) == 0)
             found = look;
     }
     return found;

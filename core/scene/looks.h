@@ -1,8 +1,8 @@
 /* looks.h - scene: looks, rows of default values for the keys of a scene.
  *
  * A look contains values only, which a scene or a query overrides key by key. A released row never changes. An improved
- * look is a new row behind it, with the same name and the next version: "NAME" selects the newest released version, and
- * "NAME@1" keeps its pixels. A row that is not released yet is selected by its version only, and may change.
+ * look is a new row behind it, with the same name and the next version: "NAME" selects the newest version, and "NAME@1"
+ * keeps its pixels.
  */
 #ifndef ZR_LOOKS_H
 #define ZR_LOOKS_H
@@ -23,7 +23,6 @@ struct zr_look_view {
 struct zr_look {
     const char *name;
     uint32_t version;
-    bool is_unreleased;
     struct zr_picture picture;
     zr_vec4 background; /* opaque; unused if the picture has a gradient */
 
@@ -48,8 +47,7 @@ extern const int zr_look_count;
 /* Returns the default look of scenes in JSON. It draws as GL 2.1 does, without linear light. */
 const struct zr_look *zr_look_textbook(void);
 
-/* Finds a look: "studio" is its newest released version, "studio@2" version 2 (no leading zeros). NULL if none
- * matches. */
+/* Finds a look: "studio" is its newest version, "studio@2" version 2 (no leading zeros). NULL if none matches. */
 const struct zr_look *zr_look_find(const char *text);
 
 /* Name with version, such as "studio@1", which always selects the same row. */

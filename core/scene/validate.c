@@ -117,12 +117,12 @@ static void check_svg(const struct zr_scene *scene, const struct zr_view *view, 
     else if (!edges->is_on)
         zr_error_add(error, ZR_BAD_SCENE, "/edges",
                      "none: the encoding svg has the lines of the mesh alone; give \"edges\": {\"from\": \"mesh\"}, or "
-                     "the look technical@2");
+                     "the look technical");
     else if (!edges->is_from_mesh)
         zr_error_add(
             error, ZR_BAD_SCENE, "/edges",
             "from samples of the picture, which the encoding svg has not: give \"edges\": {\"from\": \"mesh\"}, "
-            "or the look technical@2");
+            "or the look technical");
     else if (!has_faces(scene))
         zr_error_add(error, ZR_BAD_SCENE, NULL, "the encoding svg has the lines of faces, and the scene has no face");
 }

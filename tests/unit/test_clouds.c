@@ -33,7 +33,7 @@ static void open_cloud(struct cloud *cloud, uint32_t count)
                                    .point_count = count,
                                    .points = cloud->points};
     cloud->instance = (struct zr_instance){.object_to_world = zr_mat4_identity()};
-    cloud->scene = (struct zr_scene){.look = zr_look_find("technical"),
+    cloud->scene = (struct zr_scene){.look = zr_look_find("technical@1"),
                                      .mesh_count = 1,
                                      .meshes = &cloud->mesh,
                                      .instance_count = 1,

@@ -24,7 +24,7 @@ TEST(bare_meshes_have_the_look_studio)
     assert_ptr_equal(scene->lights, studio->lights);
     assert_true(scene->views[0].width == 640 && scene->views[0].height == 480);
     assert_true(scene->views[0].azimuth_degrees == 35 && scene->views[0].elevation_degrees == 28);
-    assert_true(scene->views[0].yfov_radians == studio->view.fov_radians && scene->views[0].fit_padding == 0.07f);
+    assert_true(scene->views[0].yfov_radians == studio->view.fov_radians && scene->views[0].fit_padding == 0.05f);
     assert_int_equal(scene->views[0].pose, ZR_POSE_ORBIT);
     assert_true(zr_vec4_equal(scene->materials[0].base_color, studio->material.base_color));
     assert_true(scene->materials[0].double_sided && scene->materials[0].shading == ZR_SHADING_PBR);

@@ -24,7 +24,7 @@ TEST(lamps_of_a_scene_replace_those_of_the_look_and_its_environment)
         {"\"lights\": [], \"environment\": false", 0, 0.2f, ZR_ENVIRONMENT_NONE},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct reading *reading = read_look("studio", cases[i].rest);
+        struct reading *reading = read_look("studio@1", cases[i].rest);
         assert_int_equal(reading->scene->light_count, cases[i].lights);
         assert_true(reading->scene->ambient.y == cases[i].ambient);
         assert_int_equal(reading->scene->picture.environment.name, cases[i].environment);
@@ -49,10 +49,10 @@ TEST(lamps_of_the_textbook_stay_in_linear_light_and_beside_ambient)
 TEST(lamps_go_with_the_environment)
 {
     struct reading *reading = read_look("studio", "\"environment\": \"outdoor\"");
-    assert_ptr_equal(reading->scene->lights, zr_look_find("outdoor")->lights);
+    assert_ptr_equal(reading->scene->lights, zr_look_find("outdoor@1")->lights);
     reading_free(reading);
     reading = read_look("textbook", "\"environment\": \"studio\"");
-    assert_ptr_equal(reading->scene->lights, zr_look_find("studio")->lights);
+    assert_ptr_equal(reading->scene->lights, zr_look_find("studio@1")->lights);
     assert_true(reading->scene->ambient.x == 0);
     reading_free(reading);
     /* Without it they light what it lit. */
