@@ -416,8 +416,8 @@ static void add_view(void)
 
 const char *random_scene(uint64_t number)
 {
-    static const char *const looks[] = {"studio",    "technical", "clay",     "dark",        "metal",   "outdoor",
-                                        "blueprint", "xray",      "studio@1", "technical@1", "textbook"};
+    static const char *const looks[] = {"studio",    "technical", "clay@1", "dark",     "metal@1",     "outdoor",
+                                        "blueprint", "xray",      "xray@1", "studio@1", "technical@1", "textbook"};
     length = 0;
     dice = random_seeded(number);
     is_textbook = once_in(6);
@@ -426,7 +426,7 @@ const char *random_scene(uint64_t number)
     add_size();
     const char *look = is_textbook ? "textbook" : PICK(looks);
     const bool has_look = !once_in(8);
-    has_xrays = has_look && strcmp(look, "xray") == 0;
+    has_xrays = has_look && strncmp(look, "xray", 4) == 0;
     if (has_look) add(",\"look\":\"%s\"", look);
     add_keys();
     add_lamps();
