@@ -162,6 +162,33 @@ static bool add_faces(struct making *m, struct zr_arena *scratch, const struct z
     return true;
 }
 
+/* Numbers the vertices in the order of the triangles, so that files that list positions in another order give the same
+ * edges in the same order. Vertices without a triangle are left out. */
+static bool number_by_use(struct making *m)
+{
+    struct zr_arena scratch = zr_arena_open_scratch(m->arena);
+    uint32_t *numbers = zr_arena_alloc(&scratch, m->vertex_count, sizeof *numbers);
+    uint32_t *positions = zr_arena_alloc(&scratch, m->vertex_count, sizeof *positions);
+    const bool ok = zr_arena_ok(&scratch);
+    if (ok) {
+        const size_t corners = 3 * (size_t)m->triangle_count;
+        uint32_t used = 0;
+        memset(numbers, 0xff, m->vertex_count * sizeof *numbers);
+        for (size_t i = 0; i < corners && !is_due(m, i); i++) {
+            uint32_t *number = &numbers[m->corners[i]];
+            if (*number == UINT32_MAX) {
+                positions[used] = m->positions[m->corners[i]];
+                *number = used++;
+            }
+            m->corners[i] = *number;
+        }
+        memcpy(m->positions, positions, used * sizeof *positions);
+        m->vertex_count = used;
+    }
+    zr_arena_close_scratch(&scratch, m->arena);
+    return ok;
+}
+
 static bool make_triangles(struct making *m)
 {
     const size_t most = triangles_most(m->mesh);
@@ -174,7 +201,7 @@ static bool make_triangles(struct making *m)
         !zr_is_cancelled(m->cancel))
         add_faces(m, &scratch, &fans);
     zr_arena_close_scratch(&scratch, m->arena);
-    return zr_arena_ok(m->arena);
+    return zr_arena_ok(m->arena) && number_by_use(m);
 }
 
 /* ---- edges ---- */

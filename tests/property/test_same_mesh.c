@@ -206,7 +206,7 @@ TEST(one_mesh_gives_the_same_pictures_in_all_formats)
 {
     static const char *const queries[] = {
         "width=160&height=120&channel=color,depth,faceId&up=y&look=studio",
-        "width=160&height=120&channel=color,depth,faceId&up=y&look=technical",
+        "width=160&height=120&channel=color,depth,faceId&up=y&look=technical", /* lines of the mesh */
         "width=160&height=120&channel=color,depth,faceId&up=y&look=clay&preset=front",
         "width=160&height=120&channel=color,depth,faceId&up=y&look=textbook&shading=flat"};
     make_mesh();

@@ -277,16 +277,26 @@ TEST(three_edges_of_a_cube_are_hidden)
 #define FLOOR      "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 2 3 4\n"
 #define WALL(x, z) "v " x " -1 0\nv " x " 1 0\nv " x " 1 " z "\nv " x " -1 " z "\nf 5 6 7 8\n"
 
+/* Returns the point of a position of the first instance. */
+static struct zr_window_point point_of(const struct drawing *d, uint32_t position)
+{
+    const uint32_t *positions = d->model.mesh.instances[0].table->positions;
+    uint32_t v = 0;
+    while (positions[v] != position)
+        v++;
+    return d->model.mesh.points[v];
+}
+
 TEST(two_pieces_cut_one_another_in_a_line)
 {
     const struct drawing d = draw_text(FLOOR WALL("0", "0.5"));
     double length = 0.0;
-    const struct zr_window_point *p = d.model.mesh.points;
+    const struct zr_window_point a = point_of(&d, 0), b = point_of(&d, 3);
     for (uint32_t i = 0; i < d.lines.count; i++)
         if (d.lines.at[i].kind == ZR_LINE_INTERSECTION)
             length += hypot(d.lines.at[i].ends[1].x - d.lines.at[i].ends[0].x,
                             d.lines.at[i].ends[1].y - d.lines.at[i].ends[0].y);
-    assert_true(fabs(length - 0.25 * hypot(p[3].x - p[0].x, p[3].y - p[0].y)) < 1e-6);
+    assert_true(fabs(length - 0.25 * hypot(b.x - a.x, b.y - a.y)) < 1e-6);
 }
 
 TEST(pieces_that_touch_make_no_line)

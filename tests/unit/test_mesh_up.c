@@ -108,7 +108,7 @@ TEST(flat_meshes_are_seen_face_on)
         if ((view->pose == ZR_POSE_PRESET ? (int)view->preset : NOT) != cases[i].preset)
             fail_msg("case %zu: pose %d, preset %d", i, (int)view->pose, (int)view->preset);
         assert_int_equal(view->projection, ZR_PROJECTION_PERSPECTIVE);
-        assert_true(view->fit_padding == 0.07f);
+        assert_true(view->fit_padding == 0.05f);
         reading_free(reading);
     }
 }
