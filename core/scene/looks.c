@@ -206,8 +206,7 @@ const struct zr_look zr_looks[] = {
      ISOMETRIC(0.07f)},
     {.name = "technical",
      .version = 2,
-     .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES_OF_MESH(INK),
-                 .gooch = {true, 0.35f, 0.65f}, XRAY},
+     .picture = {LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES_OF_MESH(INK), .gooch = {true, 0.35f, 0.65f}, XRAY},
      .background = OPAQUE(0xffffff),
      MATERIAL(ZR_SHADING_GOOCH, 0xfcfcfd, 0, 0.55f),
      .cloud = OPAQUE(0x7d90a6),
@@ -348,8 +347,7 @@ const struct zr_look *zr_look_find(const char *text)
     const struct zr_look *found = NULL;
     for (int i = 0; i < zr_look_count; i++) {
         const struct zr_look *look = &zr_looks[i];
-        if (strcmp(look->name, text) == 0 || strcmp(zr_look_pin_of(look).text, text) == 0)
-            found = look;
+        if (strcmp(look->name, text) == 0 || strcmp(zr_look_pin_of(look).text, text) == 0) found = look;
     }
     return found;
 }
