@@ -3,9 +3,9 @@
  * Space:  object space.
  * Why:    lines of drawings are edges of the mesh: borders, creases and contours (drawing/features.h).
  * How:    positions are welded (weld.h). Convex faces are cut as fans, others by geometry/triangulate.h. Triangles with
- *         fewer than three different vertices, or with a corner at infinity, are left out. Each side of a triangle is
- *         listed at the lower of its vertices, and the lists are sorted. Pieces are connected across edges of two
- *         triangles: where more meet, solids touch or cut one another.
+ *         fewer than three different vertices, or with a corner at infinity, are left out. Vertices are numbered in the
+ *         order of the triangles. Each side of a triangle is listed at the lower of its vertices, and the lists are
+ *         sorted. Pieces are connected across edges of two triangles: where more meet, solids touch or cut one another.
  * Exact:  the same for all instruction sets and numbers of threads. */
 #ifndef ZR_EDGE_MESH_H
 #define ZR_EDGE_MESH_H
