@@ -160,7 +160,7 @@ demo: ## installs what is missing, builds, renders a model and a scene into buil
 gallery: ## a picture of each feature beside its scene: build/gallery/index.html
 	@.ci/need $(NEED_BUILD)
 	@$(MAKE) -s -j$(JOBS) all
-	@clients/gallery/gallery.sh $(BUILD)
+	@DATA="$(DATA)" clients/gallery/gallery.sh $(BUILD)
 
 .PHONY: test
 test: ## installs what tests need and runs every test

@@ -1,6 +1,7 @@
 #!/bin/sh
 # gallery.sh BUILD: draws every line of scenes.txt, grids of balls, and the pictures of the README. Writes the page
-# BUILD/gallery/index.html, with each picture's scene beside it.
+# BUILD/gallery/index.html, with each picture's scene beside it. Printed parts are meshes of DATA, which is no part of the
+# repository: without them, their three pictures are left out.
 set -eu
 build=$1
 here=clients/gallery
@@ -132,6 +133,26 @@ parts parts-section studio "a corner cut away; each part has a hatch of its own"
 parts parts-uncut metal "a half section; the axle is not cut" '"sections": {"planes": [{"axis": "z", "fraction": 0.5, "keep": "negative"}], "uncut": ["axle"]}'
 parts parts-drawing technical "lines of the mesh; hidden lines are dashed" '"edges": {"from": "mesh", "hiddenLines": true}'
 parts parts-blueprint blueprint "an exploded view" '"explode": {"factor": 1.5, "axis": "y"}'
+
+# ---- printed parts ----
+
+# https://github.com/azdle/printables (CC0): three STL files, kept in DATA/models/printed.
+printed=${DATA:-../shared/data}/models/printed
+printed() { # NAME LOOK FILE WHAT MEMBERS
+    [ -f "$printed/$3.stl" ] || {
+        echo "LEFT OUT: the picture $1: there is no $printed/$3.stl. $here/$1.png stays as it is." >&2
+        return
+    }
+    printf '{"look": "%s", "up": "z", "window": {"width": 330, "height": 250}, %s, %s"meshes": [{"asset": "part"}]}\n' \
+        "$2" "$printed_view" "${5:+$5, }" >"$out/$1.json"
+    render "$1" --part "part=$printed/$3.stl" --compress small
+    figure "$1" "" "$4; by Patrick Barrett (azdle/printables, CC0)" "$5"
+}
+printed_view='"view": {"azimuthDegrees": 35, "elevationDegrees": 28, "perspective": {"yfovDegrees": 30}, "fit": {"padding": 0.04}}'
+echo '<h2>Printed parts</h2>' >>"$page"
+printed printed-fan studio fan_adaptor "An adaptor for a fan" ''
+printed printed-mount technical pc-board-mount "A mount for a board, with dashed hidden lines" '"edges": {"from": "mesh", "hiddenLines": true}'
+printed printed-spool metal enclosed-spool-holder "The base of a spool holder, a corner cut away" '"sections": {"planes": [{"axis": "x", "fraction": 0.5, "keep": "negative"}, {"axis": "z", "fraction": 0.5, "keep": "negative"}], "corner": true}'
 
 # ---- a colour bar ----
 
