@@ -136,7 +136,8 @@ parts parts-blueprint blueprint "an exploded view" '"explode": {"factor": 1.5, "
 
 # ---- printed parts ----
 
-# https://github.com/azdle/printables (CC0): three STL files, kept in DATA/models/printed.
+# https://github.com/azdle/printables (CC0), commit 3c104a23: unsorted/fan_adaptor.stl, unsorted/pc-board-mount.stl and
+# enclosed-spool-holder/enclosed-spool-holder.stl, in DATA/models/printed.
 printed=${DATA:-../shared/data}/models/printed
 printed() { # NAME LOOK FILE WHAT MEMBERS
     [ -f "$printed/$3.stl" ] || {
