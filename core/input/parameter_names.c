@@ -8,33 +8,46 @@
 #include "scene/shadings.h"
 
 static const struct {
-    const char *name, *pointer;
+    const char *name, *pointer, *help;
 } rows[] = {
-#define PARAMETER(name, pointer, ...) {#name, pointer},
+#define PARAMETER(name, pointer, whose, kind, help) {#name, pointer, help},
     ZR_PARAMETER_ROWS(PARAMETER)
 #undef PARAMETER
 };
 
-/* Finds the parameter that sets a key, of `length` bytes, of the object at `pointer`. NULL if there is none. */
-static const char *parameter_of(const char *pointer, const char *key, size_t length)
+static const char missing[] = " is missing: ";
+
+/* Finds the parameter that sets a key, of `length` bytes, of the object at `pointer`. -1 if there is none. */
+static int row_of(const char *pointer, const char *key, size_t length)
 {
     const size_t object = strlen(pointer);
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const char *at = rows[i].pointer;
         if (strlen(at) == object + 1 + length && at[object] == '/' && memcmp(at, pointer, object) == 0 &&
             memcmp(at + object + 1, key, length) == 0)
-            return rows[i].name;
+            return (int)i;
     }
-    return NULL;
+    return -1;
+}
+
+/* The text of a missing key is about JSON; that of its parameter says how a query gives it. False for other texts. */
+static bool explain_missing(const char *pointer, const char *text, size_t key, struct zr_parameter_text *out)
+{
+    const int row = row_of(pointer, text, key);
+    if (row < 0 || strncmp(text + key, missing, sizeof missing - 1) != 0) return false;
+    snprintf(out->text, sizeof out->text, "%s is missing, which it needs: %s", rows[row].name, rows[row].help);
+    return true;
 }
 
 struct zr_parameter_text zr_parameter_names(const char *pointer, const char *text)
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
     struct zr_parameter_text out = {""};
+    if (explain_missing(pointer, text, strspn(text, letters), &out)) return out;
     for (size_t used = 0; *text && used < sizeof out.text;) {
         const size_t word = strspn(text, letters), length = word ? word : strcspn(text, letters);
-        const char *name = word ? parameter_of(pointer, text, word) : NULL;
+        const int row = word ? row_of(pointer, text, word) : -1;
+        const char *name = row < 0 ? NULL : rows[row].name;
         used += (size_t)snprintf(out.text + used, sizeof out.text - used, "%.*s", name ? INT_MAX : (int)length,
                                  name ? name : text);
         text += length;

@@ -4,7 +4,8 @@
 
 #include "base/status.h"
 
-/* Copies a text; names of parameters replace the keys of the object at `pointer` that they set. */
+/* Copies a text; names of parameters replace the keys of the object at `pointer` that they set. If a key is missing,
+ * the help of its parameter replaces the words about it. */
 struct zr_parameter_text {
     char text[ZR_DETAIL_SIZE];
 };
