@@ -68,16 +68,20 @@ static struct passes passes_of(const struct zr_scene *scene, const struct zr_res
 
 /* ---- memory ---- */
 
-/* Bytes per pixel or sample. EDGE_BYTES: per tile, for its borders. */
+/* Bytes per pixel or sample. EDGE_BYTES: per tile, for its borders. CELL_BYTES: per cell of drawing/cells.h. */
 enum {
     WORD_BYTES = 4,
     SAMPLE_BYTES = 8,
-    GBUFFER_BYTES = 28,
-    OCCLUSION_BYTES = 4,
+    GBUFFER_ARRAYS = 7,
+    OCCLUSION_ARRAYS = 1,
     LINEAR_BYTES = 16,
     FRAGMENT_BYTES = 8,
-    EDGE_BYTES = 7196
+    EDGE_BYTES = 7196,
+    CELL_BYTES = 8
 };
+
+/* Pixels of a cell. */
+#define CELL_PIXELS 64.0
 
 static double bytes_of_channels(const struct zr_view *view)
 {
@@ -112,6 +116,13 @@ static double bytes_of_lamp_maps(uint32_t maps)
                                    zr_arena_block_bytes(bordered * bordered * WORD_BYTES));
 }
 
+/* Bytes of an array of words, with the free end of its block if it has one of its own. */
+static double bytes_of_words(double count)
+{
+    const double bytes = WORD_BYTES * count;
+    return bytes < ZR_ARENA_BLOCK || bytes > 1e15 ? bytes : (double)zr_arena_block_bytes((size_t)bytes);
+}
+
 /* True if edges are lines of the mesh. */
 static bool draws_lines(const struct zr_picture *picture)
 {
@@ -138,9 +149,9 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
         sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
     if (passes->samples == 0.0 || !picture->is_linear) return sum;
     sum += pixels * LINEAR_BYTES + bytes_of_lamp_maps(passes->lamp_maps);
-    if (picture->occlusion.is_on) sum += pixels * (GBUFFER_BYTES + OCCLUSION_BYTES);
+    if (picture->occlusion.is_on) sum += (GBUFFER_ARRAYS + OCCLUSION_ARRAYS) * bytes_of_words(pixels);
     if (draws_lines(picture))
-        sum += pixels * WORD_BYTES;
+        sum += pixels * (WORD_BYTES + CELL_BYTES / CELL_PIXELS);
     else if (picture->edges.is_on)
         sum += pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
     return sum;
@@ -207,9 +218,6 @@ static double layer_walks(const struct zr_view *view)
            (zr_view_wants(view, ZR_CHANNEL_THICKNESS) ? 2.0 : 0.0) +
            (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0);
 }
-
-/* Pixels of a cell of drawing/cells.h. */
-#define CELL_PIXELS 64.0
 
 static double square(double value)
 {

@@ -67,9 +67,10 @@ const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, con
                       .cancel = cancel};
     struct zr_occlusion_work *work = &job.work;
     work->light = zr_arena_alloc(arena, size, sizeof *work->light);
-    work->rows = zr_arena_alloc(arena, size, sizeof *work->rows);
-    work->points = zr_arena_alloc(arena, size, sizeof *work->points);
+    /* One array, since only the newest one can be given back. */
+    work->points = zr_arena_alloc(arena, size, sizeof *work->points + sizeof *work->rows);
     if (!zr_arena_ok(arena)) return NULL;
+    work->rows = (void *)(work->points + size);
     work->pixels = pixels;
     work->scale = *scale;
     work->radius = radius;
@@ -82,8 +83,7 @@ const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, con
     zr_team_ranges(team, height, 8, lay_out_rows, &job);
     zr_team_ranges(team, height, 2, find_rows, &job);
     zr_team_ranges(team, height, 8, blur_rows, &job);
-    zr_arena_trim(arena, work->points, size, 0, sizeof *work->points);
-    zr_arena_trim(arena, work->rows, size, 0, sizeof *work->rows);
+    zr_arena_trim(arena, work->points, size, 0, sizeof *work->points + sizeof *work->rows);
     return work->light;
 }
 

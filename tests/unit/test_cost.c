@@ -288,4 +288,26 @@ TEST(predicted_memory_is_held)
     }
 }
 
+/* Arrays of large windows have blocks of their own, whose free ends are held as well. */
+TEST(memory_of_large_windows_with_lines_of_the_mesh_is_nearly_all_predicted)
+{
+    static const uint32_t widths[] = {1021, 1531, 2048};
+    for (int i = 0; i < 3; i++) {
+        struct zr_arena arena;
+        half_a_window();
+        test.scene.views[0].width = widths[i];
+        test.scene.views[0].height = 1024;
+        test.scene.picture.is_linear = true;
+        test.scene.picture.occlusion = (struct zr_occlusion){true, 0.2f, 2};
+        test.scene.picture.edges = (struct zr_edges){
+            .is_on = true, .is_from_mesh = true, .width = 1, .crease_degrees = 30, .silhouette_opacity = 1};
+        const double predicted = scene_cost(&test.scene).window_bytes;
+        zr_arena_init(&arena, (size_t)1 << 30);
+        scene_render(&arena, NULL, &test.scene);
+        const double share = predicted / (double)arena.most;
+        if (!(share <= 1.0 && share > 0.95)) fail_msg("width %u: %.0f bytes, %zu held", widths[i], predicted, arena.most);
+        zr_arena_free(&arena);
+    }
+}
+
 RUN_TESTS(NULL, NULL)
