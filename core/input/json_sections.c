@@ -127,7 +127,7 @@ static bool read_uncut(struct zr_json *json, const struct zr_json_path *path, co
 
 #define AT(member) offsetof(struct zr_sections, member)
 static const struct zr_json_field fields[] = {
-    {"planes", read_planes, 0, .object = &zr_json_object_plane, .required = true, 
+    {"planes", read_planes, 0, .object = &zr_json_object_plane, .required = true,
      .text = "list of 1 to 6 cuts, such as [{\"axis\": \"x\"}]"},
     {"corner", zr_json_bool, AT(is_corner), .otherwise = "false",
      .text = "removes only what all planes cut away, instead of what any of them does"},

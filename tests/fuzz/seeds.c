@@ -112,6 +112,13 @@ static void write_scenes(void)
         {"overlapping-caps",
          "{" WINDOW "," TETRAHEDRA "\"sections\":{\"planes\":[{\"axis\":\"z\",\"offset\":0.1},{\"normal\":"
          "[0,0,1],\"keep\":\"positive\"}],\"hatch\":false}}"},
+        {"parts", "{" WINDOW "," TETRAHEDRA "\"look\":\"clay\",\"hide\":[\"b*\",2],\"ghost\":\"a\",\"highlight\":[{"
+                  "\"parts\":[\"a\"],\"color\":\"#ff0000\"}],\"explode\":{\"factor\":0.5,\"axis\":\"z\"},\"colors\":"
+                  "\"parts\",\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"info\"}]}"},
+        {"blueprint-svg",
+         "{" WINDOW ",\"look\":\"blueprint@2\"," TETRAHEDRA "\"isolate\":[\"a\",\"b\"],\"explode\":1,\"sections\":"
+         "{\"planes\":[{\"axis\":\"x\"}]},\"edges\":{\"from\":\"mesh\",\"hiddenLines\":true},\"outputs\":[{"
+         "\"channel\":\"color\",\"encoding\":\"svg\"}]}"},
         {"intrinsics", "{" WINDOW "," TRIANGLE ",\"view\":{\"R\":[1,0,0,0,1,0,0,0,1],\"t\":[0,0,4],\"intrinsics\":"
                        "{\"fx\":20,\"cx\":8,\"skew\":0.1},\"pixelCenter\":0,\"znear\":1,\"zfar\":10}}"},
         {"svg", "{" WINDOW "," TRIANGLE ",\"edges\":{\"from\":\"mesh\",\"hiddenLines\":true,\"creaseDegrees\":20,"

@@ -305,7 +305,8 @@ TEST(memory_of_large_windows_with_lines_of_the_mesh_is_nearly_all_predicted)
         zr_arena_init(&arena, (size_t)1 << 30);
         scene_render(&arena, NULL, &test.scene);
         const double share = predicted / (double)arena.most;
-        if (!(share <= 1.0 && share > 0.95)) fail_msg("width %u: %.0f bytes, %zu held", widths[i], predicted, arena.most);
+        if (!(share <= 1.0 && share > 0.95))
+            fail_msg("width %u: %.0f bytes, %zu held", widths[i], predicted, arena.most);
         zr_arena_free(&arena);
     }
 }

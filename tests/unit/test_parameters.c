@@ -211,7 +211,8 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
          "section: 'x,x,x,x,x,x,x' is not a list of up to 6 planes"},
         {{.format = ZR_FORMAT_OBJ, .sectionCorner = "true"}, "sectionCorner: section is missing"},
         {{.format = ZR_FORMAT_STL, .sectionHatch = "true"},
-         "parameter sectionHatch: section is missing, which it needs: planes that cut the mesh open: x, y or z, a share "
+         "parameter sectionHatch: section is missing, which it needs: planes that cut the mesh open: x, y or z, a "
+         "share "
          "of its bounds and a side, such as x:0.5"},
         {{.format = ZR_FORMAT_JSON, .section = "x"}, "parameter section belongs to bodies that are a bare mesh"},
     };
