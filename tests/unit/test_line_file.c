@@ -1,4 +1,4 @@
-/* The encoding svg: units, widths, parts, what is left out, the same bytes for every team. */
+/* The encoding svg: units, widths, parts, what is left out, the same bytes for every team and instruction set. */
 #include <math.h>
 
 #include "json_check.h"
@@ -116,12 +116,14 @@ TEST(the_file_is_the_same_for_every_team)
                                "}, {\"positions\": [[-1,1,-1],[5,2,2],[2,5,7]], \"faces\": "
                                "[[0,1,2]]}]}";
     const char *alone = file_of(NULL, NULL, text, NULL);
-    for (int threads = 2; threads < 5; threads++) {
-        struct zr_team *team = zr_team_create(threads);
-        assert_non_null(team);
-        assert_string_equal(file_of(team, NULL, text, NULL), alone);
-        zr_team_destroy(team);
-    }
+    for (int threads = 2; threads < 5; threads++)
+        for (enum zr_isa isa = 0; isa < ZR_ISA_COUNT; isa++) {
+            if (!zr_isa_is_available(isa)) continue;
+            struct zr_team *team = zr_team_create_for(threads, isa);
+            assert_non_null(team);
+            assert_string_equal(file_of(team, NULL, text, NULL), alone);
+            zr_team_destroy(team);
+        }
 }
 
 TEST(a_mesh_is_drawn_as_lines_in_the_look_technical)
