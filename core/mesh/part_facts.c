@@ -2,10 +2,8 @@
 
 #include "base/cancel.h"
 #include "mesh/closed_parts.h"
-
-struct place {
-    double x, y, z;
-};
+#include "mesh/least_wall.h"
+#include "mesh/world_place.h"
 
 /* Faces by part, and closed parts; made once per mesh. */
 struct sorted_mesh {
@@ -37,40 +35,9 @@ struct measuring {
     struct task *tasks;
 };
 
-/* ---- positions ---- */
+/* ---- faces ---- */
 
-/* Transforms a position to world space. False if it is infinite there, or beyond the range of float. */
-static bool place_of(const zr_mat4 *m, zr_vec4 p, struct place *out)
-{
-    const double x = (double)p.x, y = (double)p.y, z = (double)p.z, w = (double)p.w;
-    double at[4];
-    for (int row = 0; row < 4; row++)
-        at[row] = (((double)m->m[row] * x + (double)m->m[4 + row] * y) + (double)m->m[8 + row] * z) +
-                  (double)m->m[12 + row] * w;
-    if (at[3] != 1.0)
-        for (int k = 0; k < 3; k++)
-            at[k] /= at[3];
-    *out = (struct place){at[0], at[1], at[2]};
-    return at[3] != 0.0 && fabs(at[0]) <= (double)FLT_MAX && fabs(at[1]) <= (double)FLT_MAX &&
-           fabs(at[2]) <= (double)FLT_MAX;
-}
-
-static struct place minus(struct place a, struct place b)
-{
-    return (struct place){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static struct place cross(struct place a, struct place b)
-{
-    return (struct place){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static double dot(struct place a, struct place b)
-{
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-
-static void extend(struct sums *sums, struct place p)
+static void extend(struct sums *sums, struct zr_world_place p)
 {
     const double at[3] = {p.x, p.y, p.z};
     for (int k = 0; k < 3; k++) {
@@ -79,41 +46,40 @@ static void extend(struct sums *sums, struct place p)
     }
 }
 
-/* ---- faces ---- */
-
-/* Sums of one ring: twice its area vector, twice its triangles' areas, six times the volume of its pyramid, and 24 times
- * the moment of that volume around the apex. */
+/* Sums of one ring: twice its area vector, twice its triangles' areas, six times the volume of its pyramid, and 24
+ * times the moment of that volume around the apex. */
 struct fan {
-    struct place area, moment;
+    struct zr_world_place area, moment;
     double areas, volume;
     bool turns_both_ways;
 };
 
 /* Adds a fan to the sums. False if a corner is not finite. */
-static bool sum_fan(const zr_mat4 *m, const struct zr_mesh *mesh, uint32_t begin, uint32_t end, struct place apex,
-                    struct sums *sums, struct fan *fan)
+static bool sum_fan(const zr_mat4 *m, const struct zr_mesh *mesh, uint32_t begin, uint32_t end,
+                    struct zr_world_place apex, struct sums *sums, struct fan *fan)
 {
     const uint32_t *corners = mesh->indices;
-    struct place first, last, next;
+    struct zr_world_place first, last, next;
     *fan = (struct fan){.areas = 0.0};
-    if (!place_of(m, mesh->positions[corners[begin]], &first)) return false;
-    if (!place_of(m, mesh->positions[corners[begin + 1]], &last)) return false;
+    if (!zr_world_place_of(m, mesh->positions[corners[begin]], &first)) return false;
+    if (!zr_world_place_of(m, mesh->positions[corners[begin + 1]], &last)) return false;
     extend(sums, first);
     extend(sums, last);
     for (uint32_t i = begin + 2; i < end; i++, last = next) {
-        if (!place_of(m, mesh->positions[corners[i]], &next)) return false;
+        if (!zr_world_place_of(m, mesh->positions[corners[i]], &next)) return false;
         extend(sums, next);
-        const struct place area = cross(minus(last, first), minus(next, first));
-        fan->turns_both_ways = fan->turns_both_ways || dot(area, fan->area) < 0.0;
-        fan->area = (struct place){fan->area.x + area.x, fan->area.y + area.y, fan->area.z + area.z};
-        fan->areas += sqrt(dot(area, area));
-        const double volume = dot(minus(first, apex), area);
+        const struct zr_world_place area =
+            zr_world_place_cross(zr_world_place_minus(last, first), zr_world_place_minus(next, first));
+        fan->turns_both_ways = fan->turns_both_ways || zr_world_place_dot(area, fan->area) < 0.0;
+        fan->area = (struct zr_world_place){fan->area.x + area.x, fan->area.y + area.y, fan->area.z + area.z};
+        fan->areas += sqrt(zr_world_place_dot(area, area));
+        const double volume = zr_world_place_dot(zr_world_place_minus(first, apex), area);
         fan->volume += volume;
         fan->moment.x += volume * (((first.x - apex.x) + (last.x - apex.x)) + (next.x - apex.x));
         fan->moment.y += volume * (((first.y - apex.y) + (last.y - apex.y)) + (next.y - apex.y));
         fan->moment.z += volume * (((first.z - apex.z) + (last.z - apex.z)) + (next.z - apex.z));
     }
-    if (fan->turns_both_ways) fan->areas = sqrt(dot(fan->area, fan->area));
+    if (fan->turns_both_ways) fan->areas = sqrt(zr_world_place_dot(fan->area, fan->area));
     return true;
 }
 
@@ -139,7 +105,7 @@ static void color_of(const struct zr_scene *scene, const struct zr_mesh *mesh, u
 }
 
 static void add_face(const struct measuring *m, const zr_mat4 *matrix, const struct zr_mesh *mesh, uint32_t face,
-                     struct place apex, struct sums *sums)
+                     struct zr_world_place apex, struct sums *sums)
 {
     const struct zr_rings rings = zr_mesh_rings(mesh, face);
     double area = 0.0, volume = 0.0, moment[3] = {0, 0, 0}, color[3];
@@ -198,15 +164,15 @@ static void clear(struct sums *sums)
 }
 
 /* Returns the apex of the pyramids of a part with faces: the first corner of its first face. */
-static struct place apex_of(const struct measuring *m, const struct zr_part *part)
+static struct zr_world_place apex_of(const struct measuring *m, const struct zr_part *part)
 {
     const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
     const struct sorted_mesh *sorted = &m->meshes[part->mesh];
     const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
     const uint32_t first = face_of(sorted, begin_of(sorted, part->number));
-    struct place apex;
-    if (!place_of(matrix, mesh->positions[mesh->indices[mesh->face_offsets[first]]], &apex))
-        return (struct place){0, 0, 0};
+    struct zr_world_place apex;
+    if (!zr_world_place_of(matrix, mesh->positions[mesh->indices[mesh->face_offsets[first]]], &apex))
+        return (struct zr_world_place){0, 0, 0};
     return apex;
 }
 
@@ -216,7 +182,7 @@ static void run_task(const struct measuring *m, struct task *task)
     const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
     const struct sorted_mesh *sorted = &m->meshes[part->mesh];
     const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
-    const struct place apex = apex_of(m, part);
+    const struct zr_world_place apex = apex_of(m, part);
     clear(&task->sums);
     for (uint32_t i = task->begin; i < task->end; i++)
         add_face(m, matrix, mesh, face_of(sorted, i), apex, &task->sums);
@@ -313,8 +279,8 @@ static void add_vertex(const struct zr_material *material, const zr_mat4 *matrix
 {
     const zr_vec4 white = {1, 1, 1, 1}, *own = mesh->colors ? &mesh->colors[vertex] : &white,
                   *base = &material->base_color;
-    struct place place;
-    if (place_of(matrix, mesh->positions[vertex], &place)) extend(sums, place);
+    struct zr_world_place place;
+    if (zr_world_place_of(matrix, mesh->positions[vertex], &place)) extend(sums, place);
     if (sums->faces > 0) return;
     (*count)++;
     sums->plain_color[0] += (double)own->x * (double)base->x;
@@ -352,11 +318,27 @@ static void find_center(const struct measuring *m, const struct zr_part *part, c
                         struct zr_part_facts *facts)
 {
     if (!facts->is_closed || sums->volume == 0.0 || sums->faces == 0) return;
-    const struct place apex = apex_of(m, part);
+    const struct zr_world_place apex = apex_of(m, part);
     facts->center[0] = (apex.x + sums->moment[0] / sums->volume) + 0.0;
     facts->center[1] = (apex.y + sums->moment[1] / sums->volume) + 0.0;
     facts->center[2] = (apex.z + sums->moment[2] / sums->volume) + 0.0;
     facts->has_center = isfinite(facts->center[0]) && isfinite(facts->center[1]) && isfinite(facts->center[2]);
+}
+
+/* Finds the least wall of a closed part with a volume. */
+static void find_wall(struct zr_arena *arena, const struct measuring *m, const struct zr_part *part,
+                      const struct sums *sums, uint64_t *steps, struct zr_part_facts *facts)
+{
+    if (!facts->is_closed || sums->volume == 0.0 || sums->faces == 0) return;
+    const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
+    const struct sorted_mesh *sorted = &m->meshes[part->mesh];
+    const struct zr_wall_faces faces = {.mesh = mesh,
+                                        .object_to_world = &m->scene->instances[part->instance].object_to_world,
+                                        .faces = sorted->faces,
+                                        .begin = begin_of(sorted, part->number),
+                                        .end = end_of(sorted, mesh, part->number),
+                                        .is_turned = sums->volume < 0.0};
+    facts->least_wall = zr_least_wall_find(arena, m->cancel, &faces, steps);
 }
 
 static struct zr_part_facts facts_of(const struct measuring *m, const struct zr_part *part, struct sums *sums)
@@ -391,6 +373,9 @@ static enum zr_status find(struct zr_arena *arena, struct zr_team *team, struct 
     if (!m->tasks) return ZR_NO_MEMORY;
     list_tasks(m, m->tasks);
     zr_team_ranges(team, count, 1, run_range, m);
+    uint64_t steps = ZR_WALL_STEPS_MIN;
+    for (uint32_t i = 0; i < count; i++)
+        steps += (uint64_t)ZR_WALL_STEPS * (m->tasks[i].end - m->tasks[i].begin);
     size_t task = 0;
     for (uint32_t p = 0; p < m->parts->count && !zr_is_cancelled(m->cancel); p++) {
         struct sums sums;
@@ -398,6 +383,7 @@ static enum zr_status find(struct zr_arena *arena, struct zr_team *team, struct 
         for (; task < count && m->tasks[task].part == p; task++)
             add_sums(&sums, &m->tasks[task].sums);
         facts[p] = facts_of(m, &m->parts->at[p], &sums);
+        find_wall(arena, m, &m->parts->at[p], &sums, &steps, &facts[p]);
     }
     return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : ZR_OK;
 }

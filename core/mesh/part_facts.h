@@ -3,11 +3,10 @@
  * Space:  world space, in double precision. `box` contains faces; if the mesh is one part, also its lines and points.
  * How:    a face is the fan of each of its rings, from the ring's first corner. Holes count as negative. If a fan turns
  *         in both directions, such as a concave face, its area is the length of its area vector. The volume is a sum of
- *         pyramids over the fans (divergence theorem). Their apex is a corner of the part. The centre of mass is the mean
- *         of the pyramids' centroids, weighted by their volumes.
- * Lost:   a face with a corner beyond the range of float has no area. A part with such a face is not closed.
- * Exact:  each task of ZR_FACES_A_TASK faces has separate sums, which are added in order. The results are therefore the
- *         same for all numbers of threads and instruction sets.
+ *         pyramids over the fans (divergence theorem). Their apex is a corner of the part. The centre of mass is the
+ * mean of the pyramids' centroids, weighted by their volumes. Lost:   a face with a corner beyond the range of float
+ * has no area. A part with such a face is not closed. Exact:  each task of ZR_FACES_A_TASK faces has separate sums,
+ * which are added in order. The results are therefore the same for all numbers of threads and instruction sets.
  */
 #ifndef ZR_PART_FACTS_H
 #define ZR_PART_FACTS_H
@@ -15,9 +14,13 @@
 #include "base/arena.h"
 #include "base/team.h"
 #include "core.h"
+#include "mesh/least_wall.h"
 #include "scene/part_list.h"
 
 enum { ZR_FACES_A_TASK = 4096 };
+
+/* Steps of the search for least walls (mesh/least_wall.h): for all parts together, and for each of their faces. */
+enum { ZR_WALL_STEPS_MIN = 1 << 24, ZR_WALL_STEPS = 96 };
 
 struct zr_part_facts {
     bool has_box; /* false: no face, line or point */
@@ -27,9 +30,10 @@ struct zr_part_facts {
     bool is_closed; /* by the rule of mesh/closed_parts.h */
     double volume;  /* if closed; negative if its faces are turned inside out */
     bool has_center;
-    double center[3]; /* centre of mass of the volume, if closed and the volume is not 0 */
-    zr_vec3 color;  /* mean base colour by area, without textures, sRGB-encoded; without area, mean over faces, or over
-                       lines and points */
+    double center[3];                /* centre of mass of the volume, if closed and the volume is not 0 */
+    struct zr_least_wall least_wall; /* of a closed part whose volume is not 0 */
+    zr_vec3 color; /* mean base colour by area, without textures, sRGB-encoded; without area, mean over faces, or over
+                      lines and points */
 };
 
 /* Fills in facts[0 .. parts->count - 1]. Leaves up to 4 bytes per face, and one task per ZR_FACES_A_TASK faces, in the

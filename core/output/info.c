@@ -271,6 +271,11 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
         zr_print_doubles(print, "centerOfMass", facts->center, 3);
     else
         zr_print_null(print, "centerOfMass");
+    if (facts->least_wall.is_found)
+        zr_print_double(print, "leastWall", facts->least_wall.thickness);
+    else
+        zr_print_null(print, "leastWall");
+    if (facts->least_wall.is_omitted) zr_print_bool(print, "leastWallOmitted", true);
     zr_print_bool(print, "closed", facts->is_closed);
     if (parts->cap_areas) zr_print_double(print, "capArea", parts->cap_areas[number]);
     if (parts->pixels) zr_print_count(print, "pixels", parts->pixels[number]);
