@@ -356,6 +356,7 @@ static void search_leaves(struct search *s, uint32_t near, uint32_t far)
             const float *m = solid->normals[other];
             const float x = n[0] + m[0], y = n[1] + m[1], z = n[2] + m[2];
             if (x * x + y * y + z * z > ZR_WALL_TILT * ZR_WALL_TILT) continue;
+            if (!has_steps(s, 1)) return;
             if (!has_place[k]) zr_wall_solid_places(solid, other, b[k]);
             has_place[k] = true;
             if (!is_better(s, distance_of_plane(a, b[k], m))) continue;
