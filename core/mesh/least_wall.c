@@ -97,8 +97,8 @@ static bool find_plane(struct facet *f)
 static double height_at(const struct facet *f, struct point p)
 {
     const double h = f->at + (f->du * p.u + f->dv * p.v);
-    const double low = fmin(f->heights[0], fmin(f->heights[1], f->heights[2])),
-                 high = fmax(f->heights[0], fmax(f->heights[1], f->heights[2]));
+    const double low = zr_least_of(f->heights[0], zr_least_of(f->heights[1], f->heights[2])),
+                 high = zr_most_of(f->heights[0], zr_most_of(f->heights[1], f->heights[2]));
     return h < low ? low : h > high ? high : h;
 }
 
@@ -124,7 +124,8 @@ static bool is_wider(const struct point *p, int count, double least)
     for (int i = 0; i < count; i++) {
         const struct point q = p[(i + 1) % count];
         if (i > 0) area += turn(p[0], p[i], q);
-        around += hypot(q.u - p[i].u, q.v - p[i].v);
+        const double u = q.u - p[i].u, v = q.v - p[i].v;
+        around += sqrt(u * u + v * v);
     }
     return area > least * around; /* both are twice those of a thin one */
 }
@@ -201,8 +202,8 @@ static bool is_on_line(const struct search *s, const struct line *line, const st
             continue;
         }
         const double a = (low - from[k]) / along[k], b = (high - from[k]) / along[k];
-        begin = fmax(begin, fmin(a, b));
-        end = fmin(end, fmax(a, b));
+        begin = zr_most_of(begin, zr_least_of(a, b));
+        end = zr_least_of(end, zr_most_of(a, b));
     }
     return begin <= end;
 }
@@ -303,10 +304,10 @@ static bool make_pair(const struct search *s, uint32_t near, uint32_t far, const
     for (int i = 0; i < pair->count; i++) {
         const double distance = height_at(&pair->far, other[i]) - height_at(&pair->near, other[i]);
         pair->overlap[i] = other[i];
-        nearest = fmin(nearest, distance);
-        farthest = fmax(farthest, distance);
+        nearest = zr_least_of(nearest, distance);
+        farthest = zr_most_of(farthest, distance);
     }
-    pair->thickness = fmax(nearest, 0.0);
+    pair->thickness = zr_most_of(nearest, 0.0);
     return farthest > step && is_better(s, pair->thickness);
 }
 
@@ -321,14 +322,14 @@ static double distance_of(const struct search *s, const struct zr_wall_box *near
         if (far->low[k] > ZR_WALL_TILT - near->low[k] || far->high[k] < -near->high[k] - ZR_WALL_TILT) return HUGE_VAL;
         const double from = (double)-near->high[k], to = (double)-near->low[k]; /* inwards */
         const double low = far->min[k] - near->max[k], high = far->max[k] - near->min[k];
-        if (low > fmax(to, 0.0) * reach + slack || high < fmin(from, 0.0) * reach - slack) return HUGE_VAL;
-        least += fmin(fmin(from * low, from * high), fmin(to * low, to * high));
-        most += fmax(fmax(from * low, from * high), fmax(to * low, to * high));
-        const double gap = fmax(0.0, fmax(low, -high));
+        if (low > zr_most_of(to, 0.0) * reach + slack || high < zr_least_of(from, 0.0) * reach - slack) return HUGE_VAL;
+        least += zr_least_of(zr_least_of(from * low, from * high), zr_least_of(to * low, to * high));
+        most += zr_most_of(zr_most_of(from * low, from * high), zr_most_of(to * low, to * high));
+        const double gap = zr_most_of(0.0, zr_most_of(low, -high));
         gaps += gap * gap;
     }
     if (most <= 0.0) return HUGE_VAL;
-    least = fmax(least, sqrt(gaps));
+    least = zr_most_of(least, sqrt(gaps));
     return is_better(s, least) ? least : HUGE_VAL;
 }
 
@@ -337,8 +338,8 @@ static double distance_of_plane(const struct zr_world_place a[3], const struct z
 {
     const struct zr_world_place normal = {(double)m[0], (double)m[1], (double)m[2]};
     const double plane = zr_world_place_dot(normal, b[0]);
-    return plane - fmax(zr_world_place_dot(normal, a[0]),
-                        fmax(zr_world_place_dot(normal, a[1]), zr_world_place_dot(normal, a[2])));
+    return plane - zr_most_of(zr_world_place_dot(normal, a[0]),
+                              zr_most_of(zr_world_place_dot(normal, a[1]), zr_world_place_dot(normal, a[2])));
 }
 
 static void search_leaves(struct search *s, uint32_t near, uint32_t far)
@@ -350,15 +351,16 @@ static void search_leaves(struct search *s, uint32_t near, uint32_t far)
     struct pair pair;
     for (uint32_t i = near_begin; i < solid->count && i < near_begin + ZR_WALL_LEAF; i++) {
         const float *n = solid->normals[order[i]];
-        zr_wall_solid_places(solid, order[i], a);
+        bool has_own = false;
         for (uint32_t k = 0; k < ZR_WALL_LEAF && far_begin + k < solid->count; k++) {
             const uint32_t other = order[far_begin + k];
             const float *m = solid->normals[other];
             const float x = n[0] + m[0], y = n[1] + m[1], z = n[2] + m[2];
             if (x * x + y * y + z * z > ZR_WALL_TILT * ZR_WALL_TILT) continue;
             if (!has_steps(s, 1)) return;
+            if (!has_own) zr_wall_solid_places(solid, order[i], a);
             if (!has_place[k]) zr_wall_solid_places(solid, other, b[k]);
-            has_place[k] = true;
+            has_own = has_place[k] = true;
             if (!is_better(s, distance_of_plane(a, b[k], m))) continue;
             if (!has_steps(s, STEPS_A_PAIR)) return;
             if (make_pair(s, order[i], other, a, b[k], &pair) && is_wall(s, &pair)) s->best = pair.thickness;
@@ -385,13 +387,13 @@ static void search_from(struct search *s, uint32_t leaf)
         }
         const double left = distance_of(s, near, &boxes[2 * node]), right = distance_of(s, near, &boxes[2 * node + 1]);
         const uint32_t first = left <= right ? 2 * node : 2 * node + 1;
-        if (fmax(left, right) < HUGE_VAL) {
+        if (zr_most_of(left, right) < HUGE_VAL) {
             stack[depth].node = first ^ 1u;
-            stack[depth++].distance = fmax(left, right);
+            stack[depth++].distance = zr_most_of(left, right);
         }
-        if (fmin(left, right) < HUGE_VAL) {
+        if (zr_least_of(left, right) < HUGE_VAL) {
             stack[depth].node = first;
-            stack[depth++].distance = fmin(left, right);
+            stack[depth++].distance = zr_least_of(left, right);
         }
     }
 }
@@ -403,14 +405,36 @@ static bool is_searched(const struct zr_wall_box *box)
     return 0.48f * box->high[0] + 0.6f * box->high[1] + 0.64f * box->high[2] >= -ZR_WALL_TILT;
 }
 
-static void search_all(struct search *s)
+/* Searches all pairs of boxes, larger ones first. */
+static void search_pairs(struct search *s)
 {
     const struct zr_wall_solid *solid = s->solid;
-    const struct zr_wall_box *leaves = solid->along.boxes + solid->leaf_count;
-    for (uint32_t i = 0; i < solid->leaf_count && !s->is_stopped; i += PROBE_FIRST)
+    const struct zr_wall_box *boxes = solid->along.boxes;
+    const uint32_t leaf_count = solid->leaf_count;
+    struct {
+        uint32_t near, far;
+    } stack[2 * STACK] = {{1, 1}};
+    for (int depth = 1; depth > 0;) {
+        const uint32_t near = stack[--depth].near, far = stack[depth].far;
+        if (!has_steps(s, 1)) return;
+        if (!is_searched(&boxes[near]) || distance_of(s, &boxes[near], &boxes[far]) == HUGE_VAL) continue;
+        if (near >= leaf_count && far >= leaf_count) {
+            if (has_steps(s, 2 * ZR_WALL_LEAF)) search_leaves(s, near - leaf_count, far - leaf_count);
+            continue;
+        }
+        const bool splits_near = near < leaf_count && near <= far;
+        for (uint32_t i = 0; i < 2; i++, depth++) {
+            stack[depth].near = splits_near ? 2 * near + i : near;
+            stack[depth].far = splits_near ? far : 2 * far + i;
+        }
+    }
+}
+
+static void search_all(struct search *s)
+{
+    for (uint32_t i = 0; i < s->solid->leaf_count && !s->is_stopped; i += PROBE_FIRST)
         search_from(s, i);
-    for (uint32_t i = 0; i < solid->leaf_count && !s->is_stopped; i++)
-        if (i % PROBE_FIRST != 0 && is_searched(&leaves[i])) search_from(s, i);
+    if (!s->is_stopped) search_pairs(s);
 }
 
 struct zr_least_wall zr_least_wall_find(struct zr_arena *arena, const struct zr_cancel *cancel,

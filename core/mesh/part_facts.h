@@ -20,7 +20,7 @@
 enum { ZR_FACES_A_TASK = 4096 };
 
 /* Steps of the search for least walls (mesh/least_wall.h): for all parts together, and for each of their faces. */
-enum { ZR_WALL_STEPS_MIN = 1 << 24, ZR_WALL_STEPS = 96 };
+enum { ZR_WALL_STEPS_MIN = 1 << 23, ZR_WALL_STEPS = 48 };
 
 struct zr_part_facts {
     bool has_box; /* false: no face, line or point */

@@ -18,16 +18,6 @@ static bool is_due(const struct making *m, size_t i)
     return i % ITEMS_A_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel);
 }
 
-static double least(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-static double most(double a, double b)
-{
-    return a > b ? a : b;
-}
-
 void zr_wall_solid_places(const struct zr_wall_solid *solid, uint32_t triangle, struct zr_world_place out[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -75,8 +65,8 @@ static void add_triangle(struct making *m, struct zr_wall_solid *solid, uint32_t
     for (int i = 0; i < 3; i++) {
         const double at[3] = {p[i].x, p[i].y, p[i].z};
         for (int k = 0; k < 3; k++) {
-            m->min[k] = least(m->min[k], at[k]);
-            m->max[k] = most(m->max[k], at[k]);
+            m->min[k] = zr_least_of(m->min[k], at[k]);
+            m->max[k] = zr_most_of(m->max[k], at[k]);
         }
     }
     if (!(length > 0.0 && length < HUGE_VAL)) return;
@@ -132,7 +122,7 @@ static uint32_t key_of_place(const struct making *m, const struct zr_wall_solid 
     for (int k = 0; k < 3; k++) {
         const double side = m->max[k] - m->min[k];
         const double cell = side > 0.0 ? (middle[k] - m->min[k]) / side * 1023.0 : 0.0;
-        key |= spread_to_thirds((uint32_t)most(0.0, least(cell, 1023.0))) << k;
+        key |= spread_to_thirds((uint32_t)zr_most_of(0.0, zr_least_of(cell, 1023.0))) << k;
     }
     return key;
 }
@@ -197,8 +187,8 @@ static void clear(struct zr_wall_box *box)
 static void join(struct zr_wall_box *box, const struct zr_wall_box *more)
 {
     for (int k = 0; k < 3; k++) {
-        box->min[k] = least(box->min[k], more->min[k]);
-        box->max[k] = most(box->max[k], more->max[k]);
+        box->min[k] = zr_least_of(box->min[k], more->min[k]);
+        box->max[k] = zr_most_of(box->max[k], more->max[k]);
         if (more->low[k] < box->low[k]) box->low[k] = more->low[k];
         if (more->high[k] > box->high[k]) box->high[k] = more->high[k];
     }
@@ -219,8 +209,8 @@ static struct zr_wall_box box_of(const struct zr_wall_solid *solid, uint32_t tri
                      c = k == 0   ? p[2].x
                          : k == 1 ? p[2].y
                                   : p[2].z;
-        box.min[k] = least(a, least(b, c));
-        box.max[k] = most(a, most(b, c));
+        box.min[k] = zr_least_of(a, zr_least_of(b, c));
+        box.max[k] = zr_most_of(a, zr_most_of(b, c));
         box.low[k] = box.high[k] = solid->normals[triangle][k];
     }
     return box;
@@ -277,10 +267,10 @@ bool zr_wall_solid_make(struct zr_arena *arena, const struct zr_cancel *cancel, 
     double squares = 0.0, far = 0.0;
     for (int k = 0; k < 3; k++) {
         squares += (m.max[k] - m.min[k]) * (m.max[k] - m.min[k]);
-        far = most(far, most(fabs(m.min[k] + origin[k]), fabs(m.max[k] + origin[k])));
+        far = zr_most_of(far, zr_most_of(fabs(m.min[k] + origin[k]), fabs(m.max[k] + origin[k])));
     }
     out->size = sqrt(squares);
-    out->step = most(1e-6 * out->size, (double)FLT_EPSILON * far);
+    out->step = zr_most_of(1e-6 * out->size, (double)FLT_EPSILON * far);
     make_orders(&m, out, around, along);
     if (zr_is_cancelled(cancel)) return false;
     fill_tree(&m, out, around, around_boxes);

@@ -43,4 +43,15 @@ static inline double zr_world_place_dot(struct zr_world_place a, struct zr_world
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
+/* As fmin and fmax for numbers, without a call. */
+static inline double zr_least_of(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double zr_most_of(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 #endif
