@@ -442,7 +442,7 @@ struct zr_least_wall zr_least_wall_find(struct zr_arena *arena, const struct zr_
 {
     struct zr_wall_solid solid = {.count = 0};
     struct zr_least_wall wall = {.is_omitted = true};
-    if (zr_arena_block_bytes(zr_wall_solid_bytes(faces)) > zr_arena_left(arena) / 2) return wall;
+    if (zr_arena_block_bytes(zr_wall_solid_bytes(faces)) > zr_arena_left(arena)) return wall;
     struct zr_arena scratch = zr_arena_open_scratch(arena);
     if (zr_wall_solid_make(&scratch, cancel, faces, &solid)) {
         struct search s = {.solid = &solid, .cancel = cancel, .steps_most = *steps, .best = HUGE_VAL};

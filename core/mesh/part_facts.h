@@ -4,9 +4,11 @@
  * How:    a face is the fan of each of its rings, from the ring's first corner. Holes count as negative. If a fan turns
  *         in both directions, such as a concave face, its area is the length of its area vector. The volume is a sum of
  *         pyramids over the fans (divergence theorem). Their apex is a corner of the part. The centre of mass is the
- * mean of the pyramids' centroids, weighted by their volumes. Lost:   a face with a corner beyond the range of float
- * has no area. A part with such a face is not closed. Exact:  each task of ZR_FACES_A_TASK faces has separate sums,
- * which are added in order. The results are therefore the same for all numbers of threads and instruction sets.
+ *         mean of the pyramids' centroids, weighted by their volumes.
+ * Wall:   by mesh/least_wall.h. The parts share ZR_WALL_STEPS_MIN steps, and ZR_WALL_STEPS for each of their faces.
+ * Lost:   a face with a corner beyond the range of float has no area. A part with such a face is not closed.
+ * Exact:  each task of ZR_FACES_A_TASK faces has separate sums, which are added in order. The results are therefore the
+ *         same for all numbers of threads and instruction sets.
  */
 #ifndef ZR_PART_FACTS_H
 #define ZR_PART_FACTS_H

@@ -48,8 +48,9 @@ static size_t leaves_of(size_t triangles)
 
 size_t zr_wall_solid_bytes(const struct zr_wall_faces *faces)
 {
-    const size_t count = triangles_most(faces);
-    return count * (2 * 3 * 4 + 4 * 4) + 4 * (leaves_of(count) + 1) * sizeof(struct zr_wall_box) + 8 * 64;
+    const size_t count = triangles_most(faces), nodes = 2 * leaves_of(count);
+    return 2 * nodes * sizeof(struct zr_wall_box) +
+           count * (4 * sizeof(uint32_t) + 3 * sizeof(uint32_t) + 3 * sizeof(float));
 }
 
 static void add_triangle(struct making *m, struct zr_wall_solid *solid, uint32_t a, uint32_t b, uint32_t c)
@@ -146,7 +147,7 @@ static bool sort_by_keys(const struct making *m, uint32_t *order, uint32_t count
 {
     for (int shift = 0; shift < bits; shift += DIGIT) {
         uint32_t begins[DIGITS + 1] = {0};
-        for (uint32_t i = 0; i < count; i++)
+        for (uint32_t i = 0; i < count && !is_due(m, i); i++)
             begins[(m->keys[i] >> shift) % DIGITS + 1]++;
         for (int d = 0; d < DIGITS; d++)
             begins[d + 1] += begins[d];
@@ -167,7 +168,7 @@ static void make_orders(struct making *m, const struct zr_wall_solid *solid, uin
     }
     if (!sort_by_keys(m, around, solid->count, 30)) return;
     memcpy(along, around, solid->count * sizeof *along);
-    for (uint32_t i = 0; i < solid->count; i++)
+    for (uint32_t i = 0; i < solid->count && !is_due(m, i); i++)
         m->keys[i] = key_of_normal(m->normals[i]);
     sort_by_keys(m, along, solid->count, 2 * NORMAL_BITS);
 }
@@ -238,19 +239,18 @@ static void fill_tree(const struct making *m, const struct zr_wall_solid *solid,
 bool zr_wall_solid_make(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_wall_faces *faces,
                         struct zr_wall_solid *out)
 {
-    const size_t triangles = triangles_most(faces), nodes = 2 * (leaves_of(triangles) + 1);
-    uint32_t *around = zr_arena_alloc(arena, triangles, sizeof *around);
-    uint32_t *along = zr_arena_alloc(arena, triangles, sizeof *along);
-    struct zr_wall_box *around_boxes = zr_arena_alloc(arena, nodes, sizeof *around_boxes);
-    struct zr_wall_box *along_boxes = zr_arena_alloc(arena, nodes, sizeof *along_boxes);
+    const size_t triangles = triangles_most(faces), nodes = 2 * leaves_of(triangles);
+    void *room = zr_arena_alloc(arena, zr_wall_solid_bytes(faces), 1); /* one block, whose size is known before */
+    if (!room) return false;
+    struct zr_wall_box *around_boxes = room, *along_boxes = around_boxes + nodes;
     struct making m = {.cancel = cancel,
-                       .corners = zr_arena_alloc(arena, triangles, sizeof *m.corners),
-                       .normals = zr_arena_alloc(arena, triangles, sizeof *m.normals),
-                       .keys = zr_arena_alloc(arena, triangles, sizeof *m.keys),
-                       .spare = zr_arena_alloc(arena, triangles, sizeof *m.spare),
+                       .corners = (uint32_t(*)[3])(void *)(along_boxes + nodes),
                        .min = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
                        .max = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    if (!zr_arena_ok(arena)) return false;
+    m.normals = (float(*)[3])(void *)(m.corners + triangles);
+    m.keys = (uint32_t *)(void *)(m.normals + triangles);
+    m.spare = m.keys + triangles;
+    uint32_t *around = m.spare + triangles, *along = around + triangles;
     *out = (struct zr_wall_solid){.mesh = faces->mesh,
                                   .object_to_world = faces->object_to_world,
                                   .corners = (const uint32_t(*)[3])m.corners,

@@ -6,6 +6,7 @@
 #include "output/info.h"
 #include "render/frame_parts.h"
 #include "support/scenes.h"
+#include "support/solids.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
 
@@ -54,6 +55,17 @@ TEST_AROUND(info_has_the_origin_in_double_precision, open_arena, close_arena)
     assert_null(strstr(info_of(&test).bytes, "\"origin\""));
     test.scene.origin = origin;
     assert_non_null(strstr(info_of(&test).bytes, "\"origin\":[408205.123456789,-4080925,0.1],"));
+}
+
+TEST_AROUND(info_has_the_least_wall_of_closed_parts, open_arena, close_arena)
+{
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 1);
+    const struct zr_mesh cube = solid_make(&arena, SOLID_CUBE);
+    test.scene.meshes = &cube;
+    const struct zr_answer answer = info_of(&test);
+    assert_non_null(strstr(answer.bytes, "\"leastWall\":2,\"closed\":true,"));
 }
 
 TEST_AROUND(nothing_seen_says_why, open_arena, close_arena)
@@ -186,14 +198,18 @@ TEST_AROUND(pixels_are_counted_for_each_part, open_arena, close_arena)
 {
     static const char want[] =
         "\"parts\":["
-        "{\"name\":\"none\",\"id\":1,\"box\":null,\"triangles\":0,\"area\":0,\"volume\":null,\"centerOfMass\":null,\"leastWall\":null,"
+        "{\"name\":\"none\",\"id\":1,\"box\":null,\"triangles\":0,\"area\":0,\"volume\":null,\"centerOfMass\":null,"
+        "\"leastWall\":null,"
         "\"closed\":false,\"pixels\":0,\"color\":\"#000000\"},"
         "{\"name\":\"left\",\"id\":2,\"instanceId\":1,\"box\":{\"min\":[-1,-1,0],\"max\":[0,0,0]},\"triangles\":1,"
-        "\"area\":0.5,\"volume\":null,\"centerOfMass\":null,\"leastWall\":null,\"closed\":false,\"pixels\":28,\"color\":\"#ff8000\"},"
+        "\"area\":0.5,\"volume\":null,\"centerOfMass\":null,\"leastWall\":null,\"closed\":false,\"pixels\":28,"
+        "\"color\":\"#ff8000\"},"
         "{\"name\":\"right\",\"id\":3,\"instanceId\":1,\"box\":{\"min\":[0,-1,0],\"max\":[1,0,0]},\"triangles\":1,"
-        "\"area\":0.5,\"volume\":null,\"centerOfMass\":null,\"leastWall\":null,\"closed\":false,\"pixels\":28,\"color\":\"#ff8000\"},"
+        "\"area\":0.5,\"volume\":null,\"centerOfMass\":null,\"leastWall\":null,\"closed\":false,\"pixels\":28,"
+        "\"color\":\"#ff8000\"},"
         "{\"name\":\"above\",\"id\":4,\"instanceId\":2,\"box\":{\"min\":[-1,0,0],\"max\":[1,1,0]},\"triangles\":2,"
-        "\"area\":1,\"volume\":null,\"centerOfMass\":null,\"leastWall\":null,\"closed\":false,\"pixels\":64,\"color\":\"#ff8000\"}],";
+        "\"area\":1,\"volume\":null,\"centerOfMass\":null,\"leastWall\":null,\"closed\":false,\"pixels\":64,\"color\":"
+        "\"#ff8000\"}],";
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {0, -1, 0, 1}, {-1, 0, 0, 1}, {0, -1, 0, 1}, {1, -1, 0, 1}, {0, 0, 0, 1}};
     static const uint32_t face_parts[2] = {1, 2}, line[2] = {2, 5};
     static const char *const names[3] = {"none", "left", "right"};

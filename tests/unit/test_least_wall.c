@@ -309,14 +309,20 @@ TEST_AROUND(a_full_arena_and_a_cancelled_search_have_no_wall, open_arena, close_
     const struct zr_mesh mesh = solid_make(&arena, SOLID_SPHERE);
     const struct zr_wall_faces faces = {.mesh = &mesh, .object_to_world = &straight, .end = mesh.face_count};
     struct zr_cancel cancel = {0};
-    struct zr_arena small;
     uint64_t steps = 1 << 24;
+    int found = 0, omitted = 0;
     cancel.raised = true;
     assert_false(zr_least_wall_find(&arena, &cancel, &faces, &steps).is_found);
-    zr_arena_init(&small, 1 << 16);
-    const struct zr_least_wall wall = zr_least_wall_find(&small, NULL, &faces, &steps);
-    assert_true(wall.is_omitted && !wall.is_found && zr_arena_ok(&small));
-    zr_arena_free(&small);
+    for (size_t ceiling = 1 << 12; ceiling <= (size_t)1 << 23; ceiling += ceiling / 4) {
+        struct zr_arena small;
+        zr_arena_init(&small, ceiling);
+        const struct zr_least_wall wall = zr_least_wall_find(&small, NULL, &faces, &steps);
+        assert_true(wall.is_omitted != wall.is_found && zr_arena_ok(&small));
+        found += wall.is_found;
+        omitted += wall.is_omitted;
+        zr_arena_free(&small);
+    }
+    assert_true(found > 2 && omitted > 2);
 }
 
 RUN_TESTS(NULL, NULL)

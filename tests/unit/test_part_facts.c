@@ -101,12 +101,17 @@ TEST_AROUND(a_cube_has_its_area_and_volume_in_world_space, open_arena, close_are
         zr_mat4 matrix;
         double area, volume;
         zr_vec3 min, max;
-    } cases[] = {
-        {{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}, 6, 1, {0, 0, 0}, {1, 1, 1}},
-        {{{2, 0, 0, 0, 0, 3, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}, 22, 6, {5, 6, 7}, {7, 9, 8}},
-        {{{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}, 6, 1, {-1, 0, 0}, {0, 1, 1}}, /* mirrored */
-        {{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}}, 2, 0, {0, 0, 0}, {1, 1, 0}},   /* flattened */
-        {{{1, 0, 0, 0, 0, 1, 0, 0, 1e6f, 0, 1, 0, 1e6f, 0, 0, 1}}, 2000004.000001, 1, {1e6f, 0, 0}, {2000001, 1, 1}}};
+        double wall; /* 0: none, such as of a cube sheared until no faces of it overlap */
+    } cases[] = {{{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}, 6, 1, {0, 0, 0}, {1, 1, 1}, 1},
+                 {{{2, 0, 0, 0, 0, 3, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}, 22, 6, {5, 6, 7}, {7, 9, 8}, 1},
+                 {{{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}, 6, 1, {-1, 0, 0}, {0, 1, 1}, 1}, /* mirrored */
+                 {{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}}, 2, 0, {0, 0, 0}, {1, 1, 0}, 0},   /* flattened */
+                 {{{1, 0, 0, 0, 0, 1, 0, 0, 1e6f, 0, 1, 0, 1e6f, 0, 0, 1}},
+                  2000004.000001,
+                  1,
+                  {1e6f, 0, 0},
+                  {2000001, 1, 1},
+                  0}};
     begin(1, sizeof cases / sizeof *cases);
     placed.meshes[0] = cube();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
@@ -118,6 +123,8 @@ TEST_AROUND(a_cube_has_its_area_and_volume_in_world_space, open_arena, close_are
         assert_near(facts[i].area, cases[i].area);
         assert_near(facts[i].volume, cases[i].volume);
         assert_int_equal(facts[i].has_center, cases[i].volume > 0);
+        assert_int_equal(facts[i].least_wall.is_found, cases[i].wall > 0);
+        assert_near(facts[i].least_wall.thickness, cases[i].wall);
         for (int k = 0; k < 3 && facts[i].has_center; k++)
             assert_near(facts[i].center[k], ((double)(&cases[i].min.x)[k] + (double)(&cases[i].max.x)[k]) / 2);
         assert_memory_equal(&facts[i].min, &cases[i].min, sizeof facts[i].min);
