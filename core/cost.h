@@ -48,7 +48,7 @@
     ROW(MAP_FRAGMENT, 0.24, "texels of faces in shadow maps")                                                          \
     ROW(LEVEL_TEXEL, 4.0, "texels of textures' levels")                                                                \
     ROW(LINEAR_LEVEL_TEXEL, 7.0, "texels of textures' levels in linear light")                                         \
-    ROW(FACT, 100.0, "triangles of parts that info measures")                                                          \
+    ROW(FACT, 300.0, "triangles of parts that info measures")                                                          \
     ROW(SECTION_CORNER, 60.0, "corners of faces times planes of sections")                                             \
     ROW(CAP_TILE, 6.0, "corners of caps times tiles of the window")                                                    \
     ROW(OUTPUT_WORD, 1.6, "words of outputs")                                                                          \
