@@ -63,7 +63,9 @@ TEST(known_units_become_millimetres_with_widths_of_iso)
 TEST(without_one_scale_it_is_in_pixels)
 {
     assert_has(file_of(NULL, "millimetre",
-                       "{" LINES "\"view\": {\"perspective\": {\"yfovDegrees\": 40}}, " SVG ", \"meshes\": [{" CUBE "}]}", NULL),
+                       "{" LINES "\"view\": {\"perspective\": {\"yfovDegrees\": 40}}, " SVG ", \"meshes\": [{" CUBE
+                       "}]}",
+                       NULL),
                "width=\"100\" height=\"50\" viewBox=\"0 0 100 50\"");
     static const char stretched[] =
         "{" LINES "\"view\": {\"direction\": [0,0,-1], \"orthographic\": {\"xmag\": 10, \"ymag\": 10}}, " SVG
