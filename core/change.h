@@ -11,6 +11,10 @@ struct zr_kept; /* input/kept.h */
 enum zr_status zr_scene_keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                              const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error);
 
+/* The same for a scene that changes only if it has several views; other scenes are read as by zr_scene_read. */
+enum zr_status zr_scene_keep_for_views(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                                       const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error);
+
 /* Returns the scene without a change. */
 const struct zr_scene *zr_kept_scene(const struct zr_kept *kept);
 

@@ -36,6 +36,8 @@ struct zr_limits {
     uint32_t instances_max;    /* meshes that nodes place */
     uint64_t image_pixels_max; /* pixels, summed over all images of textures */
     float coordinate_max;      /* largest magnitude of a coordinate */
+    uint32_t views_max;        /* views of one request */
+    uint64_t view_pixels_max;  /* pixels, summed over all outputs of all views */
 };
 
 struct zr_limits zr_limits_default(void);

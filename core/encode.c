@@ -15,13 +15,12 @@
 #include "scene/validate.h"
 #include "shade/frame.h"
 
-static const struct {
-    const char *extension, *type;
-} FILE_TYPES[ZR_ENCODING_COUNT] = {[ZR_ENCODING_PNG] = {"png", "image/png"},
-                                   [ZR_ENCODING_PNG16] = {"png", "image/png"},
-                                   [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
-                                   [ZR_ENCODING_JSON] = {"json", "application/json"},
-                                   [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"}};
+const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {[ZR_ENCODING_PNG] = {"png", "image/png"},
+                                                              [ZR_ENCODING_PNG16] = {"png", "image/png"},
+                                                              [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
+                                                              [ZR_ENCODING_JSON] = {"json", "application/json"},
+                                                              [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},
+                                                              [ZR_ENCODING_APNG] = {"apng", "image/apng"}};
 
 /* Inputs of encoding, and the results that the output info reports about the other outputs. */
 struct encoding {
@@ -37,14 +36,15 @@ struct encoding {
     struct zr_error *error;
 };
 
-static enum zr_status encode_color(const struct encoding *e, struct zr_buffer *out)
+static enum zr_status encode_color(const struct encoding *e, bool is_frame, struct zr_buffer *out)
 {
     struct zr_png png = {.kind = e->scene->background.w < 1.0f ? ZR_PNG_RGBA : ZR_PNG_RGB,
                          .width = e->frame->width,
                          .height = e->frame->height,
                          .pixels = e->frame->color,
                          .spans = e->frame->spans,
-                         .compress = e->scene->compress};
+                         .compress = e->scene->compress,
+                         .has_no_palette = is_frame};
     return zr_png_write(&png, e->team, e->cancel, out);
 }
 
@@ -98,7 +98,9 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     const struct zr_channel_row *row = &zr_channel_rows[output->channel];
     switch (output->encoding) {
     case ZR_ENCODING_PNG:
-        return output->channel == ZR_CHANNEL_NORMALS ? encode_normals(e, out) : encode_color(e, out);
+        return output->channel == ZR_CHANNEL_NORMALS ? encode_normals(e, out) : encode_color(e, false, out);
+    case ZR_ENCODING_APNG: /* of one frame; views/ joins those of several views */
+        return encode_color(e, true, out);
     case ZR_ENCODING_PNG16:
         return encode_depth16(e, output->scale, out);
     case ZR_ENCODING_NPY:
@@ -121,7 +123,7 @@ static const char *file_name(struct zr_arena *arena, const struct zr_output *out
     enum { LONGEST = 64 };
     char *name = zr_arena_alloc(arena, LONGEST, 1);
     if (name)
-        snprintf(name, LONGEST, "%s.%s", zr_channel_rows[output->channel].name, FILE_TYPES[output->encoding].extension);
+        snprintf(name, LONGEST, "%s.%s", zr_channel_rows[output->channel].name, zr_file_kinds[output->encoding].extension);
     return name;
 }
 
@@ -136,7 +138,7 @@ static enum zr_status find_warnings(struct encoding *e)
 }
 
 /* Encodes all outputs except info, then collects warnings, then encodes info, which reports them. */
-static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entries)
+static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entries, const char **types)
 {
     const struct zr_view *view = e->frame->view;
     for (int reports = 0; reports < 2; reports++) {
@@ -147,6 +149,7 @@ static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entrie
             enum zr_status status = encode_output(e, output, &out);
             if (status != ZR_OK) return status;
             entries[i] = (struct zr_zip_entry){file_name(e->arena, output), out.bytes, out.size};
+            types[i] = zr_file_kinds[output->encoding].type;
         }
         if (reports) continue;
         const enum zr_status status = find_warnings(e);
@@ -163,16 +166,11 @@ static const char *pin_look(struct zr_arena *arena, const struct zr_scene *scene
     return pin->text;
 }
 
-const char *zr_file_type(const struct zr_output *output)
-{
-    return FILE_TYPES[output->encoding].type;
-}
-
-enum zr_status zr_files_join(struct zr_arena *arena, const struct zr_files *files, const struct zr_view *view,
-                             struct zr_answer *answer, struct zr_error *error)
+enum zr_status zr_files_join(struct zr_arena *arena, const struct zr_files *files, struct zr_answer *answer,
+                             struct zr_error *error)
 {
     const struct zr_zip_entry *entries = files->entries;
-    answer->content_type = files->count == 1 ? zr_file_type(&view->outputs[0]) : "application/zip";
+    answer->content_type = files->count == 1 ? files->types[0] : "application/zip";
     answer->bytes = entries[0].bytes;
     answer->size = entries[0].size;
     if (files->count == 1) return ZR_OK;
@@ -203,8 +201,9 @@ static enum zr_status make_files(struct encoding *e, struct zr_files *files)
     const uint32_t count = e->frame->view->output_count;
     enum zr_status status = e->scene->is_strict ? find_warnings(e) : ZR_OK; /* before images are compressed */
     struct zr_zip_entry *entries = zr_arena_alloc(e->arena, count, sizeof *entries);
-    if (status == ZR_OK) status = entries ? encode_all(e, entries) : ZR_NO_MEMORY;
-    *files = (struct zr_files){count, entries, e->warnings};
+    const char **types = zr_arena_alloc(e->arena, count, sizeof *types);
+    if (status == ZR_OK) status = entries && types ? encode_all(e, entries, types) : ZR_NO_MEMORY;
+    *files = (struct zr_files){count, entries, types, e->warnings};
     return status;
 }
 
@@ -222,14 +221,19 @@ enum zr_status zr_encode_files(struct zr_arena *arena, struct zr_team *team, con
     return explain(arena, make_files(&encoding, files), error);
 }
 
+enum zr_status zr_files_answer(struct zr_arena *arena, const struct zr_files *files, const struct zr_scene *scene,
+                               struct zr_answer *answer, struct zr_error *error)
+{
+    answer->warnings = zr_warnings_join(arena, &files->warnings);
+    answer->look = pin_look(arena, scene);
+    return explain(arena, zr_files_join(arena, files, answer, error), error);
+}
+
 enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
                          struct zr_error *error)
 {
     struct zr_files files;
     const enum zr_status status = zr_encode_files(arena, team, scene, frame, NULL, cancel, &files, error);
-    if (status != ZR_OK) return status;
-    answer->warnings = zr_warnings_join(arena, &files.warnings);
-    answer->look = pin_look(arena, scene);
-    return explain(arena, zr_files_join(arena, &files, frame->view, answer, error), error);
+    return status == ZR_OK ? zr_files_answer(arena, &files, scene, answer, error) : status;
 }

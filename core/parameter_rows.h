@@ -19,6 +19,7 @@
     KIND(PIXELS, "PIXELS")   /* likewise */                                                                            \
     KIND(SECONDS, "SECONDS")                                                                                           \
     KIND(UNITS, "UNITS")  /* greater than 0 */                                                                         \
+    KIND(WHOLE, "COUNT")  /* integer, from 0 */                                                                        \
     KIND(SIDE, "PIXELS")  /* integer, side of the window */                                                            \
     KIND(PIXEL, "PIXELS") /* integer, from 0 */                                                                        \
     KIND(VECTOR, "X,Y,Z")                                                                                              \
@@ -55,6 +56,13 @@
     ROW(padding, "/view/fit/padding", MESH, NUMBER, "share of the window left free on each side, 0 to 0.45")           \
     ROW(up, "/query/up", MESH, AXIS,                                                                                   \
         "axis of the mesh that points up: x, -x, y, -y, z, -z or auto (default: z for STL and 3MF, else y)")           \
+    ROW(views, "/views", MESH, PARTS, "several views: names of presets with commas between them")                      \
+    ROW(turntable, "/turntable/frames", MESH, WHOLE, "several views: so many, from around the mesh")                   \
+    ROW(turntableElevation, "/turntable/elevation", MESH, DEGREES,                                                     \
+        "angle of the camera above the horizon (default: the look's)")                                                 \
+    ROW(turntableSeconds, "/turntable/seconds", MESH, SECONDS, "time of one turn in an animation (default: 4)")        \
+    ROW(orbit, "/orbit/count", MESH, WHOLE, "several views: so many, from all directions")                             \
+    ROW(orbitDistance, "/orbit/distance", MESH, UNITS, "distance from the cameras to the mesh (default: fitted)")      \
     ROW(camera, "/query/camera", MESH, NAME,                                                                           \
         "camera of a glTF file, by its name or number, instead of the look's view")                                    \
     ROW(animation, "/query/animation", MESH, NAME,                                                                     \

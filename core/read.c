@@ -195,7 +195,8 @@ static enum zr_status read_request(struct zr_arena *arena, struct zr_team *team,
         status = read_scene(arena, team, &body, limits, keeping, made, error);
         status = zr_zip_body_check(&body, model, status, error);
     }
-    if (status == ZR_OK && keeping && keeping->into && !keep_body(arena, &body, keeping->into)) status = ZR_NO_MEMORY;
+    const bool keeps = keeping && keeping->into && (made->view_set || !keeping->if_views);
+    if (status == ZR_OK && keeps && !keep_body(arena, &body, keeping->into)) status = ZR_NO_MEMORY;
     arena->cancel = NULL;
     if (zr_is_cancelled(request->cancel)) {
         *error = (struct zr_error){0}; /* faults of a partly read body */
@@ -216,11 +217,11 @@ enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const
     return read_request(arena, team, request, limits, NULL, scene, error);
 }
 
-enum zr_status zr_scene_keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                             const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error)
+static enum zr_status keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                           const struct zr_limits *limits, bool if_views, struct zr_kept **kept, struct zr_error *error)
 {
     struct zr_kept *made = zr_arena_zero(arena, 1, sizeof *made);
-    const struct zr_keeping keeping = {.into = made};
+    const struct zr_keeping keeping = {.into = made, .if_views = if_views};
     if (!made) return zr_error_add(error, ZR_NO_MEMORY, NULL, "a scene needs more than %zu bytes", arena->ceiling);
     made->request = *request;
     made->limits = *limits;
@@ -230,6 +231,18 @@ enum zr_status zr_scene_keep(struct zr_arena *arena, struct zr_team *team, const
     made->request.cancel = NULL;
     if (status == ZR_OK) *kept = made;
     return status;
+}
+
+enum zr_status zr_scene_keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                             const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error)
+{
+    return keep(arena, team, request, limits, false, kept, error);
+}
+
+enum zr_status zr_scene_keep_for_views(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                                       const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error)
+{
+    return keep(arena, team, request, limits, true, kept, error);
 }
 
 enum zr_status zr_scene_change(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept,

@@ -16,6 +16,7 @@
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
 #include "text.h"
+#include "views.h"
 
 /* ---- opening: checks before the body ---- */
 
@@ -175,15 +176,30 @@ static bool has_many_faces_for_the_painter(const struct zr_scene *scene)
     return scene->algorithm == ZR_ALGORITHM_PAINTER && faces > SMALL_PAINTER_FACES;
 }
 
+/* Finds the cost of the scene's view, or of all its views. */
+static enum zr_status find_cost(struct rendering *r, struct zr_views *views, const struct zr_resolved_view **resolved,
+                                struct zr_error *error)
+{
+    struct zr_team *team = r->service->team;
+    if (views->set) {
+        const enum zr_status status = zr_views_plan(r->arena, team, views, r->cancel, error);
+        r->cost = views->cost;
+        return status;
+    }
+    const enum zr_status status = zr_resolved_view_find(r->arena, team, views->scene, r->cancel, resolved, error);
+    if (status == ZR_OK || status == ZR_CANCELLED) r->cost = zr_scene_cost(views->scene, *resolved);
+    return status;
+}
+
 /* Predicts the cost, and refuses too large work. If the search for the view was cancelled, the prediction still decides
  * whether the request is large. */
-static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
-                              const struct zr_resolved_view **resolved, struct zr_error *error)
+static enum zr_status predict(struct rendering *r, struct zr_views *views, const struct zr_resolved_view **resolved,
+                              struct zr_error *error)
 {
     const struct service *service = r->service;
-    const enum zr_status status = zr_resolved_view_find(r->arena, service->team, scene, r->cancel, resolved, error);
+    const struct zr_scene *scene = views->scene;
+    const enum zr_status status = find_cost(r, views, resolved, error);
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
-    r->cost = zr_scene_cost(scene, *resolved);
     const double slowness = slowness_of(service->slowness, r->cost.ms > SMALL_MS);
     const double predicted_ms = r->times->predicted_ms = r->cost.ms * slowness;
     if (too_large(r, r->cost.ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
@@ -197,24 +213,48 @@ static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
                         most.words);
 }
 
+/* Draws and encodes the scene's view. */
+static enum zr_status draw_one(struct rendering *r, const struct zr_scene *scene,
+                               const struct zr_resolved_view *resolved, struct zr_answer *result,
+                               struct zr_error *error)
+{
+    struct zr_team *team = r->service->team;
+    const struct zr_frame *frame = NULL;
+    int64_t mark = clock_us();
+    enum zr_status status = zr_render(r->arena, team, scene, resolved, r->cancel, &frame, error);
+    r->times->render_ms = ms_since(&mark);
+    if (status != ZR_OK) return status;
+    status = zr_encode(r->arena, team, scene, frame, r->cancel, result, error);
+    r->times->encode_ms = ms_since(&mark);
+    return status;
+}
+
+/* Draws and encodes several views; the time of encoding them is part of that of drawing. */
+static enum zr_status draw_several(struct rendering *r, const struct zr_views *views, struct zr_answer *result,
+                                   struct zr_error *error)
+{
+    struct zr_files files;
+    int64_t mark = clock_us();
+    enum zr_status status = zr_views_draw(r->arena, r->service->team, views, r->cancel, &files, error);
+    r->times->render_ms = ms_since(&mark);
+    if (status != ZR_OK) return status;
+    status = zr_files_answer(r->arena, &files, views->scene, result, error);
+    r->times->encode_ms = ms_since(&mark);
+    return status;
+}
+
 static enum zr_status run_steps(struct rendering *r, const struct zr_request *request, struct zr_answer *result,
                                 struct zr_error *error)
 {
     const struct service *service = r->service;
-    const struct zr_scene *scene = NULL;
+    struct zr_views views;
     const struct zr_resolved_view *resolved = NULL;
-    const struct zr_frame *frame = NULL;
     int64_t mark = clock_us();
-    enum zr_status status = zr_scene_read(r->arena, service->team, request, &service->limits, &scene, error);
-    if (status == ZR_OK) status = predict(r, scene, &resolved, error);
+    enum zr_status status = zr_views_read(r->arena, service->team, request, &service->limits, &views, error);
+    if (status == ZR_OK) status = predict(r, &views, &resolved, error);
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    status = zr_render(r->arena, service->team, scene, resolved, r->cancel, &frame, error);
-    r->times->render_ms = ms_since(&mark);
-    if (status != ZR_OK) return status;
-    status = zr_encode(r->arena, service->team, scene, frame, r->cancel, result, error);
-    r->times->encode_ms = ms_since(&mark);
-    return status;
+    return views.set ? draw_several(r, &views, result, error) : draw_one(r, views.scene, resolved, result, error);
 }
 
 static void answer_image(struct answer *answer, const struct zr_answer *result)

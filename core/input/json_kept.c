@@ -12,6 +12,14 @@ static const char *end_of_list(const struct zr_parsed_scene *root, const char *n
     return NULL;
 }
 
+/* True for a key that asks for several views. */
+static bool is_of_views(const char *name)
+{
+    for (int key = ZR_SCENE_VIEWS; key <= ZR_SCENE_ORBIT; key++)
+        if (strcmp(name, zr_scene_fields[key].key) == 0) return true;
+    return false;
+}
+
 bool zr_kept_save(struct zr_kept *kept, struct zr_parsed_scene *root)
 {
     struct zr_json *const json = &root->json, there = zr_json_at(json, json->bytes);
@@ -31,6 +39,7 @@ bool zr_kept_save(struct zr_kept *kept, struct zr_parsed_scene *root)
         else if (!key.name || !zr_json_skip(&there) || kept->key_count == ZR_SCENE_KEYS_MAX)
             return false;
         key.size = (size_t)(there.at - key.value);
+        if (is_of_views(key.name)) continue;
         key.value = end ? NULL : zr_arena_copy(json->arena, key.value, key.size);
         if (key.value) keys[kept->key_count++] = key;
     }

@@ -16,6 +16,9 @@
     ROW(edges)                                                                                                         \
     ROW(sections)                                                                                                      \
     ROW(plane)                                                                                                         \
+    ROW(views)                                                                                                         \
+    ROW(turntable)                                                                                                     \
+    ROW(orbit)                                                                                                         \
     ROW(colorBar)                                                                                                      \
     ROW(highlight)                                                                                                     \
     ROW(explode)                                                                                                       \

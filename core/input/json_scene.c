@@ -76,7 +76,8 @@ static void build(struct zr_parsed_scene *root)
 static bool save(struct zr_parsed_scene *root)
 {
     const struct zr_keeping *keeping = root->builder->keeping;
-    return !keeping || !keeping->into || root->json.error->count > 0 || zr_kept_save(keeping->into, root);
+    if (!keeping || !keeping->into || root->json.error->count > 0) return true;
+    return (keeping->if_views && !root->scene->view_set) || zr_kept_save(keeping->into, root);
 }
 
 /* Checks the depth of the whole text. */

@@ -115,7 +115,11 @@ const struct zr_json_field zr_scene_fields[] = {
                          .text = "own: colours of the model; parts: one colour per part, chosen by its name"},
     [ZR_SCENE_SECTIONS] = {"sections", zr_read_sections, 0, .object = &zr_json_object_sections, .otherwise = "none",
                            .text = "planes that cut the scene open"},
-    ZR_FACE_STYLE_FIELDS(struct zr_parsed_scene, face_style),
-    {.key = "views"},
-    {.key = "turntable"}};
+    [ZR_SCENE_VIEWS] = {"views", zr_read_views, 0, .object = &zr_json_object_views, .otherwise = "the scene's one view",
+                        .text = "several views: presets by name, or objects with the keys that a view changes"},
+    [ZR_SCENE_TURNTABLE] = {"turntable", zr_read_turntable, 0, .object = &zr_json_object_turntable,
+                            .text = "several views: the camera turns once around the scene"},
+    [ZR_SCENE_ORBIT] = {"orbit", zr_read_orbit, 0, .object = &zr_json_object_orbit,
+                        .text = "several views: from all directions"},
+    ZR_FACE_STYLE_FIELDS(struct zr_parsed_scene, face_style)};
 const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", zr_scene_fields);

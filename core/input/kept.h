@@ -36,7 +36,7 @@ struct zr_kept {
     struct zr_limits limits;      /* of the first reading */
     const struct zr_scene *scene; /* the scene without a change */
 
-    size_t key_count; /* of a JSON scene: the root's keys other than meshes and polygons */
+    size_t key_count; /* of a JSON scene: the root's keys other than meshes, polygons and several views */
     const struct zr_kept_key *keys;
     struct zr_growing meshes;   /* struct zr_parsed_mesh */
     const uint8_t *uses;        /* of its assets: 1 if the meshes or polygons use it */
@@ -51,6 +51,7 @@ struct zr_kept {
 /* The reading of a scene that is kept or changed; a builder may point to one. */
 struct zr_keeping {
     struct zr_kept *into;       /* receives the meshes; or NULL */
+    bool if_views;              /* `into` is filled only if the scene has several views */
     const struct zr_kept *from; /* has the meshes; or NULL */
     const char *keys;           /* changed keys of a bare mesh: a JSON object; or NULL */
     size_t keys_size;

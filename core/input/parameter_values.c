@@ -79,6 +79,14 @@ static bool put_pixel(const struct zr_parameter *p, const char *text, struct zr_
     return true;
 }
 
+static bool put_whole(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
+{
+    uint64_t value;
+    if (!is_whole(text, &value) || value > UINT32_MAX) return refuse(p, text, "a whole number");
+    zr_json_put_number(json, (double)value);
+    return true;
+}
+
 static bool put_vector(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
 {
     const char *at = text;
@@ -224,6 +232,7 @@ bool zr_parameter_put(const struct zr_parameter *p, const char *text, struct zr_
                                       [ZR_PARAMETER_PIXELS] = put_in_range,
                                       [ZR_PARAMETER_UNITS] = put_positive,
                                       [ZR_PARAMETER_SECONDS] = put_in_range,
+                                      [ZR_PARAMETER_WHOLE] = put_whole,
                                       [ZR_PARAMETER_SIDE] = put_side,
                                       [ZR_PARAMETER_PIXEL] = put_pixel,
                                       [ZR_PARAMETER_VECTOR] = put_vector,

@@ -28,7 +28,6 @@ static const struct row {
 #undef PARAMETER
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
-_Static_assert(ROWS <= 64, "a set of rows is a uint64_t");
 
 /* Required keys of objects, added if the query has other keys of the object. */
 static const struct {
@@ -136,22 +135,24 @@ void zr_query_report(const struct zr_request *request, enum zr_status status, co
     }
 }
 
-/* Drops the faults of rows that are reported already: bit i of `reported` is row i. */
-static void drop_reported(struct zr_error *faults, uint64_t reported)
+/* Drops the faults of rows that are reported already: bit i of `reported` is row i of the object. */
+static void drop_reported(struct zr_error *faults, const struct row *object, uint64_t reported)
 {
     size_t kept = 0;
     for (size_t k = 0; k < zr_error_held(faults); k++) {
         bool is_new = true;
-        for (int i = 0; i < ROWS; i++)
-            if (reported >> i & 1u && strcmp(rows[i].pointer, zr_output_pointer(faults->items[k].pointer, 0).text) == 0)
+        for (int i = 0; reported >> i; i++)
+            if (reported >> i & 1u &&
+                strcmp(object[i].pointer, zr_output_pointer(faults->items[k].pointer, 0).text) == 0)
                 is_new = false;
         if (is_new) faults->items[kept++] = faults->items[k];
     }
     faults->count = kept;
 }
 
-/* Reads {"query": {...}}, or keys of a scene. Rows in `reported` are null. */
-static void read_text(const struct reading *r, const struct zr_json_writer *text, bool is_of_query, uint64_t reported)
+/* Reads {"query": {...}}, or keys of a scene. Rows of the object in `reported` are null. */
+static void read_text(const struct reading *r, const struct zr_json_writer *text, const struct row *object,
+                      uint64_t reported)
 {
     struct zr_query *query = r->query;
     struct zr_json *json = &query->given.json;
@@ -159,7 +160,7 @@ static void read_text(const struct reading *r, const struct zr_json_writer *text
     uint64_t keys = 0;
     json->error = &faults;
     zr_json_open(json, text->text, text->used);
-    if (is_of_query) {
+    if (is_of_query(object->pointer)) {
         struct zr_json_text key;
         zr_json_enter(json, '{');
         zr_json_member(json, &key);
@@ -168,7 +169,7 @@ static void read_text(const struct reading *r, const struct zr_json_writer *text
         zr_json_fields(json, NULL, &zr_json_object_scene, &query->given, &keys);
         query->given.keys |= keys;
     }
-    drop_reported(&faults, reported);
+    drop_reported(&faults, object, reported);
     zr_query_report(r->request, ZR_BAD_REQUEST, &faults, r->error);
 }
 
@@ -191,7 +192,7 @@ static void read_changed_keys(const struct reading *r, const struct zr_keeping *
     given->keys |= keys;
 }
 
-/* Writes the rows of one object, or of the output `number`. A wrong value becomes null; the
+/* Writes the rows of one object, at most 64, or of the output `number`. A wrong value becomes null; the
  * other keys are still checked. Returns the rows with wrong values, one bit each. */
 static uint64_t put_rows(const struct reading *r, const struct row *row, const struct row *end, size_t number,
                          struct zr_json_writer *json)
@@ -218,7 +219,7 @@ static uint64_t put_rows(const struct reading *r, const struct row *row, const s
         if (zr_parameter_put(&parameter, text, json)) continue;
         json->used = used;
         zr_json_put(json, "null");
-        reported |= UINT64_C(1) << (at - rows);
+        reported |= UINT64_C(1) << (at - row);
     }
     return reported;
 }
@@ -244,7 +245,7 @@ static void read_rows(const struct reading *r, const struct row *row, const stru
         reported |= put_rows(r, row, end, number, &json);
     if (json.used == 0) return;
     zr_json_go_to(&json, "");
-    read_text(r, &json, is_of_query(row->pointer), reported);
+    read_text(r, &json, row, reported);
 }
 
 /* True if the query wants lines alone, which the look studio has not. */

@@ -115,17 +115,19 @@ static enum zr_status keep_files(zraster_picture *picture, const struct zr_files
 {
     struct zr_arena *arena = picture->arena;
     struct zr_zip_entry *entries = zr_arena_alloc(arena, files->count, sizeof *entries);
+    const char **types = zr_arena_alloc(arena, files->count, sizeof *types);
     struct zr_warning_list warnings = {.count = 0};
-    for (uint32_t i = 0; entries && i < files->count; i++) {
+    for (uint32_t i = 0; entries && types && i < files->count; i++) {
         const struct zr_zip_entry *entry = &files->entries[i];
         entries[i].name = zr_arena_copy(arena, entry->name, strlen(entry->name) + 1);
         entries[i].bytes = zr_arena_copy(arena, entry->bytes, entry->size);
         entries[i].size = entry->size;
+        types[i] = files->types[i];
     }
     zr_warning_list_append(arena, &warnings, &files->warnings);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     picture->warnings = warnings;
-    picture->files = (struct zr_files){files->count, entries, warnings};
+    picture->files = (struct zr_files){files->count, entries, types, warnings};
     return ZR_OK;
 }
 
@@ -147,7 +149,7 @@ static enum zr_status join(zraster_picture *picture, struct zr_error *error)
 {
     struct zr_answer answer;
     if (picture->joined.data) return ZR_OK;
-    const enum zr_status status = zr_files_join(picture->arena, &picture->files, view_of(picture), &answer, error);
+    const enum zr_status status = zr_files_join(picture->arena, &picture->files, &answer, error);
     if (status == ZR_OK) picture->joined = (struct zraster_bytes){answer.bytes, answer.size, answer.content_type};
     return status;
 }
@@ -156,12 +158,12 @@ static enum zr_status join(zraster_picture *picture, struct zr_error *error)
 static enum zr_status find_file(const zraster_picture *picture, const char *name, struct zraster_bytes *bytes,
                                 struct zr_error *error)
 {
-    const struct zr_view *view = view_of(picture);
     for (uint32_t i = 0; i < picture->files.count; i++) {
         const struct zr_zip_entry *entry = &picture->files.entries[i];
-        const char *channel = zr_channel_rows[view->outputs[i].channel].name;
-        if (strcmp(channel, name) != 0 && strcmp(entry->name, name) != 0) continue;
-        *bytes = (struct zraster_bytes){entry->bytes, entry->size, zr_file_type(&view->outputs[i])};
+        const size_t length = strlen(name);
+        const bool is_channel = strncmp(entry->name, name, length) == 0 && entry->name[length] == '.';
+        if (!is_channel && strcmp(entry->name, name) != 0) continue;
+        *bytes = (struct zraster_bytes){entry->bytes, entry->size, picture->files.types[i]};
         return ZR_OK;
     }
     return zr_error_add(error, ZR_BAD_REQUEST, NULL, "no output is named '%.60s'", name);

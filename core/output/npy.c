@@ -4,23 +4,32 @@
 #include <string.h>
 
 /* The data begin at a multiple of 64 bytes, as the format requires. */
-enum { HEADER_SIZE = 128, PREFIX_SIZE = 10 };
+_Static_assert(ZR_NPY_HEADER % 64 == 0, "the data are aligned");
+enum { PREFIX_SIZE = 10 };
+
+enum zr_status zr_npy_begin(enum zr_npy_type type, const size_t *shape, size_t axes, struct zr_buffer *out)
+{
+    char header[ZR_NPY_HEADER + 1], sides[100] = "";
+    int used = 0;
+    for (size_t i = 0; i < axes; i++)
+        used += snprintf(sides + used, sizeof sides - (size_t)used, "%s%zu", i ? ", " : "", shape[i]);
+    memcpy(header, "\x93NUMPY\x01\x00", 8);
+    header[8] = ZR_NPY_HEADER - PREFIX_SIZE;
+    header[9] = 0;
+    const int length = snprintf(header + PREFIX_SIZE, ZR_NPY_HEADER - PREFIX_SIZE,
+                                "{'descr': '%s', 'fortran_order': False, 'shape': (%s%s), }",
+                                type == ZR_NPY_FLOAT32 ? "<f4" : "<u4", sides, axes == 1 ? "," : "");
+    memset(header + PREFIX_SIZE + length, ' ', (size_t)(ZR_NPY_HEADER - PREFIX_SIZE - length));
+    header[ZR_NPY_HEADER - 1] = '\n';
+    return zr_buffer_add(out, header, ZR_NPY_HEADER) ? ZR_OK : ZR_NO_MEMORY;
+}
 
 enum zr_status zr_npy_write(enum zr_npy_type type, uint32_t width, uint32_t height, uint32_t components,
                             const void *values, struct zr_buffer *out)
 {
-    char header[HEADER_SIZE + 1], last[16] = "";
-    if (components > 1) snprintf(last, sizeof last, ", %u", components);
-    memcpy(header, "\x93NUMPY\x01\x00", 8);
-    header[8] = HEADER_SIZE - PREFIX_SIZE;
-    header[9] = 0;
-    int length = snprintf(header + PREFIX_SIZE, HEADER_SIZE - PREFIX_SIZE,
-                          "{'descr': '%s', 'fortran_order': False, 'shape': (%u, %u%s), }",
-                          type == ZR_NPY_FLOAT32 ? "<f4" : "<u4", height, width, last);
-    memset(header + PREFIX_SIZE + length, ' ', (size_t)(HEADER_SIZE - PREFIX_SIZE - length));
-    header[HEADER_SIZE - 1] = '\n';
-    size_t bytes = (size_t)width * height * components * 4;
-    if (!zr_buffer_add(out, header, HEADER_SIZE) || !zr_buffer_add(out, values, bytes)) return ZR_NO_MEMORY;
+    const size_t shape[] = {height, width, components}, bytes = (size_t)width * height * components * 4;
+    if (zr_npy_begin(type, shape, components > 1 ? 3 : 2, out) != ZR_OK || !zr_buffer_add(out, values, bytes))
+        return ZR_NO_MEMORY;
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
     unsigned char *data = out->bytes + out->size - bytes;
     for (size_t i = 0; i < bytes; i += 4) {

@@ -13,6 +13,12 @@
 
 enum zr_npy_type { ZR_NPY_FLOAT32, ZR_NPY_UINT32 };
 
+/* Appends the header of an array of up to four axes to `out`. */
+enum zr_status zr_npy_begin(enum zr_npy_type type, const size_t *shape, size_t axes, struct zr_buffer *out);
+
+/* Bytes of a header. */
+enum { ZR_NPY_HEADER = 128 };
+
 /* Appends the file to `out`. `values` are width * height * components numbers of 4 bytes. Returns ZR_OK or
  * ZR_NO_MEMORY. */
 enum zr_status zr_npy_write(enum zr_npy_type type, uint32_t width, uint32_t height, uint32_t components,

@@ -33,6 +33,7 @@ struct zr_png {
     const struct zr_column_span *spans; /* per row: all pixels outside of it are equal, over all rows. NULL: unknown */
     const char *text;                   /* ASCII comment stored in the file; NULL: none */
     enum zr_compress compress;
+    bool has_no_palette; /* RGB or RGBA always, so that pictures of one kind can be frames of one file */
 };
 
 /* Appends the file to `out`. Returns ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED or ZR_INTERNAL. `team` may be NULL (one

@@ -15,7 +15,8 @@ enum zr_encoding {
     ZR_ENCODING_PNG16,
     ZR_ENCODING_NPY,
     ZR_ENCODING_JSON,
-    ZR_ENCODING_SVG, /* lines of the mesh alone, without pixels (output/svg.h) */
+    ZR_ENCODING_SVG,  /* lines of the mesh alone, without pixels (output/svg.h) */
+    ZR_ENCODING_APNG, /* PNG with a frame for each of several views (output/apng.h) */
     ZR_ENCODING_COUNT
 };
 
@@ -40,7 +41,7 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT
  *     encodings, the default one first) */
 #define ZR_CHANNEL_ROWS(ROW)                                                                                           \
     /* RGB, or RGBA if the background is not opaque; uncovered pixels show the background */                           \
-    ROW(COLOR, "color", RGBA, 1, ZERO, false, 0, ZR_ENCODING_PNG, ZR_ENCODING_SVG)                                     \
+    ROW(COLOR, "color", RGBA, 1, ZERO, false, 0, ZR_ENCODING_PNG, ZR_ENCODING_SVG, ZR_ENCODING_APNG)                   \
     /* eye-space depth along the view axis, scene units */                                                             \
     ROW(DEPTH, "depth", FLOAT32, 1, INFINITY, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16)                            \
     /* the z-buffer, 0..1 */                                                                                           \

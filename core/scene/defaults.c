@@ -50,5 +50,7 @@ struct zr_limits zr_limits_default(void)
         .instances_max = 100000,
         .image_pixels_max = (uint64_t)64 * 1024 * 1024,
         .coordinate_max = 1e6f,
+        .views_max = 4096,
+        .view_pixels_max = (uint64_t)512 * 1024 * 1024,
     };
 }

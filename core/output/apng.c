@@ -1,0 +1,75 @@
+#include "output/apng.h"
+
+#include <isa-l/crc.h>
+#include <math.h>
+#include <string.h>
+
+enum { SIGNATURE = 8, AROUND = 12 /* length, type and check sum of a chunk */, DELAY_PARTS = 1000, DELAY_MOST = 65535 };
+
+static void put_u32(unsigned char *at, uint32_t value)
+{
+    for (int i = 0; i < 4; i++)
+        at[i] = (unsigned char)(value >> (24 - 8 * i));
+}
+
+static uint32_t get_u32(const unsigned char *at)
+{
+    return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3];
+}
+
+/* Adds a chunk. `number`: before its data; NULL: none. */
+static bool add_chunk(struct zr_buffer *out, const char *type, const uint32_t *number, const unsigned char *data,
+                      size_t size)
+{
+    const size_t all = size + (number ? 4 : 0);
+    unsigned char *at = zr_buffer_room(out, all + AROUND);
+    if (!at) return false;
+    put_u32(at, (uint32_t)all);
+    memcpy(at + 4, type, 4);
+    if (number) put_u32(at + 8, *number);
+    if (size > 0) memcpy(at + 8 + (all - size), data, size);
+    put_u32(at + 8 + all, crc32_gzip_refl(0, at + 4, all + 4));
+    out->size += all + AROUND;
+    return true;
+}
+
+static bool add_frame_control(struct zr_apng *apng)
+{
+    const double parts = fmin(fmax(round(apng->seconds * DELAY_PARTS), 1.0), DELAY_MOST);
+    unsigned char control[22] = {0}; /* frames begin at 0, 0, and replace the last one */
+    memcpy(control, apng->head + 8, 8); /* width and height */
+    control[16] = (unsigned char)((uint32_t)parts >> 8);
+    control[17] = (unsigned char)(uint32_t)parts;
+    control[18] = DELAY_PARTS >> 8;
+    control[19] = DELAY_PARTS & 255;
+    const uint32_t number = apng->sequence++;
+    return add_chunk(apng->out, "fcTL", &number, control, sizeof control);
+}
+
+/* Adds the file's beginning, with its first frame's header. */
+static bool begin(struct zr_apng *apng, const unsigned char *png)
+{
+    unsigned char animation[8] = {0};
+    put_u32(animation, apng->frames);
+    memcpy(apng->head, png + SIGNATURE, sizeof apng->head);
+    return zr_buffer_add(apng->out, png, SIGNATURE + sizeof apng->head) &&
+           add_chunk(apng->out, "acTL", NULL, animation, sizeof animation);
+}
+
+enum zr_status zr_apng_add(struct zr_apng *apng, const unsigned char *png, size_t size)
+{
+    if (apng->done == 0 && !begin(apng, png)) return ZR_NO_MEMORY;
+    if (memcmp(apng->head, png + SIGNATURE, sizeof apng->head) != 0) return ZR_BAD_SCENE;
+    if (!add_frame_control(apng)) return ZR_NO_MEMORY;
+    const unsigned char *const end = png + size;
+    for (const unsigned char *at = png + SIGNATURE; at < end; at += get_u32(at) + AROUND) {
+        if (memcmp(at + 4, "IDAT", 4) != 0) continue;
+        const uint32_t number = apng->sequence;
+        if (apng->done > 0) apng->sequence++;
+        if (!add_chunk(apng->out, apng->done == 0 ? "IDAT" : "fdAT", apng->done == 0 ? NULL : &number, at + 8,
+                       get_u32(at)))
+            return ZR_NO_MEMORY;
+    }
+    if (++apng->done == apng->frames && !add_chunk(apng->out, "IEND", NULL, NULL, 0)) return ZR_NO_MEMORY;
+    return ZR_OK;
+}

@@ -1,0 +1,149 @@
+#include "scene/view_set.h"
+
+#include "scene/camera_parts.h"
+#include "scene/upright.h"
+
+const char *zr_view_set_pointer(const struct zr_view_set *set)
+{
+    static const char *const pointers[] = {"/views", "/turntable", "/orbit"};
+    return pointers[set->kind];
+}
+
+/* ---- poses ---- */
+
+/* Point `number` of a Fibonacci sphere, from the top to the bottom: equal steps of height, and steps of the golden angle
+ * around it. Elevations are rounded, since the last bits of libm differ between systems.
+ * Source: R. Swinbank, R. J. Purser, "Fibonacci grids", Q. J. R. Meteorol. Soc. 132 (2006). */
+static void find_point(uint32_t number, uint32_t count, double *azimuth, double *elevation)
+{
+    const double golden = 137.50776405003785, height = 1.0 - (2.0 * (double)number + 1.0) / (double)count;
+    const double turns = golden / 360.0 * (double)number;
+    *azimuth = 360.0 * (turns - floor(turns));
+    *elevation = round(asin(height) * (180.0e4 / 3.14159265358979323846)) * 1e-4;
+}
+
+void zr_view_set_pose(const struct zr_scene *scene, const struct zr_view_set *set, uint32_t number,
+                      const struct zr_shared_camera *camera, struct zr_view *view)
+{
+    if (set->kind == ZR_VIEW_SET_LIST) {
+        const int preset = set->items[number].preset;
+        if (preset < 0) return;
+        view->pose = ZR_POSE_PRESET;
+        view->preset = (enum zr_preset)preset;
+        view->suits_extent = false;
+        if (scene->picture.z_is_up) zr_view_put_z_up(view, false);
+        return;
+    }
+    view->pose = ZR_POSE_ORBIT;
+    view->suits_extent = false;
+    view->up = scene->picture.z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
+    view->has_target = true;
+    view->target = camera->target;
+    view->distance = camera->distance;
+    if (view->projection == ZR_PROJECTION_ORTHOGRAPHIC) {
+        view->distance = 0.0f;
+        view->xmag = camera->xmag;
+        view->ymag = camera->ymag;
+    }
+    if (set->kind == ZR_VIEW_SET_ORBIT) {
+        find_point(number, set->count, &view->azimuth_degrees, &view->elevation_degrees);
+        return;
+    }
+    view->azimuth_degrees = camera->azimuth_degrees + 360.0 * (double)number / (double)set->count;
+    view->elevation_degrees = camera->elevation_degrees;
+}
+
+/* ---- the shared camera ---- */
+
+/* Distance from the camera to a point, along the view axis. */
+static double depth_of(const struct zr_camera *camera, zr_vec3 p)
+{
+    const float *m = camera->world_to_eye.m;
+    return -((double)m[2] * (double)p.x + (double)m[6] * (double)p.y + (double)m[10] * (double)p.z + (double)m[14]);
+}
+
+/* Angles of the scene's view, resolved, as the first angles of a turntable. */
+static void find_angles(const struct zr_scene *scene, const struct zr_view_set *set, const struct zr_camera *first,
+                        struct zr_shared_camera *camera)
+{
+    const struct zr_orbit orbit = zr_orbit_of(first, scene->picture.z_is_up);
+    camera->azimuth_degrees = orbit.azimuth_degrees;
+    camera->elevation_degrees = set->has_elevation ? set->elevation_degrees : orbit.elevation_degrees;
+}
+
+static zr_vec3 middle_of(const struct zr_bounds *bounds)
+{
+    const zr_vec3 a = bounds->min, b = bounds->max;
+    if (!bounds->valid) return (zr_vec3){0, 0, 0};
+    return (zr_vec3){(float)(((double)a.x + (double)b.x) * 0.5), (float)(((double)a.y + (double)b.y) * 0.5),
+                     (float)(((double)a.z + (double)b.z) * 0.5)};
+}
+
+/* Sets target, and the distance or half sizes that the scene's view gives. */
+static void use_given(const struct zr_view *view, const struct zr_bounds *fitted, const struct zr_view_set *set,
+                      struct zr_shared_camera *camera)
+{
+    const bool has_target = view->pose == ZR_POSE_LOOK_AT || (view->pose == ZR_POSE_ORBIT && view->has_target);
+    const zr_vec3 e = view->eye, t = view->target;
+    camera->target = has_target ? t : middle_of(fitted);
+    camera->distance = set->distance;
+    if (view->pose == ZR_POSE_ORBIT && !(camera->distance > 0.0f)) camera->distance = view->distance;
+    if (view->pose == ZR_POSE_LOOK_AT && !(camera->distance > 0.0f)) {
+        const zr_dvec3 d = zr_dvec3_sub(zr_dvec3_of(e), zr_dvec3_of(t));
+        camera->distance = (float)sqrt(zr_dvec3_dot(d, d));
+    }
+    camera->xmag = view->xmag;
+    camera->ymag = view->ymag;
+}
+
+static enum zr_status check(const struct zr_view *view, const struct zr_view_set *set, struct zr_error *error)
+{
+    const bool is_pose = view->pose == ZR_POSE_MATRIX;
+    if (!is_pose && view->projection != ZR_PROJECTION_MATRIX) return ZR_OK;
+    return zr_error_add(error, ZR_BAD_SCENE, zr_view_set_pointer(set),
+                        "the view has a %s as a matrix, which does not turn: give %s",
+                        is_pose ? "pose" : "projection",
+                        is_pose ? "eye and target, a preset or azimuthDegrees" : "perspective or orthographic");
+}
+
+/* Raises distance and half sizes to those of one view. */
+static enum zr_status measure(const struct zr_scene *scene, const struct zr_view *view, const struct zr_bounds *bounds,
+                              struct zr_team *team, const struct zr_cancel *cancel, struct zr_shared_camera *most,
+                              struct zr_error *error)
+{
+    struct zr_camera camera;
+    const enum zr_status status = zr_camera_resolve(scene, view, bounds, team, cancel, &camera, error);
+    if (status != ZR_OK) return status;
+    most->distance = fmaxf(most->distance, (float)depth_of(&camera, view->target));
+    most->xmag = fmaxf(most->xmag, 1.0f / camera.projection.m[0]);
+    most->ymag = fmaxf(most->ymag, 1.0f / camera.projection.m[5]);
+    return ZR_OK;
+}
+
+enum zr_status zr_view_set_fit(const struct zr_scene *scene, const struct zr_view_set *set, struct zr_team *team,
+                               const struct zr_cancel *cancel, struct zr_shared_camera *camera, struct zr_error *error)
+{
+    const struct zr_view *given = &scene->views[0];
+    const struct zr_points points = {.scene = scene, .view = given, .team = team, .cancel = cancel};
+    struct zr_camera first;
+    struct zr_bounds bounds = zr_bounds_of(scene, team, cancel);
+    enum zr_status status = check(given, set, error);
+    if (status == ZR_OK) status = zr_camera_resolve(scene, given, &bounds, team, cancel, &first, error);
+    if (status != ZR_OK) return status;
+    const struct zr_bounds fitted = zr_fit_bounds(&points, &bounds);
+    *camera = (struct zr_shared_camera){.distance = 0.0f};
+    find_angles(scene, set, &first, camera);
+    use_given(given, &fitted, set, camera);
+    const bool is_parallel = given->projection == ZR_PROJECTION_ORTHOGRAPHIC;
+    if (is_parallel ? camera->xmag > 0.0f : camera->distance > 0.0f) return ZR_OK;
+    struct zr_shared_camera most = {.distance = 0.0f};
+    for (uint32_t i = 0; status == ZR_OK && i < set->count; i++) {
+        struct zr_view view = *given;
+        zr_view_set_pose(scene, set, i, camera, &view);
+        status = measure(scene, &view, &bounds, team, cancel, &most, error);
+    }
+    camera->distance = most.distance;
+    camera->xmag = most.xmag;
+    camera->ymag = most.ymag;
+    return status;
+}

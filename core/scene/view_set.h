@@ -1,0 +1,54 @@
+/* view_set.h - scene: several views of one scene, as a request gives them.
+ *
+ * List:      each item changes keys of the scene, or names a preset.
+ * Turntable: the camera turns once around the scene, in equal steps.
+ * Orbit:     cameras lie on a Fibonacci sphere around the scene, the first one at the top.
+ *
+ * All cameras of a turntable or an orbit look at one target, from one distance and at one scale, which hold the geometry
+ * in every view. */
+#ifndef ZR_VIEW_SET_H
+#define ZR_VIEW_SET_H
+
+#include "scene/resolved_view.h"
+
+enum zr_view_set_kind { ZR_VIEW_SET_LIST, ZR_VIEW_SET_TURNTABLE, ZR_VIEW_SET_ORBIT };
+
+struct zr_view_item {
+    const char *name;  /* of its files; NULL: its number */
+    int preset;        /* enum zr_preset; -1: none */
+    const char *keys;  /* JSON object of the keys that it changes; NULL: none */
+    size_t keys_size;
+};
+
+struct zr_view_set {
+    enum zr_view_set_kind kind;
+    uint32_t count;
+    const struct zr_view_item *items; /* list */
+    bool has_elevation;               /* turntable; false: that of the scene's view */
+    double elevation_degrees;
+    double seconds; /* turntable: of one turn */
+    float distance; /* orbit: from the target; 0: fitted */
+};
+
+/* Camera that the views of a turntable or an orbit share. */
+struct zr_shared_camera {
+    double azimuth_degrees, elevation_degrees; /* of the first view */
+    zr_vec3 target;
+    float distance;   /* 0: not fitted yet */
+    float xmag, ymag; /* of an orthographic projection; 0: not fitted yet */
+};
+
+/* Finds the shared camera. Not for lists. ZR_BAD_SCENE if the scene's view has a pose or a projection as a matrix, or if
+ * one of the views has no solution; ZR_CANCELLED. */
+enum zr_status zr_view_set_fit(const struct zr_scene *scene, const struct zr_view_set *set, struct zr_team *team,
+                               const struct zr_cancel *cancel, struct zr_shared_camera *camera,
+                               struct zr_error *error);
+
+/* Sets the pose of a view. `camera`: of a turntable or an orbit; NULL for lists. */
+void zr_view_set_pose(const struct zr_scene *scene, const struct zr_view_set *set, uint32_t number,
+                      const struct zr_shared_camera *camera, struct zr_view *view);
+
+/* Key of the scene that gives the set: "/views", "/turntable" or "/orbit". */
+const char *zr_view_set_pointer(const struct zr_view_set *set);
+
+#endif

@@ -1,0 +1,49 @@
+/* views.h - core: several views of a scene that is read once.
+ *
+ *     zr_views_read   bytes  -> scene, and the views it asks for
+ *     zr_views_plan   views  -> their cost, before any is drawn
+ *     zr_views_draw   views  -> files
+ *
+ * Exact:   each view equals that of a request for it alone, byte for byte.
+ * Memory:  a few views are drawn at once, each in an arena of its own within the request's memory. It depends on the
+ *          sizes of the windows, not on the number of views or threads; only the files stay.
+ */
+#ifndef ZR_VIEWS_H
+#define ZR_VIEWS_H
+
+#include "cost.h"
+#include "encode.h"
+#include "scene/view_set.h"
+
+struct zr_kept;
+
+struct zr_views {
+    const struct zr_scene *scene;  /* as read */
+    const struct zr_view_set *set; /* NULL: one view, that of the scene */
+    struct zr_kept *kept;          /* what the views are made from */
+
+    /* Set by zr_views_plan. */
+    struct zr_shared_camera camera; /* of a turntable or an orbit */
+    struct zr_bounds bounds;        /* of the scene without changes */
+    bool has_one_window;            /* all views have windows of the size */
+    uint32_t width, height;
+    struct zr_cost cost; /* of all views; memory: of the largest */
+};
+
+/* Reads a scene as zr_scene_read does. */
+enum zr_status zr_views_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                             const struct zr_limits *limits, struct zr_views *views, struct zr_error *error);
+
+/* Checks all views, finds the camera that they share, and predicts their cost. `views->set` is not NULL. Errors: those
+ * of each view, at its place such as /views/3/view/eye; ZR_BAD_SCENE if views have the same name, or more pixels
+ * together than limits.view_pixels_max. */
+enum zr_status zr_views_plan(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
+                             const struct zr_cancel *cancel, struct zr_error *error);
+
+/* Draws and encodes all views. Files are NAME.channel.extension, one for each view and output, with these exceptions:
+ * outputs with the encoding apng are one animation, and arrays (npy) of windows of one size are one array, whose first
+ * axis is the number of the view. Errors: those of zr_render and zr_encode. */
+enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_views *views,
+                             const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error);
+
+#endif

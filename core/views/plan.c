@@ -1,0 +1,125 @@
+/* Checks all views of a request and predicts their cost, before any is drawn. */
+#include <inttypes.h>
+#include <string.h>
+
+#include "base/cancel.h"
+#include "change.h"
+#include "input/kept.h"
+#include "scene/scene.h"
+#include "views/view_scene.h"
+
+enum { SAMPLED = 16 }; /* views of a turntable or an orbit whose cost is predicted; the others are between them */
+
+enum zr_status zr_views_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                             const struct zr_limits *limits, struct zr_views *views, struct zr_error *error)
+{
+    *views = (struct zr_views){.scene = NULL};
+    const enum zr_status status = zr_scene_keep_for_views(arena, team, request, limits, &views->kept, error);
+    if (status != ZR_OK) return status;
+    views->scene = zr_kept_scene(views->kept);
+    views->set = views->scene->view_set;
+    return ZR_OK;
+}
+
+/* Adds the cost of `times` equal views. Memory is that of the largest. */
+static void add_cost(struct zr_cost *sum, const struct zr_cost *cost, double times)
+{
+    sum->ms += times * cost->ms;
+    for (int i = 0; i < ZR_COST_KINDS; i++)
+        sum->counts[i] += times * cost->counts[i];
+    if (cost->window_bytes <= sum->window_bytes) return;
+    sum->window_bytes = cost->window_bytes;
+    sum->lamp_map_bytes = cost->lamp_map_bytes;
+    sum->lamp_maps = cost->lamp_maps;
+}
+
+static uint64_t pixels_of(const struct zr_view *view)
+{
+    uint64_t words = 0;
+    for (uint32_t i = 0; i < view->output_count; i++)
+        words += zr_channel_rows[view->outputs[i].channel].words;
+    return words * view->width * view->height;
+}
+
+static enum zr_status plan_view(struct zr_arena *scratch, struct zr_team *team, struct zr_views *views, uint32_t number,
+                                double times, const struct zr_cancel *cancel, uint64_t *pixels, struct zr_error *error)
+{
+    const struct zr_scene *scene;
+    const struct zr_resolved_view *resolved;
+    struct zr_error faults = {0};
+    enum zr_status status = zr_view_scene(views, number, scratch, team, cancel, &scene, error);
+    if (status != ZR_OK) return status;
+    const struct zr_view *view = &scene->views[0];
+    *pixels += pixels_of(view);
+    if (number == 0) {
+        views->width = view->width;
+        views->height = view->height;
+    }
+    views->has_one_window &= view->width == views->width && view->height == views->height;
+    status = zr_resolved_view_find(scratch, team, scene, cancel, &resolved, &faults);
+    if (status != ZR_OK) return zr_view_report(views, number, status, &faults, error);
+    const struct zr_cost cost = zr_scene_cost(scene, resolved);
+    add_cost(&views->cost, &cost, times);
+    return ZR_OK;
+}
+
+/* Views of one name would write the same files. Compares each pair: up to 8 million short names, some 20 ms. */
+static enum zr_status check_names(const struct zr_views *views, struct zr_arena *scratch, struct zr_error *error)
+{
+    const struct zr_view_set *set = views->set;
+    char(*names)[ZR_VIEW_NAME_SIZE] = zr_arena_alloc(scratch, set->count, sizeof *names);
+    if (!names) return ZR_NO_MEMORY;
+    for (uint32_t i = 0; set->kind == ZR_VIEW_SET_LIST && i < set->count; i++) {
+        zr_view_name(set, i, names[i]);
+        for (uint32_t k = 0; k < i; k++) {
+            if (strcmp(names[i], names[k]) != 0) continue;
+            struct zr_error fault = {0};
+            zr_error_add(&fault, ZR_BAD_SCENE, set->items[i].keys ? "/name" : NULL,
+                         "the name %s, as view %" PRIu32 " has: the files would have one name; \"name\" gives another",
+                         names[i], k);
+            return zr_view_report(views, i, ZR_BAD_SCENE, &fault, error);
+        }
+    }
+    return ZR_OK;
+}
+
+static enum zr_status plan(struct zr_arena *scratch, struct zr_team *team, struct zr_views *views,
+                           const struct zr_cancel *cancel, struct zr_error *error)
+{
+    const struct zr_view_set *set = views->set;
+    const uint64_t most = views->kept->limits.view_pixels_max;
+    const uint32_t step =
+        set->kind == ZR_VIEW_SET_LIST || set->count <= SAMPLED ? 1 : (set->count + SAMPLED - 1) / SAMPLED;
+    uint64_t pixels = 0;
+    views->has_one_window = true;
+    views->bounds = views->scene->has_box
+                        ? (struct zr_bounds){true, views->scene->box_min, views->scene->box_max}
+                        : zr_bounds_of(views->scene, team, cancel);
+    enum zr_status status = check_names(views, scratch, error);
+    /* All windows of a turntable are equal: too many pixels are refused before the geometry is walked. */
+    if (set->kind != ZR_VIEW_SET_LIST) pixels = set->count * pixels_of(&views->scene->views[0]);
+    if (status == ZR_OK && set->kind != ZR_VIEW_SET_LIST && pixels <= most)
+        status = zr_view_set_fit(views->scene, set, team, cancel, &views->camera, error);
+    for (uint32_t i = 0; status == ZR_OK && i < set->count && pixels <= most; i += step) {
+        uint64_t own = 0;
+        zr_arena_reset(scratch, SIZE_MAX);
+        const double times = set->count - i < step ? (double)(set->count - i) : (double)step;
+        status = plan_view(scratch, team, views, i, times, cancel, &own, error);
+        if (set->kind == ZR_VIEW_SET_LIST) pixels += own;
+        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    }
+    if (status == ZR_OK && pixels > most)
+        return zr_error_add(error, ZR_BAD_SCENE, zr_view_set_pointer(set),
+                            "all views together have %s%" PRIu64 " pixels of images, more than the limit of %" PRIu64,
+                            set->kind == ZR_VIEW_SET_LIST ? "at least " : "", pixels, most);
+    return status;
+}
+
+enum zr_status zr_views_plan(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
+                             const struct zr_cancel *cancel, struct zr_error *error)
+{
+    struct zr_arena scratch = zr_arena_open_scratch(arena);
+    const enum zr_status status = plan(&scratch, team, views, cancel, error);
+    zr_arena_close_scratch(&scratch, arena);
+    return status;
+}
