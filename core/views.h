@@ -6,7 +6,7 @@
  *
  * Exact:   each view equals that of a request for it alone, byte for byte.
  * Memory:  a few views are drawn at once, each in an arena of its own within the request's memory. It depends on the
- *          sizes of the windows, not on the number of views or threads; only the files stay.
+ *          sizes of the windows, not on the number of views; only the files stay.
  */
 #ifndef ZR_VIEWS_H
 #define ZR_VIEWS_H

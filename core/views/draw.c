@@ -9,7 +9,7 @@
 #include "shade/frame.h"
 #include "views/view_scene.h"
 
-enum { AT_ONCE = 8 };
+enum { AT_ONCE = 16 };
 
 /* ---- one view ---- */
 
@@ -213,11 +213,13 @@ static enum zr_status take_batch(struct collecting *c, struct batch *batch, uint
     return ZR_OK;
 }
 
-/* Views drawn at once: as many as fit into half of `memory`, by their predicted size. */
-static uint32_t find_width(const struct zr_views *views, size_t memory)
+/* Views drawn at once: one for each thread, as far as they fit into half of `memory`, by their predicted size. More of
+ * them would touch more memory, which the system clears first. Whether a view fits does not depend on this number. */
+static uint32_t find_width(const struct zr_views *views, struct zr_team *team, size_t memory)
 {
     const double fit = 0.5 * (double)memory / fmax(views->cost.window_bytes, 1.0);
-    const uint32_t most = views->set->count < AT_ONCE ? views->set->count : AT_ONCE;
+    const uint32_t threads = (uint32_t)zr_team_size(team), limit = threads < AT_ONCE ? threads : AT_ONCE;
+    const uint32_t most = views->set->count < limit ? views->set->count : limit;
     return fit >= (double)most ? most : fit < 1.0 ? 1 : (uint32_t)fit;
 }
 
@@ -237,7 +239,7 @@ enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, const
                              const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error)
 {
     const size_t memory = zr_arena_left(arena) / 2;
-    const uint32_t width = find_width(views, memory);
+    const uint32_t width = find_width(views, team, memory);
     const size_t share = memory / width;
     struct batch batch = {.views = views, .team = team, .cancel = cancel};
     struct collecting collecting = {.arena = arena, .views = views, .files = files, .error = error};
