@@ -28,6 +28,8 @@ struct zr_views {
     bool has_one_window;            /* all views have windows of the size */
     uint32_t width, height;
     struct zr_cost cost; /* of all views; memory: of the largest */
+
+    const struct zr_mesh_tables *tables; /* that they share; set by zr_views_draw */
 };
 
 /* Reads a scene as zr_scene_read does. */
@@ -43,7 +45,7 @@ enum zr_status zr_views_plan(struct zr_arena *arena, struct zr_team *team, struc
 /* Draws and encodes all views. Files are NAME.channel.extension, one for each view and output, with these exceptions:
  * outputs with the encoding apng are one animation, and arrays (npy) of windows of one size are one array, whose first
  * axis is the number of the view. Errors: those of zr_render and zr_encode. */
-enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_views *views,
+enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
                              const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error);
 
 #endif

@@ -230,7 +230,7 @@ static enum zr_status draw_one(struct rendering *r, const struct zr_scene *scene
 }
 
 /* Draws and encodes several views; the time of encoding them is part of that of drawing. */
-static enum zr_status draw_several(struct rendering *r, const struct zr_views *views, struct zr_answer *result,
+static enum zr_status draw_several(struct rendering *r, struct zr_views *views, struct zr_answer *result,
                                    struct zr_error *error)
 {
     struct zr_files files;

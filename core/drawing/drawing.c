@@ -4,6 +4,7 @@
 #include "drawing/chains.h"
 #include "drawing/contour_steps.h"
 #include "drawing/intersections.h"
+#include "mesh/mesh_tables.h"
 
 /* Runs the stage unless an earlier one failed. */
 #define STAGE(call)                                                                                                    \
@@ -22,8 +23,13 @@ static enum zr_status make_tables(const struct making *m, struct zr_edge_mesh **
     enum zr_status status = ZR_OK;
     *tables = zr_arena_alloc(m->arena, scene->mesh_count, sizeof **tables);
     if (!*tables) return ZR_NO_MEMORY;
-    for (uint32_t i = 0; i < scene->mesh_count; i++)
-        STAGE(zr_edge_mesh_make(m->arena, m->team, m->cancel, &scene->meshes[i], &(*tables)[i]));
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        const struct zr_edge_mesh *shared = zr_mesh_table_edges(scene->tables, scene, i);
+        if (shared)
+            (*tables)[i] = *shared;
+        else
+            STAGE(zr_edge_mesh_make(m->arena, m->team, m->cancel, &scene->meshes[i], &(*tables)[i]));
+    }
     return status;
 }
 

@@ -4,6 +4,7 @@
 #include "effects/eye_dome.h"
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
+#include "mesh/mesh_tables.h"
 #include "render/depth_maps.h"
 #include "render/finish.h"
 #include "render/mesh_lines.h"
@@ -59,10 +60,13 @@ static enum zr_status make_creases(struct drawing *d)
 {
     const struct zr_scene *scene = d->scene;
     const zr_vec4 **creases = zr_arena_zero(d->arena, scene->mesh_count, sizeof *creases);
-    for (uint32_t i = 0; creases && i < scene->mesh_count; i++)
-        if (zr_mesh_lacks_normals(&scene->meshes[i]) && scene->meshes[i].face_count > 0)
-            creases[i] =
-                zr_crease_normals_make(d->arena, d->team, d->cancel, &scene->meshes[i], scene->picture.crease_degrees);
+    for (uint32_t i = 0; creases && i < scene->mesh_count; i++) {
+        if (!zr_mesh_lacks_normals(&scene->meshes[i]) || scene->meshes[i].face_count == 0) continue;
+        creases[i] = zr_mesh_table_creases(scene->tables, scene, i);
+        if (creases[i]) continue;
+        creases[i] =
+            zr_crease_normals_make(d->arena, d->team, d->cancel, &scene->meshes[i], scene->picture.crease_degrees);
+    }
     d->creases = creases;
     return status_of(d);
 }

@@ -354,8 +354,9 @@ struct zr_color_bar {
     const char *title; /* above the bar, UTF-8; NULL: none */
 };
 
-struct zr_look;     /* scene/looks.h */
-struct zr_view_set; /* scene/view_set.h */
+struct zr_look;        /* scene/looks.h */
+struct zr_view_set;    /* scene/view_set.h */
+struct zr_mesh_tables; /* mesh/mesh_tables.h */
 
 /* Counts of input that readers left out or replaced. */
 struct zr_read_counts {
@@ -396,6 +397,7 @@ struct zr_scene {
     const double *origin; /* three numbers that the reader subtracted from all positions; NULL: none */
     struct zr_view views[ZR_VIEWS_MOST];
     const struct zr_view_set *view_set; /* several views, made from this scene by views/; NULL: one */
+    const struct zr_mesh_tables *tables; /* shared by several views; NULL: none */
     bool has_box; /* box_min and box_max are the result of zr_bounds_of (scene/camera.h), which a reader needed */
     zr_vec3 box_min, box_max;
     const struct zr_base *base; /* NULL: none */

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "mesh/mesh_tables.h"
 #include "output/apng.h"
 #include "output/npy.h"
 #include "scene/scene.h"
@@ -235,9 +236,19 @@ static enum zr_status draw_all(struct collecting *c, struct batch *batch, uint32
     return status == ZR_OK ? close_files(c) : status;
 }
 
-enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_views *views,
+static enum zr_status make_tables(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
+                                  const struct zr_cancel *cancel)
+{
+    struct zr_mesh_tables *tables = zr_arena_alloc(arena, 1, sizeof *tables);
+    views->tables = tables;
+    return tables ? zr_mesh_tables_make(arena, team, views->scene, cancel, tables) : ZR_NO_MEMORY;
+}
+
+enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
                              const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error)
 {
+    enum zr_status status = make_tables(arena, team, views, cancel);
+    if (status != ZR_OK) return status;
     const size_t memory = zr_arena_left(arena) / 2;
     const uint32_t width = find_width(views, team, memory);
     const size_t share = memory / width;
@@ -247,7 +258,7 @@ enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, const
     if (!batch.drawings || !zr_arena_charge(arena, share * width)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < width; i++)
         zr_arena_init(&batch.drawings[i].arena, share);
-    const enum zr_status status = draw_all(&collecting, &batch, width);
+    status = draw_all(&collecting, &batch, width);
     for (uint32_t i = 0; i < width; i++)
         zr_arena_free(&batch.drawings[i].arena);
     zr_arena_refund(arena, share * width);

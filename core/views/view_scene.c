@@ -46,6 +46,7 @@ enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, stru
     struct zr_scene *made = zr_arena_copy(arena, changed, sizeof *made);
     if (!made) return ZR_NO_MEMORY;
     made->view_set = NULL;
+    made->tables = views->tables;
     if (changed == views->scene && views->bounds.valid) {
         made->has_box = true;
         made->box_min = views->bounds.min;
