@@ -18,6 +18,7 @@ struct format {
 /* Formats of answers, and advice for getting another format. */
 static const struct format FORMATS[] = {
     {"image/png", "png", "a PNG", ""},
+    {"image/apng", "apng", "an animated PNG", ""},
     {"application/x-npy", "npy", "an array (NPY)", "; depth has a PNG, too: --encoding png16"},
     {"application/json", "json", "JSON", ""},
     {"image/svg+xml", "svg", "an SVG", ""},
@@ -80,11 +81,13 @@ bool output_is_name(const char *name)
 
 void output_set_encoding(struct options *options)
 {
-    const char *out = options->own[OPTION_OUTPUT];
-    if (!out || strcasecmp(ending_of(out), "svg") != 0) return;
+    const char *ending = options->own[OPTION_OUTPUT] ? ending_of(options->own[OPTION_OUTPUT]) : "";
+    const bool is_animation = strcasecmp(ending, "apng") == 0 ||
+                              (strcasecmp(ending, "png") == 0 && options->parameters[PARAMETER_turntable]);
+    if (!is_animation && strcasecmp(ending, "svg") != 0) return;
     if (options->parameters[PARAMETER_channel] || options->parameters[PARAMETER_encoding]) return;
     options->parameters[PARAMETER_channel] = "color";
-    options->parameters[PARAMETER_encoding] = "svg";
+    options->parameters[PARAMETER_encoding] = is_animation ? "apng" : "svg";
 }
 
 bool output_may_be_folder(const char *path)
@@ -93,11 +96,13 @@ bool output_may_be_folder(const char *path)
     return access(path, F_OK) != 0 && !output_is_name(path) && !input_has_ending(path);
 }
 
-/* Returns true if an ending names a known format other than this one. */
+/* Returns true if an ending names a known format other than this one. An animated PNG may have the ending of a PNG,
+ * which shows its first frame where animations are unknown. */
 static bool says_another_format(const char *out, const struct format *format)
 {
     const char *ending = ending_of(out);
     if (strcasecmp(ending, format->ending) == 0) return false;
+    if (strcmp(format->ending, "apng") == 0 && strcasecmp(ending, "png") == 0) return false;
     for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
         if (strcasecmp(ending, FORMATS[i].ending) == 0) return true;
     return is_foreign(ending) || input_has_ending(out);
@@ -194,8 +199,10 @@ static int save_all(const struct target *target, const struct answer *answer, bo
     for (bool more = true; status == STATUS_DONE && more;) {
         more = unzip_next(&unzip, &file);
         if (!more) file = first;
-        char *dot = strchr(file.name, '.');
+        char *dot = strrchr(file.name, '.');
         *dot = '\0';
+        char *channel = strrchr(file.name, '.');
+        if (channel && strcmp(channel, ".color") == 0) *channel = '\0'; /* part.front.png */
         char *name = output_name(target, file.name, dot + 1);
         status = name ? save(target, name, file.data, file.size, no_clobber, names, faults) : STATUS_FAILED;
         free(name);

@@ -14,12 +14,15 @@ static size_t number_at(const unsigned char *at, int bytes)
     return value;
 }
 
-/* Returns true for channel.extension. Another name could lead out of the folder. */
+/* Returns true for channel.extension and view.channel.extension. Another name could lead out of the folder. */
 static bool is_plain(const char *name, size_t length)
 {
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
-    const size_t stem = strspn(name, letters);
-    return stem > 0 && name[stem] == '.' && stem + 1 + strspn(name + stem + 1, letters) == length;
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+    int dots = 0;
+    size_t at = strspn(name, letters);
+    for (size_t part = at; part > 0 && name[at] == '.'; at += part, dots++)
+        part = strspn(name + ++at, letters);
+    return at == length && (dots == 1 || dots == 2) && name[at - 1] != '.';
 }
 
 bool unzip_next(struct unzip *unzip, struct unzip_file *file)

@@ -9,7 +9,7 @@ struct unzip {
     const unsigned char *at, *end;
 };
 struct unzip_file {
-    char name[64]; /* "depth.npy" */
+    char name[128]; /* "depth.npy", "front.depth.npy" */
     const void *data;
     size_t size;
 };

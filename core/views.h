@@ -20,7 +20,7 @@ struct zr_kept;
 struct zr_views {
     const struct zr_scene *scene;  /* as read */
     const struct zr_view_set *set; /* NULL: one view, that of the scene */
-    struct zr_kept *kept;          /* what the views are made from */
+    const struct zr_kept *kept;    /* what the views are made from */
 
     /* Set by zr_views_plan. */
     struct zr_shared_camera camera; /* of a turntable or an orbit */
@@ -35,6 +35,9 @@ struct zr_views {
 /* Reads a scene as zr_scene_read does. */
 enum zr_status zr_views_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                              const struct zr_limits *limits, struct zr_views *views, struct zr_error *error);
+
+/* Returns the views of a kept scene. */
+struct zr_views zr_views_of_kept(const struct zr_kept *kept);
 
 /* Checks all views, finds the camera that they share, and predicts their cost. `views->set` is not NULL. Errors: those
  * of each view, at its place such as /views/3/view/eye; ZR_BAD_SCENE if views have the same name, or more pixels

@@ -6,6 +6,7 @@
 #include "library/picture.h"
 #include "library/request.h"
 #include "library/scene.h"
+#include "views.h"
 
 /* A call that makes a scene in scratch memory and draws it. */
 struct drawing {
@@ -15,22 +16,34 @@ struct drawing {
     struct zr_arena *arena;
 };
 
-static enum zr_status read(const struct drawing *d, const struct zr_request *request, const struct zr_scene **scene,
+/* Reads the scene, or changes the kept one, which gives a scene with one view. */
+static enum zr_status read(const struct drawing *d, const struct zr_request *request, struct zr_views *views,
                            struct zr_error *error)
 {
     struct zr_team *team = zr_renderer_team(d->renderer);
-    return d->kept ? zr_scene_change(d->arena, team, d->kept, request, scene, error)
-                   : zr_scene_read(d->arena, team, request, &d->renderer->limits, scene, error);
+    *views = (struct zr_views){.set = NULL};
+    return d->kept ? zr_scene_change(d->arena, team, d->kept, request, &views->scene, error)
+                   : zr_views_read(d->arena, team, request, &d->renderer->limits, views, error);
+}
+
+static enum zr_status make(const struct drawing *d, struct zr_views *views, zraster_cancel *cancel,
+                           zraster_picture **picture, struct zr_error *error)
+{
+    return views->set ? zr_picture_make_views(d->renderer, views, cancel, picture, error)
+                      : zr_picture_make(d->renderer, views->scene, cancel, picture, error);
 }
 
 static enum zr_status run(const struct drawing *d, zraster_picture **picture, struct zr_error *error)
 {
     struct zr_taken_request taken;
-    const struct zr_scene *scene;
-    if (!d->request && d->kept) return zr_picture_make(d->renderer, zr_kept_scene(d->kept), NULL, picture, error);
+    struct zr_views views;
+    if (!d->request && d->kept) {
+        views = zr_views_of_kept(d->kept);
+        return make(d, &views, NULL, picture, error);
+    }
     enum zr_status status = zr_request_take(d->arena, d->request, false, &taken, error);
-    if (status == ZR_OK) status = read(d, &taken.request, &scene, error);
-    return status == ZR_OK ? zr_picture_make(d->renderer, scene, taken.cancel, picture, error) : status;
+    if (status == ZR_OK) status = read(d, &taken.request, &views, error);
+    return status == ZR_OK ? make(d, &views, taken.cancel, picture, error) : status;
 }
 
 static zraster_status draw(struct drawing *d, zraster_picture **picture, zraster_error **error)

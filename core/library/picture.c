@@ -7,6 +7,7 @@
 #include "library/error.h"
 #include "scene/looks.h"
 #include "scene/validate.h"
+#include "views.h"
 
 /* ---- drawing ---- */
 
@@ -35,20 +36,56 @@ static enum zr_status draw(zraster_picture *picture, const struct zr_scene *scen
     return status;
 }
 
-enum zr_status zr_picture_make(zraster *renderer, const struct zr_scene *scene, zraster_cancel *cancel,
-                               zraster_picture **out, struct zr_error *error)
+/* Makes a picture without contents. NULL without memory. */
+static zraster_picture *open_picture(zraster *renderer, zraster_cancel *cancel)
 {
     zraster_picture *picture = calloc(1, sizeof *picture);
-    if (!picture) return ZR_NO_MEMORY;
+    if (!picture) return NULL;
     picture->renderer = zr_renderer_use(renderer);
     picture->cancel = zr_cancel_use(cancel);
     picture->arena = zr_renderer_take(renderer, ZR_ARENA_RESULT);
-    const enum zr_status status = picture->arena ? draw(picture, scene, error) : ZR_NO_MEMORY;
+    if (picture->arena) return picture;
+    zraster_picture_free(picture);
+    return NULL;
+}
+
+static enum zr_status close_picture(enum zr_status status, zraster_picture *picture, zraster_picture **out)
+{
     if (status == ZR_OK)
         *out = picture;
     else
         zraster_picture_free(picture);
     return status;
+}
+
+enum zr_status zr_picture_make(zraster *renderer, const struct zr_scene *scene, zraster_cancel *cancel,
+                               zraster_picture **out, struct zr_error *error)
+{
+    zraster_picture *picture = open_picture(renderer, cancel);
+    return picture ? close_picture(draw(picture, scene, error), picture, out) : ZR_NO_MEMORY;
+}
+
+static enum zr_status draw_views(zraster_picture *picture, struct zr_views *views, struct zr_error *error)
+{
+    struct zr_team *team = zr_renderer_team(picture->renderer);
+    struct zr_look_pin *pin = zr_arena_alloc(picture->arena, 1, sizeof *pin);
+    const struct zr_cancel *cancel = zr_cancel_flag(picture->cancel);
+    struct zr_files files;
+    enum zr_status status = pin ? zr_views_plan(picture->arena, team, views, cancel, error) : ZR_NO_MEMORY;
+    if (status == ZR_OK) status = zr_views_draw(picture->arena, team, views, cancel, &files, error);
+    if (status != ZR_OK) return status;
+    *pin = zr_look_pin_of(views->scene->look);
+    picture->look = pin->text;
+    picture->files = files;
+    picture->warnings = files.warnings;
+    return ZR_OK;
+}
+
+enum zr_status zr_picture_make_views(zraster *renderer, struct zr_views *views, zraster_cancel *cancel,
+                                     zraster_picture **out, struct zr_error *error)
+{
+    zraster_picture *picture = open_picture(renderer, cancel);
+    return picture ? close_picture(draw_views(picture, views, error), picture, out) : ZR_NO_MEMORY;
 }
 
 size_t zraster_picture_memory(const zraster_picture *picture)
@@ -76,11 +113,12 @@ int zraster_picture_channel(const zraster_picture *picture, const char *channel,
 {
     static const uint32_t types[] = {
         [ZR_VALUES_RGBA] = ZRASTER_U1, [ZR_VALUES_FLOAT32] = ZRASTER_F4, [ZR_VALUES_UINT32] = ZRASTER_U4};
-    const struct zr_frame *frame = &picture->remains->frame;
     int number = 0;
+    *array = (struct zraster_array){.data = NULL};
+    if (!picture->remains) return 0;
+    const struct zr_frame *frame = &picture->remains->frame;
     while (number < ZR_CHANNEL_COUNT && strcmp(zr_channel_rows[number].name, channel) != 0)
         number++;
-    *array = (struct zraster_array){.data = NULL};
     if (number == ZR_CHANNEL_COUNT || !frame->channels[number] ||
         !zr_view_wants(view_of(picture), (enum zr_channel)number))
         return 0;
@@ -95,7 +133,7 @@ int zraster_picture_channel(const zraster_picture *picture, const char *channel,
 
 int zraster_picture_has_alpha(const zraster_picture *picture)
 {
-    return picture->remains->scene.background.w < 1.0f;
+    return picture->remains && picture->remains->scene.background.w < 1.0f;
 }
 
 const char *zraster_picture_look(const zraster_picture *picture)

@@ -10,15 +10,19 @@
 
 enum { SAMPLED = 16 }; /* views of a turntable or an orbit whose cost is predicted; the others are between them */
 
+struct zr_views zr_views_of_kept(const struct zr_kept *kept)
+{
+    const struct zr_scene *scene = zr_kept_scene(kept);
+    return (struct zr_views){.scene = scene, .set = scene->view_set, .kept = kept};
+}
+
 enum zr_status zr_views_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                              const struct zr_limits *limits, struct zr_views *views, struct zr_error *error)
 {
-    *views = (struct zr_views){.scene = NULL};
-    const enum zr_status status = zr_scene_keep_for_views(arena, team, request, limits, &views->kept, error);
-    if (status != ZR_OK) return status;
-    views->scene = zr_kept_scene(views->kept);
-    views->set = views->scene->view_set;
-    return ZR_OK;
+    struct zr_kept *kept = NULL;
+    const enum zr_status status = zr_scene_keep_for_views(arena, team, request, limits, &kept, error);
+    if (status == ZR_OK) *views = zr_views_of_kept(kept);
+    return status;
 }
 
 /* Adds the cost of `times` equal views. Memory is that of the largest. */
