@@ -14,6 +14,7 @@
 #include "scene/camera.h"
 #include "scene/defaults.h"
 #include "scene/validate.h"
+#include "scene/view_set.h"
 
 /* False if the arena cannot hold the vertices that drawing keeps. Nodes can place a large mesh so often that a walk
  * over its points would take minutes; this check refuses such scenes first. */
@@ -79,6 +80,15 @@ static enum zr_status validate(const struct zr_request *request, const struct zr
 {
     struct zr_error faults = {0};
     const enum zr_status status = zr_scene_validate(scene, limits, &faults);
+    zr_query_report(request, status, &faults, error);
+    return status;
+}
+
+/* Adds the views of a sheet. */
+static enum zr_status complete_sheet(const struct zr_request *request, struct zr_scene *scene, struct zr_error *error)
+{
+    struct zr_error faults = {0};
+    const enum zr_status status = zr_sheet_complete(scene, &faults);
     zr_query_report(request, status, &faults, error);
     return status;
 }
@@ -150,7 +160,8 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     zr_query_orient(&query);
-    status = edit_parts(request, &builder, error);
+    status = complete_sheet(request, scene, error);
+    if (status == ZR_OK) status = edit_parts(request, &builder, error);
     if (status == ZR_OK) status = validate(request, scene, limits, error);
     if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, error);
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;

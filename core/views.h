@@ -14,6 +14,7 @@
 #include "cost.h"
 #include "encode.h"
 #include "scene/view_set.h"
+#include "views/sheet_layout.h"
 
 struct zr_kept;
 
@@ -23,7 +24,8 @@ struct zr_views {
     const struct zr_kept *kept;    /* what the views are made from */
 
     /* Set by zr_views_plan. */
-    struct zr_shared_camera camera; /* of a turntable or an orbit */
+    struct zr_shared_camera camera; /* of a turntable, an orbit or a sheet */
+    struct zr_sheet_layout layout;  /* of a sheet */
     struct zr_bounds bounds;        /* of the scene without changes */
     bool has_one_window;            /* all views have windows of the size */
     uint32_t width, height;
@@ -47,7 +49,8 @@ enum zr_status zr_views_plan(struct zr_arena *arena, struct zr_team *team, struc
 
 /* Draws and encodes all views. Files are NAME.channel.extension, one for each view and output, with these exceptions:
  * outputs with the encoding apng are one animation, and arrays (npy) of windows of one size are one array, whose first
- * axis is the number of the view. Errors: those of zr_render and zr_encode. */
+ * axis is the number of the view. On a sheet, outputs with the channel color are one picture, and info is that of the
+ * first view, with the places of all. Errors: those of zr_render and zr_encode. */
 enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
                              const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error);
 

@@ -19,6 +19,7 @@
     ROW(views)                                                                                                         \
     ROW(turntable)                                                                                                     \
     ROW(orbit)                                                                                                         \
+    ROW(sheet)                                                                                                         \
     ROW(colorBar)                                                                                                      \
     ROW(highlight)                                                                                                     \
     ROW(explode)                                                                                                       \

@@ -121,5 +121,7 @@ const struct zr_json_field zr_scene_fields[] = {
                             .text = "several views: the camera turns once around the scene"},
     [ZR_SCENE_ORBIT] = {"orbit", zr_read_orbit, 0, .object = &zr_json_object_orbit,
                         .text = "several views: from all directions"},
+    [ZR_SCENE_SHEET] = {"sheet", zr_read_sheet, 0, .object = &zr_json_object_sheet, .otherwise = "false",
+                        .text = "one picture of all views: a layout, or an object"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_scene, face_style)};
 const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", zr_scene_fields);

@@ -1,4 +1,4 @@
-/* Reads the keys that ask for several views: views, turntable and orbit. */
+/* Reads the keys that ask for several views: views, turntable, orbit and sheet. */
 #include <string.h>
 
 #include "input/json_objects.h"
@@ -194,4 +194,43 @@ bool zr_read_orbit(struct zr_json *json, const struct zr_json_path *path, const 
     static const struct zr_view_set defaults = {.kind = ZR_VIEW_SET_ORBIT};
     (void)field;
     return read_turn(json, path, &zr_json_object_orbit, &defaults, out);
+}
+
+static const char *const layouts[] = {"views", "threeView", "balanced"};
+static const struct zr_names layout_names = ZR_NAMES(ZR_SHEET_LAYOUTS, layouts);
+static const char *const angles[] = {"third", "first"};
+static const struct zr_names angle_names = ZR_NAMES(2, angles);
+
+enum { COLUMNS_MAX = 64 };
+#define AT(member) offsetof(struct zr_sheet, member)
+static const struct zr_json_field sheet_fields[] = {
+    {"layout", zr_json_choice, AT(layout), .words = &layout_names, .otherwise = "views",
+     .text = "views: those of the scene; threeView: front, top, right and isometric; balanced: two isometric views from "
+             "above, two from below"},
+    {"columns", zr_json_whole, AT(columns), .otherwise = "as many as rows, or one more", .text = "views in a row"},
+    {"angle", zr_json_choice, AT(angle), .words = &angle_names, .otherwise = "third",
+     .text = "of projection: places of the views in threeView"},
+    {"captions", zr_json_bool, AT(has_captions), .otherwise = "true", .text = "name and scale below each view"}};
+#undef AT
+const struct zr_json_object zr_json_object_sheet = ZR_JSON_OBJECT_OF("sheet", sheet_fields);
+
+bool zr_read_sheet(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    enum { LAYOUT, COLUMNS, ANGLE };
+    struct zr_parsed_scene *root = out;
+    struct zr_sheet given = {.is_on = true, .has_captions = true};
+    uint64_t keys = 0;
+    (void)field;
+    if (zr_json_type(json) == ZR_JSON_STRING) {
+        if (!zr_json_choice(json, path, &sheet_fields[LAYOUT], &given.layout)) return false;
+    } else if (!zr_json_fields(json, path, &zr_json_object_sheet, &given, &keys))
+        return false;
+    if (zr_json_gives(keys, COLUMNS) && (given.columns < 1 || given.columns > COLUMNS_MAX))
+        return zr_json_fault(json, ZR_JSON_KEY(path, "columns"), "%u; 1 to %d are allowed", given.columns, COLUMNS_MAX);
+    if (zr_json_gives(keys, COLUMNS) && given.layout != ZR_SHEET_VIEWS)
+        return zr_json_fault(json, ZR_JSON_KEY(path, "columns"), "the layout %s has two", layouts[given.layout]);
+    if (zr_json_gives(keys, ANGLE) && given.layout != ZR_SHEET_THREE_VIEW)
+        return zr_json_fault(json, ZR_JSON_KEY(path, "angle"), "belongs to the layout threeView");
+    root->scene->sheet = given;
+    return true;
 }

@@ -22,16 +22,47 @@ static void find_point(uint32_t number, uint32_t count, double *azimuth, double 
     *elevation = round(asin(height) * (180.0e4 / 3.14159265358979323846)) * 1e-4;
 }
 
+static void pose_item(const struct zr_scene *scene, const struct zr_view_item *item, struct zr_view *view)
+{
+    if (item->preset < 0 && !item->has_angles) return;
+    view->suits_extent = false;
+    view->pose = item->has_angles ? ZR_POSE_ORBIT : ZR_POSE_PRESET;
+    if (item->has_angles) {
+        view->azimuth_degrees = item->azimuth_degrees;
+        view->elevation_degrees = item->elevation_degrees;
+        view->has_target = false;
+        view->distance = 0.0f;
+        view->up = scene->picture.z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
+        return;
+    }
+    view->preset = (enum zr_preset)item->preset;
+    if (scene->picture.z_is_up) zr_view_put_z_up(view, false);
+}
+
+bool zr_view_has_sheet_scale(const struct zr_view *view)
+{
+    return view->projection == ZR_PROJECTION_ORTHOGRAPHIC && !(view->xmag > 0.0f) && view->pose != ZR_POSE_MATRIX;
+}
+
+/* Views that a sheet names are orthographic: perspective has no scale. */
+static void use_sheet_scale(const struct zr_view_item *item, const struct zr_shared_camera *camera,
+                            struct zr_view *view)
+{
+    if (item->preset >= 0 || item->has_angles) {
+        view->projection = ZR_PROJECTION_ORTHOGRAPHIC;
+        view->xmag = view->ymag = 0.0f;
+    }
+    if (!zr_view_has_sheet_scale(view)) return;
+    view->xmag = camera->xmag;
+    view->ymag = camera->ymag;
+}
+
 void zr_view_set_pose(const struct zr_scene *scene, const struct zr_view_set *set, uint32_t number,
                       const struct zr_shared_camera *camera, struct zr_view *view)
 {
     if (set->kind == ZR_VIEW_SET_LIST) {
-        const int preset = set->items[number].preset;
-        if (preset < 0) return;
-        view->pose = ZR_POSE_PRESET;
-        view->preset = (enum zr_preset)preset;
-        view->suits_extent = false;
-        if (scene->picture.z_is_up) zr_view_put_z_up(view, false);
+        pose_item(scene, &set->items[number], view);
+        if (scene->sheet.is_on) use_sheet_scale(&set->items[number], camera, view);
         return;
     }
     view->pose = ZR_POSE_ORBIT;
@@ -146,4 +177,45 @@ enum zr_status zr_view_set_fit(const struct zr_scene *scene, const struct zr_vie
     camera->xmag = most.xmag;
     camera->ymag = most.ymag;
     return status;
+}
+
+/* ---- sheets ---- */
+
+#define ANGLES(text, azimuth, elevation)                                                                               \
+    {                                                                                                                  \
+        .name = (text), .preset = -1, .has_angles = true, .azimuth_degrees = (azimuth), .elevation_degrees = (elevation) \
+    }
+#define SLOPE 35.264389682754654 /* asin(1 / sqrt(3)) */
+
+static const struct zr_view_item third[] = {{.name = "top", .preset = ZR_PRESET_TOP},
+                                            {.name = "isometric", .preset = ZR_PRESET_ISOMETRIC},
+                                            {.name = "front", .preset = ZR_PRESET_FRONT},
+                                            {.name = "right", .preset = ZR_PRESET_RIGHT}};
+static const struct zr_view_item first[] = {{.name = "right", .preset = ZR_PRESET_RIGHT},
+                                            {.name = "front", .preset = ZR_PRESET_FRONT},
+                                            {.name = "isometric", .preset = ZR_PRESET_ISOMETRIC},
+                                            {.name = "top", .preset = ZR_PRESET_TOP}};
+static const struct zr_view_item balanced[] = {
+    ANGLES("front-right-above", 45, SLOPE), ANGLES("back-left-above", 225, SLOPE),
+    ANGLES("front-left-below", -45, -SLOPE), ANGLES("back-right-below", 135, -SLOPE)};
+
+enum zr_status zr_sheet_complete(struct zr_scene *scene, struct zr_error *error)
+{
+    static const struct zr_view_set sets[2][2] = {
+        {{.count = 4, .items = third}, {.count = 4, .items = first}},
+        {{.count = 4, .items = balanced}, {.count = 4, .items = balanced}}};
+    struct zr_sheet *sheet = &scene->sheet;
+    if (!sheet->is_on) return ZR_OK;
+    if (sheet->layout == ZR_SHEET_VIEWS)
+        return scene->view_set ? ZR_OK
+                               : zr_error_add(error, ZR_BAD_SCENE, "/sheet",
+                                              "of which views? Give \"views\", or the layout threeView or balanced");
+    if (scene->view_set)
+        return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
+                            "this layout has views of its own, and the scene gives %s, too: give \"layout\": \"views\", "
+                            "or leave these out",
+                            zr_view_set_pointer(scene->view_set) + 1);
+    scene->view_set = &sets[sheet->layout - ZR_SHEET_THREE_VIEW][sheet->angle];
+    sheet->columns = 2;
+    return ZR_OK;
 }

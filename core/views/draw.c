@@ -8,6 +8,7 @@
 #include "output/npy.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
+#include "views/sheet_picture.h"
 #include "views/view_scene.h"
 
 enum { AT_ONCE = 16 };
@@ -19,6 +20,7 @@ struct drawing {
     enum zr_status status;
     struct zr_error error;
     struct zr_files files;
+    const struct zr_frame *frame;
 };
 
 struct batch {
@@ -32,15 +34,14 @@ struct batch {
 static void draw(const struct batch *batch, uint32_t number, struct drawing *d)
 {
     const struct zr_scene *scene;
-    const struct zr_frame *frame;
     struct zr_error faults = {0};
     zr_arena_reset(&d->arena, SIZE_MAX);
     d->error = (struct zr_error){0};
     d->status = zr_view_scene(batch->views, number, &d->arena, batch->team, batch->cancel, &scene, &d->error);
     if (d->status != ZR_OK) return;
-    d->status = zr_render(&d->arena, batch->team, scene, NULL, batch->cancel, &frame, &faults);
+    d->status = zr_render(&d->arena, batch->team, scene, NULL, batch->cancel, &d->frame, &faults);
     if (d->status == ZR_OK)
-        d->status = zr_encode_files(&d->arena, batch->team, scene, frame, NULL, batch->cancel, &d->files, &faults);
+        d->status = zr_encode_files(&d->arena, batch->team, scene, d->frame, NULL, batch->cancel, &d->files, &faults);
     if (d->status != ZR_OK) zr_view_report(batch->views, number, d->status, &faults, &d->error);
 }
 
@@ -56,7 +57,7 @@ static void draw_some(void *context, size_t begin, size_t end)
 /* Files of one output of all views. */
 struct sink {
     const struct zr_output *output;
-    bool is_stack; /* one array of all views */
+    enum { EACH, STACK, ANIMATION, SHEET, SHEET_INFO } kind;
     struct zr_buffer out;
     struct zr_apng apng;
 };
@@ -64,15 +65,13 @@ struct sink {
 struct collecting {
     struct zr_arena *arena;
     const struct zr_views *views;
+    struct zr_team *team;
+    const struct zr_cancel *cancel;
     struct sink *sinks;
+    struct zr_sheet_picture sheet;
     struct zr_files *files;
     struct zr_error *error;
 };
-
-static bool is_joined(const struct sink *sink)
-{
-    return sink->is_stack || sink->output->encoding == ZR_ENCODING_APNG;
-}
 
 static bool add_file(struct collecting *c, const char *name, const void *bytes, size_t size, const char *type)
 {
@@ -112,14 +111,24 @@ static enum zr_status take_files(struct collecting *c, uint32_t number, const st
         const struct zr_zip_entry *entry = &files->entries[i];
         struct sink *sink = &c->sinks[i];
         enum zr_status status = ZR_OK;
-        if (sink->is_stack) {
-            status = add_rows(sink, entry);
-        } else if (sink->output->encoding == ZR_ENCODING_APNG) {
-            status = add_frame(c, sink, number, entry);
-        } else {
-            const void *copy = zr_arena_copy(c->arena, entry->bytes, entry->size);
+        const void *copy;
+        switch (sink->kind) {
+        case EACH:
+            copy = zr_arena_copy(c->arena, entry->bytes, entry->size);
             snprintf(name, sizeof name, "%s.%s", view, entry->name);
             if (!copy || !add_file(c, name, copy, entry->size, files->types[i])) status = ZR_NO_MEMORY;
+            break;
+        case STACK:
+            status = add_rows(sink, entry);
+            break;
+        case ANIMATION:
+            status = add_frame(c, sink, number, entry);
+            break;
+        case SHEET_INFO:
+            if (number == 0 && !zr_buffer_add(&sink->out, entry->bytes, entry->size)) status = ZR_NO_MEMORY;
+            break;
+        case SHEET:
+            break;
         }
         if (status != ZR_OK) return status;
     }
@@ -143,10 +152,17 @@ static enum zr_status open_sink(struct collecting *c, const struct zr_output *ou
     const struct zr_view_set *set = c->views->set;
     const struct zr_channel_row *row = &zr_channel_rows[output->channel];
     *sink = (struct sink){.output = output, .out = {.arena = c->arena}};
-    sink->is_stack = output->encoding == ZR_ENCODING_NPY && c->views->has_one_window;
+    if (c->views->scene->sheet.is_on && output->channel == ZR_CHANNEL_COLOR)
+        sink->kind = SHEET;
+    else if (c->views->scene->sheet.is_on && output->channel == ZR_CHANNEL_INFO)
+        sink->kind = SHEET_INFO;
+    else if (output->encoding == ZR_ENCODING_NPY && c->views->has_one_window)
+        sink->kind = STACK;
+    else if (output->encoding == ZR_ENCODING_APNG)
+        sink->kind = ANIMATION;
     sink->apng = (struct zr_apng){.out = &sink->out, .frames = set->count, .seconds = set->seconds / set->count};
     if (set->kind != ZR_VIEW_SET_TURNTABLE) sink->apng.seconds = 1.0;
-    if (!sink->is_stack) return ZR_OK;
+    if (sink->kind != STACK) return ZR_OK;
     const size_t shape[] = {set->count, c->views->height, c->views->width, row->words};
     if (!zr_buffer_room(&sink->out, ZR_NPY_HEADER + 4 * shape[0] * shape[1] * shape[2] * shape[3])) return ZR_NO_MEMORY;
     return zr_npy_begin(row->values == ZR_VALUES_UINT32 ? ZR_NPY_UINT32 : ZR_NPY_FLOAT32, shape, row->words > 1 ? 4 : 3,
@@ -164,7 +180,19 @@ static enum zr_status open_files(struct collecting *c)
     if (!c->files->entries || !c->files->types || !c->sinks) return ZR_NO_MEMORY;
     for (uint32_t i = 0; status == ZR_OK && i < view->output_count; i++)
         status = open_sink(c, &view->outputs[i], &c->sinks[i]);
+    if (status == ZR_OK && c->views->scene->sheet.is_on)
+        status = zr_sheet_picture_make(c->arena, c->views, &c->sheet);
     return status;
+}
+
+static enum zr_status close_sheet(struct collecting *c, uint32_t number)
+{
+    struct zr_files files;
+    const enum zr_status status =
+        zr_sheet_picture_encode(&c->sheet, number, c->arena, c->team, c->cancel, &files, c->error);
+    if (status != ZR_OK) return status;
+    const struct zr_zip_entry *entry = &files.entries[0];
+    return add_file(c, entry->name, entry->bytes, entry->size, files.types[0]) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 /* Adds the files that all views have together. */
@@ -172,8 +200,13 @@ static enum zr_status close_files(struct collecting *c)
 {
     char name[64];
     for (uint32_t i = 0; i < c->views->scene->views[0].output_count; i++) {
-        const struct sink *sink = &c->sinks[i];
-        if (!is_joined(sink)) continue;
+        struct sink *sink = &c->sinks[i];
+        enum zr_status status = ZR_OK;
+        if (sink->kind == EACH) continue;
+        if (sink->kind == SHEET_INFO) status = zr_sheet_info_add(&c->sheet, &sink->out);
+        if (sink->kind == SHEET) status = close_sheet(c, i);
+        if (status != ZR_OK) return status;
+        if (sink->kind == SHEET) continue;
         const struct zr_file_kind *kind = &zr_file_kinds[sink->output->encoding];
         snprintf(name, sizeof name, "%s.%s", zr_channel_rows[sink->output->channel].name, kind->extension);
         if (!add_file(c, name, sink->out.bytes, sink->out.size, kind->type)) return ZR_NO_MEMORY;
@@ -208,6 +241,7 @@ static enum zr_status take_batch(struct collecting *c, struct batch *batch, uint
         if (status == ZR_NO_MEMORY) zr_arena_charge(c->arena, zr_arena_left(c->arena) + 1); /* fails, for the caller */
         if (status == ZR_OK) status = take_files(c, batch->first + i, &d->files);
         if (status != ZR_OK) return status;
+        if (c->views->scene->sheet.is_on) zr_sheet_picture_add(&c->sheet, batch->first + i, d->frame);
         take_warnings(c, &d->files.warnings);
         if (d->arena.held > d->arena.ceiling) zr_arena_reset(&batch->drawings[i].arena, 0); /* was drawn alone */
     }
@@ -253,7 +287,8 @@ enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, struc
     const uint32_t width = find_width(views, team, memory);
     const size_t share = memory / width;
     struct batch batch = {.views = views, .team = team, .cancel = cancel};
-    struct collecting collecting = {.arena = arena, .views = views, .files = files, .error = error};
+    struct collecting collecting = {
+        .arena = arena, .team = team, .cancel = cancel, .views = views, .files = files, .error = error};
     batch.drawings = zr_arena_zero(arena, width, sizeof *batch.drawings);
     if (!batch.drawings || !zr_arena_charge(arena, share * width)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < width; i++)

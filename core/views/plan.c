@@ -1,5 +1,6 @@
 /* Checks all views of a request and predicts their cost, before any is drawn. */
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
 #include "base/cancel.h"
@@ -87,6 +88,53 @@ static enum zr_status check_names(const struct zr_views *views, struct zr_arena 
     return ZR_OK;
 }
 
+/* Finds the scale at which the orthographic views of a sheet fit. */
+static enum zr_status fit_sheet(struct zr_arena *scratch, struct zr_team *team, struct zr_views *views,
+                                const struct zr_cancel *cancel, struct zr_error *error)
+{
+    struct zr_shared_camera most = {.xmag = 0.0f};
+    enum zr_status status = ZR_OK;
+    for (uint32_t i = 0; status == ZR_OK && i < views->set->count; i++) {
+        const struct zr_scene *scene;
+        const struct zr_resolved_view *resolved;
+        struct zr_error faults = {0};
+        zr_arena_reset(scratch, SIZE_MAX);
+        status = zr_view_scene(views, i, scratch, team, cancel, &scene, error);
+        if (status != ZR_OK || !zr_view_has_sheet_scale(&scene->views[0])) continue;
+        status = zr_resolved_view_find(scratch, team, scene, cancel, &resolved, &faults);
+        if (status != ZR_OK) return zr_view_report(views, i, status, &faults, error);
+        most.xmag = fmaxf(most.xmag, 1.0f / resolved->camera.projection.m[0]);
+        most.ymag = fmaxf(most.ymag, 1.0f / resolved->camera.projection.m[5]);
+    }
+    views->camera = most;
+    return status;
+}
+
+/* Finds the camera of a turntable or an orbit, for the window of its views. */
+static enum zr_status fit_camera(struct zr_arena *scratch, struct zr_team *team, struct zr_views *views,
+                                 const struct zr_cancel *cancel, struct zr_error *error)
+{
+    struct zr_scene *scene = zr_arena_copy(scratch, views->scene, sizeof *scene);
+    if (!scene) return ZR_NO_MEMORY;
+    if (scene->sheet.is_on) {
+        scene->views[0].width = (uint32_t)views->layout.width;
+        scene->views[0].height = (uint32_t)views->layout.height;
+    }
+    return zr_view_set_fit(scene, views->set, team, cancel, &views->camera, error);
+}
+
+static enum zr_status lay_out_sheet(struct zr_views *views, struct zr_error *error)
+{
+    const struct zr_view *window = &views->scene->views[0];
+    if (!views->scene->sheet.is_on) return ZR_OK;
+    if (zr_sheet_lay_out(&views->scene->sheet, views->set->count, window->width, window->height, &views->layout))
+        return ZR_OK;
+    return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
+                        "%" PRIu32 " x %" PRIu32 " pixels have no room for %" PRIu32
+                        " views of at least 16 x 16 pixels: a larger window or fewer views have",
+                        window->width, window->height, views->set->count);
+}
+
 static enum zr_status plan(struct zr_arena *scratch, struct zr_team *team, struct zr_views *views,
                            const struct zr_cancel *cancel, struct zr_error *error)
 {
@@ -100,10 +148,13 @@ static enum zr_status plan(struct zr_arena *scratch, struct zr_team *team, struc
                         ? (struct zr_bounds){true, views->scene->box_min, views->scene->box_max}
                         : zr_bounds_of(views->scene, team, cancel);
     enum zr_status status = check_names(views, scratch, error);
+    if (status == ZR_OK) status = lay_out_sheet(views, error);
     /* All windows of a turntable are equal: too many pixels are refused before the geometry is walked. */
     if (set->kind != ZR_VIEW_SET_LIST) pixels = set->count * pixels_of(&views->scene->views[0]);
     if (status == ZR_OK && set->kind != ZR_VIEW_SET_LIST && pixels <= most)
-        status = zr_view_set_fit(views->scene, set, team, cancel, &views->camera, error);
+        status = fit_camera(scratch, team, views, cancel, error);
+    if (status == ZR_OK && set->kind == ZR_VIEW_SET_LIST && views->scene->sheet.is_on)
+        status = fit_sheet(scratch, team, views, cancel, error);
     for (uint32_t i = 0; status == ZR_OK && i < set->count && pixels <= most; i += step) {
         uint64_t own = 0;
         zr_arena_reset(scratch, SIZE_MAX);

@@ -30,6 +30,20 @@ enum zr_status zr_view_report(const struct zr_views *views, uint32_t number, enu
     return status;
 }
 
+/* Views of a sheet need the pixels of their colours, which are encoded together later. */
+static void make_outputs_plain(struct zr_arena *arena, struct zr_view *view)
+{
+    struct zr_output *outputs = zr_arena_copy(arena, view->outputs, view->output_count * sizeof *outputs);
+    for (uint32_t i = 0; outputs && i < view->output_count; i++)
+        if (outputs[i].channel == ZR_CHANNEL_COLOR) outputs[i].encoding = ZR_ENCODING_PNG;
+    if (outputs) view->outputs = outputs;
+}
+
+static bool has_window_of(const struct zr_scene *a, const struct zr_scene *b)
+{
+    return a->views[0].width == b->views[0].width && a->views[0].height == b->views[0].height;
+}
+
 enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, struct zr_arena *arena,
                              struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene **scene,
                              struct zr_error *error)
@@ -45,12 +59,23 @@ enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, stru
     }
     struct zr_scene *made = zr_arena_copy(arena, changed, sizeof *made);
     if (!made) return ZR_NO_MEMORY;
+    made->sheet = views->scene->sheet;
+    if (made->sheet.is_on && !has_window_of(made, views->scene)) {
+        struct zr_error fault = {0};
+        zr_error_add(&fault, ZR_BAD_SCENE, "/window", "the views of a sheet have one size, which follows from its own");
+        return zr_view_report(views, number, ZR_BAD_SCENE, &fault, error);
+    }
     made->view_set = NULL;
     made->tables = views->tables;
     if (changed == views->scene && views->bounds.valid) {
         made->has_box = true;
         made->box_min = views->bounds.min;
         made->box_max = views->bounds.max;
+    }
+    if (made->sheet.is_on) {
+        made->views[0].width = (uint32_t)views->layout.width;
+        made->views[0].height = (uint32_t)views->layout.height;
+        make_outputs_plain(arena, &made->views[0]);
     }
     zr_view_set_pose(made, set, number, &views->camera, &made->views[0]);
     *scene = made;
