@@ -15,12 +15,10 @@
 #include "scene/validate.h"
 #include "shade/frame.h"
 
-const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {[ZR_ENCODING_PNG] = {"png", "image/png"},
-                                                              [ZR_ENCODING_PNG16] = {"png", "image/png"},
-                                                              [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
-                                                              [ZR_ENCODING_JSON] = {"json", "application/json"},
-                                                              [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},
-                                                              [ZR_ENCODING_APNG] = {"apng", "image/apng"}};
+const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {
+    [ZR_ENCODING_PNG] = {"png", "image/png"},         [ZR_ENCODING_PNG16] = {"png", "image/png"},
+    [ZR_ENCODING_NPY] = {"npy", "application/x-npy"}, [ZR_ENCODING_JSON] = {"json", "application/json"},
+    [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},     [ZR_ENCODING_APNG] = {"apng", "image/apng"}};
 
 /* Inputs of encoding, and the results that the output info reports about the other outputs. */
 struct encoding {
@@ -123,7 +121,8 @@ static const char *file_name(struct zr_arena *arena, const struct zr_output *out
     enum { LONGEST = 64 };
     char *name = zr_arena_alloc(arena, LONGEST, 1);
     if (name)
-        snprintf(name, LONGEST, "%s.%s", zr_channel_rows[output->channel].name, zr_file_kinds[output->encoding].extension);
+        snprintf(name, LONGEST, "%s.%s", zr_channel_rows[output->channel].name,
+                 zr_file_kinds[output->encoding].extension);
     return name;
 }
 

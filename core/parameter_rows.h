@@ -65,7 +65,7 @@
     ROW(orbitDistance, "/orbit/distance", MESH, UNITS, "distance from the cameras to the mesh (default: fitted)")      \
     ROW(sheet, "/sheet/layout", MESH, NAME,                                                                            \
         "one picture of several views: threeView, balanced, or views with the parameter views")                        \
-    ROW(sheetColumns, "/sheet/columns", MESH, WHOLE, "views in a row of the sheet")                                     \
+    ROW(sheetColumns, "/sheet/columns", MESH, WHOLE, "views in a row of the sheet")                                    \
     ROW(camera, "/query/camera", MESH, NAME,                                                                           \
         "camera of a glTF file, by its name or number, instead of the look's view")                                    \
     ROW(animation, "/query/animation", MESH, NAME,                                                                     \

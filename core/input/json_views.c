@@ -36,7 +36,7 @@ static bool read_name(struct zr_json *json, const struct zr_json_path *path, con
     const char *name = NULL;
     if (!zr_json_string(json, path, field, &name)) return false;
     const size_t length = strlen(name), good = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                           "0123456789_-");
+                                                            "0123456789_-");
     if (length == 0 || length > NAME_MAX || good != length)
         return zr_json_fault(json, path, "names files, and so has 1 to %d letters, digits, - or _ of ASCII", NAME_MAX);
     *(const char **)out = name;
@@ -205,8 +205,9 @@ enum { COLUMNS_MAX = 64 };
 #define AT(member) offsetof(struct zr_sheet, member)
 static const struct zr_json_field sheet_fields[] = {
     {"layout", zr_json_choice, AT(layout), .words = &layout_names, .otherwise = "views",
-     .text = "views: those of the scene; threeView: front, top, right and isometric; balanced: two isometric views from "
-             "above, two from below"},
+     .text =
+         "views: those of the scene; threeView: front, top, right and isometric; balanced: two isometric views from "
+         "above, two from below"},
     {"columns", zr_json_whole, AT(columns), .otherwise = "as many as rows, or one more", .text = "views in a row"},
     {"angle", zr_json_choice, AT(angle), .words = &angle_names, .otherwise = "third",
      .text = "of projection: places of the views in threeView"},

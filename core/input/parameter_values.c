@@ -222,24 +222,15 @@ typedef bool put_fn(const struct zr_parameter *p, const char *text, struct zr_js
 
 bool zr_parameter_put(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
 {
-    static put_fn *const by_kind[] = {[ZR_PARAMETER_NAME] = put_name,
-                                      [ZR_PARAMETER_NAME_OR_FALSE] = put_name,
-                                      [ZR_PARAMETER_AXIS] = put_name,
-                                      [ZR_PARAMETER_BOOL] = put_flag,
-                                      [ZR_PARAMETER_COUNT] = put_count,
-                                      [ZR_PARAMETER_NUMBER] = put_in_range,
-                                      [ZR_PARAMETER_DEGREES] = put_in_range,
-                                      [ZR_PARAMETER_PIXELS] = put_in_range,
-                                      [ZR_PARAMETER_UNITS] = put_positive,
-                                      [ZR_PARAMETER_SECONDS] = put_in_range,
-                                      [ZR_PARAMETER_WHOLE] = put_whole,
-                                      [ZR_PARAMETER_SIDE] = put_side,
-                                      [ZR_PARAMETER_PIXEL] = put_pixel,
-                                      [ZR_PARAMETER_VECTOR] = put_vector,
-                                      [ZR_PARAMETER_PARTS] = put_parts,
-                                      [ZR_PARAMETER_PLANES] = put_planes,
-                                      [ZR_PARAMETER_COLOR] = put_opaque,
-                                      [ZR_PARAMETER_BACKGROUND] = put_background,
+    static put_fn *const by_kind[] = {[ZR_PARAMETER_NAME] = put_name,        [ZR_PARAMETER_NAME_OR_FALSE] = put_name,
+                                      [ZR_PARAMETER_AXIS] = put_name,        [ZR_PARAMETER_BOOL] = put_flag,
+                                      [ZR_PARAMETER_COUNT] = put_count,      [ZR_PARAMETER_NUMBER] = put_in_range,
+                                      [ZR_PARAMETER_DEGREES] = put_in_range, [ZR_PARAMETER_PIXELS] = put_in_range,
+                                      [ZR_PARAMETER_UNITS] = put_positive,   [ZR_PARAMETER_SECONDS] = put_in_range,
+                                      [ZR_PARAMETER_WHOLE] = put_whole,      [ZR_PARAMETER_SIDE] = put_side,
+                                      [ZR_PARAMETER_PIXEL] = put_pixel,      [ZR_PARAMETER_VECTOR] = put_vector,
+                                      [ZR_PARAMETER_PARTS] = put_parts,      [ZR_PARAMETER_PLANES] = put_planes,
+                                      [ZR_PARAMETER_COLOR] = put_opaque,     [ZR_PARAMETER_BACKGROUND] = put_background,
                                       [ZR_PARAMETER_OUTLINE] = put_outline};
     return by_kind[p->kind](p, text, json);
 }

@@ -16,8 +16,8 @@ struct zr_mesh_tables {
     const struct zr_edge_mesh *edges; /* by mesh; NULL: none */
 };
 
-/* Makes the tables that the scene's picture needs, as far as they fit into an eighth of the memory that is left. Returns
- * ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Makes the tables that the scene's picture needs, as far as they fit into an eighth of the memory that is left.
+ * Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_mesh_tables_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                    const struct zr_cancel *cancel, struct zr_mesh_tables *out);
 

@@ -36,7 +36,7 @@ static bool add_chunk(struct zr_buffer *out, const char *type, const uint32_t *n
 static bool add_frame_control(struct zr_apng *apng)
 {
     const double parts = fmin(fmax(round(apng->seconds * DELAY_PARTS), 1.0), DELAY_MOST);
-    unsigned char control[22] = {0}; /* frames begin at 0, 0, and replace the last one */
+    unsigned char control[22] = {0};    /* frames begin at 0, 0, and replace the last one */
     memcpy(control, apng->head + 8, 8); /* width and height */
     control[16] = (unsigned char)((uint32_t)parts >> 8);
     control[17] = (unsigned char)(uint32_t)parts;

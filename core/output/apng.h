@@ -14,10 +14,10 @@
 
 struct zr_apng {
     struct zr_buffer *out;
-    uint32_t frames;    /* that will be added */
-    double seconds;     /* that a frame is shown */
-    uint32_t done;      /* frames added; initially 0 */
-    uint32_t sequence;  /* of the next chunk; initially 0 */
+    uint32_t frames;        /* that will be added */
+    double seconds;         /* that a frame is shown */
+    uint32_t done;          /* frames added; initially 0 */
+    uint32_t sequence;      /* of the next chunk; initially 0 */
     unsigned char head[25]; /* chunk IHDR of the first frame */
 };
 

@@ -195,8 +195,8 @@ enum zr_status zr_png_write(const struct zr_png *image, struct zr_team *team, co
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
     if (image->width < 1 || image->height < 1 || image->width > ZR_IDAT_WIDTH_MAX) return ZR_INTERNAL;
     if (image->kind != ZR_PNG_GREY16 && !image->has_no_palette &&
-        zr_palette_make(&palette, out->arena, image->pixels, image->width,
-                                                        image->height, image->spans, image->kind == ZR_PNG_RGB))
+        zr_palette_make(&palette, out->arena, image->pixels, image->width, image->height, image->spans,
+                        image->kind == ZR_PNG_RGB))
         w.palette = &palette;
     return zr_arena_ok(out->arena) ? write_file(&w, team, out) : ZR_NO_MEMORY;
 }

@@ -19,8 +19,8 @@
 #include "scene/part_keys.h"
 #include "scene/picture.h"
 #include "scene/section.h"
-#include "scene/sheet.h"
 #include "scene/shadings.h"
+#include "scene/sheet.h"
 #include "scene/texture.h"
 
 /* Colour of the edges of faces, drawn as lines. */
@@ -397,8 +397,8 @@ struct zr_scene {
     struct zr_file_facts file;
     const double *origin; /* three numbers that the reader subtracted from all positions; NULL: none */
     struct zr_view views[ZR_VIEWS_MOST];
-    struct zr_sheet sheet; /* one picture of all views */
-    const struct zr_view_set *view_set; /* several views, made from this scene by views/; NULL: one */
+    struct zr_sheet sheet;               /* one picture of all views */
+    const struct zr_view_set *view_set;  /* several views, made from this scene by views/; NULL: one */
     const struct zr_mesh_tables *tables; /* shared by several views; NULL: none */
     bool has_box; /* box_min and box_max are the result of zr_bounds_of (scene/camera.h), which a reader needed */
     zr_vec3 box_min, box_max;

@@ -11,9 +11,9 @@ const char *zr_view_set_pointer(const struct zr_view_set *set)
 
 /* ---- poses ---- */
 
-/* Point `number` of a Fibonacci sphere, from the top to the bottom: equal steps of height, and steps of the golden angle
- * around it. Elevations are rounded, since the last bits of libm differ between systems.
- * Source: R. Swinbank, R. J. Purser, "Fibonacci grids", Q. J. R. Meteorol. Soc. 132 (2006). */
+/* Point `number` of a Fibonacci sphere, from the top to the bottom: equal steps of height, and steps of the golden
+ * angle around it. Elevations are rounded, since the last bits of libm differ between systems. Source: R. Swinbank, R.
+ * J. Purser, "Fibonacci grids", Q. J. R. Meteorol. Soc. 132 (2006). */
 static void find_point(uint32_t number, uint32_t count, double *azimuth, double *elevation)
 {
     const double golden = 137.50776405003785, height = 1.0 - (2.0 * (double)number + 1.0) / (double)count;
@@ -132,8 +132,7 @@ static enum zr_status check(const struct zr_view *view, const struct zr_view_set
     const bool is_pose = view->pose == ZR_POSE_MATRIX;
     if (!is_pose && view->projection != ZR_PROJECTION_MATRIX) return ZR_OK;
     return zr_error_add(error, ZR_BAD_SCENE, zr_view_set_pointer(set),
-                        "the view has a %s as a matrix, which does not turn: give %s",
-                        is_pose ? "pose" : "projection",
+                        "the view has a %s as a matrix, which does not turn: give %s", is_pose ? "pose" : "projection",
                         is_pose ? "eye and target, a preset or azimuthDegrees" : "perspective or orthographic");
 }
 
@@ -183,7 +182,8 @@ enum zr_status zr_view_set_fit(const struct zr_scene *scene, const struct zr_vie
 
 #define ANGLES(text, azimuth, elevation)                                                                               \
     {                                                                                                                  \
-        .name = (text), .preset = -1, .has_angles = true, .azimuth_degrees = (azimuth), .elevation_degrees = (elevation) \
+        .name = (text), .preset = -1, .has_angles = true, .azimuth_degrees = (azimuth),                                \
+        .elevation_degrees = (elevation)                                                                               \
     }
 #define SLOPE 35.264389682754654 /* asin(1 / sqrt(3)) */
 
@@ -201,9 +201,8 @@ static const struct zr_view_item balanced[] = {
 
 enum zr_status zr_sheet_complete(struct zr_scene *scene, struct zr_error *error)
 {
-    static const struct zr_view_set sets[2][2] = {
-        {{.count = 4, .items = third}, {.count = 4, .items = first}},
-        {{.count = 4, .items = balanced}, {.count = 4, .items = balanced}}};
+    static const struct zr_view_set sets[2][2] = {{{.count = 4, .items = third}, {.count = 4, .items = first}},
+                                                  {{.count = 4, .items = balanced}, {.count = 4, .items = balanced}}};
     struct zr_sheet *sheet = &scene->sheet;
     if (!sheet->is_on) return ZR_OK;
     if (sheet->layout == ZR_SHEET_VIEWS)
@@ -211,10 +210,11 @@ enum zr_status zr_sheet_complete(struct zr_scene *scene, struct zr_error *error)
                                : zr_error_add(error, ZR_BAD_SCENE, "/sheet",
                                               "of which views? Give \"views\", or the layout threeView or balanced");
     if (scene->view_set)
-        return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
-                            "this layout has views of its own, and the scene gives %s, too: give \"layout\": \"views\", "
-                            "or leave these out",
-                            zr_view_set_pointer(scene->view_set) + 1);
+        return zr_error_add(
+            error, ZR_BAD_SCENE, "/sheet",
+            "this layout has views of its own, and the scene gives %s, too: give \"layout\": \"views\", "
+            "or leave these out",
+            zr_view_set_pointer(scene->view_set) + 1);
     scene->view_set = &sets[sheet->layout - ZR_SHEET_THREE_VIEW][sheet->angle];
     sheet->columns = 2;
     return ZR_OK;

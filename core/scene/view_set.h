@@ -6,8 +6,8 @@
  *
  * Sheet:     one picture of all views, at one scale. Two layouts have views of their own.
  *
- * All cameras of a turntable or an orbit look at one target, from one distance and at one scale, which hold the geometry
- * in every view. */
+ * All cameras of a turntable or an orbit look at one target, from one distance and at one scale, which hold the
+ * geometry in every view. */
 #ifndef ZR_VIEW_SET_H
 #define ZR_VIEW_SET_H
 
@@ -16,11 +16,11 @@
 enum zr_view_set_kind { ZR_VIEW_SET_LIST, ZR_VIEW_SET_TURNTABLE, ZR_VIEW_SET_ORBIT };
 
 struct zr_view_item {
-    const char *name;  /* of its files; NULL: its number */
-    int preset;        /* enum zr_preset; -1: none */
-    bool has_angles;   /* else both are 0 */
+    const char *name; /* of its files; NULL: its number */
+    int preset;       /* enum zr_preset; -1: none */
+    bool has_angles;  /* else both are 0 */
     double azimuth_degrees, elevation_degrees;
-    const char *keys;  /* JSON object of the keys that it changes; NULL: none */
+    const char *keys; /* JSON object of the keys that it changes; NULL: none */
     size_t keys_size;
 };
 
@@ -45,14 +45,14 @@ struct zr_shared_camera {
 /* True if the view on a sheet has the scale of all: it is orthographic, and gives no size. */
 bool zr_view_has_sheet_scale(const struct zr_view *view);
 
-/* Adds the views of a sheet's layout to the scene. ZR_BAD_SCENE if the scene gives views, too, or the sheet has none. */
+/* Adds the views of a sheet's layout to the scene. ZR_BAD_SCENE if the scene gives views, too, or the sheet has none.
+ */
 enum zr_status zr_sheet_complete(struct zr_scene *scene, struct zr_error *error);
 
-/* Finds the shared camera. Not for lists. ZR_BAD_SCENE if the scene's view has a pose or a projection as a matrix, or if
- * one of the views has no solution; ZR_CANCELLED. */
+/* Finds the shared camera. Not for lists. ZR_BAD_SCENE if the scene's view has a pose or a projection as a matrix, or
+ * if one of the views has no solution; ZR_CANCELLED. */
 enum zr_status zr_view_set_fit(const struct zr_scene *scene, const struct zr_view_set *set, struct zr_team *team,
-                               const struct zr_cancel *cancel, struct zr_shared_camera *camera,
-                               struct zr_error *error);
+                               const struct zr_cancel *cancel, struct zr_shared_camera *camera, struct zr_error *error);
 
 /* Sets the pose of a view. `camera`: of a turntable, an orbit or a sheet, on which orthographic views without a size of
  * their own have one scale. */

@@ -180,8 +180,7 @@ static enum zr_status open_files(struct collecting *c)
     if (!c->files->entries || !c->files->types || !c->sinks) return ZR_NO_MEMORY;
     for (uint32_t i = 0; status == ZR_OK && i < view->output_count; i++)
         status = open_sink(c, &view->outputs[i], &c->sinks[i]);
-    if (status == ZR_OK && c->views->scene->sheet.is_on)
-        status = zr_sheet_picture_make(c->arena, c->views, &c->sheet);
+    if (status == ZR_OK && c->views->scene->sheet.is_on) status = zr_sheet_picture_make(c->arena, c->views, &c->sheet);
     return status;
 }
 

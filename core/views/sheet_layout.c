@@ -20,8 +20,8 @@ bool zr_sheet_lay_out(const struct zr_sheet *sheet, uint32_t count, uint32_t wid
     layout->gutter = GUTTER * layout->dot;
     layout->caption = sheet->has_captions ? (ABOVE + ZR_GLYPH_ROWS + BELOW) * layout->dot : 0;
     const int64_t across = (int64_t)width - (int64_t)layout->gutter * (columns + 1);
-    const int64_t down = (int64_t)height - (int64_t)layout->gutter * (layout->rows + 1) -
-                         (int64_t)layout->caption * layout->rows;
+    const int64_t down =
+        (int64_t)height - (int64_t)layout->gutter * (layout->rows + 1) - (int64_t)layout->caption * layout->rows;
     if (across < (int64_t)SIDE_LEAST * columns || down < (int64_t)SIDE_LEAST * layout->rows) return false;
     layout->width = (int32_t)(across / columns);
     layout->height = (int32_t)(down / layout->rows);

@@ -27,7 +27,7 @@ enum zr_status zr_sheet_picture_make(struct zr_arena *arena, const struct zr_vie
 
 static const char *unit_of(const struct zr_scene *scene)
 {
-    static const char *const units[][2] = {{"millimetre", "mm"}, {"centimetre", "cm"}, {"metre", "m"},
+    static const char *const units[][2] = {{"millimetre", "mm"},    {"centimetre", "cm"}, {"metre", "m"},
                                            {"micron", "\xc2\xb5m"}, {"inch", "in"},       {"foot", "ft"}};
     for (size_t i = 0; scene->file.unit && i < sizeof units / sizeof *units; i++)
         if (strcmp(scene->file.unit, units[i][0]) == 0) return units[i][1];
@@ -40,7 +40,8 @@ static void find_direction(const struct zr_sheet_picture *sheet, uint32_t number
     const struct zr_views *views = sheet->views;
     const struct zr_view_set *set = views->set;
     const struct zr_orbit orbit = zr_orbit_of(&sheet->cameras[number], views->scene->picture.z_is_up);
-    const bool is_named = set->kind == ZR_VIEW_SET_LIST && (set->items[number].preset >= 0 || set->items[number].has_angles);
+    const bool is_named =
+        set->kind == ZR_VIEW_SET_LIST && (set->items[number].preset >= 0 || set->items[number].has_angles);
     text[0] = '\0';
     if (!is_named && orbit.has_angles)
         snprintf(text, 64, "  %.4g\xc2\xb0, %.4g\xc2\xb0", orbit.azimuth_degrees, orbit.elevation_degrees);
@@ -65,7 +66,8 @@ void zr_sheet_picture_add(struct zr_sheet_picture *sheet, uint32_t number, const
 {
     const struct zr_views *views = sheet->views;
     sheet->cameras[number] = frame->camera;
-    if (frame->view->projection == ZR_PROJECTION_ORTHOGRAPHIC) sheet->ymags[number] = 1.0f / frame->camera.projection.m[5];
+    if (frame->view->projection == ZR_PROJECTION_ORTHOGRAPHIC)
+        sheet->ymags[number] = 1.0f / frame->camera.projection.m[5];
     if (!frame->color) return;
     zr_sheet_put(&views->layout, number, frame->color, &sheet->canvas);
     if (views->layout.caption > 0) write_caption(sheet, number);
