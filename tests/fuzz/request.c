@@ -9,6 +9,7 @@
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
+#include "views.h"
 
 /* How many corners, over all instances, are drawn; the painter compares them pair by pair. */
 enum { CORNERS_MAX = 40000, CORNERS_MAX_PAINTER = 400 };
@@ -29,6 +30,8 @@ static struct zr_limits small_limits(void)
     limits.window_pixels_max = 8 * FUZZ_SIDE_MAX * FUZZ_SIDE_MAX;
     limits.instances_max = 1000;
     limits.image_pixels_max = FUZZ_TEXELS_MAX;
+    limits.views_max = 6;
+    limits.view_pixels_max = limits.window_pixels_max;
     return limits;
 }
 
@@ -115,18 +118,40 @@ static void go_on(struct zr_arena *arena, const struct zr_scene *scene)
     fuzz_accepted = true;
 }
 
+/* All views of a request; their corners count together. */
+static void go_on_with_views(struct zr_arena *arena, struct zr_views *views)
+{
+    struct zr_error error = {0};
+    struct zr_files files;
+    struct zr_answer answer;
+    enum zr_status status = ZR_OK;
+    const uint64_t most = views->scene->algorithm == ZR_ALGORITHM_PAINTER ? CORNERS_MAX_PAINTER : CORNERS_MAX;
+    if (corners_of(views->scene) * views->set->count > most) return;
+    status = zr_views_plan(arena, NULL, views, NULL, &error);
+    if (status == ZR_OK) status = zr_views_draw(arena, NULL, views, NULL, &files, &error);
+    if (status == ZR_OK) status = zr_files_answer(arena, &files, views->scene, &answer, &error);
+    if (status != ZR_OK) {
+        expect_message(status, &error);
+        return;
+    }
+    fuzz_expect(files.count > 0 && answer.size > 0, "several views have files");
+    fuzz_accepted = true;
+}
+
 void fuzz_request(const struct zr_request *request)
 {
     static struct zr_arena arena;
     const struct zr_limits limits = small_limits();
     struct zr_error error = {0};
-    const struct zr_scene *scene = NULL;
+    struct zr_views views;
     fuzz_accepted = false;
     if (!arena.ceiling) zr_arena_init(&arena, FUZZ_ARENA_BYTES);
-    enum zr_status status = zr_scene_read(&arena, NULL, request, &limits, &scene, &error);
-    if (status == ZR_OK)
-        go_on(&arena, scene);
-    else
+    enum zr_status status = zr_views_read(&arena, NULL, request, &limits, &views, &error);
+    if (status != ZR_OK)
         expect_message(status, &error);
+    else if (views.set)
+        go_on_with_views(&arena, &views);
+    else
+        go_on(&arena, views.scene);
     zr_arena_reset(&arena, 2 * ZR_ARENA_BLOCK);
 }

@@ -12,6 +12,7 @@ from ._errors import OptionError
 PNG = b"\x89PNG\r\n\x1a\n"
 SUFFIXES = {
     "image/png": ".png",
+    "image/apng": ".apng",
     "image/svg+xml": ".svg",
     "application/zip": ".zip",
     "application/json": ".json",

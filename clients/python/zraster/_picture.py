@@ -52,7 +52,8 @@ class Drawn:
         """Returns a read-only array in the memory of the picture; None without such a channel."""
         found = c.Array()
         if not c.library.picture_channel(self.handle.pointer, channel.encode(), byref(found)):
-            return None
+            file = self.encode(channel)  # of several views
+            return decode(channel, file[0]) if file and file[1] in ("application/x-npy", "image/png") else None
         import numpy
 
         array = numpy.asarray(_Lent(self.handle, found))
@@ -61,13 +62,21 @@ class Drawn:
 
     def channels(self) -> List[str]:
         found = c.Array()
+        rows = shared().tables["channels"]
 
-        def is_there(row: Dict[str, Any]) -> bool:
-            if c.library.picture_channel(self.handle.pointer, row["name"].encode(), byref(found)):
-                return True
-            return not {"json", "svg"}.isdisjoint(row["encodings"]) and self.encode(row["name"]) is not None
+        def has_pixels(row: Dict[str, Any]) -> bool:
+            return bool(c.library.picture_channel(self.handle.pointer, row["name"].encode(), byref(found)))
 
-        return [row["name"] for row in shared().tables["channels"] if is_there(row)]
+        def has_file(row: Dict[str, Any]) -> bool:
+            return self.encode(row["name"]) is not None
+
+        if any(map(has_pixels, rows)):
+            texts = {"json", "svg"}
+            return [r["name"] for r in rows if has_pixels(r) or (not texts.isdisjoint(r["encodings"]) and has_file(r))]
+        answer = self.encode(None)
+        if answer and answer[1] == "application/zip":
+            return list(unzip(answer[0]))
+        return [row["name"] for row in rows if has_file(row)]
 
     @property
     def look(self) -> str:
@@ -138,6 +147,7 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
     picture["normals"], picture["position"]: (h, w, 3) float32
     picture["instanceId"], picture["faceId"]: (h, w) uint32, counted from 1
     picture["info"], picture["fragments"]: dicts
+    Several views: picture["front.color"], ...; picture["depth"]: (views, h, w); file("color"): the animation or the sheet
     Background pixels are inf in depth and distance, and 0 in normals, position and ids.
     dict(picture) has all of them. Arrays are copies; view() returns one without a copy.
     """
@@ -169,7 +179,7 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
     def png(self) -> bytes:
         """The only file if it is a PNG, else the PNG of color."""
         data, type_ = self._encode(None)
-        return data if type_ == "image/png" else self._encode("color")[0]
+        return data if type_ in ("image/png", "image/apng") else self._encode("color")[0]
 
     def file(self, channel: str) -> bytes:
         """Returns the file of a channel: PNG, SVG, NPY or JSON."""
@@ -192,7 +202,7 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
             file.write(fitting[0])
 
     def _repr_png_(self) -> Optional[bytes]:
-        is_png = self.content_type == "image/png" or ("color" in self and self._encode("color")[1] == "image/png")
+        is_png = self.content_type in ("image/png", "image/apng") or ("color" in self and self._encode("color")[1] == "image/png")
         return self.png if is_png else None
 
     def _repr_svg_(self) -> Optional[str]:

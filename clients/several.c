@@ -1,0 +1,29 @@
+/* several.c - client: `zraster views`, `zraster sheet` and `zraster turntable`: several views of one file. */
+#include "render.h"
+
+/* Sets a parameter that the command line does not give. */
+static void suggest(struct options *options, enum parameter parameter, const char *value)
+{
+    if (!options->parameters[parameter]) options->parameters[parameter] = value;
+}
+
+int command_views(struct options *options)
+{
+    if (!options->parameters[PARAMETER_orbit]) suggest(options, PARAMETER_views, "front,top,right,isometric");
+    return command_render(options);
+}
+
+int command_sheet(struct options *options)
+{
+    const bool has_views = options->parameters[PARAMETER_views] || options->parameters[PARAMETER_turntable] ||
+                           options->parameters[PARAMETER_orbit];
+    suggest(options, PARAMETER_sheet, has_views ? "views" : "threeView");
+    return command_render(options);
+}
+
+int command_turntable(struct options *options)
+{
+    suggest(options, PARAMETER_turntable, "36");
+    if (!options->parameters[PARAMETER_channel]) suggest(options, PARAMETER_encoding, "apng");
+    return command_render(options);
+}
