@@ -10,7 +10,8 @@
     ROW(batch, 'b', "FILE|FOLDER|GLOB|-... [-o FOLDER] [OPTION]...",                                                   \
         "draws many files on all cores; -: names, or lines such as {\"file\": \"a.stl\", \"look\": \"clay\"}, from "   \
         "standard input")                                                                                              \
-    ROW(views, 'v', "FILE [-o FOLDER/] [OPTION]...", "draws several sides: front, top, right and isometric, or --views")   \
+    ROW(views, 'v', "FILE [-o FOLDER/] [OPTION]...",                                                                   \
+        "draws several sides: front, top, right and isometric, or --views")                                            \
     ROW(sheet, 's', "FILE [-o OUTPUT] [OPTION]...",                                                                    \
         "draws several sides into one picture at one scale: --sheet threeView or balanced, or --views")                \
     ROW(turntable, 't', "FILE [-o OUTPUT] [OPTION]...", "draws an animated PNG: the camera turns once around FILE")    \
@@ -24,13 +25,13 @@
 
 /* ROW(ID, name, short letter or 0, placeholder or NULL for a switch, letters of its commands, help) */
 #define OUTPUT_OPTION_ROWS(ROW)                                                                                        \
-    ROW(OUTPUT, "output", 'o', "FILE|DIR|-", "rbcwvst",                                                                   \
+    ROW(OUTPUT, "output", 'o', "FILE|DIR|-", "rbcwvst",                                                                \
         "file, folder or standard output; .svg: lines alone (default: FILE with another ending, in this folder; "      \
         "compare: "                                                                                                    \
         "none)")                                                                                                       \
     ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS, "window in pixels; N means NxN; -W or -H alone keeps 4:3")       \
-    ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcwvst", "no overwriting of existing files")                               \
-    ROW(SHOW, "show", 0, NULL, "rws", "picture in the terminal (kitty, iTerm2, sixel)")                                 \
+    ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcwvst", "no overwriting of existing files")                            \
+    ROW(SHOW, "show", 0, NULL, "rws", "picture in the terminal (kitty, iTerm2, sixel)")                                \
     ROW(RESUME, "resume", 0, NULL, "b", "only files with missing outputs")                                             \
     ROW(JSON, "json", 0, NULL, "ib", "JSON on standard output: the facts, or one line per file")
 #define GENERAL_OPTION_ROWS(ROW)                                                                                       \
@@ -47,7 +48,7 @@
     ROW(QUIET, "quiet", 'q', NULL, DRAWING_COMMANDS, "no warnings")                                                    \
     ROW(VERBOSE, "verbose", 'v', NULL, DRAWING_COMMANDS, "line per output: name, size, look and times")                \
     ROW(PLAIN, "plain", 0, NULL, "rbw", "no progress bar (also with the variable NO_COLOR)")                           \
-    ROW(HELP, "help", 'h', NULL, "ribcwlhvst", "help of the command")                                                     \
+    ROW(HELP, "help", 'h', NULL, "ribcwlhvst", "help of the command")                                                  \
     ROW(VERSION, "version", 'V', NULL, "ribcwlhvst", "version of zraster")
 #define OPTION_ROWS(ROW) OUTPUT_OPTION_ROWS(ROW) GENERAL_OPTION_ROWS(ROW)
 

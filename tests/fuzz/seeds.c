@@ -123,6 +123,17 @@ static void write_scenes(void)
                        "{\"fx\":20,\"cx\":8,\"skew\":0.1},\"pixelCenter\":0,\"znear\":1,\"zfar\":10}}"},
         {"svg", "{" WINDOW "," TRIANGLE ",\"edges\":{\"from\":\"mesh\",\"hiddenLines\":true,\"creaseDegrees\":20,"
                 "\"width\":2},\"outputs\":[{\"channel\":\"color\",\"encoding\":\"svg\"},{\"channel\":\"color\"}]}"},
+        {"views",
+         "{" WINDOW "," TETRAHEDRA "\"nodes\":[{\"name\":\"n\",\"mesh\":\"a\"}],\"views\":[\"front\",{\"name\":"
+         "\"moved\",\"view\":{\"azimuthDegrees\":30,\"elevationDegrees\":20},\"poses\":{\"n\":[1,0,0,0,0,1,0,0,"
+         "0,0,1,0,0,0,1,1]}},{\"window\":{\"width\":9,\"height\":8},\"look\":\"clay\",\"background\":\"#203040\"}]}"},
+        {"turntable",
+         "{" WINDOW "," TRIANGLE ",\"turntable\":{\"frames\":3,\"elevation\":25,\"seconds\":2},\"outputs\":["
+         "{\"channel\":\"color\",\"encoding\":\"apng\"},{\"channel\":\"depth\"}]}"},
+        {"sheet", "{\"window\":{\"width\":48,\"height\":48}," TRIANGLE ",\"sheet\":{\"layout\":\"threeView\",\"angle\":"
+                  "\"first\",\"captions\":false},\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"info\"}]}"},
+        {"orbit-of-views",
+         "{" WINDOW "," TRIANGLE ",\"orbit\":{\"count\":4,\"distance\":3},\"view\":{\"perspective\":{}}}"},
     };
     write_scene_files();
     WRITE_TEXTS("json", texts);

@@ -117,7 +117,6 @@ TEST(tables_list_all_parameters_and_looks)
     assert_true(cJSON_GetArraySize(cJSON_GetObjectItem(all, "parameters")) > 40);
     assert_true(cJSON_GetArraySize(cJSON_GetObjectItem(all, "keys")) >= 28);
     assert_non_null(strstr(tables, "{\"name\":\"lights\",\"help\":\"list of lights\"}"));
-    assert_null(strstr(tables, "turntable")); /* reserved */
     assert_true(cJSON_GetArraySize(cJSON_GetObjectItem(all, "channels")) >= 15);
 #define ONE(...) +1
     assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(all, "formats")), 0 ZR_FORMAT_ROWS(ONE));
