@@ -170,6 +170,7 @@ int main(int count, char **arguments)
     service_for_many(&bench);
     service_memory(&bench);
     service_with_kept_meshes(&bench);
+    service_with_views(&bench);
     growth_of_work(&bench);
     if (!bench.check_only && !bench.list) {
         results_print_summary(&bench.results);

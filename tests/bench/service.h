@@ -31,6 +31,9 @@ void service_for_many(struct bench *bench);
  * what the whole request takes beside drawing alone. */
 void service_with_kept_meshes(struct bench *bench);
 
+/* Several views by one request, against a request for each (views_http.c). */
+void service_with_views(struct bench *bench);
+
 /* Bytes a pixel and a triangle, in notes. */
 void service_memory(struct bench *bench);
 
