@@ -13,6 +13,7 @@
 #include "overlay/color_bar.h"
 #include "scene/camera.h"
 #include "scene/defaults.h"
+#include "scene/scene_edit.h"
 #include "scene/validate.h"
 #include "scene/view_set.h"
 
@@ -93,15 +94,28 @@ static enum zr_status complete_sheet(const struct zr_request *request, struct zr
     return status;
 }
 
-/* Applies the keys of parts to the scene. */
+/* Leaves only the base colours of materials, if the scene wants that. Their readers have dropped the rest. */
+static enum zr_status leave_material_colors(const struct zr_scene_builder *builder, struct zr_error *faults)
+{
+    struct zr_scene *scene = builder->scene;
+    if (scene->parts.colors != ZR_COLORS_MATERIALS) return ZR_OK;
+    if (scene->color_bar.is_on)
+        return zr_error_add(faults, ZR_BAD_SCENE, "/colors",
+                            "materials does not go with colorBar: colours of scalars are left out");
+    return zr_scene_drop_colors(builder->arena, scene) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+/* Applies the keys of parts and colours to the scene. */
 static enum zr_status edit_parts(const struct zr_request *request, struct zr_scene_builder *builder,
                                  struct zr_error *error)
 {
     struct zr_error faults = {0};
-    if (!zr_part_keys_are_given(&builder->scene->parts) && builder->scene->sections.uncut_count == 0) return ZR_OK;
-    if (!fits_memory(builder->arena, builder->scene)) return ZR_NO_MEMORY;
-    enum zr_status status = zr_parts_apply(builder, &faults);
-    if (status == ZR_OK) status = zr_parts_check_uncut(builder, &faults);
+    const bool has_parts =
+        zr_part_keys_are_given(&builder->scene->parts) || builder->scene->sections.uncut_count > 0;
+    enum zr_status status = leave_material_colors(builder, &faults);
+    if (status == ZR_OK && has_parts && !fits_memory(builder->arena, builder->scene)) return ZR_NO_MEMORY;
+    if (status == ZR_OK && has_parts) status = zr_parts_apply(builder, &faults);
+    if (status == ZR_OK && has_parts) status = zr_parts_check_uncut(builder, &faults);
     if (status == ZR_BAD_SCENE) zr_query_report(request, status, &faults, error);
     return status;
 }

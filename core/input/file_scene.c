@@ -5,7 +5,9 @@
 
 #include "base/matrix.h"
 #include "input/json_scene.h"
+#include "input/json_view.h"
 #include "input/text.h"
+#include "scene/camera.h"
 
 /* Returns the file's material, overridden by the values of the query. */
 static struct zr_parsed_material put_query(const struct zr_parsed_material *material,
@@ -13,7 +15,10 @@ static struct zr_parsed_material put_query(const struct zr_parsed_material *mate
 {
     struct zr_parsed_material out = *material;
     if (!query) return out;
-    if (zr_json_gives(query->keys, ZR_MATERIAL_BASE_COLOR)) out.base_color = query->base_color;
+    if (zr_json_gives(query->keys, ZR_MATERIAL_BASE_COLOR)) {
+        out.base_color = query->base_color;
+        out.has_linear_color = false;
+    }
     if (zr_json_gives(query->keys, ZR_MATERIAL_METALLIC)) out.metallic = query->metallic;
     if (zr_json_gives(query->keys, ZR_MATERIAL_ROUGHNESS)) out.roughness = query->roughness;
     return out;
@@ -36,8 +41,7 @@ static uint32_t make(struct zr_parsed_scene *root, const struct zr_file_scene *f
 {
     const struct zr_style of = {
         .material = material, .face_style = style->face_style, .is_open = true, .number = style->number};
-    return zr_parsed_make_mesh_material(root, &of, mesh, mesh->normal_count > 0 || mesh->colors,
-                                        file->blends_colors);
+    return zr_parsed_make_mesh_material(root, &of, mesh, mesh->normal_count > 0 || mesh->colors, file->blends_colors);
 }
 
 /* Adds the usage flags of the file's materials to the query's material, whose keys override all of them. */
@@ -164,16 +168,50 @@ static zr_mat4 unscale(const zr_mat4 *matrix)
     return out;
 }
 
-static bool set_pose(struct zr_view *view, const struct zr_file_camera *camera, const zr_mat4 *up)
+/* Sets the pose as the key cameraToWorld does, bit by bit, unless the matrix has several scales. */
+static bool set_pose_by_matrix(struct zr_view *view, const zr_mat4 *camera_to_world)
+{
+    const zr_mat4 pose = zr_pose_matrix_scale(camera_to_world) == 0.0 ? unscale(camera_to_world) : *camera_to_world;
+    view->pose = ZR_POSE_MATRIX;
+    if (!zr_mat4_invert(&pose, &view->world_to_camera)) return false;
+    zr_view_remove_scale(&view->world_to_camera);
+    return true;
+}
+
+/* Views with a projection of their own replace those by a matrix. Others keep the pixels of earlier versions. */
+static bool set_pose(struct zr_view *view, const struct zr_file_camera *camera, const zr_mat4 *up, bool is_matrix)
 {
     const zr_mat4 turned = zr_mat4_mul(up, &camera->camera_to_world), pose = unscale(&turned);
     const struct zr_matrix matrix = zr_matrix_of(&pose);
     struct zr_matrix inverse;
+    if (is_matrix) return set_pose_by_matrix(view, &turned);
     if (!zr_matrix_invert(&matrix, &inverse)) return false;
     for (int i = 0; i < 16; i++)
         view->world_to_camera.m[i] = (float)inverse.m[i];
     view->pose = ZR_POSE_MATRIX;
     return true;
+}
+
+static void set_projection(struct zr_view *view, const struct zr_file_camera *camera)
+{
+    view->projection = camera->is_perspective ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
+    view->yfov_radians = camera->yfov_radians;
+    view->xfov_radians = 0.0f;
+    view->xmag = camera->xmag;
+    view->ymag = camera->ymag;
+}
+
+/* Keeps the planes that the view gives. */
+static void set_planes(struct zr_view *view, const struct zr_file_camera *camera, uint64_t view_keys)
+{
+    if (!(view_keys & ZR_VIEW_BIT(ZR_VIEW_ZNEAR))) {
+        view->has_znear = true;
+        view->znear = camera->znear;
+    }
+    if (!(view_keys & ZR_VIEW_BIT(ZR_VIEW_ZFAR))) {
+        view->has_zfar = camera->has_zfar;
+        view->zfar = camera->zfar;
+    }
 }
 
 bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
@@ -186,17 +224,13 @@ bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json
     if (!found)
         return zr_json_fault(&root->json, path, "the file has no camera %s; its cameras: %s", quote.text,
                              list_cameras(file).text);
-    if (!set_pose(view, found, up)) return zr_json_fault(&root->json, path, "the camera %s has no axes", quote.text);
-    view->projection = found->is_perspective ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
-    view->yfov_radians = found->yfov_radians;
-    view->xfov_radians = 0.0f;
-    view->xmag = found->xmag;
-    view->ymag = found->ymag;
-    view->has_znear = true;
-    view->znear = found->znear;
-    view->has_zfar = found->has_zfar;
-    view->zfar = found->zfar;
-    return true;
+    if (!set_pose(view, found, up, root->camera_keys & ZR_VIEW_PROJECTIONS))
+        return zr_json_fault(&root->json, path, "the camera %s has no axes", quote.text);
+    if (!(root->camera_keys & ZR_VIEW_PROJECTIONS)) set_projection(view, found);
+    if (view->projection != ZR_PROJECTION_MATRIX) set_planes(view, found, root->camera_keys);
+    return !(view->has_znear && view->has_zfar && !(view->znear < view->zfar)) ||
+           zr_json_fault(&root->json, path, "the camera %s then has zfar %.9g and znear %.9g", quote.text,
+                         (double)view->zfar, (double)view->znear);
 }
 
 /* ---- lights ---- */

@@ -57,8 +57,9 @@ void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed
 /* True if the file has a camera of this name or number. */
 bool zr_file_scene_has_camera(const struct zr_file_scene *file, const char *camera);
 
-/* Sets the view's pose and projection to those of the file's camera of this name or number. `up` turns the file's
- * space to world space. False, and a fault at `path`, if there is no such camera. `file` may be NULL. */
+/* Sets the view's pose, projection and planes to those of the file's camera of this name or number, except the keys in
+ * root->camera_keys. `up` turns the file's space to world space. False, and a fault at `path`, if there is no such
+ * camera, or its planes and those of the view are in the wrong order. `file` may be NULL. */
 bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
                               const struct zr_file_scene *file, const char *camera, const zr_mat4 *up);
 

@@ -14,12 +14,14 @@ static float clamp(struct zr_gltf *file, const struct zr_json_path *path, double
     return (float)zr_gltf_clamp(file, path, value, 0.0, 1.0);
 }
 
-/* Encodes a linear colour as sRGB, the encoding of colours of a scene. */
-static zr_vec4 encode(struct zr_gltf *file, const float linear[4])
+/* Puts a linear colour, and its encoding as sRGB, the encoding of colours of a scene. */
+static void put_color(struct zr_gltf *file, const float linear[4], struct zr_parsed_material *material)
 {
     float in[4 + ZR_SRGB_EXCESS] = {linear[0], linear[1], linear[2]}, out[4 + ZR_SRGB_EXCESS];
     zr_srgb_encode_of(zr_team_isa(file->root.json.team))(in, 4, out);
-    return (zr_vec4){out[0], out[1], out[2], linear[3]};
+    material->base_color = (zr_vec4){out[0], out[1], out[2], linear[3]};
+    material->linear_color = (zr_vec3){linear[0], linear[1], linear[2]};
+    material->has_linear_color = true;
 }
 
 /* ---- metallic-roughness ---- */
@@ -62,7 +64,7 @@ static void read_pbr(struct zr_gltf *file, const struct zr_json_path *path, cons
     }
     for (int k = 0; k < 4; k++)
         color[k] = clamp(file, ZR_JSON_KEY(path, pbr_fields[BASE_COLOR].key), given.base_color[k]);
-    out->base_color = encode(file, color);
+    put_color(file, color, out);
     out->metallic = clamp(file, ZR_JSON_KEY(path, pbr_fields[METALLIC].key), given.metallic);
     out->roughness = clamp(file, ZR_JSON_KEY(path, pbr_fields[ROUGHNESS].key), given.roughness);
     read_texture(file, path, given.base_color_texture, ZR_TEXTURE_BASE_COLOR, out);
@@ -105,7 +107,7 @@ static void read_glossy(struct zr_gltf *file, const struct zr_json_path *path, c
     struct zr_gltf_glossiness found;
     zr_gltf_read_glossiness(file, path, place, &found);
     file->has_fallbacks = true;
-    out->base_color = encode(file, found.color);
+    put_color(file, found.color, out);
     out->metallic = found.metallic;
     out->roughness = found.roughness;
     out->textures[ZR_TEXTURE_BASE_COLOR] = found.color_texture;

@@ -210,6 +210,16 @@ static void put_textures(const struct zr_parsed_material *given, struct zr_mater
         material->emissive = (zr_vec3){1, 1, 1};
 }
 
+/* Leaves only the base colour of a material, with the numbers of its file; white without a given material. */
+static void leave_base_color(const struct zr_parsed_material *given, struct zr_material *material)
+{
+    const zr_vec3 color = given ? given->linear_color : (zr_vec3){1, 1, 1};
+    if (!given || given->has_linear_color)
+        material->base_color = (zr_vec4){color.x, color.y, color.z, material->base_color.w};
+    material->emissive = (zr_vec3){0, 0, 0};
+    material->textures[ZR_TEXTURE_BASE_COLOR] = material->textures[ZR_TEXTURE_EMISSIVE] = 0;
+}
+
 /* ---- oddities ---- */
 
 /* Returns the shadings that use a key, one bit each; 0: all draws use it, lines too. */
@@ -379,6 +389,7 @@ uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_s
         zr_face_style_material(&faces, look, has_color ? given->base_color : none.base_color, smooth);
     put_values(given, &material);
     put_textures(given, &material);
+    if (root->scene->parts.colors == ZR_COLORS_MATERIALS) leave_base_color(has_given ? given : NULL, &material);
     note_oddities(root, style, &faces, &material);
     if (has_given) note_use(&root->materials[style->material], style, &material);
     if (faces.shading != ZR_UNSET && zr_shading_is_linear((enum zr_shading)faces.shading) && !root->linear_key)

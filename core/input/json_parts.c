@@ -162,8 +162,8 @@ bool zr_read_highlight(struct zr_json *json, const struct zr_json_path *path, co
 
 static const char *const axes[] = {"radial", "x", "y", "z"};
 static const struct zr_names axis_names = ZR_NAMES(ZR_EXPLODE_AXES, axes);
-static const char *const colors[] = {"own", "parts"};
-const struct zr_names zr_part_color_names = ZR_NAMES(2, colors);
+static const char *const colors[] = {"own", "parts", "materials"};
+const struct zr_names zr_part_color_names = ZR_NAMES(ZR_COLORS_COUNT, colors);
 
 struct given_explode {
     double factor;
@@ -201,6 +201,6 @@ bool zr_read_colors(struct zr_json *json, const struct zr_json_path *path, const
 {
     int which = 0;
     if (!zr_json_choice(json, path, field, &which)) return false;
-    ((struct zr_parsed_scene *)out)->scene->parts.has_colors = which == 1;
+    ((struct zr_parsed_scene *)out)->scene->parts.colors = (enum zr_color_source)which;
     return true;
 }

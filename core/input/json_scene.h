@@ -68,6 +68,8 @@ struct zr_parsed_material {
     struct zr_parsed_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
     bool blends;                         /* of a file: blended, unless an alphaMode applies */
+    bool has_linear_color;               /* of a file that gives linear_color; base_color is its encoding as sRGB */
+    zr_vec3 linear_color;
     bool is_used, is_masked, is_blended; /* used by a mesh; by one with the alphaMode MASK; by one with BLEND */
     uint32_t shadings;                   /* bit i: a mesh with filled faces and shading i uses it */
 };
@@ -207,6 +209,7 @@ struct zr_parsed_scene {
     bool fog_has_color;
     const char *fit_mesh;       /* name of the mesh that the view is fitted to, or NULL */
     const char *camera;         /* name or number of the model file's camera that is the view, or NULL */
+    uint64_t camera_keys;       /* keys of the view that override the camera's projection and planes (json_view.h) */
     const char *color_bar_mesh; /* name of the mesh whose scale the colour bar shows, or NULL */
     const char *nodes, *base;   /* places in the text, or NULL */
 

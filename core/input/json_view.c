@@ -94,14 +94,22 @@ static void find_planes(struct zr_parsed_view *given)
                       (double)view->zfar, (double)view->znear);
 }
 
-/* A camera of a model file has a pose, a projection and planes. */
+/* A camera of a model file has a pose, a projection and planes. Keys of the last two override it. */
 static bool use_camera(struct zr_parsed_scene *root, struct zr_parsed_view *given)
 {
     for (int key = 0; key < ZR_VIEW_KEYS; key++)
-        if (key != ZR_VIEW_CAMERA && zr_view_gives(given, (enum zr_view_key)key))
+        if (!(ZR_VIEW_BIT(key) & (ZR_VIEW_PROJECTIONS | ZR_VIEW_BIT(ZR_VIEW_CAMERA) | ZR_VIEW_BIT(ZR_VIEW_PIXEL_CENTER) | ZR_VIEW_BIT(ZR_VIEW_ZNEAR) |
+                          ZR_VIEW_BIT(ZR_VIEW_ZFAR))) &&
+            zr_view_gives(given, (enum zr_view_key)key))
             return zr_json_fault(given->json, given->path, "two views: %s and %s", zr_view_fields[ZR_VIEW_CAMERA].key,
                                  zr_view_fields[key].key);
+    find_projection(given);
+    if (given->has_faults) return false;
+    if (!(given->keys & ZR_VIEW_PROJECTIONS)) given->view.projection = ZR_PROJECTION_PERSPECTIVE; /* for the planes */
+    find_planes(given);
     root->camera = given->camera;
+    root->camera_keys = given->keys;
+    root->scene->views[0] = given->view;
     return true;
 }
 
@@ -117,8 +125,8 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
     const size_t faults = json->error->count;
     (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_view, &given, &given.keys)) return false;
-    if (zr_view_gives(&given, ZR_VIEW_CAMERA)) return use_camera(root, &given);
     given.has_faults = json->error->count > faults;
+    if (zr_view_gives(&given, ZR_VIEW_CAMERA)) return use_camera(root, &given);
     zr_view_find_pose(&given);
     find_projection(&given);
     if (given.has_faults) return false;

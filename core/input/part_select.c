@@ -202,7 +202,7 @@ static uint32_t style_of_color(uint32_t number)
 static void set_styles(struct selecting *s, const struct zr_part_keys *keys, uint32_t *styles)
 {
     const uint32_t count = s->list->count;
-    for (uint32_t p = 0; keys->has_colors && p < count; p++)
+    for (uint32_t p = 0; keys->colors == ZR_COLORS_PARTS && p < count; p++)
         styles[p] = style_of_color(zr_part_color_of(s->list->at[p].name));
     for (uint32_t i = 0; i < keys->highlight_count; i++) {
         mark(s, &keys->highlights[i].parts);
@@ -241,7 +241,7 @@ static void check_shown(const struct selecting *s, const struct zr_part_keys *ke
 
 static void check_colors(const struct selecting *s, const struct zr_part_keys *keys)
 {
-    if (keys->has_colors && s->builder->scene->color_bar.is_on)
+    if (keys->colors == ZR_COLORS_PARTS && s->builder->scene->color_bar.is_on)
         zr_error_add(s->error, ZR_BAD_SCENE, "/colors",
                      "parts does not go with colorBar: colours of parts replace the colours that the bar explains");
 }

@@ -29,6 +29,9 @@ struct zr_part_highlight {
     zr_vec4 color; /* opaque, sRGB-encoded */
 };
 
+/* Colours of the scene's own, one per part by its name, or only base colours of materials. */
+enum zr_color_source { ZR_COLORS_OWN, ZR_COLORS_PARTS, ZR_COLORS_MATERIALS, ZR_COLORS_COUNT };
+
 enum zr_explode_axis { ZR_EXPLODE_RADIAL, ZR_EXPLODE_X, ZR_EXPLODE_Y, ZR_EXPLODE_Z, ZR_EXPLODE_AXES };
 
 struct zr_part_keys {
@@ -37,14 +40,14 @@ struct zr_part_keys {
     const struct zr_part_highlight *highlights;
     double explode; /* factor; 0: not exploded */
     enum zr_explode_axis explode_axis;
-    bool has_colors; /* one colour per part, chosen by its name */
+    enum zr_color_source colors;
 };
 
 /* True if a key changes the scene. */
 static inline bool zr_part_keys_are_given(const struct zr_part_keys *keys)
 {
     return keys->hide.count > 0 || keys->isolate.count > 0 || keys->ghost.count > 0 || keys->highlight_count > 0 ||
-           keys->explode != 0.0 || keys->has_colors;
+           keys->explode != 0.0 || keys->colors == ZR_COLORS_PARTS;
 }
 
 #endif

@@ -16,7 +16,8 @@ static const char ply[] =
 /* Colours of faces alone. */
 static const char flat_ply[] =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
-    "property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n"
+    "property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar "
+    "blue\nend_header\n"
     "0 0 0\n1 0 0\n0 1 0.5\n1 1 1\n3 0 1 2 255 0 0\n3 1 3 2 0 99 200\n";
 
 /* Two meshes, one with two primitives; three nodes; a material with a texture. */
@@ -168,6 +169,28 @@ TEST(nodes_poses_and_materials_apply_to_files)
     assert_same_picture(moved, draw(request_of(text)), "poses");
 }
 
+TEST(a_projection_and_planes_override_those_of_a_camera)
+{
+    static const char *const keys[] = {
+        "\"intrinsics\":{\"fx\":90,\"fy\":70,\"cx\":20,\"cy\":41},\"znear\":3.6,\"zfar\":4.2",
+        "\"orthographic\":{\"xmag\":1,\"ymag\":0.5},\"znear\":0.5", "\"znear\":3.7,\"perspective\":{\"yfov\":0.7}"};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        char of_file[512], written[512];
+        snprintf(of_file, sizeof of_file,
+                 SCENE("clay", "\"view\":{\"camera\":0,%s},\"meshes\":[{\"asset\":\"m.gltf\"}]"), keys[i]);
+        snprintf(written, sizeof written,
+                 SCENE("clay", "\"view\":{\"cameraToWorld\":[1,0,0,0,0,1,0,0,0,0,1,0,0.5,0.5,4,1],%s},"
+                               "\"meshes\":[{\"asset\":\"m.gltf\"}]"),
+                 keys[i]);
+        assert_same_picture(draw(request_of(of_file)), draw(request_of(written)), keys[i]);
+    }
+    assert_same_picture(
+        draw(request_of(SCENE("clay", "\"view\":{\"camera\":0,\"znear\":3.7},\"meshes\":[{\"asset\":\"m.gltf\"}]"))),
+        draw(request_of(SCENE("clay", "\"view\":{\"camera\":0,\"znear\":3.7,\"perspective\":{\"yfov\":0.7}},"
+                                      "\"meshes\":[{\"asset\":\"m.gltf\"}]"))),
+        "the camera's angle");
+}
+
 TEST(a_view_fits_all_meshes_of_a_file)
 {
     static const char fitted[] = SCENE("clay", "\"view\":{\"preset\":\"front\",\"fit\":{\"mesh\":\"g\"}},\"meshes\":[{"
@@ -241,8 +264,16 @@ TEST(files_that_are_no_models_are_refused)
          "no mesh of the scene is a file with cameras"},
         {"{\"asset\":\"m.gltf\"}],\"view\":{\"camera\":\"x\"},\"lights\":[", "/view/camera",
          "the file has no camera 'x'; its cameras: 'eye'"},
-        {"{\"asset\":\"m.obj\"}],\"view\":{\"camera\":\"x\",\"zfar\":3},\"lights\":[", "/view",
-         "two views: camera and zfar"}};
+        {"{\"asset\":\"m.obj\"}],\"view\":{\"camera\":\"x\",\"t\":[0,0,3]},\"lights\":[", "/view",
+         "two views: camera and t"},
+        {"{\"asset\":\"m.gltf\"}],\"view\":{\"camera\":0,\"zfar\":1e-6},\"lights\":[", "/view/camera",
+         "the camera '0' then has zfar"},
+        {"{\"asset\":\"m.gltf\"}],\"view\":{\"camera\":0,\"znear\":1,\"projectionMatrix\":[1,0,0,0,0,1,0,0,0,0,-1,-1,"
+         "0,0,-0.2,0]},\"lights\":[",
+         "/view/znear", "projectionMatrix has planes of its own"},
+        {"{\"asset\":\"m.gltf\"}],\"view\":{\"camera\":0,\"K\":[9,0,9,0,9,9,0,0,1],\"intrinsics\":{\"fx\":9}},"
+         "\"lights\":[",
+         "/view", "two projections: intrinsics and K"}};
     const struct zraster_part parts[] = {bytes_part("m.obj", obj, strlen(obj)),
                                          bytes_part("m.gltf", gltf, strlen(gltf)),
                                          bytes_part("corners.bin", corners, sizeof corners)};

@@ -390,6 +390,21 @@ TEST(the_query_is_over_the_file)
     reading_free(reading);
 }
 
+TEST(only_base_colours_are_left_as_the_file_gives_them)
+{
+    struct reading *reading = read_over(
+        (struct zr_request){.colors = "materials"},
+        FILE_OF(NODE "," MATERIALS ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"COLOR_0\":2},"
+                     "\"indices\":1,\"material\":0},{\"attributes\":{\"POSITION\":0},\"indices\":1}]}]"));
+    assert_read(reading);
+    const struct zr_material *first = material_of(reading, 0), *none = material_of(reading, 1);
+    assert_true(first->base_color.x == 0.5f && first->base_color.y == 0.0f && first->base_color.z == 1.0f);
+    assert_true(first->base_color.w == 0.25f && first->emissive.y == 0.0f);
+    assert_true(none->base_color.x == 1.0f && none->base_color.y == 1.0f && none->base_color.z == 1.0f);
+    assert_null(reading->scene->meshes[0].colors);
+    reading_free(reading);
+}
+
 TEST(what_is_left_out_is_warned_of)
 {
     static const struct {
