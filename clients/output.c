@@ -20,13 +20,14 @@ static const struct format FORMATS[] = {
     {"image/png", "png", "a PNG", ""},
     {"image/apng", "apng", "an animated PNG", ""},
     {"application/x-npy", "npy", "an array (NPY)", "; depth has a PNG, too: --encoding png16"},
+    {"image/tiff", "tiff", "a TIFF", ""},
     {"application/json", "json", "JSON", ""},
     {"image/svg+xml", "svg", "an SVG", ""},
     {"application/zip", "zip", "a ZIP archive of several outputs", "; or get one of them: --channel color"},
 };
 
 /* Endings of formats that are never written. Other endings, such as .part, name no format. */
-static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "tiff", "webp", "bmp", "ppm", "pgm",
+static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "webp", "bmp",  "ppm", "pgm",
                                       "exr", "hdr",  "pdf", "npz", "gz",   "html", "txt", "csv"};
 
 static const struct format *format_of(const char *type)

@@ -206,7 +206,7 @@ static void count_outputs(const struct zr_scene *scene, double *counts)
         if (encoding == ZR_ENCODING_SVG) continue;
         counts[ZR_COST_OUTPUT_WORD] += pixels * fmax((double)zr_channel_rows[view->outputs[i].channel].words, 1.0);
         counts[ZR_COST_CHANNEL_PIXEL] += pixels * CHANNEL_TIMES[view->outputs[i].channel];
-        if (encoding != ZR_ENCODING_PNG && encoding != ZR_ENCODING_PNG16) continue;
+        if (!zr_encoding_is_png(encoding)) continue;
         counts[scene->compress == ZR_COMPRESS_SMALL ? ZR_COST_SMALL_PNG_PIXEL : ZR_COST_PNG_PIXEL] += pixels;
     }
 }

@@ -1,6 +1,7 @@
 /* encode.c - core: encodes each output of a frame, and puts several into one archive. */
 #include "encode.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "base/rgba.h"
@@ -10,15 +11,17 @@
 #include "output/line_file.h"
 #include "output/npy.h"
 #include "output/png.h"
+#include "output/tiff.h"
 #include "scene/looks.h"
 #include "scene/scene.h"
 #include "scene/validate.h"
 #include "shade/frame.h"
 
 const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {
-    [ZR_ENCODING_PNG] = {"png", "image/png"},         [ZR_ENCODING_PNG16] = {"png", "image/png"},
-    [ZR_ENCODING_NPY] = {"npy", "application/x-npy"}, [ZR_ENCODING_JSON] = {"json", "application/json"},
-    [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},     [ZR_ENCODING_APNG] = {"apng", "image/apng"}};
+    [ZR_ENCODING_PNG] = {"png", "image/png"},          [ZR_ENCODING_PNG16] = {"png", "image/png"},
+    [ZR_ENCODING_PNG32] = {"png", "image/png"},        [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
+    [ZR_ENCODING_JSON] = {"json", "application/json"}, [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},
+    [ZR_ENCODING_TIFF] = {"tiff", "image/tiff"},       [ZR_ENCODING_APNG] = {"apng", "image/apng"}};
 
 /* Inputs of encoding, and the results that the output info reports about the other outputs. */
 struct encoding {
@@ -34,15 +37,17 @@ struct encoding {
     struct zr_error *error;
 };
 
-static enum zr_status encode_color(const struct encoding *e, bool is_frame, struct zr_buffer *out)
+/* Encodes as a PNG with the palette that it may have, as one that is always RGBA, or as a frame without a palette. */
+static enum zr_status encode_color(const struct encoding *e, enum zr_encoding encoding, struct zr_buffer *out)
 {
-    struct zr_png png = {.kind = e->scene->background.w < 1.0f ? ZR_PNG_RGBA : ZR_PNG_RGB,
+    const bool has_alpha = encoding == ZR_ENCODING_PNG32 || e->scene->background.w < 1.0f;
+    struct zr_png png = {.kind = has_alpha ? ZR_PNG_RGBA : ZR_PNG_RGB,
                          .width = e->frame->width,
                          .height = e->frame->height,
                          .pixels = e->frame->color,
                          .spans = e->frame->spans,
                          .compress = e->scene->compress,
-                         .has_no_palette = is_frame};
+                         .has_no_palette = encoding != ZR_ENCODING_PNG};
     return zr_png_write(&png, e->team, e->cancel, out);
 }
 
@@ -68,14 +73,32 @@ static enum zr_status encode_normals(const struct encoding *e, struct zr_buffer 
     return zr_png_write(&png, e->team, e->cancel, out);
 }
 
-static enum zr_status encode_depth16(struct encoding *e, float given_scale, struct zr_buffer *out)
+/* Returns the channel's values, moved to 0 and +inf outside of the output's range. NULL without memory. */
+static const void *find_values(const struct encoding *e, const struct zr_output *output)
+{
+    const float *depth = e->frame->channels[output->channel];
+    const size_t pixels = (size_t)e->frame->width * e->frame->height;
+    if (!output->has_range) return depth;
+    float *out = zr_arena_alloc(e->arena, pixels, sizeof *out);
+    for (size_t i = 0; out && i < pixels; i++)
+        out[i] = depth[i] < output->range[0] ? 0.0f : depth[i] > output->range[1] ? INFINITY : depth[i];
+    return out;
+}
+
+static enum zr_status encode_depth16(struct encoding *e, const struct zr_output *output, struct zr_buffer *out)
 {
     const struct zr_frame *frame = e->frame;
     struct zr_depth16 depth16 = {.frame = frame,
-                                 .scale = zr_depth16_scale(frame, given_scale),
+                                 .scale = zr_depth16_scale(frame, output->scale),
+                                 .range = output->has_range ? output->range : NULL,
                                  .make_steps = zr_depth16_of(zr_team_isa(e->team))};
-    char comment[96];
-    snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; 0 where nothing is", (double)depth16.scale);
+    char comment[160];
+    const int used = snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; ", (double)depth16.scale);
+    if (output->has_range)
+        snprintf(comment + used, sizeof comment - (size_t)used, "0 nearer than %.9g; 65535 farther than %.9g",
+                 (double)output->range[0], (double)output->range[1]);
+    else
+        snprintf(comment + used, sizeof comment - (size_t)used, "0 where nothing is");
     const struct zr_png png = {.kind = ZR_PNG_GREY16,
                                .width = frame->width,
                                .height = frame->height,
@@ -94,16 +117,21 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     const struct zr_frame *f = e->frame;
     if (zr_is_cancelled(e->cancel)) return ZR_CANCELLED;
     const struct zr_channel_row *row = &zr_channel_rows[output->channel];
+    const void *values;
     switch (output->encoding) {
     case ZR_ENCODING_PNG:
-        return output->channel == ZR_CHANNEL_NORMALS ? encode_normals(e, out) : encode_color(e, false, out);
-    case ZR_ENCODING_APNG: /* of one frame; views/ joins those of several views */
-        return encode_color(e, true, out);
+        return output->channel == ZR_CHANNEL_NORMALS ? encode_normals(e, out) : encode_color(e, output->encoding, out);
     case ZR_ENCODING_PNG16:
-        return encode_depth16(e, output->scale, out);
+        return encode_depth16(e, output, out);
+    case ZR_ENCODING_PNG32:
+    case ZR_ENCODING_APNG: /* of one frame; views/ joins those of several views */
+        return encode_color(e, output->encoding, out);
     case ZR_ENCODING_NPY:
+    case ZR_ENCODING_TIFF:
+        if (!(values = find_values(e, output))) return ZR_NO_MEMORY;
+        if (output->encoding == ZR_ENCODING_TIFF) return zr_tiff_write(values, f->width, f->height, row->words, out);
         return zr_npy_write(row->values == ZR_VALUES_UINT32 ? ZR_NPY_UINT32 : ZR_NPY_FLOAT32, f->width, f->height,
-                            row->words, f->channels[output->channel], out);
+                            row->words, values, out);
     case ZR_ENCODING_JSON:
         if (output->channel == ZR_CHANNEL_FRAGMENTS) return zr_fragments_json_write(e->scene, f, out);
         return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, out);

@@ -35,7 +35,8 @@
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
         "outputs instead of the scene's, with commas between them: color, depth, normals or others")                   \
     ROW(encoding, "/outputs/0/encoding", ANY, NAME,                                                                    \
-        "format of the output: png, npy, png16, json, svg or apng (svg: lines alone; default: by channel)")            \
+        "format of the output: png, png16, png32, npy, tiff, json, svg or apng (svg: lines alone; default: by "        \
+        "channel)")                                                                                                    \
     ROW(scale, "/outputs/0/scale", ANY, UNITS, "scene units per step of a 16-bit depth picture")                       \
     ROW(x, "/outputs/0/x", ANY, PIXEL, "column of the pixel for the channel fragments, from 0 at the left")            \
     ROW(y, "/outputs/0/y", ANY, PIXEL, "row of that pixel, from 0 at the top")                                         \

@@ -2,11 +2,13 @@
 #include "input/json_scene.h"
 #include "input/outputs.h"
 
+#define RANGE_MAX 1e30 /* scene units */
+
 enum { UNSET = -1, OUTPUTS_MAX = ZR_CHANNEL_COUNT * ZR_ENCODING_COUNT };
 
 struct given_output {
     int channel, encoding, space;
-    float scale;
+    float scale, range[2];
     uint32_t x, y;
 };
 
@@ -19,7 +21,20 @@ static bool read_space(struct zr_json *json, const struct zr_json_path *path, co
     return zr_json_choice(json, path, &any, out);
 }
 
-enum { CHANNEL, ENCODING, SPACE, SCALE, X, Y };
+/* float[2]: a nearest and a farthest depth. */
+static bool read_range(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
+{
+    double ends[2] = {0, 0};
+    size_t count;
+    if (!zr_json_numbers(json, path, 2, 2, field->low, field->high, ends, &count)) return false;
+    ((float *)out)[0] = (float)ends[0];
+    ((float *)out)[1] = (float)ends[1];
+    return ends[0] < ends[1] ||
+           zr_json_fault(json, path, "from %.9g to %.9g; the nearest depth comes first", ends[0], ends[1]);
+}
+
+enum { CHANNEL, ENCODING, SPACE, SCALE, RANGE, X, Y };
 #define AT(member) offsetof(struct given_output, member)
 static const struct zr_json_field fields[] = {
     [CHANNEL] = {"channel", zr_json_choice, AT(channel), .words = &zr_channel_names, .required = true,
@@ -29,6 +44,9 @@ static const struct zr_json_field fields[] = {
     [SPACE] = {"space", read_space, AT(space), .otherwise = "camera", .text = "space of positions and normals"},
     [SCALE] = {"scale", zr_json_positive, AT(scale), .unit = "scene units", .otherwise = "the far plane is 65535",
                .text = "depth per step of a png16"},
+    [RANGE] =
+        {"range", read_range, AT(range), 0, RANGE_MAX, .unit = "scene units", .otherwise = "all depths",
+         .text = "nearest and farthest depth: nearer ones are 0, farther ones and uncovered pixels the greatest value"},
     [X] = {"x", zr_json_whole, AT(x), .unit = "pixels",
            .text = "column of the pixel for the channel fragments, from 0 at the left"},
     [Y] = {"y", zr_json_whole, AT(y), .unit = "pixels", .text = "row of that pixel, from 0 at the top"}};
@@ -53,6 +71,16 @@ static void check_scale(struct zr_json *json, const struct zr_json_path *path, u
     const bool is_unknown = zr_json_gives(keys, ENCODING) && given->encoding == UNSET;
     if (zr_json_gives(keys, SCALE) && output->encoding != ZR_ENCODING_PNG16 && !is_unknown)
         zr_json_fault(json, ZR_JSON_KEY(path, fields[SCALE].key), "only the encoding png16 has one");
+}
+
+static void check_range(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
+                        const struct given_output *given, struct zr_output *output)
+{
+    output->has_range = zr_json_gives(keys, RANGE);
+    output->range[0] = given->range[0];
+    output->range[1] = given->range[1];
+    if (output->has_range && output->channel != ZR_CHANNEL_DEPTH)
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[RANGE].key), "only the channel depth has one");
 }
 
 static void check_space(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
@@ -84,7 +112,7 @@ static void check_pixel(struct zr_json *json, const struct zr_json_path *path, u
 
 static bool read_output(struct zr_json *json, const struct zr_json_path *path, struct zr_output *output)
 {
-    struct given_output given = {UNSET, UNSET, UNSET, 0, 0, 0};
+    struct given_output given = {.channel = UNSET, .encoding = UNSET, .space = UNSET};
     const size_t faults = json->error->count;
     uint64_t keys;
     if (!zr_json_fields(json, path, &zr_json_object_output, &given, &keys) || given.channel == UNSET) return false;
@@ -92,6 +120,7 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, s
         (struct zr_output){.channel = (enum zr_channel)given.channel, .scale = given.scale, .x = given.x, .y = given.y};
     check_encoding(json, path, &given, output);
     check_scale(json, path, keys, &given, output);
+    check_range(json, path, keys, &given, output);
     check_space(json, path, &given, output);
     check_pixel(json, path, keys, output);
     return json->error->count == faults;

@@ -1,6 +1,7 @@
 /* depth16.h - output: converts metric depth to 16-bit steps.
  *
- * 0 is the clear value of uncovered pixels. Depth outside 1..65535 is clamped and counted, never wrapped. */
+ * 0 is the clear value of uncovered pixels. Depth outside 1..65535 is clamped and counted, never wrapped.
+ * With a range, nearer depths are 0, and farther ones and uncovered pixels are 65535; they are not counted. */
 #ifndef ZR_DEPTH16_H
 #define ZR_DEPTH16_H
 
@@ -23,6 +24,7 @@ ZR_KERNEL_TABLE(zr_depth16_fn, zr_depth16)
 struct zr_depth16 {
     const struct zr_frame *frame;
     float scale;
+    const float *range; /* nearest and farthest depth, scene units; NULL: any */
     zr_depth16_fn *make_steps;
     atomic_uint_fast64_t misfits; /* clamped pixels so far */
 };

@@ -6,7 +6,7 @@
  *
  * The request decides between RGB and RGBA, not the contents: a picture with a transparent background stays RGBA even
  * if geometry covers all of it, so that compositing scripts get a constant format. A picture of up to 256 colours gets
- * a palette for either kind (with alpha if needed); every reader decodes the same RGB or RGBA.
+ * a palette for either kind (with alpha if needed), unless it is refused; every reader decodes the same RGB or RGBA.
  *
  * ZR_COMPRESS_FAST is compressed here (idat.h), in strips that a team shares, and libpng writes the file.
  * ZR_COMPRESS_SMALL is compressed by libpng: 10 to 20 % smaller for ten to thirty times the time. */
@@ -33,7 +33,7 @@ struct zr_png {
     const struct zr_column_span *spans; /* per row: all pixels outside of it are equal, over all rows. NULL: unknown */
     const char *text;                   /* ASCII comment stored in the file; NULL: none */
     enum zr_compress compress;
-    bool has_no_palette; /* RGB or RGBA always, so that pictures of one kind can be frames of one file */
+    bool has_no_palette; /* RGB and RGBA stay so, even with few colours: for frames of one file, too */
 };
 
 /* Appends the file to `out`. Returns ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED or ZR_INTERNAL. `team` may be NULL (one

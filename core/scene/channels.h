@@ -13,12 +13,19 @@
 enum zr_encoding {
     ZR_ENCODING_PNG,
     ZR_ENCODING_PNG16,
+    ZR_ENCODING_PNG32, /* always RGBA, without a palette */
     ZR_ENCODING_NPY,
     ZR_ENCODING_JSON,
     ZR_ENCODING_SVG,  /* lines of the mesh alone, without pixels (output/svg.h) */
+    ZR_ENCODING_TIFF, /* floats */
     ZR_ENCODING_APNG, /* PNG with a frame for each of several views (output/apng.h) */
     ZR_ENCODING_COUNT
 };
+
+static inline bool zr_encoding_is_png(enum zr_encoding encoding)
+{
+    return encoding == ZR_ENCODING_PNG || encoding == ZR_ENCODING_PNG16 || encoding == ZR_ENCODING_PNG32;
+}
 
 /* Type of a pixel's values, in words of four bytes. */
 enum zr_values {
@@ -41,9 +48,10 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT
  *     encodings, the default one first) */
 #define ZR_CHANNEL_ROWS(ROW)                                                                                           \
     /* RGB, or RGBA if the background is not opaque; uncovered pixels show the background */                           \
-    ROW(COLOR, "color", RGBA, 1, ZERO, false, 0, ZR_ENCODING_PNG, ZR_ENCODING_SVG, ZR_ENCODING_APNG)                   \
+    ROW(COLOR, "color", RGBA, 1, ZERO, false, 0, ZR_ENCODING_PNG, ZR_ENCODING_PNG32, ZR_ENCODING_SVG,                  \
+        ZR_ENCODING_APNG)                                                                                              \
     /* eye-space depth along the view axis, scene units */                                                             \
-    ROW(DEPTH, "depth", FLOAT32, 1, INFINITY, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16)                            \
+    ROW(DEPTH, "depth", FLOAT32, 1, INFINITY, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_TIFF)          \
     /* the z-buffer, 0..1 */                                                                                           \
     ROW(WINDOW_DEPTH, "windowDepth", FLOAT32, 1, ONE, false, 0, ZR_ENCODING_NPY)                                       \
     /* 1 + number of the face, line or point, counted over all instances in order */                                   \

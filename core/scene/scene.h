@@ -300,6 +300,8 @@ struct zr_output {
     float scale;         /* png16: scene units per step; 0: the far plane is 65535 */
     enum zr_space space; /* of channels with a choice; the same for all outputs of one channel */
     uint32_t x, y;       /* fragments: the pixel, from the top left corner */
+    bool has_range;      /* depth: nearer depths are 0, farther ones the greatest value of the encoding */
+    float range[2];      /* nearest and farthest depth, scene units */
 };
 
 /* A view of the scene as requested: window, outputs, pose and projection (resolved by scene/resolved_view.h). */

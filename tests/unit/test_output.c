@@ -166,7 +166,7 @@ TEST_AROUND(depth16_is_written_row_by_row, open_arena, close_arena)
     static const enum zr_compress ways[] = {ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL};
     struct zr_team *team = zr_team_create(3);
     for (int i = 0; i < 2; i++) {
-        struct zr_depth16 depth16 = {&frame, 0.001f, zr_depth16_of(zr_isa_best()), 0};
+        struct zr_depth16 depth16 = {&frame, 0.001f, NULL, zr_depth16_of(zr_isa_best()), 0};
         struct zr_buffer out = {.arena = &arena};
         const struct zr_png png = {.kind = ZR_PNG_GREY16,
                                    .width = WIDTH,
@@ -243,6 +243,64 @@ TEST_AROUND(depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit
         snprintf(warning, sizeof warning, "the depth of %u pixels does not fit 16 bits at this scale", pixels[2]);
         assert_string_equal(answer.warnings, cases[c].fits ? "" : warning);
     }
+}
+
+TEST_AROUND(depths_outside_of_a_range_are_0_or_the_greatest_value, open_arena, close_arena)
+{
+    /* In front of the eye: 0.5 and 6. */
+    const zr_vec4 p[] = {{-1, 0, -0.5f, 1}, {0, 0, -0.5f, 1}, {-1, 1, -0.5f, 1},
+                         {0, -1, -6, 1},    {1, -1, -6, 1},   {1, 0, -6, 1}};
+    const struct {
+        float range[2];
+        uint16_t steps[3]; /* where nothing is, and of the two faces */
+        float values[3];
+    } cases[] = {{{0.5f, 6}, {65535, 500, 6000}, {INFINITY, 0.5f, 6}},
+                 {{0.75f, 5}, {65535, 0, 65535}, {INFINITY, 0, INFINITY}},
+                 {{0, 100}, {65535, 500, 6000}, {INFINITY, 0.5f, 6}}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 2);
+    test.scene.views[0].projection_matrix.m[10] = 0.125f;
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    test.scene.views[0].output_count = 1;
+    for (size_t c = 0; c < 2 * sizeof cases / sizeof *cases; c++) {
+        const float *range = cases[c / 2].range;
+        const struct zr_output output = {.channel = ZR_CHANNEL_DEPTH,
+                                         .encoding = c % 2 ? ZR_ENCODING_TIFF : ZR_ENCODING_PNG16,
+                                         .scale = 0.001f,
+                                         .has_range = true,
+                                         .range = {range[0], range[1]}};
+        struct zr_answer answer;
+        struct zr_error error = {.count = 0};
+        test.scene.views[0].outputs = &output;
+        assert_int_equal(zr_encode(&arena, NULL, &test.scene, frame, NULL, &answer, &error), ZR_OK);
+        assert_string_equal(answer.content_type, c % 2 ? "image/tiff" : "image/png");
+        png_image image;
+        const unsigned char *bytes = c % 2 ? (const unsigned char *)answer.bytes + answer.size - 4 * 256
+                                           : decode(answer.bytes, answer.size, PNG_FORMAT_LINEAR_Y, &image);
+        for (int i = 0; i < 256; i++)
+            if (c % 2)
+                assert_memory_equal(bytes + 4 * i, &cases[c / 2].values[frame->face_id[i]], 4);
+            else
+                assert_memory_equal(bytes + 2 * i, &cases[c / 2].steps[frame->face_id[i]], 2);
+        assert_string_equal(answer.warnings, "");
+    }
+}
+
+TEST_AROUND(png32_is_rgba_without_a_palette, open_arena, close_arena)
+{
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static const struct zr_output output = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG32};
+    enum { COLOR_TYPE = 25, RGBA = 6 }; /* of the IHDR */
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 1);
+    test.scene.views[0].output_count = 1;
+    test.scene.views[0].outputs = &output;
+    const struct zr_answer answer = scene_encode(&arena, NULL, &test.scene);
+    assert_int_equal(((const unsigned char *)answer.bytes)[COLOR_TYPE], RGBA);
+    png_image image;
+    const unsigned char *bytes = decode(answer.bytes, answer.size, PNG_FORMAT_RGBA, &image);
+    for (int i = 0; i < 256; i++)
+        assert_int_equal(bytes[4 * i + 3], 255);
 }
 
 TEST_AROUND(several_outputs_come_as_one_archive, open_arena, close_arena)

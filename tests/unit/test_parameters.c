@@ -90,10 +90,11 @@ TEST(channels_with_commas_are_outputs)
 {
     struct zr_request request = {
         .channel = "color,depth,fragments,normals", .encoding = "png16", .scale = "0.5", .x = "3", .y = "4"};
-    static const struct zr_output wanted[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
-                                              {ZR_CHANNEL_DEPTH, ZR_ENCODING_PNG16, 0.5f, ZR_SPACE_CAMERA, 0, 0},
-                                              {ZR_CHANNEL_FRAGMENTS, ZR_ENCODING_JSON, 0, ZR_SPACE_CAMERA, 3, 4},
-                                              {.channel = ZR_CHANNEL_NORMALS, .encoding = ZR_ENCODING_NPY}};
+    static const struct zr_output wanted[] = {
+        {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+        {.channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_PNG16, .scale = 0.5f},
+        {.channel = ZR_CHANNEL_FRAGMENTS, .encoding = ZR_ENCODING_JSON, .x = 3, .y = 4},
+        {.channel = ZR_CHANNEL_NORMALS, .encoding = ZR_ENCODING_NPY}};
     static const char scene[] = "{\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}], "
                                 "\"outputs\": [{\"channel\": \"faceId\"}]}";
     for (int is_scene = 0; is_scene < 2; is_scene++) {
