@@ -21,6 +21,7 @@ struct answer_header {
 struct answer {
     int status;
     bool close;     /* close the connection after this answer */
+    bool is_plain;  /* an error is text/plain (problem.h) */
     bool is_broken; /* memory ran out for a header or a field: the answer must not be sent */
     char *bytes;    /* body; NULL: none, or that of `file` */
     int file;       /* open file, sent from its beginning; 0: none */

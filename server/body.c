@@ -51,20 +51,34 @@ static bool find_format(const struct multipart_part *scene, enum zr_format *form
     return *format != ZR_FORMAT_UNKNOWN || zr_media_type_is_generic(type);
 }
 
-/* Splits the body: the part `scene` becomes the bytes, the other parts become assets. Names lie in the arena. False:
- * the answer has the error. */
-static bool unpack_parts(const struct request *request, struct zr_arena *arena, struct zr_request *render,
-                         struct answer *answer)
+enum body_status body_split(const struct request *request, size_t max, struct zr_arena *arena,
+                            const struct zr_cancel *cancel, struct zr_request *render, struct multipart **parts,
+                            struct answer *answer)
 {
     const char *fault;
-    struct multipart *parts = zr_arena_alloc(arena, 1, sizeof *parts);
-    struct zr_asset *assets = zr_arena_alloc(arena, MULTIPART_PARTS_MAX, sizeof *assets);
-    if (!parts || !assets) {
+    *render = request->render;
+    const enum body_status status = decompress(request, max, arena, cancel, render, answer);
+    if (status != BODY_READY) return status;
+    *parts = zr_arena_zero(arena, 1, sizeof **parts);
+    if (!*parts) {
         problem_memory(answer, arena, NULL);
-        return false;
+        return BODY_REFUSED;
     }
-    if (!multipart_parse(request->boundary, render->bytes, render->size, parts, &fault)) {
-        problem_answer(answer, 400, "multipart/form-data: %s", fault);
+    if (multipart_parse(request->boundary, render->bytes, render->size, *parts, &fault)) return BODY_READY;
+    const size_t failed = (*parts)->count; /* the part with the fault, unless it is that of the whole body */
+    const char *name = failed < MULTIPART_PARTS_MAX ? (*parts)->parts[failed].name : "";
+    problem_answer(answer, 400, "multipart/form-data: %s%s%s%s", fault, *name ? ": '" : "", name, *name ? "'" : "");
+    return BODY_REFUSED;
+}
+
+/* Makes the part `scene` the bytes, and the other parts assets. Names lie in the arena. False: the answer has the
+ * error. */
+static bool use_parts(const struct multipart *parts, struct zr_arena *arena, struct zr_request *render,
+                      struct answer *answer)
+{
+    struct zr_asset *assets = zr_arena_alloc(arena, MULTIPART_PARTS_MAX, sizeof *assets);
+    if (!assets) {
+        problem_memory(answer, arena, NULL);
         return false;
     }
     const struct multipart_part *scene = multipart_find(parts, "scene");
@@ -92,8 +106,10 @@ static bool unpack_parts(const struct request *request, struct zr_arena *arena, 
 enum body_status body_unpack(const struct request *request, size_t max, struct zr_arena *arena,
                              const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
 {
+    struct multipart *parts;
     *render = request->render;
-    enum body_status status = decompress(request, max, arena, cancel, render, answer);
-    if (status != BODY_READY || !request->boundary[0]) return status;
-    return unpack_parts(request, arena, render, answer) ? BODY_READY : BODY_REFUSED;
+    if (!request->boundary[0]) return decompress(request, max, arena, cancel, render, answer);
+    const enum body_status status = body_split(request, max, arena, cancel, render, &parts, answer);
+    if (status != BODY_READY) return status;
+    return use_parts(parts, arena, render, answer) ? BODY_READY : BODY_REFUSED;
 }

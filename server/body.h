@@ -2,6 +2,7 @@
 #ifndef ZRASTERD_BODY_H
 #define ZRASTERD_BODY_H
 
+#include "multipart.h"
 #include "request.h"
 
 enum body_status {
@@ -10,6 +11,11 @@ enum body_status {
     BODY_LARGE,   /* small_only is set, and more than REQUEST_SMALL_BYTES come out */
     BODY_CANCELLED
 };
+
+/* Decompresses the body into *render, whose other members are those of request->render, and finds its parts. */
+enum body_status body_split(const struct request *request, size_t max, struct zr_arena *arena,
+                            const struct zr_cancel *cancel, struct zr_request *render, struct multipart **parts,
+                            struct answer *answer);
 
 /* Fills *render from request->render, which stays unchanged. Memory comes from the arena. `max`: largest size of the
  * decompressed body, in bytes. `cancel` may be NULL. */

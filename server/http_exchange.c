@@ -293,6 +293,7 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.content_encoding = header(exchange, "Content-Encoding");
     exchange->request.authorization = header(exchange, "Authorization");
     exchange->request.if_none_match = header(exchange, "If-None-Match");
+    exchange->request.accept = header(exchange, "Accept");
     const char *trace = header(exchange, "traceparent");
     if (trace && log_is_traceparent(trace)) snprintf(exchange->traceparent, TRACEPARENT_SIZE, "%s", trace);
     request_take_id(&exchange->request, http->service, header(exchange, "X-Request-Id"));

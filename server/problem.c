@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cjson/cJSON.h>
@@ -77,6 +78,39 @@ static void finish(struct answer *answer, cJSON *root)
     answer->is_broken |= !text;
 }
 
+/* ---- as text ---- */
+
+/* Replaces control characters, but not line ends. */
+static void add_line(char *text, size_t *used, const char *pointer, const char *detail)
+{
+    char line[2 * ZR_DETAIL_SIZE + 4], clean[3 * sizeof line];
+    snprintf(line, sizeof line, "%s%s%s", pointer, *pointer ? ": " : "", detail);
+    for (char *c = line; *c; c++)
+        if ((unsigned char)*c < ' ') *c = ' ';
+    text_to_utf8(clean, sizeof clean, line);
+    const size_t length = strlen(clean);
+    if (*used + length + 1 >= PROBLEM_TEXT_SIZE) return;
+    memcpy(text + *used, clean, length);
+    text[*used + length] = '\n';
+    *used += length + 1;
+}
+
+/* Makes the lines of `error`, or `detail` if that is NULL. */
+static void answer_text(struct answer *answer, int http_status, const char *detail, const struct zr_error *error)
+{
+    char *text = malloc(PROBLEM_TEXT_SIZE);
+    size_t used = 0;
+    answer->status = http_status;
+    text_to_utf8(answer->detail, sizeof answer->detail, detail);
+    for (size_t i = 0; text && error && i < zr_error_held(error); i++)
+        add_line(text, &used, error->items[i].pointer, error->items[i].detail);
+    if (text && used == 0) add_line(text, &used, "", detail);
+    answer_body(answer, "text/plain; charset=utf-8", text, used);
+    answer->is_broken |= !text;
+}
+
+/* ---- both ---- */
+
 void problem_answer(struct answer *answer, int http_status, const char *format, ...)
 {
     char detail[ANSWER_DETAIL_SIZE];
@@ -84,13 +118,21 @@ void problem_answer(struct answer *answer, int http_status, const char *format, 
     va_start(arguments, format);
     vsnprintf(detail, sizeof detail, format, arguments);
     va_end(arguments);
-    finish(answer, new_problem(answer, http_status, detail));
+    if (answer->is_plain)
+        answer_text(answer, http_status, detail, NULL);
+    else
+        finish(answer, new_problem(answer, http_status, detail));
 }
 
 void problem_answer_error(struct answer *answer, int http_status, const struct zr_error *error)
 {
     size_t held = zr_error_held(error);
-    cJSON *root = new_problem(answer, http_status, held ? error->items[0].detail : answer_reason(http_status));
+    const char *detail = held ? error->items[0].detail : answer_reason(http_status);
+    if (answer->is_plain) {
+        answer_text(answer, http_status, detail, error);
+        return;
+    }
+    cJSON *root = new_problem(answer, http_status, detail);
     if (root && held && !add_errors(root, error, held)) {
         cJSON_Delete(root);
         root = NULL;

@@ -1,4 +1,5 @@
-/* problem.h - errors as application/problem+json (RFC 9457). */
+/* problem.h - errors as application/problem+json (RFC 9457), or as text/plain if the answer is_plain: a line per error,
+ * "/pointer: detail", at most PROBLEM_TEXT_SIZE bytes. */
 #ifndef ZRASTERD_PROBLEM_H
 #define ZRASTERD_PROBLEM_H
 
@@ -8,6 +9,8 @@
 #include "base/arena.h"
 #include "base/status.h"
 #include "core.h"
+
+enum { PROBLEM_TEXT_SIZE = 8000 };
 
 /* Returns the HTTP status of a renderer's status. The only such table. */
 int problem_http_status(enum zr_status status);

@@ -43,7 +43,7 @@ static void add_accepted_types(struct answer *answer)
     answer_header(answer, "Accept-Post", "%s, " MULTIPART, zr_format_types_join().text);
 }
 
-static bool is_multipart(const char *type)
+bool rendering_is_multipart(const char *type)
 {
     const size_t length = sizeof MULTIPART - 1;
     return strncasecmp(type, MULTIPART, length) == 0 && (type[length] == '\0' || strchr("; \t", type[length]));
@@ -53,7 +53,7 @@ static bool is_multipart(const char *type)
 static bool read_content_type(struct request *request, struct answer *answer)
 {
     const char *type = request->content_type ? request->content_type : "", *fault;
-    if (is_multipart(type)) {
+    if (rendering_is_multipart(type)) {
         request->render.format = ZR_FORMAT_JSON; /* until the part's type is known */
         if (multipart_boundary(type, request->boundary, &fault)) return true;
         problem_answer(answer, 400, "%s", fault);
@@ -268,8 +268,9 @@ static void answer_image(struct answer *answer, const struct zr_answer *result)
     }
 }
 
-enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                                 const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+enum request_next rendering_run(const struct rendering_kind *kind, const struct service *service,
+                                const struct request *request, struct zr_arena *arena, const struct zr_cancel *cancel,
+                                struct step_times *times, struct answer *answer)
 {
     struct rendering r = {.service = service,
                           .request = request,
@@ -285,7 +286,7 @@ enum request_next rendering_work(const struct service *service, const struct req
     /* A small request is read to its end even after its time: only then is it known whether to hand it on. It has at
      * most REQUEST_SMALL_BYTES. */
     const struct zr_cancel *reading = request->small_only ? cancel->parent : cancel;
-    switch (body_unpack(request, (size_t)service->config->body_max_bytes, arena, reading, &unpacked, answer)) {
+    switch (kind->unpack(request, (size_t)service->config->body_max_bytes, arena, reading, &unpacked, answer)) {
     case BODY_READY:
         break;
     case BODY_REFUSED:
@@ -303,7 +304,7 @@ enum request_next rendering_work(const struct service *service, const struct req
     unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, r.stored.look ? look_at_stored : NULL, &r,
                                          r.stored.advice};
     unpacked.images = images_lend(&r.images);
-    unpacked.meshes = meshes_lend(&r.meshes);
+    if (kind->keeps_meshes) unpacked.meshes = meshes_lend(&r.meshes);
     unpacked.cancel = reading;
     r.quick = (struct zr_quick){SMALL_IMAGE_PIXELS, SMALL_NODE_VISITS, SMALL_ARRAY_BYTES, false};
     if (request->small_only) unpacked.quick = &r.quick;
@@ -321,9 +322,21 @@ enum request_next rendering_work(const struct service *service, const struct req
     } else if (status == ZR_CANCELLED) {
         problem_timeout(answer, service->config->render_timeout_ms);
     } else {
-        if (status == ZR_BAD_TYPE) add_accepted_types(answer);
-        problem_answer_error(answer, problem_http_status(status), &error);
+        kind->report(answer, status, &error);
     }
     add_timing(answer, times);
     return REQUEST_ANSWERED;
+}
+
+static void report(struct answer *answer, enum zr_status status, const struct zr_error *error)
+{
+    if (status == ZR_BAD_TYPE) add_accepted_types(answer);
+    problem_answer_error(answer, problem_http_status(status), error);
+}
+
+enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
+                                 const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+{
+    static const struct rendering_kind kind = {body_unpack, report, true};
+    return rendering_run(&kind, service, request, arena, cancel, times, answer);
 }

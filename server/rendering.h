@@ -1,7 +1,8 @@
-/* rendering.h - POST /v1/render: from the body to the answer. */
+/* rendering.h - renders: from the body to the answer. POST /v1/render, and what other routes share with it. */
 #ifndef ZRASTERD_RENDERING_H
 #define ZRASTERD_RENDERING_H
 
+#include "body.h"
 #include "request.h"
 
 /* Checks the type of the body and reads the query. */
@@ -11,5 +12,22 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 /* Unpacks the body, reads the scene, predicts its cost, draws it and encodes the outputs. */
 enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
                                  const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
+
+/* A kind of render: how a body becomes the renderer's input, how faults of the input are reported, and whether model
+ * files are kept as read. */
+struct rendering_kind {
+    enum body_status (*unpack)(const struct request *request, size_t max, struct zr_arena *arena,
+                               const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer);
+    void (*report)(struct answer *answer, enum zr_status status, const struct zr_error *error);
+    bool keeps_meshes;
+};
+
+/* Works like rendering_work for any kind. */
+enum request_next rendering_run(const struct rendering_kind *kind, const struct service *service,
+                                const struct request *request, struct zr_arena *arena, const struct zr_cancel *cancel,
+                                struct step_times *times, struct answer *answer);
+
+/* True if a Content-Type is multipart/form-data. */
+bool rendering_is_multipart(const char *content_type);
 
 #endif

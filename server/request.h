@@ -58,12 +58,12 @@ struct request {
     const char *method, *path;
     const char *query;                                           /* behind the '?', or NULL */
     const char *content_type, *content_encoding, *authorization; /* NULL if not sent */
-    const char *if_none_match;                                   /* NULL if not sent */
+    const char *if_none_match, *accept;                          /* NULL if not sent */
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */
     bool small_only; /* set on the express (queue.h): a request that turns out to be large is given up */
 
-    /* Set by rendering_open: */
+    /* Set by rendering_open and drake_open: */
     char boundary[MULTIPART_BOUNDARY_SIZE]; /* of the body's parts; "": no parts */
     struct zr_request render;               /* the caller sets `bytes` and `size` */
     char *query_values;                     /* decoded texts of `render` */
@@ -96,7 +96,8 @@ struct route {
     /* Like router_work. NULL: `open` answers. */
     enum request_next (*work)(const struct service *service, const struct request *request, struct zr_arena *arena,
                               const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
-    bool makes_answer; /* `work` makes a large answer in memory */
+    bool makes_answer;     /* `work` makes a large answer in memory */
+    bool has_plain_errors; /* errors are text/plain */
 };
 
 #endif

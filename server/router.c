@@ -5,18 +5,20 @@
 #include <strings.h>
 
 #include "assets.h"
+#include "drake.h"
 #include "health.h"
 #include "problem.h"
 #include "rendering.h"
 #include "text.h"
 
 static const struct route ROUTES[] = {
-    {"/v1/render", "POST", false, rendering_open, rendering_work, true},
-    {"/v1/assets", "POST", false, assets_open, assets_work, false},
-    {"/v1/limits", "GET, HEAD", false, limits_open, NULL, false},
-    {"/healthz", "GET, HEAD", true, health_open, NULL, false},
-    {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false},
-    {ASSETS_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false},
+    {"/v1/render", "POST", false, rendering_open, rendering_work, true, false},
+    {"/v1/assets", "POST", false, assets_open, assets_work, false, false},
+    {"/v1/limits", "GET, HEAD", false, limits_open, NULL, false, false},
+    {DRAKE_PATH, "POST", false, drake_open, drake_work, true, true},
+    {"/healthz", "GET, HEAD", true, health_open, NULL, false, false},
+    {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false, false},
+    {ASSETS_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false, false},
 };
 
 enum { ROUTE_COUNT = sizeof ROUTES / sizeof ROUTES[0] };
@@ -105,6 +107,7 @@ enum request_next router_open(const struct service *service, const struct load *
 {
     const struct route *route = request->route = find_route(request->path);
     const char *token = service->config->token;
+    answer->is_plain = route && route->has_plain_errors;
     if (*token && !(route && route->open_to_all) && !token_matches(token, request->authorization)) {
         answer_header(answer, "WWW-Authenticate", "Bearer realm=\"zraster\"");
         problem_answer(answer, 401, "Authorization: Bearer with the right token is asked for");

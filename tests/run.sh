@@ -122,6 +122,7 @@ for part in "$@"; do
             [ "$test_part" = "$part" ] || continue
             run "server-$(basename "$test")" "ZRASTERD=$build/zrasterd" "ZRASTER_DATA=$data" "$test"
         done
+        [ "$part" = waits ] || run server-drake "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_drake.py
         ;;
     clients)
         run client "ZRASTERD=$build/zrasterd" "ZRASTER=$build/zraster" tests/clients/test_client.sh
