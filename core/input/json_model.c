@@ -100,6 +100,9 @@ static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *p
     if (status != ZR_OK)
         return status != ZR_NO_MEMORY &&
                report(json, ZR_JSON_KEY(path, name->asset ? ZR_BYTES_ASSET : ZR_BYTES_URI), &faults);
+    if (model->scene.mesh_count == 0)
+        return zr_json_fault(json, ZR_JSON_KEY(path, name->asset ? ZR_BYTES_ASSET : ZR_BYTES_URI),
+                             "the file has no meshes");
     count_pixels(root, &model->scene);
     zr_scene_builder_complete(&model->builder);
     return zr_arena_ok(json->arena);
@@ -304,7 +307,7 @@ void zr_parsed_use_model_camera(struct zr_parsed_scene *root, const struct zr_js
     }
     if (file)
         zr_file_scene_use_camera(root, path, file, root->camera, NULL); /* reports the names of the cameras */
-    else
+    else if (root->json.error->count == 0) /* files with faults may have cameras */
         zr_json_fault(&root->json, path, "no mesh of the scene is a file with cameras");
 }
 

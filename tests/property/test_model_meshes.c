@@ -260,6 +260,8 @@ TEST(files_that_are_no_models_are_refused)
          "only one of uri and asset"},
         {"{\"uri\":\"data:;base64,eyJhc3NldCI6eyJ2ZXJzaW9uIjoiMi4wIn0sIm1lc2hlcyI6NX0=\"}", "/meshes/0/uri",
          "/meshes: "},
+        {"{\"uri\":\"data:;base64,eyJhc3NldCI6eyJ2ZXJzaW9uIjoiMi4wIn0sIm5vZGVzIjpbXX0=\"}", "/meshes/0/uri",
+         "the file has no meshes"},
         {"{\"asset\":\"m.obj\"}],\"view\":{\"camera\":\"x\"},\"lights\":[", "/view/camera",
          "no mesh of the scene is a file with cameras"},
         {"{\"asset\":\"m.gltf\"}],\"view\":{\"camera\":\"x\"},\"lights\":[", "/view/camera",
