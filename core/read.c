@@ -110,8 +110,7 @@ static enum zr_status edit_parts(const struct zr_request *request, struct zr_sce
                                  struct zr_error *error)
 {
     struct zr_error faults = {0};
-    const bool has_parts =
-        zr_part_keys_are_given(&builder->scene->parts) || builder->scene->sections.uncut_count > 0;
+    const bool has_parts = zr_part_keys_are_given(&builder->scene->parts) || builder->scene->sections.uncut_count > 0;
     enum zr_status status = leave_material_colors(builder, &faults);
     if (status == ZR_OK && has_parts && !fits_memory(builder->arena, builder->scene)) return ZR_NO_MEMORY;
     if (status == ZR_OK && has_parts) status = zr_parts_apply(builder, &faults);

@@ -307,7 +307,7 @@ void zr_parsed_use_model_camera(struct zr_parsed_scene *root, const struct zr_js
     }
     if (file)
         zr_file_scene_use_camera(root, path, file, root->camera, NULL); /* reports the names of the cameras */
-    else if (root->json.error->count == 0) /* files with faults may have cameras */
+    else if (root->json.error->count == 0)                              /* files with faults may have cameras */
         zr_json_fault(&root->json, path, "no mesh of the scene is a file with cameras");
 }
 

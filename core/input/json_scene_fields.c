@@ -111,9 +111,10 @@ const struct zr_json_field zr_scene_fields[] = {
                             .text = "parts in one colour, given as in hide, or objects with colours"},
     [ZR_SCENE_EXPLODE] = {"explode", zr_read_explode, 0, .object = &zr_json_object_explode, .otherwise = "0",
                           .text = "exploded view: a factor or an object"},
-    [ZR_SCENE_COLORS] = {"colors", zr_read_colors, 0, .words = &zr_part_color_names, .otherwise = "own",
-                         .text = "own: colours of the model; parts: one colour per part, chosen by its name; materials: only "
-                                 "base colours, with the numbers of the file"},
+    [ZR_SCENE_COLORS] =
+        {"colors", zr_read_colors, 0, .words = &zr_part_color_names, .otherwise = "own",
+         .text = "own: colours of the model; parts: one colour per part, chosen by its name; materials: only "
+                 "base colours, with the numbers of the file"},
     [ZR_SCENE_SECTIONS] = {"sections", zr_read_sections, 0, .object = &zr_json_object_sections, .otherwise = "none",
                            .text = "planes that cut the scene open"},
     [ZR_SCENE_VIEWS] = {"views", zr_read_views, 0, .object = &zr_json_object_views, .otherwise = "the scene's one view",

@@ -119,8 +119,9 @@ const struct zr_json_field zr_view_fields[] = {
     [ZR_VIEW_ZFAR] = {"zfar", zr_json_length, VIEW(zfar), .unit = "scene units",
                       .otherwise = "just behind the geometry", .text = "distance of the far plane"},
     [ZR_VIEW_FIT] = {"fit", read_fit, 0, .object = &zr_json_object_fit, .text = "fit of the geometry to the window"},
-    [ZR_VIEW_CAMERA] = {"camera", read_camera, AT(camera),
-                        .text = "name or number of a camera of a model file; a projection, znear and zfar override the camera's"},
+    [ZR_VIEW_CAMERA] =
+        {"camera", read_camera, AT(camera),
+         .text = "name or number of a camera of a model file; a projection, znear and zfar override the camera's"},
     {.key = "name"},
     {.key = "window"}};
 const struct zr_json_object zr_json_object_view = ZR_JSON_OBJECT_OF("view", zr_view_fields);

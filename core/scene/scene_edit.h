@@ -1,4 +1,5 @@
-/* scene_edit.h - scene: copies a scene with changed materials, for passes that draw it differently, and removes colours.
+/* scene_edit.h - scene: copies a scene with changed materials, for passes that draw it differently, and removes
+ * colours.
  */
 #ifndef ZR_SCENE_EDIT_H
 #define ZR_SCENE_EDIT_H
