@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "input.h"
+#include "tables.h"
 #include "unzip.h"
 
 struct format {
@@ -21,12 +22,27 @@ static const struct format FORMATS[] = {
     {"application/x-npy", "npy", "an array (NPY)", "; depth has a PNG, too: --encoding png16"},
     {"application/json", "json", "JSON", ""},
     {"image/svg+xml", "svg", "an SVG", ""},
+    {"image/jpeg", "jpg", "a JPEG", ""},
+    {"image/webp", "webp", "a WebP", ""},
+    {"image/x-portable-floatmap", "pfm", "a float map (PFM)", ""},
+    {"image/tiff", "tiff", "a TIFF", ""},
     {"application/zip", "zip", "a ZIP archive of several outputs", "; or get one of them: --channel color"},
 };
 
 /* Endings of formats that are never written. Other endings, such as .part, name no format. */
-static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "tiff", "webp", "bmp", "ppm", "pgm",
-                                      "exr", "hdr",  "pdf", "npz", "gz",   "html", "txt", "csv"};
+static const char *const FOREIGN[] = {"gif", "bmp", "ppm", "pgm",  "exr", "hdr",
+                                      "pdf", "npz", "gz",  "html", "txt", "csv"};
+
+/* Endings that choose the encoding. Those of float maps need a channel of floats: --channel depth. */
+static const struct {
+    const char *ending, *encoding, *channel;
+} CHOICES[] = {{"svg", "svg", "color"}, {"jpg", "jpeg", "color"}, {"jpeg", "jpeg", "color"}, {"webp", "webp", "color"},
+               {"pfm", "pfm", "depth"}, {"tif", "tiff", "depth"}, {"tiff", "tiff", "depth"}};
+
+/* Other spellings of endings. */
+static const struct {
+    const char *given, *ending;
+} SPELLINGS[] = {{"jpeg", "jpg"}, {"tif", "tiff"}};
 
 static const struct format *format_of(const char *type)
 {
@@ -63,6 +79,14 @@ bool output_is_folder(const char *path)
     return path[strlen(path) - 1] == '/' || (stat(path, &status) == 0 && S_ISDIR(status.st_mode));
 }
 
+/* Returns true if the ending of a name means this ending of a format. */
+static bool is_ending(const char *given, const char *ending)
+{
+    for (size_t i = 0; i < sizeof SPELLINGS / sizeof *SPELLINGS; i++)
+        if (strcasecmp(given, SPELLINGS[i].given) == 0) given = SPELLINGS[i].ending;
+    return strcasecmp(given, ending) == 0;
+}
+
 static bool is_foreign(const char *ending)
 {
     for (size_t i = 0; i < sizeof FOREIGN / sizeof *FOREIGN; i++)
@@ -74,17 +98,21 @@ bool output_is_name(const char *name)
 {
     const char *ending = ending_of(name);
     for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
-        if (strcasecmp(ending, FORMATS[i].ending) == 0 && !input_has_ending(name)) return true;
+        if (is_ending(ending, FORMATS[i].ending) && !input_has_ending(name)) return true;
     return strcmp(name, "-") == 0 || is_foreign(ending) || output_is_folder(name);
 }
 
 void output_set_encoding(struct options *options)
 {
     const char *out = options->own[OPTION_OUTPUT];
-    if (!out || strcasecmp(ending_of(out), "svg") != 0) return;
-    if (options->parameters[PARAMETER_channel] || options->parameters[PARAMETER_encoding]) return;
-    options->parameters[PARAMETER_channel] = "color";
-    options->parameters[PARAMETER_encoding] = "svg";
+    if (!out || options->parameters[PARAMETER_encoding]) return;
+    for (size_t i = 0; i < sizeof CHOICES / sizeof *CHOICES; i++) {
+        if (strcasecmp(ending_of(out), CHOICES[i].ending) != 0) continue;
+        const char *channel = options->parameters[PARAMETER_channel];
+        if (channel && !tables_extension(channel, CHOICES[i].encoding)) return;
+        if (!channel) options->parameters[PARAMETER_channel] = CHOICES[i].channel;
+        options->parameters[PARAMETER_encoding] = CHOICES[i].encoding;
+    }
 }
 
 bool output_may_be_folder(const char *path)
@@ -97,9 +125,9 @@ bool output_may_be_folder(const char *path)
 static bool says_another_format(const char *out, const struct format *format)
 {
     const char *ending = ending_of(out);
-    if (strcasecmp(ending, format->ending) == 0) return false;
+    if (is_ending(ending, format->ending)) return false;
     for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
-        if (strcasecmp(ending, FORMATS[i].ending) == 0) return true;
+        if (is_ending(ending, FORMATS[i].ending)) return true;
     return is_foreign(ending) || input_has_ending(out);
 }
 

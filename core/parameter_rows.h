@@ -14,6 +14,7 @@
     KIND(AXIS, "AXIS") /* x, -x and so on: a command line takes -x for the value */                                    \
     KIND(BOOL, "[BOOL]")                                                                                               \
     KIND(COUNT, "COUNT")     /* one of the numbers that the key allows */                                              \
+    KIND(WHOLE, "NUMBER")    /* integer, within the range of the key */                                                \
     KIND(NUMBER, "NUMBER")   /* within the range of the key */                                                         \
     KIND(DEGREES, "DEGREES") /* likewise */                                                                            \
     KIND(PIXELS, "PIXELS")   /* likewise */                                                                            \
@@ -34,8 +35,13 @@
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
         "outputs instead of the scene's, with commas between them: color, depth, normals or others")                   \
     ROW(encoding, "/outputs/0/encoding", ANY, NAME,                                                                    \
-        "format of the output: png, svg (lines alone), npy, png16 or json (default: by channel)")                      \
+        "format of the output: png, jpeg, webp, svg (lines alone), npy, png16, pfm, tiff or json (default: by "        \
+        "channel)")                                                                                                    \
     ROW(scale, "/outputs/0/scale", ANY, UNITS, "scene units per step of a 16-bit depth picture")                       \
+    ROW(quality, "/outputs/0/quality", ANY, WHOLE, "quality of a jpeg or webp, 1 to 100 (default: 85)")                \
+    ROW(lossless, "/outputs/0/lossless", ANY, BOOL, "exact colours in a webp (default: false)")                        \
+    ROW(maxBytes, "/outputs/0/maxBytes", ANY, WHOLE,                                                                   \
+        "most bytes of the picture: a jpeg or webp gets the best quality that fits")                                   \
     ROW(x, "/outputs/0/x", ANY, PIXEL, "column of the pixel for the channel fragments, from 0 at the left")            \
     ROW(y, "/outputs/0/y", ANY, PIXEL, "row of that pixel, from 0 at the top")                                         \
     ROW(compress, "/query/compress", ANY, NAME, "compression of PNGs: fast or small (default: fast)")                  \

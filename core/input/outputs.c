@@ -5,7 +5,7 @@
 
 #define NAME(ID, NAME, ...) NAME,
 static const char *const channels[] = {ZR_CHANNEL_ROWS(NAME) "coverage", "overdraw"};
-static const char *const encodings[] = {"png", "png16", "npy", "json", "svg", "pfm", "tiff"};
+static const char *const encodings[] = {"png", "png16", "npy", "json", "svg", "pfm", "tiff", "jpeg", "webp"};
 static const char *const spaces[] = {"camera", "world", "object"};
 
 const struct zr_names zr_channel_names = ZR_NAMES(ZR_CHANNEL_COUNT, channels);
@@ -23,7 +23,7 @@ struct zr_names_text zr_channel_encodings_join(enum zr_channel channel)
 
 bool zr_outputs_clash(const struct zr_output *a, const struct zr_output *b)
 {
-    bool both_png = (a->encoding == ZR_ENCODING_PNG || a->encoding == ZR_ENCODING_PNG16) &&
-                    (b->encoding == ZR_ENCODING_PNG || b->encoding == ZR_ENCODING_PNG16);
+    const bool both_png = (a->encoding == ZR_ENCODING_PNG || a->encoding == ZR_ENCODING_PNG16) &&
+                          (b->encoding == ZR_ENCODING_PNG || b->encoding == ZR_ENCODING_PNG16);
     return a->channel == b->channel && (a->encoding == b->encoding || both_png);
 }

@@ -55,6 +55,17 @@ static bool is_whole(const char *text, uint64_t *value)
     return *at == '\0' && at != text;
 }
 
+static bool put_whole(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
+{
+    uint64_t value;
+    char wanted[80];
+    snprintf(wanted, sizeof wanted, "a whole number from %.0f to %.0f", p->field->low, p->field->high);
+    if (!is_whole(text, &value) || (double)value < p->field->low || (double)value > p->field->high)
+        return refuse(p, text, wanted);
+    zr_json_put_number(json, (double)value);
+    return true;
+}
+
 static bool put_side(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
 {
     const uint32_t most = p->limits->window_side_max;
@@ -219,6 +230,7 @@ bool zr_parameter_put(const struct zr_parameter *p, const char *text, struct zr_
                                       [ZR_PARAMETER_AXIS] = put_name,
                                       [ZR_PARAMETER_BOOL] = put_flag,
                                       [ZR_PARAMETER_COUNT] = put_count,
+                                      [ZR_PARAMETER_WHOLE] = put_whole,
                                       [ZR_PARAMETER_NUMBER] = put_in_range,
                                       [ZR_PARAMETER_DEGREES] = put_in_range,
                                       [ZR_PARAMETER_PIXELS] = put_in_range,

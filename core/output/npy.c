@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "output/words.h"
+
 /* The data begin at a multiple of 64 bytes, as the format requires. */
 enum { HEADER_SIZE = 128, PREFIX_SIZE = 10 };
 
@@ -19,16 +21,6 @@ enum zr_status zr_npy_write(enum zr_npy_type type, uint32_t width, uint32_t heig
                           type == ZR_NPY_FLOAT32 ? "<f4" : "<u4", height, width, last);
     memset(header + PREFIX_SIZE + length, ' ', (size_t)(HEADER_SIZE - PREFIX_SIZE - length));
     header[HEADER_SIZE - 1] = '\n';
-    size_t bytes = (size_t)width * height * components * 4;
-    if (!zr_buffer_add(out, header, HEADER_SIZE) || !zr_buffer_add(out, values, bytes)) return ZR_NO_MEMORY;
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    unsigned char *data = out->bytes + out->size - bytes;
-    for (size_t i = 0; i < bytes; i += 4) {
-        uint32_t value;
-        memcpy(&value, data + i, 4);
-        value = __builtin_bswap32(value);
-        memcpy(data + i, &value, 4);
-    }
-#endif
-    return ZR_OK;
+    const size_t words = (size_t)width * height * components;
+    return zr_buffer_add(out, header, HEADER_SIZE) && zr_words_add(out, values, words) ? ZR_OK : ZR_NO_MEMORY;
 }

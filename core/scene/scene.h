@@ -299,7 +299,12 @@ struct zr_output {
     float scale;         /* png16: scene units per step; 0: the far plane is 65535 */
     enum zr_space space; /* of channels with a choice; the same for all outputs of one channel */
     uint32_t x, y;       /* fragments: the pixel, from the top left corner */
+    uint32_t quality;    /* jpeg and webp: 1..100; 0: ZR_QUALITY_DEFAULT */
+    uint32_t max_bytes;  /* most bytes of the file; 0: any */
+    bool is_lossless;    /* webp */
 };
+
+#define ZR_QUALITY_DEFAULT 85
 
 /* A view of the scene as requested: window, outputs, pose and projection (resolved by scene/resolved_view.h). */
 struct zr_view {

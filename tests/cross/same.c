@@ -23,7 +23,8 @@
 
 enum { NAME_SIZE = 200, LOOK_SIDE = 100 };
 
-static const char *const encodings[ZR_ENCODING_COUNT] = {"png", "png16", "npy", "json", "svg"};
+static const char *const encodings[ZR_ENCODING_COUNT] = {"png", "png16", "npy",  "json", "svg",
+                                                         "pfm", "tiff",  "jpeg", "webp"};
 
 static struct options {
     const char *models, *isas, *only;

@@ -1,0 +1,26 @@
+#include "output/lossy.h"
+
+enum zr_status zr_lossy_fit(zr_lossy_write_fn *write, struct zr_arena *arena, const struct zr_lossy *image, size_t most,
+                            const struct zr_cancel *cancel, struct zr_lossy_file *file)
+{
+    struct zr_lossy tried = *image;
+    uint32_t fits = 0,
+             fails = image->quality + 1; /* no quality up to 0 is known to fail, and none from `fails` to fit */
+    *file = (struct zr_lossy_file){.size = SIZE_MAX};
+    for (int left = ZR_LOSSY_TRIES; left > 0 && fails - fits > 1; left--) {
+        struct zr_lossy_file made;
+        if (left == 1 && fits == 0) tried.quality = 1;
+        const enum zr_status status = write(arena, &tried, most, cancel, &made);
+        if (status != ZR_OK) return status;
+        if (made.bytes || !file->bytes) {
+            if (made.bytes || made.size < file->size) *file = made;
+        }
+        if (made.bytes)
+            fits = tried.quality;
+        else
+            fails = tried.quality;
+        if (image->is_lossless) break;
+        tried.quality = fits + (fails - fits) / 2;
+    }
+    return ZR_OK;
+}
