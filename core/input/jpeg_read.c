@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "base/jpeg_memory.h"
 #include "input/image_size.h"
+#include "input/jpeg_memory.h"
 
 #include <jerror.h>
 

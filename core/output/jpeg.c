@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "base/jpeg_memory.h"
+#include "input/jpeg_memory.h"
 #include "output/buffer.h"
 #include "output/lossy.h"
 

@@ -90,10 +90,11 @@ TEST(channels_with_commas_are_outputs)
 {
     struct zr_request request = {
         .channel = "color,depth,fragments,normals", .encoding = "png16", .scale = "0.5", .x = "3", .y = "4"};
-    static const struct zr_output wanted[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
-                                              {ZR_CHANNEL_DEPTH, ZR_ENCODING_PNG16, 0.5f, ZR_SPACE_CAMERA, 0, 0},
-                                              {ZR_CHANNEL_FRAGMENTS, ZR_ENCODING_JSON, 0, ZR_SPACE_CAMERA, 3, 4},
-                                              {.channel = ZR_CHANNEL_NORMALS, .encoding = ZR_ENCODING_NPY}};
+    static const struct zr_output wanted[] = {
+        {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+        {.channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_PNG16, .scale = 0.5f},
+        {.channel = ZR_CHANNEL_FRAGMENTS, .encoding = ZR_ENCODING_JSON, .x = 3, .y = 4},
+        {.channel = ZR_CHANNEL_NORMALS, .encoding = ZR_ENCODING_NPY}};
     static const char scene[] = "{\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}], "
                                 "\"outputs\": [{\"channel\": \"faceId\"}]}";
     for (int is_scene = 0; is_scene < 2; is_scene++) {
@@ -111,6 +112,20 @@ TEST(channels_with_commas_are_outputs)
         }
         reading_free(reading);
     }
+}
+
+TEST(keys_of_encodings_belong_to_the_channels_that_have_them)
+{
+    const struct zr_request request = {
+        .format = ZR_FORMAT_OBJ, .channel = "color,depth", .encoding = "webp", .quality = "40", .maxBytes = "2000"};
+    struct reading *reading = read_request(request, MESH, strlen(MESH), zr_limits_default(), 1 << 20);
+    assert_read(reading);
+    const struct zr_output *outputs = reading->scene->views[0].outputs;
+    assert_int_equal(outputs[0].encoding, ZR_ENCODING_WEBP);
+    assert_true(outputs[0].quality == 40 && outputs[0].max_bytes == 2000 && !outputs[0].is_lossless);
+    assert_int_equal(outputs[1].encoding, ZR_ENCODING_NPY);
+    assert_true(outputs[1].quality == 0 && outputs[1].max_bytes == 0);
+    reading_free(reading);
 }
 
 TEST(wrong_query_gives_bad_request_naming_the_parameter)

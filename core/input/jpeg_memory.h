@@ -1,4 +1,4 @@
-/* jpeg_memory.h - base: a memory manager for libjpeg that allocates from an arena.
+/* jpeg_memory.h - input: a memory manager for libjpeg that allocates from an arena.
  *
  * Why:    the input decides how much memory libjpeg takes: for a progressive file, the coefficients of the whole
  *         picture, and as much for a file that is written. Its own manager uses malloc without a ceiling. It can be

@@ -1,4 +1,4 @@
-#include "base/jpeg_memory.h"
+#include "input/jpeg_memory.h"
 
 #include <string.h>
 
