@@ -102,6 +102,18 @@ bool output_is_name(const char *name)
     return strcmp(name, "-") == 0 || is_foreign(ending) || output_is_folder(name);
 }
 
+/* Returns true if the only input is a scene with outputs of its own. */
+static bool has_outputs(const struct options *options)
+{
+    struct bytes body = {NULL, 0, 0};
+    struct stat about; /* a pipe can be read only once */
+    const char *path = options->file_count == 1 ? options->files[0] : "-", key[] = "\"outputs\"";
+    const bool is_file = strcasecmp(ending_of(path), "json") == 0 && stat(path, &about) == 0 && S_ISREG(about.st_mode);
+    const bool has = is_file && bytes_read(&body, path) && memmem(body.data, body.size, key, strlen(key));
+    bytes_free(&body);
+    return has;
+}
+
 void output_set_encoding(struct options *options)
 {
     const char *out = options->own[OPTION_OUTPUT];
@@ -109,6 +121,8 @@ void output_set_encoding(struct options *options)
     for (size_t i = 0; i < sizeof CHOICES / sizeof *CHOICES; i++) {
         if (strcasecmp(ending_of(out), CHOICES[i].ending) != 0) continue;
         const char *channel = options->parameters[PARAMETER_channel];
+        const bool is_svg = strcmp(CHOICES[i].encoding, "svg") == 0;
+        if (!channel && !is_svg && has_outputs(options)) return;
         if (channel && !tables_extension(channel, CHOICES[i].encoding)) return;
         if (!channel) options->parameters[PARAMETER_channel] = CHOICES[i].channel;
         options->parameters[PARAMETER_encoding] = CHOICES[i].encoding;

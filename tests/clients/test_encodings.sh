@@ -24,7 +24,7 @@ check "a PNG by one thread" 0 "$zraster" scene.json -o whole.png --threads 1
 sed 's/"window"/"background": [0.5, 0.5, 0.5, 0.25], "window"/' scene.json >clear.json
 check "a clear PNG" 0 "$zraster" clear.json -o clear.png
 check "a clear WebP" 0 "$zraster" clear.json -o clear.webp --lossless
-check "but no clear JPEG" 1 "$zraster" clear.json -o clear.jpg
+check "but no clear JPEG" 2 "$zraster" clear.json -o clear.jpg
 verdict "whose reason is told" grep -q 'a jpeg has no alpha' "$complained"
 for channel in depth position texcoord; do
     check "$channel" 0 "$zraster" scene.json -c $channel -o $channel.npy
@@ -37,6 +37,9 @@ check "distance as PNG" 0 "$zraster" scene.json -c distance --encoding png16 --s
 check "distance" 0 "$zraster" scene.json -c distance -o distance.npy
 check "at most 1500 bytes" 0 "$zraster" scene.json -o fits.jpg --max-bytes 1500
 verdict "are kept" [ "$(wc -c <fits.jpg)" -le 1500 ]
+sed 's/"window"/"outputs": [{"channel": "color", "encoding": "jpeg", "quality": 5}], "window"/' scene.json >own.json
+check "a scene keeps its own outputs" 0 "$zraster" own.json -o own.jpg
+verdict "with their quality" [ "$(wc -c <own.jpg)" -lt "$(wc -c <a.jpg)" ]
 for threads in 1 3; do
     check "with $threads threads" 0 "$zraster" scene.json -o $threads.webp --threads $threads --max-bytes 1200
 done
