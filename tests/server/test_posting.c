@@ -86,9 +86,9 @@ TEST(answers_name_the_encoder_of_lossy_files)
                  {"/v1/render", "image/png", "", ""}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct reply reply = post(cases[i].target, "Content-Type: model/obj", TRIANGLE_OBJ);
-        const char *encoder = reply_header(&reply, "Zraster-Encoder");
         assert_int_equal(reply.status, 200);
         assert_string_equal(reply_header(&reply, "Content-Type"), cases[i].type);
+        const char *encoder = reply_header(&reply, "Zraster-Encoder");
         assert_memory_equal(encoder, cases[i].encoder, strlen(cases[i].encoder));
         assert_true(strlen(encoder) >= strlen(cases[i].end));
         assert_string_equal(encoder + strlen(encoder) - strlen(cases[i].end), cases[i].end);

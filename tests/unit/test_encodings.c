@@ -5,6 +5,7 @@
 #include <string.h>
 #include <webp/decode.h>
 
+#include "base/cancel.h"
 #include "output/lossy.h"
 #include "output/pfm.h"
 #include "output/tiff.h"
