@@ -7,8 +7,7 @@ enum zr_status zr_lossy_fit(zr_lossy_write_fn *write, struct zr_arena *arena, co
                             const struct zr_cancel *cancel, struct zr_lossy_file *file)
 {
     struct zr_lossy tried = *image;
-    uint32_t fits = 0,
-             fails = image->quality + 1; /* no quality up to 0 is known to fail, and none from `fails` to fit */
+    uint32_t fits = 0, fails = image->quality + 1; /* qualities up to `fits` fit, those from `fails` on do not */
     *file = (struct zr_lossy_file){.size = SIZE_MAX};
     for (int left = ZR_LOSSY_TRIES; left > 0 && fails - fits > 1; left--) {
         struct zr_lossy_file made;
@@ -16,9 +15,7 @@ enum zr_status zr_lossy_fit(zr_lossy_write_fn *write, struct zr_arena *arena, co
         if (fits == 0 && left == 1) tried.quality = 1;
         const enum zr_status status = write(arena, &tried, most, cancel, &made);
         if (status != ZR_OK) return status;
-        if (made.bytes || !file->bytes) {
-            if (made.bytes || made.size < file->size) *file = made;
-        }
+        if (made.bytes || (!file->bytes && made.size < file->size)) *file = made;
         if (made.bytes)
             fits = tried.quality;
         else
