@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "input.h"
+#include "tables.h"
 #include "unzip.h"
 
 struct format {
@@ -23,12 +24,27 @@ static const struct format FORMATS[] = {
     {"image/tiff", "tiff", "a TIFF", ""},
     {"application/json", "json", "JSON", ""},
     {"image/svg+xml", "svg", "an SVG", ""},
+    {"image/jpeg", "jpg", "a JPEG", ""},
+    {"image/webp", "webp", "a WebP", ""},
+    {"image/x-portable-floatmap", "pfm", "a float map (PFM)", ""},
+    {"image/tiff", "tiff", "a TIFF", ""},
     {"application/zip", "zip", "a ZIP archive of several outputs", "; or get one of them: --channel color"},
 };
 
 /* Endings of formats that are never written. Other endings, such as .part, name no format. */
-static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "webp", "bmp",  "ppm", "pgm",
-                                      "exr", "hdr",  "pdf", "npz", "gz",   "html", "txt", "csv"};
+static const char *const FOREIGN[] = {"gif", "bmp", "ppm", "pgm",  "exr", "hdr",
+                                      "pdf", "npz", "gz",  "html", "txt", "csv"};
+
+/* Endings that choose the encoding. Those of float maps need a channel of floats: --channel depth. */
+static const struct {
+    const char *ending, *encoding, *channel;
+} CHOICES[] = {{"svg", "svg", "color"}, {"jpg", "jpeg", "color"}, {"jpeg", "jpeg", "color"}, {"webp", "webp", "color"},
+               {"pfm", "pfm", "depth"}, {"tif", "tiff", "depth"}, {"tiff", "tiff", "depth"}, {"apng", "apng", "color"}};
+
+/* Other spellings of endings. */
+static const struct {
+    const char *given, *ending;
+} SPELLINGS[] = {{"jpeg", "jpg"}, {"tif", "tiff"}};
 
 static const struct format *format_of(const char *type)
 {
@@ -65,6 +81,14 @@ bool output_is_folder(const char *path)
     return path[strlen(path) - 1] == '/' || (stat(path, &status) == 0 && S_ISDIR(status.st_mode));
 }
 
+/* Returns true if the ending of a name means this ending of a format. */
+static bool is_ending(const char *given, const char *ending)
+{
+    for (size_t i = 0; i < sizeof SPELLINGS / sizeof *SPELLINGS; i++)
+        if (strcasecmp(given, SPELLINGS[i].given) == 0) given = SPELLINGS[i].ending;
+    return strcasecmp(given, ending) == 0;
+}
+
 static bool is_foreign(const char *ending)
 {
     for (size_t i = 0; i < sizeof FOREIGN / sizeof *FOREIGN; i++)
@@ -76,19 +100,37 @@ bool output_is_name(const char *name)
 {
     const char *ending = ending_of(name);
     for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
-        if (strcasecmp(ending, FORMATS[i].ending) == 0 && !input_has_ending(name)) return true;
+        if (is_ending(ending, FORMATS[i].ending) && !input_has_ending(name)) return true;
     return strcmp(name, "-") == 0 || is_foreign(ending) || output_is_folder(name);
+}
+
+/* Returns true if the only input is a scene with outputs of its own. */
+static bool has_outputs(const struct options *options)
+{
+    struct bytes body = {NULL, 0, 0};
+    struct stat about; /* a pipe can be read only once */
+    const char *path = options->file_count == 1 ? options->files[0] : "-", key[] = "\"outputs\"";
+    const bool is_file = strcasecmp(ending_of(path), "json") == 0 && stat(path, &about) == 0 && S_ISREG(about.st_mode);
+    const bool has = is_file && bytes_read(&body, path) && memmem(body.data, body.size, key, strlen(key));
+    bytes_free(&body);
+    return has;
 }
 
 void output_set_encoding(struct options *options)
 {
-    const char *ending = options->own[OPTION_OUTPUT] ? ending_of(options->own[OPTION_OUTPUT]) : "";
-    const bool is_animation =
-        strcasecmp(ending, "apng") == 0 || (strcasecmp(ending, "png") == 0 && options->parameters[PARAMETER_turntable]);
-    if (!is_animation && strcasecmp(ending, "svg") != 0) return;
-    if (options->parameters[PARAMETER_channel] || options->parameters[PARAMETER_encoding]) return;
-    options->parameters[PARAMETER_channel] = "color";
-    options->parameters[PARAMETER_encoding] = is_animation ? "apng" : "svg";
+    const char *out = options->own[OPTION_OUTPUT];
+    if (!out || options->parameters[PARAMETER_encoding]) return;
+    const bool is_animation = strcasecmp(ending_of(out), "png") == 0 && options->parameters[PARAMETER_turntable];
+    if (is_animation && !options->parameters[PARAMETER_channel]) options->parameters[PARAMETER_encoding] = "apng";
+    for (size_t i = 0; i < sizeof CHOICES / sizeof *CHOICES; i++) {
+        if (strcasecmp(ending_of(out), CHOICES[i].ending) != 0) continue;
+        const char *channel = options->parameters[PARAMETER_channel];
+        const bool is_svg = strcmp(CHOICES[i].encoding, "svg") == 0;
+        if (!channel && !is_svg && has_outputs(options)) return;
+        if (channel && !tables_extension(channel, CHOICES[i].encoding)) return;
+        if (!channel) options->parameters[PARAMETER_channel] = CHOICES[i].channel;
+        options->parameters[PARAMETER_encoding] = CHOICES[i].encoding;
+    }
 }
 
 bool output_may_be_folder(const char *path)
@@ -102,10 +144,10 @@ bool output_may_be_folder(const char *path)
 static bool says_another_format(const char *out, const struct format *format)
 {
     const char *ending = ending_of(out);
-    if (strcasecmp(ending, format->ending) == 0) return false;
+    if (is_ending(ending, format->ending)) return false;
     if (strcmp(format->ending, "apng") == 0 && strcasecmp(ending, "png") == 0) return false;
     for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
-        if (strcasecmp(ending, FORMATS[i].ending) == 0) return true;
+        if (is_ending(ending, FORMATS[i].ending)) return true;
     return is_foreign(ending) || input_has_ending(out);
 }
 

@@ -22,7 +22,8 @@ struct target output_target(const char *file, const char *out);
 /* Returns true if a name can only be that of an output. */
 bool output_is_name(const char *name);
 
-/* Sets the encoding svg if the output's name ends so, and neither a channel nor an encoding is given. */
+/* Sets the encoding that the output's name ends with, such as svg, jpeg or tiff, and the channel that it is for, unless
+ * the options give them. */
 void output_set_encoding(struct options *options);
 
 /* Checks before drawing: the folder exists (a name with a slash at its end makes it), the input is not overwritten,

@@ -64,7 +64,8 @@ const char *tables_extension(const char *name, const char *encoding)
         cJSON_ArrayForEach(known, cJSON_GetObjectItemCaseSensitive(channel, "encodings"))
         {
             const char *word = text_of(known, NULL);
-            if (!*encoding || strcmp(word, encoding) == 0) return strncmp(word, "png", 3) == 0 ? "png" : word;
+            if (!*encoding || strcmp(word, encoding) == 0)
+                return strncmp(word, "png", 3) == 0 ? "png" : strcmp(word, "jpeg") == 0 ? "jpg" : word;
         }
     }
     return NULL;

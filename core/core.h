@@ -158,6 +158,7 @@ struct zr_answer {
     const void *bytes;
     size_t size;
     const char *look;     /* the scene's look with its version: "studio@2" */
+    const char *encoders; /* libraries whose version decides the bytes: "libwebp 1.2.4; quality=80", "": none */
     const char *warnings; /* one line of whole warnings, with "; and 3 more" at its end if not all fit; "": none */
 };
 
@@ -194,9 +195,10 @@ enum zr_status zr_render_apart(struct zr_arena *arena, struct zr_arena *scratch,
                                const struct zr_cancel *cancel, const struct zr_frame **frame, struct zr_error *error);
 
 /* Encodes the outputs of the frame's view: a single output as its file, several as a ZIP of files channel.extension.
- * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address (output/idat.h).
- * Fails with ZR_BAD_SCENE if a strict request has warnings, or if a ZIP would have 4 GiB or more; with ZR_NO_MEMORY,
- * ZR_CANCELLED or ZR_INTERNAL. *error explains each; *answer is then undefined. */
+ * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address (output/idat.h);
+ * those of JPEG and WebP depend on the version of a library. Fails with ZR_BAD_SCENE if a strict request has warnings,
+ * if a file has more than its max_bytes, or if a ZIP would have 4 GiB or more; with ZR_NO_MEMORY, ZR_CANCELLED or
+ * ZR_INTERNAL. *error explains each; *answer is then undefined. */
 enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
                          struct zr_error *error);

@@ -8,6 +8,7 @@
 #include "effects/edges.h"
 #include "effects/ground.h"
 #include "effects/shadow_maps.h"
+#include "output/lossy.h"
 #include "raster/tile.h"
 #include "render/layers.h"
 #include "render/picture.h"
@@ -197,6 +198,16 @@ static const double CHANNEL_TIMES[ZR_CHANNEL_COUNT] = {[ZR_CHANNEL_DISTANCE] = 1
                                                        [ZR_CHANNEL_NORMALS] = 0.4,
                                                        [ZR_CHANNEL_BARYCENTRICS] = 4.0};
 
+/* Trying qualities for a number of bytes makes up to ZR_LOSSY_TRIES files. */
+static void count_lossy(const struct zr_scene *scene, const struct zr_output *output, double pixels, double *counts)
+{
+    const double tries = output->max_bytes > 0 ? (double)ZR_LOSSY_TRIES : 1.0;
+    if (output->is_lossless) /* effort 6 takes about 2.5 times as long as effort 1 */
+        counts[ZR_COST_LOSSLESS_WEBP_PIXEL] += pixels * (scene->compress == ZR_COMPRESS_SMALL ? 2.5 : 1.0);
+    else
+        counts[output->encoding == ZR_ENCODING_JPEG ? ZR_COST_JPEG_PIXEL : ZR_COST_WEBP_PIXEL] += pixels * tries;
+}
+
 static void count_outputs(const struct zr_scene *scene, double *counts)
 {
     const struct zr_view *view = &scene->views[0];
@@ -206,6 +217,7 @@ static void count_outputs(const struct zr_scene *scene, double *counts)
         if (encoding == ZR_ENCODING_SVG) continue;
         counts[ZR_COST_OUTPUT_WORD] += pixels * fmax((double)zr_channel_rows[view->outputs[i].channel].words, 1.0);
         counts[ZR_COST_CHANNEL_PIXEL] += pixels * CHANNEL_TIMES[view->outputs[i].channel];
+        if (zr_encoding_has_quality(encoding)) count_lossy(scene, &view->outputs[i], pixels, counts);
         if (!zr_encoding_is_png(encoding)) continue;
         counts[scene->compress == ZR_COMPRESS_SMALL ? ZR_COST_SMALL_PNG_PIXEL : ZR_COST_PNG_PIXEL] += pixels;
     }

@@ -53,7 +53,10 @@
     ROW(CAP_TILE, 6.0, "corners of caps times tiles of the window")                                                    \
     ROW(OUTPUT_WORD, 1.6, "words of outputs")                                                                          \
     ROW(PNG_PIXEL, 0.4, "pixels of PNG files")                                                                         \
-    ROW(SMALL_PNG_PIXEL, 18.0, "pixels of PNG files that are compressed well")
+    ROW(SMALL_PNG_PIXEL, 18.0, "pixels of PNG files that are compressed well")                                         \
+    ROW(JPEG_PIXEL, 8.0, "pixels of JPEG files, for each try of a quality")                                            \
+    ROW(WEBP_PIXEL, 70.0, "pixels of WebP files, for each try of a quality")                                           \
+    ROW(LOSSLESS_WEBP_PIXEL, 80.0, "pixels of lossless WebP files")
 
 enum zr_cost_kind {
 #define ZR_COST_ENUM(ID, ...) ZR_COST_##ID,

@@ -3,13 +3,16 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/rgba.h"
 #include "output/depth16.h"
 #include "output/fragments_json.h"
 #include "output/info.h"
 #include "output/line_file.h"
+#include "output/lossy.h"
 #include "output/npy.h"
+#include "output/pfm.h"
 #include "output/png.h"
 #include "output/tiff.h"
 #include "scene/looks.h"
@@ -17,11 +20,19 @@
 #include "scene/validate.h"
 #include "shade/frame.h"
 
-const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {
-    [ZR_ENCODING_PNG] = {"png", "image/png"},          [ZR_ENCODING_PNG16] = {"png", "image/png"},
-    [ZR_ENCODING_PNG32] = {"png", "image/png"},        [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
-    [ZR_ENCODING_JSON] = {"json", "application/json"}, [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},
-    [ZR_ENCODING_TIFF] = {"tiff", "image/tiff"},       [ZR_ENCODING_APNG] = {"apng", "image/apng"}};
+const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {[ZR_ENCODING_PNG] = {"png", "image/png"},
+                                                              [ZR_ENCODING_PNG16] = {"png", "image/png"},
+                                                              [ZR_ENCODING_PNG32] = {"png", "image/png"},
+                                                              [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
+                                                              [ZR_ENCODING_JSON] = {"json", "application/json"},
+                                                              [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},
+                                                              [ZR_ENCODING_TIFF] = {"tiff", "image/tiff"},
+                                                              [ZR_ENCODING_APNG] = {"apng", "image/apng"},
+                                                              [ZR_ENCODING_JPEG] = {"jpg", "image/jpeg"},
+                                                              [ZR_ENCODING_WEBP] = {"webp", "image/webp"},
+                                                              [ZR_ENCODING_PFM] = {"pfm", "image/x-portable-floatmap"}};
+
+enum { ENCODERS_SIZE = 256 };
 
 /* Inputs of encoding, and the results that the output info reports about the other outputs. */
 struct encoding {
@@ -32,6 +43,7 @@ struct encoding {
     const struct zr_cancel *cancel;
     float depth_scale;                         /* scene units per step of 16-bit depth; 0: no such output */
     uint64_t misfits;                          /* pixels whose depth does not fit 16 bits */
+    char *encoders;                            /* ENCODERS_SIZE bytes: of files made so far */
     const struct zr_drawing_warnings *drawing; /* NULL: made from the scene */
     struct zr_warning_list warnings;
     struct zr_error *error;
@@ -85,15 +97,32 @@ static const void *find_values(const struct encoding *e, const struct zr_output 
     return out;
 }
 
+/* Returns the values of a channel with infinity where nothing is, as in depth. A thickness of 0 is that of no mesh. */
+static const float *values_for_steps(const struct encoding *e, enum zr_channel channel)
+{
+    const size_t pixels = (size_t)e->frame->width * e->frame->height;
+    const float *values = e->frame->channels[channel];
+    if (channel != ZR_CHANNEL_THICKNESS) return values;
+    float *made = zr_arena_alloc(e->arena, pixels, sizeof *made);
+    for (size_t i = 0; made && i < pixels; i++)
+        made[i] = values[i] > 0.0f ? values[i] : INFINITY;
+    return made;
+}
+
 static enum zr_status encode_depth16(struct encoding *e, const struct zr_output *output, struct zr_buffer *out)
 {
     const struct zr_frame *frame = e->frame;
+    const bool is_depth = output->channel == ZR_CHANNEL_DEPTH;
     struct zr_depth16 depth16 = {.frame = frame,
+                                 .values = is_depth ? frame->depth : values_for_steps(e, output->channel),
+                                 .spans = is_depth ? frame->spans : NULL,
                                  .scale = zr_depth16_scale(frame, output->scale),
                                  .range = output->has_range ? output->range : NULL,
                                  .make_steps = zr_depth16_of(zr_team_isa(e->team))};
+    if (!depth16.values) return ZR_NO_MEMORY;
     char comment[160];
-    const int used = snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; ", (double)depth16.scale);
+    const int used = snprintf(comment, sizeof comment, "%s in scene units = value * %.9g; ",
+                              zr_channel_rows[output->channel].name, (double)depth16.scale);
     if (output->has_range)
         snprintf(comment + used, sizeof comment - (size_t)used, "0 nearer than %.9g; 65535 farther than %.9g",
                  (double)output->range[0], (double)output->range[1]);
@@ -103,13 +132,62 @@ static enum zr_status encode_depth16(struct encoding *e, const struct zr_output 
                                .width = frame->width,
                                .height = frame->height,
                                .rows = zr_depth16_rows(&depth16),
-                               .spans = frame->spans,
+                               .spans = depth16.spans,
                                .text = comment,
                                .compress = e->scene->compress};
     const enum zr_status status = zr_png_write(&png, e->team, e->cancel, out);
-    e->depth_scale = depth16.scale;
-    e->misfits = depth16.misfits;
+    if (is_depth) e->depth_scale = depth16.scale;
+    e->misfits += depth16.misfits;
     return status;
+}
+
+/* Notes the encoder of a file, "libwebp 1.2.4; quality=80". */
+static void note_encoder(struct encoding *e, const struct zr_output *output, uint32_t quality)
+{
+    const struct zr_webp_encoder webp = zr_webp_encoder();
+    const char *name = output->encoding == ZR_ENCODING_JPEG ? zr_jpeg_encoder() : webp.text;
+    const size_t used = strlen(e->encoders), room = ENCODERS_SIZE - used;
+    const char *comma = used > 0 ? ", " : "";
+    char made[64];
+    if (output->is_lossless)
+        snprintf(made, sizeof made, "%s%s; lossless", comma, name);
+    else
+        snprintf(made, sizeof made, "%s%s; quality=%u", comma, name, quality);
+    if (strlen(made) < room) memcpy(e->encoders + used, made, strlen(made) + 1);
+}
+
+static enum zr_status encode_lossy(struct encoding *e, const struct zr_output *output, struct zr_buffer *out)
+{
+    const struct zr_lossy image = {
+        .width = e->frame->width,
+        .height = e->frame->height,
+        .rgba = (const uint8_t *)e->frame->color,
+        .has_alpha =
+            e->scene->background.w<1.0f, .is_lossless = output->is_lossless,
+                                   .is_small = e->scene->compress == ZR_COMPRESS_SMALL, .quality = output->quality> 0
+                ? output->quality
+                : ZR_QUALITY_DEFAULT};
+    zr_lossy_write_fn *write = output->encoding == ZR_ENCODING_JPEG ? zr_jpeg_write : zr_webp_write;
+    const size_t most = output->max_bytes > 0 ? output->max_bytes : SIZE_MAX;
+    struct zr_lossy_file file;
+    const enum zr_status status = zr_lossy_fit(write, e->arena, &image, most, e->cancel, &file);
+    if (status != ZR_OK) return status;
+    *out = (struct zr_buffer){e->arena, file.bytes, file.size, file.size};
+    if (file.bytes) note_encoder(e, output, file.quality);
+    return ZR_OK;
+}
+
+/* Refuses a file of more bytes than the output allows. */
+static enum zr_status check_size(const struct encoding *e, uint32_t number, size_t size)
+{
+    char pointer[48];
+    const struct zr_output *output = &e->frame->view->outputs[number];
+    if (output->max_bytes == 0 || size <= output->max_bytes) return ZR_OK;
+    const bool is_lossy = zr_encoding_has_quality(output->encoding) && !output->is_lossless;
+    snprintf(pointer, sizeof pointer, "/outputs/%u/maxBytes", number);
+    return zr_error_add(e->error, ZR_BAD_SCENE, pointer,
+                        "%u bytes are too few for this picture, which has %zu%s; a smaller window takes fewer",
+                        output->max_bytes, size, is_lossy ? " at the quality 1" : "");
 }
 
 static enum zr_status encode_output(struct encoding *e, const struct zr_output *output, struct zr_buffer *out)
@@ -129,14 +207,20 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     case ZR_ENCODING_NPY:
     case ZR_ENCODING_TIFF:
         if (!(values = find_values(e, output))) return ZR_NO_MEMORY;
-        if (output->encoding == ZR_ENCODING_TIFF) return zr_tiff_write(values, f->width, f->height, row->words, out);
+        if (output->encoding == ZR_ENCODING_TIFF) return zr_tiff_write(f->width, f->height, row->words, values, out);
         return zr_npy_write(row->values == ZR_VALUES_UINT32 ? ZR_NPY_UINT32 : ZR_NPY_FLOAT32, f->width, f->height,
                             row->words, values, out);
     case ZR_ENCODING_JSON:
         if (output->channel == ZR_CHANNEL_FRAGMENTS) return zr_fragments_json_write(e->scene, f, out);
-        return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, out);
+        return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, e->encoders, out);
     case ZR_ENCODING_SVG:
         return zr_line_file_write(e->scene, f, out) ? ZR_OK : ZR_NO_MEMORY;
+    case ZR_ENCODING_PFM:
+        if (!(values = find_values(e, output))) return ZR_NO_MEMORY;
+        return zr_pfm_write(f->width, f->height, row->words, values, out);
+    case ZR_ENCODING_JPEG:
+    case ZR_ENCODING_WEBP:
+        return encode_lossy(e, output, out);
     case ZR_ENCODING_COUNT:
         break;
     }
@@ -174,6 +258,7 @@ static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entrie
             if ((output->channel == ZR_CHANNEL_INFO) != (reports == 1)) continue;
             struct zr_buffer out = {.arena = e->arena};
             enum zr_status status = encode_output(e, output, &out);
+            if (status == ZR_OK) status = check_size(e, i, out.size);
             if (status != ZR_OK) return status;
             entries[i] = (struct zr_zip_entry){file_name(e->arena, output), out.bytes, out.size};
             types[i] = zr_file_kinds[output->encoding].type;
@@ -229,8 +314,9 @@ static enum zr_status make_files(struct encoding *e, struct zr_files *files)
     enum zr_status status = e->scene->is_strict ? find_warnings(e) : ZR_OK; /* before images are compressed */
     struct zr_zip_entry *entries = zr_arena_alloc(e->arena, count, sizeof *entries);
     const char **types = zr_arena_alloc(e->arena, count, sizeof *types);
-    if (status == ZR_OK) status = entries && types ? encode_all(e, entries, types) : ZR_NO_MEMORY;
-    *files = (struct zr_files){count, entries, types, e->warnings};
+    e->encoders = zr_arena_zero(e->arena, ENCODERS_SIZE, 1);
+    if (status == ZR_OK) status = entries && types && e->encoders ? encode_all(e, entries, types) : ZR_NO_MEMORY;
+    *files = (struct zr_files){count, entries, types, e->warnings, e->encoders};
     return status;
 }
 
@@ -253,6 +339,7 @@ enum zr_status zr_files_answer(struct zr_arena *arena, const struct zr_files *fi
 {
     answer->warnings = zr_warnings_join(arena, &files->warnings);
     answer->look = pin_look(arena, scene);
+    answer->encoders = files->encoders;
     return explain(arena, zr_files_join(arena, files, answer, error), error);
 }
 

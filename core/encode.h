@@ -13,6 +13,7 @@ struct zr_files {
     struct zr_zip_entry *entries;    /* names are channel.extension */
     const char **types;              /* media type of each */
     struct zr_warning_list warnings; /* of scene, frame and encoding */
+    const char *encoders;            /* of JPEG and WebP, as in struct zr_answer */
 };
 
 /* Encodes each output. `drawing` may be NULL; with it, the scene needs no geometry (library/remains.h). Other arguments

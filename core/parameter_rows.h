@@ -14,12 +14,12 @@
     KIND(AXIS, "AXIS") /* x, -x and so on: a command line takes -x for the value */                                    \
     KIND(BOOL, "[BOOL]")                                                                                               \
     KIND(COUNT, "COUNT")     /* one of the numbers that the key allows */                                              \
+    KIND(WHOLE, "NUMBER")    /* integer, within the range of the key */                                                \
     KIND(NUMBER, "NUMBER")   /* within the range of the key */                                                         \
     KIND(DEGREES, "DEGREES") /* likewise */                                                                            \
     KIND(PIXELS, "PIXELS")   /* likewise */                                                                            \
     KIND(SECONDS, "SECONDS")                                                                                           \
     KIND(UNITS, "UNITS")  /* greater than 0 */                                                                         \
-    KIND(WHOLE, "COUNT")  /* integer, from 0 */                                                                        \
     KIND(SIDE, "PIXELS")  /* integer, side of the window */                                                            \
     KIND(PIXEL, "PIXELS") /* integer, from 0 */                                                                        \
     KIND(VECTOR, "X,Y,Z")                                                                                              \
@@ -35,9 +35,13 @@
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
         "outputs instead of the scene's, with commas between them: color, depth, normals or others")                   \
     ROW(encoding, "/outputs/0/encoding", ANY, NAME,                                                                    \
-        "format of the output: png, png16, png32, npy, tiff, json, svg or apng (svg: lines alone; default: by "        \
+        "format of the output: png, png16, png32, jpeg, webp, npy, pfm, tiff, json, svg or apng (default: by "         \
         "channel)")                                                                                                    \
     ROW(scale, "/outputs/0/scale", ANY, UNITS, "scene units per step of a 16-bit depth picture")                       \
+    ROW(quality, "/outputs/0/quality", ANY, WHOLE, "quality of a jpeg or webp, 1 to 100 (default: 85)")                \
+    ROW(lossless, "/outputs/0/lossless", ANY, BOOL, "exact colours in a webp (default: false)")                        \
+    ROW(maxBytes, "/outputs/0/maxBytes", ANY, WHOLE,                                                                   \
+        "most bytes of the picture: a jpeg or webp gets the best quality that fits")                                   \
     ROW(x, "/outputs/0/x", ANY, PIXEL, "column of the pixel for the channel fragments, from 0 at the left")            \
     ROW(y, "/outputs/0/y", ANY, PIXEL, "row of that pixel, from 0 at the top")                                         \
     ROW(compress, "/query/compress", ANY, NAME, "compression of PNGs: fast or small (default: fast)")                  \

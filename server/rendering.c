@@ -261,6 +261,7 @@ static void answer_image(struct answer *answer, const struct zr_answer *result)
 {
     answer_copy(answer, result->content_type, result->bytes, result->size);
     answer_header(answer, "Zraster-Look", "%s", result->look);
+    if (*result->encoders) answer_header(answer, "Zraster-Encoder", "%s", result->encoders);
     if (result->warnings && *result->warnings) {
         char warnings[ZR_WARNINGS_SIZE];
         text_to_ascii(warnings, sizeof warnings, result->warnings);

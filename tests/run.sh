@@ -130,6 +130,7 @@ for part in "$@"; do
         run same-bytes tests/clients/test_same_bytes.sh "$build"
         run documents tests/clients/test_documents.sh "$build"
         run facts tests/clients/test_facts.sh "$build"
+        run encodings tests/clients/test_encodings.sh "$build"
         run wrong-lines tests/clients/test_wrong_lines.sh "$build"
         run gallery tests/clients/test_gallery.sh "$build"
         run readme tests/clients/test_readme.sh "$build"

@@ -47,9 +47,15 @@ static bool belongs(const struct zr_request *request, size_t number, const char 
     const int channel = zr_names_find(&zr_channel_names, name);
     if (channel < 0 || channel >= ZR_CHANNEL_COUNT) return false;
     if (strcmp(parameter, "x") == 0 || strcmp(parameter, "y") == 0) return channel == ZR_CHANNEL_FRAGMENTS;
-    const int encoding = request->encoding ? zr_names_find(&zr_encoding_names, request->encoding) : -1;
-    return encoding >= 0 && zr_channel_has((enum zr_channel)channel, (enum zr_encoding)encoding) &&
-           (encoding == ZR_ENCODING_PNG16 || strcmp(parameter, "scale") != 0);
+    const int given = request->encoding ? zr_names_find(&zr_encoding_names, request->encoding) : -1;
+    const bool has_it =
+        given >= 0 && given < ZR_ENCODING_COUNT && zr_channel_has((enum zr_channel)channel, (enum zr_encoding)given);
+    const enum zr_encoding encoding = has_it ? (enum zr_encoding)given : zr_channel_rows[channel].encodings[0];
+    if (strcmp(parameter, "scale") == 0) return encoding == ZR_ENCODING_PNG16;
+    if (strcmp(parameter, "lossless") == 0) return encoding == ZR_ENCODING_WEBP;
+    if (strcmp(parameter, "quality") == 0) return zr_encoding_has_quality(encoding);
+    if (strcmp(parameter, "maxBytes") == 0) return zr_encoding_compresses(encoding);
+    return has_it;
 }
 
 static const char *copy(struct zr_arena *arena, const char *text, size_t length)

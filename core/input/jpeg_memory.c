@@ -136,7 +136,7 @@ static void self_destruct(j_common_ptr jpeg)
     (void)jpeg;
 }
 
-void zr_jpeg_memory_begin(struct zr_jpeg_memory *memory, struct zr_arena *arena, struct jpeg_decompress_struct *jpeg)
+void zr_jpeg_memory_begin(struct zr_jpeg_memory *memory, struct zr_arena *arena, j_common_ptr jpeg)
 {
     *memory = (struct zr_jpeg_memory){.methods = {.alloc_small = alloc_bytes,
                                                   .alloc_large = alloc_bytes,
@@ -155,7 +155,7 @@ void zr_jpeg_memory_begin(struct zr_jpeg_memory *memory, struct zr_arena *arena,
     jpeg->mem = &memory->methods;
 }
 
-void zr_jpeg_memory_end(struct zr_jpeg_memory *memory, struct jpeg_decompress_struct *jpeg)
+void zr_jpeg_memory_end(struct zr_jpeg_memory *memory, j_common_ptr jpeg)
 {
     if (memory->before) jpeg->mem = memory->before;
 }

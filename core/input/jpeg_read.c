@@ -222,7 +222,7 @@ static void run(struct reading *reading, const void *bytes, size_t size, uint64_
 {
     if (setjmp(reading->jump) != 0) return;
     jpeg_create_decompress(&reading->jpeg);
-    zr_jpeg_memory_begin(&reading->memory, reading->scratch, &reading->jpeg);
+    zr_jpeg_memory_begin(&reading->memory, reading->scratch, (j_common_ptr)&reading->jpeg);
     set_source(reading, bytes, size);
     reading->progress.progress_monitor = check_progress;
     reading->jpeg.progress = &reading->progress;
@@ -235,7 +235,7 @@ enum zr_status zr_jpeg_read(struct zr_arena *arena, struct zr_arena *scratch, co
     struct reading reading = {.arena = arena, .scratch = scratch, .reason = reason, .texels_max = texels_max};
     set_errors(&reading);
     run(&reading, bytes, size, texels_max, image);
-    zr_jpeg_memory_end(&reading.memory, &reading.jpeg);
+    zr_jpeg_memory_end(&reading.memory, (j_common_ptr)&reading.jpeg);
     jpeg_destroy_decompress(&reading.jpeg);
     return reading.status;
 }

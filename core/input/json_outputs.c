@@ -1,3 +1,5 @@
+#include <math.h>
+
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 #include "input/outputs.h"
@@ -9,7 +11,8 @@ enum { UNSET = -1, OUTPUTS_MAX = ZR_CHANNEL_COUNT * ZR_ENCODING_COUNT };
 struct given_output {
     int channel, encoding, space;
     float scale, range[2];
-    uint32_t x, y;
+    uint32_t x, y, quality, max_bytes;
+    bool is_lossless;
 };
 
 /* int: any space; check_space refuses one that the channel lacks. */
@@ -34,7 +37,18 @@ static bool read_range(struct zr_json *json, const struct zr_json_path *path, co
            zr_json_fault(json, path, "from %.9g to %.9g; the nearest depth comes first", ends[0], ends[1]);
 }
 
-enum { CHANNEL, ENCODING, SPACE, SCALE, RANGE, X, Y };
+/* uint32_t: an integer from field->low to field->high. */
+static bool read_count(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
+{
+    double value;
+    if (!zr_json_number(json, path, field, &value)) return false;
+    if (value != floor(value)) return zr_json_fault(json, path, "%g is no integer", value);
+    *(uint32_t *)out = (uint32_t)value;
+    return true;
+}
+
+enum { CHANNEL, ENCODING, SPACE, SCALE, RANGE, X, Y, QUALITY, LOSSLESS, MAX_BYTES };
 #define AT(member) offsetof(struct given_output, member)
 static const struct zr_json_field fields[] = {
     [CHANNEL] = {"channel", zr_json_choice, AT(channel), .words = &zr_channel_names, .required = true,
@@ -43,13 +57,19 @@ static const struct zr_json_field fields[] = {
                   .otherwise = "the first of the channel", .text = "format of the file"},
     [SPACE] = {"space", read_space, AT(space), .otherwise = "camera", .text = "space of positions and normals"},
     [SCALE] = {"scale", zr_json_positive, AT(scale), .unit = "scene units", .otherwise = "the far plane is 65535",
-               .text = "depth per step of a png16"},
+               .text = "depth per step of a png16; distance and thickness need it"},
     [RANGE] =
         {"range", read_range, AT(range), 0, RANGE_MAX, .unit = "scene units", .otherwise = "all depths",
          .text = "nearest and farthest depth: nearer ones are 0, farther ones and uncovered pixels the greatest value"},
     [X] = {"x", zr_json_whole, AT(x), .unit = "pixels",
            .text = "column of the pixel for the channel fragments, from 0 at the left"},
-    [Y] = {"y", zr_json_whole, AT(y), .unit = "pixels", .text = "row of that pixel, from 0 at the top"}};
+    [Y] = {"y", zr_json_whole, AT(y), .unit = "pixels", .text = "row of that pixel, from 0 at the top"},
+    [QUALITY] = {"quality", read_count, AT(quality), 1, 100, .otherwise = "85",
+                 .text = "quality of a jpeg or webp, from small to good; with maxBytes, the best that is tried"},
+    [LOSSLESS] = {"lossless", zr_json_bool, AT(is_lossless), .otherwise = "false",
+                  .text = "a webp with exactly the colours of the pixels"},
+    [MAX_BYTES] = {"maxBytes", read_count, AT(max_bytes), 1, UINT32_MAX, .unit = "bytes", .otherwise = "any",
+                   .text = "most bytes of the file: a jpeg or webp gets the best quality that fits"}};
 const struct zr_json_object zr_json_object_output = ZR_JSON_OBJECT_OF("output", fields);
 
 static void check_encoding(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
@@ -71,6 +91,25 @@ static void check_scale(struct zr_json *json, const struct zr_json_path *path, u
     const bool is_unknown = zr_json_gives(keys, ENCODING) && given->encoding == UNSET;
     if (zr_json_gives(keys, SCALE) && output->encoding != ZR_ENCODING_PNG16 && !is_unknown)
         zr_json_fault(json, ZR_JSON_KEY(path, fields[SCALE].key), "only the encoding png16 has one");
+    if (!zr_json_gives(keys, SCALE) && output->encoding == ZR_ENCODING_PNG16 && output->channel != ZR_CHANNEL_DEPTH)
+        zr_json_fault(json, path, "missing the key scale: a png16 of %s has no default",
+                      zr_channel_names.words[output->channel]);
+}
+
+/* Quality and maxBytes belong to encodings that lose or save something. */
+static void check_compression(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
+                              const struct given_output *given, const struct zr_output *output)
+{
+    if (zr_json_gives(keys, ENCODING) && given->encoding == UNSET) return;
+    if (zr_json_gives(keys, QUALITY) && !zr_encoding_has_quality(output->encoding))
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[QUALITY].key), "only the encodings jpeg and webp have one");
+    if (zr_json_gives(keys, QUALITY) && output->is_lossless)
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[QUALITY].key), "a lossless webp has none");
+    if (output->is_lossless && output->encoding != ZR_ENCODING_WEBP)
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[LOSSLESS].key), "only the encoding webp has it");
+    if (zr_json_gives(keys, MAX_BYTES) && !zr_encoding_compresses(output->encoding))
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[MAX_BYTES].key),
+                      "only the encodings png, png16, jpeg and webp have it");
 }
 
 static void check_range(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
@@ -116,11 +155,17 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, s
     const size_t faults = json->error->count;
     uint64_t keys;
     if (!zr_json_fields(json, path, &zr_json_object_output, &given, &keys) || given.channel == UNSET) return false;
-    *output =
-        (struct zr_output){.channel = (enum zr_channel)given.channel, .scale = given.scale, .x = given.x, .y = given.y};
+    *output = (struct zr_output){.channel = (enum zr_channel)given.channel,
+                                 .scale = given.scale,
+                                 .x = given.x,
+                                 .y = given.y,
+                                 .quality = given.quality,
+                                 .max_bytes = given.max_bytes,
+                                 .is_lossless = given.is_lossless};
     check_encoding(json, path, &given, output);
     check_scale(json, path, keys, &given, output);
     check_range(json, path, keys, &given, output);
+    check_compression(json, path, keys, &given, output);
     check_space(json, path, &given, output);
     check_pixel(json, path, keys, output);
     return json->error->count == faults;

@@ -152,7 +152,7 @@ bool zr_read_views(struct zr_json *json, const struct zr_json_path *path, const 
 
 #define AT(member) offsetof(struct zr_view_set, member)
 static const struct zr_json_field turntable_fields[] = {
-    {"frames", zr_json_whole, AT(count), .otherwise = "36", .text = "number of views in one turn"},
+    {"frames", zr_json_whole, AT(count), 0, UINT32_MAX, .otherwise = "36", .text = "number of views in one turn"},
     {"elevation", zr_json_number, AT(elevation_degrees), -90, 90, .unit = "degrees",
      .otherwise = "that of the scene's view", .text = "angle of the camera above the horizon"},
     {"seconds", zr_json_number, AT(seconds), 0.02, 3600, .unit = "seconds", .otherwise = "4",
@@ -160,7 +160,7 @@ static const struct zr_json_field turntable_fields[] = {
 const struct zr_json_object zr_json_object_turntable = ZR_JSON_OBJECT_OF("turntable", turntable_fields);
 
 static const struct zr_json_field orbit_fields[] = {
-    {"count", zr_json_whole, AT(count), .required = true, .text = "number of views"},
+    {"count", zr_json_whole, AT(count), 0, UINT32_MAX, .required = true, .text = "number of views"},
     {"distance", zr_json_positive, AT(distance), .unit = "scene units", .otherwise = "fitted to the geometry",
      .text = "distance from the cameras to the target"}};
 const struct zr_json_object zr_json_object_orbit = ZR_JSON_OBJECT_OF("orbit", orbit_fields);
@@ -208,7 +208,8 @@ static const struct zr_json_field sheet_fields[] = {
      .text =
          "views: those of the scene; threeView: front, top, right and isometric; balanced: two isometric views from "
          "above, two from below"},
-    {"columns", zr_json_whole, AT(columns), .otherwise = "as many as rows, or one more", .text = "views in a row"},
+    {"columns", zr_json_whole, AT(columns), 0, UINT32_MAX, .otherwise = "as many as rows, or one more",
+     .text = "views in a row"},
     {"angle", zr_json_choice, AT(angle), .words = &angle_names, .otherwise = "third",
      .text = "of projection: places of the views in threeView"},
     {"captions", zr_json_bool, AT(has_captions), .otherwise = "true", .text = "name and scale below each view"}};

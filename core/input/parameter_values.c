@@ -55,6 +55,17 @@ static bool is_whole(const char *text, uint64_t *value)
     return *at == '\0' && at != text;
 }
 
+static bool put_whole(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
+{
+    uint64_t value;
+    char wanted[80];
+    snprintf(wanted, sizeof wanted, "a whole number from %.0f to %.0f", p->field->low, p->field->high);
+    if (!is_whole(text, &value) || (double)value < p->field->low || (double)value > p->field->high)
+        return refuse(p, text, wanted);
+    zr_json_put_number(json, (double)value);
+    return true;
+}
+
 static bool put_side(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
 {
     const uint32_t most = p->limits->window_side_max;
@@ -75,14 +86,6 @@ static bool put_pixel(const struct zr_parameter *p, const char *text, struct zr_
 {
     uint64_t value;
     if (!is_whole(text, &value) || value > UINT32_MAX) return refuse(p, text, "the number of a pixel, counted from 0");
-    zr_json_put_number(json, (double)value);
-    return true;
-}
-
-static bool put_whole(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
-{
-    uint64_t value;
-    if (!is_whole(text, &value) || value > UINT32_MAX) return refuse(p, text, "a whole number");
     zr_json_put_number(json, (double)value);
     return true;
 }

@@ -163,9 +163,10 @@ static enum zr_status keep_files(zraster_picture *picture, const struct zr_files
         types[i] = files->types[i];
     }
     zr_warning_list_append(arena, &warnings, &files->warnings);
+    const char *encoders = zr_arena_copy(arena, files->encoders, strlen(files->encoders) + 1);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     picture->warnings = warnings;
-    picture->files = (struct zr_files){files->count, entries, types, warnings};
+    picture->files = (struct zr_files){files->count, entries, types, warnings, encoders};
     return ZR_OK;
 }
 

@@ -37,8 +37,8 @@ static void make_row(void *source, uint32_t y, void *row, bool again)
 {
     struct zr_depth16 *d = source;
     const uint32_t width = d->frame->width;
-    const struct zr_column_span span = d->frame->spans ? d->frame->spans[y] : (struct zr_column_span){0, width};
-    const float *depth = d->frame->depth + (size_t)y * width;
+    const struct zr_column_span span = d->spans ? d->spans[y] : (struct zr_column_span){0, width};
+    const float *depth = d->values + (size_t)y * width;
     uint16_t *out = row;
     memset(out, 0, span.begin * sizeof *out);
     const uint32_t misfits = d->make_steps(depth + span.begin, d->scale, span.end - span.begin, out + span.begin);

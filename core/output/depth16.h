@@ -20,9 +20,11 @@ typedef uint32_t zr_depth16_fn(const float *depth, float scale, uint32_t width, 
 
 ZR_KERNEL_TABLE(zr_depth16_fn, zr_depth16)
 
-/* Converts a frame's rows while they are written. */
+/* Converts rows of depth, or of another length, while they are written. */
 struct zr_depth16 {
     const struct zr_frame *frame;
+    const float *values;                /* of the frame's size; infinity where nothing is */
+    const struct zr_column_span *spans; /* outside of them nothing is; NULL: everywhere may be something */
     float scale;
     const float *range; /* nearest and farthest depth, scene units; NULL: any */
     zr_depth16_fn *make_steps;

@@ -308,7 +308,8 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
 }
 
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
-                             uint64_t misfits, const struct zr_warning_list *warnings, struct zr_buffer *out)
+                             uint64_t misfits, const struct zr_warning_list *warnings, const char *encoders,
+                             struct zr_buffer *out)
 {
     struct zr_print root = {.out = out}, *print = &root;
     const uint32_t first = first_face_id(frame);
@@ -321,6 +322,7 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     zr_print_begin(print, NULL, '{');
     print_view(print, scene, frame);
     if (depth_scale > 0.0f) zr_print_float(print, "depthScale", depth_scale);
+    if (*encoders) zr_print_string(print, "encoders", encoders);
     if (patches)
         print_counts(print, scene, frame, misfits);
     else

@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "output/words.h"
+
 /* The data begin at a multiple of 64 bytes, as the format requires. */
 _Static_assert(ZR_NPY_HEADER % 64 == 0, "the data are aligned");
 enum { PREFIX_SIZE = 10 };
@@ -27,17 +29,7 @@ enum zr_status zr_npy_begin(enum zr_npy_type type, const size_t *shape, size_t a
 enum zr_status zr_npy_write(enum zr_npy_type type, uint32_t width, uint32_t height, uint32_t components,
                             const void *values, struct zr_buffer *out)
 {
-    const size_t shape[] = {height, width, components}, bytes = (size_t)width * height * components * 4;
-    if (zr_npy_begin(type, shape, components > 1 ? 3 : 2, out) != ZR_OK || !zr_buffer_add(out, values, bytes))
-        return ZR_NO_MEMORY;
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    unsigned char *data = out->bytes + out->size - bytes;
-    for (size_t i = 0; i < bytes; i += 4) {
-        uint32_t value;
-        memcpy(&value, data + i, 4);
-        value = __builtin_bswap32(value);
-        memcpy(data + i, &value, 4);
-    }
-#endif
-    return ZR_OK;
+    const size_t shape[] = {height, width, components}, words = (size_t)width * height * components;
+    if (zr_npy_begin(type, shape, components > 1 ? 3 : 2, out) != ZR_OK) return ZR_NO_MEMORY;
+    return zr_words_add(out, values, words) ? ZR_OK : ZR_NO_MEMORY;
 }

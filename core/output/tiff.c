@@ -1,85 +1,79 @@
 #include "output/tiff.h"
 
-#include <string.h>
+#include "output/words.h"
 
-enum { SHORT = 3, LONG = 4, RATIONAL = 5 }; /* types of fields */
-enum { ENTRY_SIZE = 12, HEAD_MAX = 256 };
-enum { COLOR_GREY = 1, COLOR_RGB = 2, UNSPECIFIED = 0, SAMPLES_ARE_FLOATS = 3 };
+enum { SHORT = 3, LONG = 4, RATIONAL = 5, FLOAT_SAMPLES = 3, HEADER = 8, ENTRY = 12 };
 
-/* The header, the directory and the values of fields that do not fit an entry. */
-struct head {
-    unsigned char bytes[HEAD_MAX];
-    uint32_t at;   /* of the next entry */
-    uint32_t more; /* of the next value behind the directory */
+/* An entry of the directory. Values that do not fit four bytes lie behind the directory, from `behind` on. */
+struct directory {
+    struct zr_buffer *out;
+    uint32_t behind;
 };
 
-static void put(unsigned char *at, uint32_t value, int size)
+static void add_entry(const struct directory *d, uint32_t tag, uint32_t type, uint32_t count, uint32_t value)
 {
-    for (int i = 0; i < size; i++)
-        at[i] = (unsigned char)(value >> 8 * i);
+    zr_half_add(d->out, tag);
+    zr_half_add(d->out, type);
+    zr_word_add(d->out, count);
+    zr_word_add(d->out, value);
 }
 
-/* Adds an entry of `count` equal values, which stand behind the directory if they need more than four bytes. */
-static void add(struct head *head, uint32_t tag, uint32_t type, uint32_t count, uint32_t value)
+static void add_value(const struct directory *d, uint32_t tag, uint32_t type, uint32_t value)
 {
-    const int size = type == SHORT ? 2 : 4;
-    const uint32_t words = type == RATIONAL ? 2 : 1; /* 1 / 1 */
-    unsigned char *entry = head->bytes + head->at, *values = entry + 8;
-    put(entry, tag, 2);
-    put(entry + 2, type, 2);
-    put(entry + 4, count, 4);
-    head->at += ENTRY_SIZE;
-    if (count * words * (uint32_t)size > 4) {
-        put(values, head->more, 4);
-        values = head->bytes + head->more;
-        head->more += (count * words * (uint32_t)size + 3) & ~UINT32_C(3);
-    }
-    for (uint32_t i = 0; i < count * words; i++)
-        put(values + i * (uint32_t)size, value, size);
+    add_entry(d, tag, type, 1, value);
 }
 
-/* Tags ascend, as the format requires. */
-static void make_head(struct head *head, uint32_t width, uint32_t height, uint32_t words, uint32_t bytes)
+/* Adds the same short for each sample: within the entry for up to two of them. */
+static void add_per_sample(struct directory *d, uint32_t tag, uint32_t samples, uint32_t value)
 {
-    enum { BEGIN = 8, ENTRIES = 14 };
-    const uint32_t extra = words == 2 || words == 4;
-    *head = (struct head){.at = BEGIN + 2, .more = BEGIN + 2 + (ENTRIES + extra) * ENTRY_SIZE + 4};
-    memcpy(head->bytes, "II*\0", 4);
-    put(head->bytes + 4, BEGIN, 4);
-    put(head->bytes + BEGIN, ENTRIES + extra, 2);
-    add(head, 256, LONG, 1, width);
-    add(head, 257, LONG, 1, height);
-    add(head, 258, SHORT, words, 32);                             /* BitsPerSample */
-    add(head, 259, SHORT, 1, 1);                                  /* Compression: none */
-    add(head, 262, SHORT, 1, words > 2 ? COLOR_RGB : COLOR_GREY); /* PhotometricInterpretation */
-    add(head, 273, LONG, 1, HEAD_MAX);                            /* StripOffsets */
-    add(head, 277, SHORT, 1, words);                              /* SamplesPerPixel */
-    add(head, 278, LONG, 1, height);                              /* RowsPerStrip */
-    add(head, 279, LONG, 1, bytes);                               /* StripByteCounts */
-    add(head, 282, RATIONAL, 1, 1);                               /* XResolution */
-    add(head, 283, RATIONAL, 1, 1);                               /* YResolution */
-    add(head, 284, SHORT, 1, 1);                                  /* PlanarConfiguration: pixel by pixel */
-    add(head, 296, SHORT, 1, 1);                                  /* ResolutionUnit: none */
-    if (extra) add(head, 338, SHORT, 1, UNSPECIFIED);             /* ExtraSamples */
-    add(head, 339, SHORT, words, SAMPLES_ARE_FLOATS);             /* SampleFormat */
+    const uint32_t inside = samples == 2 ? value | value << 16 : value;
+    add_entry(d, tag, SHORT, samples, samples > 2 ? d->behind : inside);
+    if (samples > 2) d->behind += 2 * samples;
 }
 
-enum zr_status zr_tiff_write(const float *values, uint32_t width, uint32_t height, uint32_t words,
+/* Entries are in the order of their tags. */
+static void add_directory(struct zr_buffer *out, uint32_t width, uint32_t height, uint32_t components)
+{
+    const uint32_t entries = components == 2 ? 15 : 14, end = HEADER + 2 + entries * ENTRY + 4;
+    const uint32_t shorts = components > 2 ? 4 * components : 0, data = end + 2 * 8 + shorts;
+    struct directory d = {out, end};
+    zr_half_add(out, entries);
+    add_value(&d, 256, LONG, width);
+    add_value(&d, 257, LONG, height);
+    add_per_sample(&d, 258, components, 32);            /* bits */
+    add_value(&d, 259, SHORT, 1);                       /* uncompressed */
+    add_value(&d, 262, SHORT, components == 3 ? 2 : 1); /* RGB, or 0 is black */
+    add_value(&d, 273, LONG, data + data % 4);          /* the strip */
+    add_value(&d, 277, SHORT, components);
+    add_value(&d, 278, LONG, height); /* rows of the strip */
+    add_value(&d, 279, LONG, 4 * components * width * height);
+    add_value(&d, 282, RATIONAL, d.behind); /* resolution: 1, without a unit */
+    add_value(&d, 283, RATIONAL, d.behind + 8);
+    d.behind += 16;
+    add_value(&d, 284, SHORT, 1);                      /* samples of a pixel side by side */
+    add_value(&d, 296, SHORT, 1);                      /* no unit */
+    if (components == 2) add_value(&d, 338, SHORT, 0); /* the second sample is of no set meaning */
+    add_per_sample(&d, 339, components, FLOAT_SAMPLES);
+    zr_word_add(out, 0); /* no directory follows */
+    for (uint32_t i = 0; i < components && components > 2; i++)
+        zr_half_add(out, 32);
+    for (int i = 0; i < 4; i++)
+        zr_word_add(out, 1);
+    for (uint32_t i = 0; i < components && components > 2; i++)
+        zr_half_add(out, FLOAT_SAMPLES);
+    for (uint32_t i = 0; i < data % 4; i++)
+        zr_buffer_add(out, "", 1);
+}
+
+enum zr_status zr_tiff_write(uint32_t width, uint32_t height, uint32_t components, const float *values,
                              struct zr_buffer *out)
 {
-    struct head head;
-    const uint64_t bytes = (uint64_t)width * height * words * 4;
-    if (bytes + HEAD_MAX > UINT32_MAX) return ZR_INTERNAL;
-    make_head(&head, width, height, words, (uint32_t)bytes);
-    if (!zr_buffer_add(out, head.bytes, HEAD_MAX) || !zr_buffer_add(out, values, (size_t)bytes)) return ZR_NO_MEMORY;
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    unsigned char *data = out->bytes + out->size - bytes;
-    for (size_t i = 0; i < bytes; i += 4) {
-        uint32_t value;
-        memcpy(&value, data + i, 4);
-        value = __builtin_bswap32(value);
-        memcpy(data + i, &value, 4);
-    }
-#endif
+    enum { DIRECTORY_MAX = 512 };
+    const size_t words = (size_t)width * height * components;
+    if (!zr_buffer_room(out, DIRECTORY_MAX + 4 * words)) return ZR_NO_MEMORY;
+    zr_buffer_add(out, "II*\0", 4);
+    zr_word_add(out, HEADER);
+    add_directory(out, width, height, components);
+    zr_words_add(out, values, words);
     return ZR_OK;
 }

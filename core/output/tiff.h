@@ -1,19 +1,15 @@
-/* tiff.h - output: writes floats as a TIFF, for readers such as libtiff, OpenCV and VTK.
- *
- * Baseline TIFF 6.0: little-endian on every machine, uncompressed, one strip, row 0 on top, 32-bit floats
- * (SampleFormat 3) with one or several samples per pixel.
- * Source: Adobe, "TIFF Revision 6.0", sections 2, 8 and 19. */
+/* tiff.h - output: floats as a TIFF: little-endian, float32 samples, one uncompressed strip, top row first. */
 #ifndef ZR_TIFF_H
 #define ZR_TIFF_H
+
+#include <stdint.h>
 
 #include "base/status.h"
 #include "output/buffer.h"
 
-#include <stdint.h>
-
-/* Appends the file to `out`. `values` are width * height * words floats; `words`: samples per pixel, 1 to 4. Returns
- * ZR_OK, ZR_NO_MEMORY, or ZR_INTERNAL if the file would have 4 GiB or more. */
-enum zr_status zr_tiff_write(const float *values, uint32_t width, uint32_t height, uint32_t words,
+/* Appends the file to `out`. The pixels have at most ZR_TIFF_BYTES_MAX. `components`: 1 to 3 a pixel; 3 are marked as
+ * RGB, which readers pass on unchanged. Returns ZR_OK or ZR_NO_MEMORY. */
+enum zr_status zr_tiff_write(uint32_t width, uint32_t height, uint32_t components, const float *values,
                              struct zr_buffer *out);
 
 #endif

@@ -19,6 +19,9 @@ enum zr_encoding {
     ZR_ENCODING_SVG,  /* lines of the mesh alone, without pixels (output/svg.h) */
     ZR_ENCODING_TIFF, /* floats */
     ZR_ENCODING_APNG, /* PNG with a frame for each of several views (output/apng.h) */
+    ZR_ENCODING_PFM,
+    ZR_ENCODING_JPEG,
+    ZR_ENCODING_WEBP,
     ZR_ENCODING_COUNT
 };
 
@@ -26,6 +29,11 @@ static inline bool zr_encoding_is_png(enum zr_encoding encoding)
 {
     return encoding == ZR_ENCODING_PNG || encoding == ZR_ENCODING_PNG16 || encoding == ZR_ENCODING_PNG32;
 }
+
+/* Limits of formats: pixels of a side, and bytes of the pixels of a TIFF, whose offsets have 32 bits. */
+#define ZR_JPEG_SIDE_MAX  65500
+#define ZR_WEBP_SIDE_MAX  16383
+#define ZR_TIFF_BYTES_MAX UINT64_C(0xffff0000)
 
 /* Type of a pixel's values, in words of four bytes. */
 enum zr_values {
@@ -49,33 +57,37 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT
 #define ZR_CHANNEL_ROWS(ROW)                                                                                           \
     /* RGB, or RGBA if the background is not opaque; uncovered pixels show the background */                           \
     ROW(COLOR, "color", RGBA, 1, ZERO, false, 0, ZR_ENCODING_PNG, ZR_ENCODING_PNG32, ZR_ENCODING_SVG,                  \
-        ZR_ENCODING_APNG)                                                                                              \
+        ZR_ENCODING_APNG, ZR_ENCODING_JPEG, ZR_ENCODING_WEBP)                                                          \
     /* eye-space depth along the view axis, scene units */                                                             \
-    ROW(DEPTH, "depth", FLOAT32, 1, INFINITY, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_TIFF)          \
+    ROW(DEPTH, "depth", FLOAT32, 1, INFINITY, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM,           \
+        ZR_ENCODING_TIFF)                                                                                              \
     /* the z-buffer, 0..1 */                                                                                           \
-    ROW(WINDOW_DEPTH, "windowDepth", FLOAT32, 1, ONE, false, 0, ZR_ENCODING_NPY)                                       \
+    ROW(WINDOW_DEPTH, "windowDepth", FLOAT32, 1, ONE, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)    \
     /* 1 + number of the face, line or point, counted over all instances in order */                                   \
     ROW(FACE_ID, "faceId", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                                 \
     /* JSON: camera, counts and warnings */                                                                            \
     ROW(INFO, "info", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)                                                       \
     /* length of the ray from the eye; depth if rays are parallel */                                                   \
-    ROW(DISTANCE, "distance", FLOAT32, 1, INFINITY, true, 0, ZR_ENCODING_NPY)                                          \
+    ROW(DISTANCE, "distance", FLOAT32, 1, INFINITY, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM,      \
+        ZR_ENCODING_TIFF)                                                                                              \
     /* 1 + number of the instance */                                                                                   \
     ROW(INSTANCE_ID, "instanceId", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                         \
     /* 1: front of a face, 2: back of a face, 0: line or point */                                                      \
     ROW(FRONT_FACING, "frontFacing", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                       \
     /* weights of the corners of the triangle: as given, or (i - 1, i, 0) in the fan of a polygon */                   \
-    ROW(BARYCENTRICS, "barycentrics", FLOAT32, 3, ZERO, true, 0, ZR_ENCODING_NPY)                                      \
+    ROW(BARYCENTRICS, "barycentrics", FLOAT32, 3, ZERO, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)   \
     /* the visible point */                                                                                            \
-    ROW(POSITION, "position", FLOAT32, 3, ZERO, true, 3, ZR_ENCODING_NPY)                                              \
+    ROW(POSITION, "position", FLOAT32, 3, ZERO, true, 3, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)           \
     /* shading normal of the visible side; unit length, 0 on lines */                                                  \
-    ROW(NORMALS, "normals", FLOAT32, 3, ZERO, false, 2, ZR_ENCODING_NPY, ZR_ENCODING_PNG)                              \
+    ROW(NORMALS, "normals", FLOAT32, 3, ZERO, false, 2, ZR_ENCODING_NPY, ZR_ENCODING_PNG, ZR_ENCODING_PFM,             \
+        ZR_ENCODING_TIFF)                                                                                              \
     /* u and v of texcoord 0; 0 on lines and on meshes without texcoords */                                            \
-    ROW(TEXCOORD, "texcoord", FLOAT32, 2, ZERO, true, 0, ZR_ENCODING_NPY)                                              \
+    ROW(TEXCOORD, "texcoord", FLOAT32, 2, ZERO, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_TIFF)                            \
     /* number of faces and lines that cover the pixel, hidden ones included */                                         \
     ROW(LAYERS, "layers", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                                  \
     /* length of the ray inside closed meshes, scene units */                                                          \
-    ROW(THICKNESS, "thickness", FLOAT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                           \
+    ROW(THICKNESS, "thickness", FLOAT32, 1, ZERO, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM,       \
+        ZR_ENCODING_TIFF)                                                                                              \
     /* JSON: all fragments of one pixel, nearest first */                                                              \
     ROW(FRAGMENTS, "fragments", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)
 
@@ -101,5 +113,17 @@ extern const struct zr_channel_row zr_channel_rows[ZR_CHANNEL_COUNT];
 
 /* True if the channel's row lists the encoding. */
 bool zr_channel_has(enum zr_channel channel, enum zr_encoding encoding);
+
+/* True for PNG, JPEG and WebP, whose size depends on the picture. */
+static inline bool zr_encoding_compresses(enum zr_encoding encoding)
+{
+    return encoding == ZR_ENCODING_PNG || encoding == ZR_ENCODING_PNG16 || encoding == ZR_ENCODING_JPEG ||
+           encoding == ZR_ENCODING_WEBP;
+}
+
+static inline bool zr_encoding_has_quality(enum zr_encoding encoding)
+{
+    return encoding == ZR_ENCODING_JPEG || encoding == ZR_ENCODING_WEBP;
+}
 
 #endif

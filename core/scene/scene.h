@@ -302,7 +302,12 @@ struct zr_output {
     uint32_t x, y;       /* fragments: the pixel, from the top left corner */
     bool has_range;      /* depth: nearer depths are 0, farther ones the greatest value of the encoding */
     float range[2];      /* nearest and farthest depth, scene units */
+    uint32_t quality;    /* jpeg and webp: 1..100; 0: ZR_QUALITY_DEFAULT */
+    uint32_t max_bytes;  /* most bytes of the file; 0: any */
+    bool is_lossless;    /* webp */
 };
+
+#define ZR_QUALITY_DEFAULT 85
 
 /* A view of the scene as requested: window, outputs, pose and projection (resolved by scene/resolved_view.h). */
 struct zr_view {

@@ -1,6 +1,7 @@
 #include "scene/validate.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 
 static void check_side(const char *pointer, uint32_t side, const struct zr_limits *limits, struct zr_error *error)
 {
@@ -127,6 +128,32 @@ static void check_svg(const struct zr_scene *scene, const struct zr_view *view, 
         zr_error_add(error, ZR_BAD_SCENE, NULL, "the encoding svg has the lines of faces, and the scene has no face");
 }
 
+/* Checks that formats of pictures hold the window, and that a JPEG needs no alpha. */
+static void check_formats(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    const uint32_t side = view->width > view->height ? view->width : view->height;
+    for (uint32_t i = 0; i < view->output_count; i++) {
+        char pointer[48];
+        const struct zr_output *output = &view->outputs[i];
+        const uint64_t bytes = 4 * (uint64_t)view->width * view->height * zr_channel_rows[output->channel].words;
+        const bool is_jpeg = output->encoding == ZR_ENCODING_JPEG, is_webp = output->encoding == ZR_ENCODING_WEBP;
+        const uint32_t most = is_jpeg ? ZR_JPEG_SIDE_MAX : ZR_WEBP_SIDE_MAX;
+        snprintf(pointer, sizeof pointer, "/outputs/%" PRIu32 "/encoding", i);
+        if ((is_jpeg || is_webp) && side > most)
+            zr_error_add(error, ZR_BAD_SCENE, pointer,
+                         "a %s has up to %" PRIu32 " pixels a side, and the window is %" PRIu32 "x%" PRIu32,
+                         is_jpeg ? "jpeg" : "webp", most, view->width, view->height);
+        if (is_jpeg && scene->background.w < 1.0f)
+            zr_error_add(error, ZR_BAD_SCENE, pointer,
+                         "a jpeg has no alpha, and the background has: give an opaque background, or the encoding webp "
+                         "or png");
+        if (output->encoding == ZR_ENCODING_TIFF && bytes > ZR_TIFF_BYTES_MAX)
+            zr_error_add(error, ZR_BAD_SCENE, pointer,
+                         "a tiff has less than 4 GiB, and this window has %" PRIu64 " bytes: npy has no such limit",
+                         bytes);
+    }
+}
+
 /* A request without drawing has only facts as outputs. */
 static void check_undrawn(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
@@ -183,6 +210,7 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     check_layers(scene, view, error);
     check_pixels(view, error);
     check_svg(scene, view, error);
+    check_formats(scene, view, error);
     check_undrawn(scene, view, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;
 }

@@ -314,9 +314,9 @@ class Pictures(unittest.TestCase):
             for name, start in starts.items():
                 picture.save(os.path.join(folder, name))
                 self.assertTrue(support.read(os.path.join(folder, name)).startswith(start), name)
-            with self.assertRaisesRegex(zraster.OptionError, r"a.jpg: .* \.json, \.npy, \.png, \.zip"):
-                picture.save(os.path.join(folder, "a.jpg"))
-            self.assertFalse(os.path.exists(os.path.join(folder, "a.jpg")))
+            with self.assertRaisesRegex(zraster.OptionError, r"a.gif: .* \.json, \.npy, \.png, \.zip"):
+                picture.save(os.path.join(folder, "a.gif"))
+            self.assertFalse(os.path.exists(os.path.join(folder, "a.gif")))
             with open(os.path.join(folder, "b"), "wb") as file:
                 picture.save(file)
             self.assertEqual(support.read(os.path.join(folder, "b")), picture.content)
@@ -341,6 +341,21 @@ class Pictures(unittest.TestCase):
             picture["color"]
         copied = pickle.loads(pickle.dumps(picture))
         self.assertEqual(copied.content_type, "image/svg+xml")
+
+    def test_encodings(self):
+        """lossy pictures and float maps are files; only PNG and NPY are read back without the renderer"""
+        outputs = [
+            {"channel": "color", "encoding": "jpeg", "quality": 60},
+            {"channel": "depth", "encoding": "tiff"},
+            {"channel": "distance", "encoding": "pfm"},
+        ]
+        picture = zraster.render(SCENE, outputs)
+        starts = {"a.jpg": b"\xff\xd8", "a.jpeg": b"\xff\xd8", "a.tif": b"II*", "a.tiff": b"II*", "a.pfm": b"Pf"}
+        with tempfile.TemporaryDirectory() as folder:
+            for name, start in starts.items():
+                picture.save(os.path.join(folder, name))
+                self.assertTrue(support.read(os.path.join(folder, name)).startswith(start), name)
+        self.assertEqual(zraster.render(SCENE, encoding="webp", lossless=True).content[8:12], b"WEBP")
 
     def test_facts(self):
         """a picture has its look, channels, info and PNG"""

@@ -73,6 +73,44 @@ TEST(answers_tell_the_look_with_its_version)
     }
 }
 
+TEST(answers_name_the_encoder_of_lossy_files)
+{
+    static const struct {
+        const char *target, *type, *encoder, *end;
+    } cases[] = {{"/v1/render?encoding=jpeg", "image/jpeg", "libjpeg", "; quality=85"},
+                 {"/v1/render?encoding=webp&quality=30", "image/webp", "libwebp ", "; quality=30"},
+                 {"/v1/render?encoding=webp&lossless=true", "image/webp", "libwebp ", "; lossless"},
+                 {"/v1/render?channel=color,info&encoding=jpeg&quality=7", "application/zip", "libjpeg", "; quality=7"},
+                 {"/v1/render?channel=depth&encoding=tiff", "image/tiff", "", ""},
+                 {"/v1/render?channel=depth&encoding=pfm", "image/x-portable-floatmap", "", ""},
+                 {"/v1/render", "image/png", "", ""}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct reply reply = post(cases[i].target, "Content-Type: model/obj", TRIANGLE_OBJ);
+        assert_int_equal(reply.status, 200);
+        assert_string_equal(reply_header(&reply, "Content-Type"), cases[i].type);
+        const char *encoder = reply_header(&reply, "Zraster-Encoder");
+        assert_memory_equal(encoder, cases[i].encoder, strlen(cases[i].encoder));
+        assert_true(strlen(encoder) >= strlen(cases[i].end));
+        assert_string_equal(encoder + strlen(encoder) - strlen(cases[i].end), cases[i].end);
+        reply_free(&reply);
+    }
+}
+
+TEST(a_file_of_too_many_bytes_is_refused_with_its_smallest_size)
+{
+    static const char *const targets[] = {"/v1/render?encoding=jpeg&maxBytes=100", "/v1/render?maxBytes=100",
+                                          "/v1/render?encoding=webp&lossless=true&maxBytes=100"};
+    for (size_t i = 0; i < sizeof targets / sizeof targets[0]; i++) {
+        struct reply reply = post(targets[i], "Content-Type: model/obj", TRIANGLE_OBJ);
+        assert_int_equal(reply.status, 422);
+        assert_non_null(strstr(reply.body, "\"pointer\":\"/outputs/0/maxBytes\""));
+        assert_non_null(strstr(reply.body, "100 bytes are too few for this picture, which has "));
+        reply_free(&reply);
+    }
+    assert_int_equal(post_status("/v1/render?encoding=jpeg&maxBytes=20000", "Content-Type: model/obj", TRIANGLE_OBJ),
+                     200);
+}
+
 TEST(parameters_are_percent_decoded)
 {
     assert_int_equal(post_status("/v1/render?chan%6eel=d%65pth", "Content-Type: model/obj", TRIANGLE_OBJ), 200);

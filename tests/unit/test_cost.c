@@ -171,6 +171,27 @@ TEST(a_file_of_lines_is_counted_without_samples)
     assert_near(of_both.counts[ZR_COST_WINDOW_SAMPLE], 16 * PIXELS);
 }
 
+TEST(tries_of_qualities_are_counted)
+{
+    static struct zr_output output;
+    static const struct {
+        struct zr_output output;
+        enum zr_cost_kind kind;
+        double count;
+    } cases[] = {{{.encoding = ZR_ENCODING_JPEG}, ZR_COST_JPEG_PIXEL, PIXELS},
+                 {{.encoding = ZR_ENCODING_JPEG, .max_bytes = 9}, ZR_COST_JPEG_PIXEL, 6 * PIXELS},
+                 {{.encoding = ZR_ENCODING_WEBP, .max_bytes = 9}, ZR_COST_WEBP_PIXEL, 6 * PIXELS},
+                 {{.encoding = ZR_ENCODING_WEBP, .is_lossless = true}, ZR_COST_LOSSLESS_WEBP_PIXEL, PIXELS}};
+    half_a_window();
+    test.scene.views[0].outputs = &output;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        output = cases[i].output;
+        const struct zr_cost cost = scene_cost(&test.scene);
+        assert_near(cost.counts[cases[i].kind], cases[i].count);
+        assert_near(cost.counts[ZR_COST_PNG_PIXEL], 0);
+    }
+}
+
 /* By the textbook lamps light faces, vertices, or pixels. */
 TEST(lamps_of_the_textbook_are_counted)
 {

@@ -166,7 +166,8 @@ TEST_AROUND(depth16_is_written_row_by_row, open_arena, close_arena)
     static const enum zr_compress ways[] = {ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL};
     struct zr_team *team = zr_team_create(3);
     for (int i = 0; i < 2; i++) {
-        struct zr_depth16 depth16 = {&frame, 0.001f, NULL, zr_depth16_of(zr_isa_best()), 0};
+        struct zr_depth16 depth16 = {
+            .frame = &frame, .values = depth, .scale = 0.001f, .make_steps = zr_depth16_of(zr_isa_best())};
         struct zr_buffer out = {.arena = &arena};
         const struct zr_png png = {.kind = ZR_PNG_GREY16,
                                    .width = WIDTH,

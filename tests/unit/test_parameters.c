@@ -114,6 +114,20 @@ TEST(channels_with_commas_are_outputs)
     }
 }
 
+TEST(keys_of_encodings_belong_to_the_channels_that_have_them)
+{
+    const struct zr_request request = {
+        .format = ZR_FORMAT_OBJ, .channel = "color,depth", .encoding = "webp", .quality = "40", .maxBytes = "2000"};
+    struct reading *reading = read_request(request, MESH, strlen(MESH), zr_limits_default(), 1 << 20);
+    assert_read(reading);
+    const struct zr_output *outputs = reading->scene->views[0].outputs;
+    assert_int_equal(outputs[0].encoding, ZR_ENCODING_WEBP);
+    assert_true(outputs[0].quality == 40 && outputs[0].max_bytes == 2000 && !outputs[0].is_lossless);
+    assert_int_equal(outputs[1].encoding, ZR_ENCODING_NPY);
+    assert_true(outputs[1].quality == 0 && outputs[1].max_bytes == 0);
+    reading_free(reading);
+}
+
 TEST(wrong_query_gives_bad_request_naming_the_parameter)
 {
     static const struct {

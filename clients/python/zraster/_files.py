@@ -17,7 +17,13 @@ SUFFIXES = {
     "application/zip": ".zip",
     "application/json": ".json",
     "application/x-npy": ".npy",
+    "image/jpeg": ".jpg",
+    "image/webp": ".webp",
+    "image/tiff": ".tiff",
+    "image/x-portable-floatmap": ".pfm",
 }
+
+SPELLINGS = {".jpeg": ".jpg", ".tif": ".tiff"}
 
 
 def unzip(data: bytes) -> Dict[str, bytes]:

@@ -11,7 +11,7 @@ from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 from . import _library as c
 from ._errors import OptionError, Warning, expect, raise_status
-from ._files import SUFFIXES, decode, unzip, zip_files
+from ._files import SPELLINGS, SUFFIXES, decode, unzip, zip_files
 from ._renderer import shared
 
 
@@ -106,7 +106,9 @@ class Files:
             return None
         data = self.files[name]
         signatures = {b"\x89PNG": "image/png", b"\x93NUM": "application/x-npy", b"<svg": "image/svg+xml"}
-        return data, signatures.get(data[:4], "application/json")
+        signatures.update({b"RIFF": "image/webp", b"II*\0": "image/tiff", b"\xff\xd8\xff\xe0": "image/jpeg"})
+        is_pfm = data[:3] in (b"PF\n", b"Pf\n")
+        return data, "image/x-portable-floatmap" if is_pfm else signatures.get(data[:4], "application/json")
 
     def array(self, channel: str) -> Any:
         return decode(channel, self.files[channel]) if channel in self.files else None
@@ -182,17 +184,18 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
         return data if type_ in ("image/png", "image/apng") else self._encode("color")[0]
 
     def file(self, channel: str) -> bytes:
-        """Returns the file of a channel: PNG, SVG, NPY or JSON."""
+        """Returns the file of a channel, such as a PNG, a JPEG or an NPY."""
         return self._encode(channel)[0]
 
     def save(self, path: Any) -> None:
-        """Writes the file that the ending of the path selects: .png, .svg, .npy or .json, or .zip for several channels.
+        """Writes the file that the ending of the path selects, such as .png, .jpg, .npy or .json, or .zip for several channels.
         Without an ending, writes `content`. An object with write(), such as io.BytesIO(), gets `content`, too."""
         if not isinstance(path, (str, os.PathLike)):
             expect(hasattr(path, "write"), "save", "a path such as 'part.png', or a file with write()", path)
             path.write(self.content)
             return
         suffix = os.path.splitext(os.fspath(path))[1].lower()
+        suffix = SPELLINGS.get(suffix, suffix)
         choices = [self._encode(None)] + [self._encode(channel) for channel in self._made.channels()]
         fitting = [data for data, type_ in choices if suffix in ("", SUFFIXES.get(type_))]
         if not fitting:
