@@ -135,6 +135,14 @@ static enum zr_status take_files(struct collecting *c, uint32_t number, const st
     return ZR_OK;
 }
 
+/* Notes the encoders of the first view that has some: views differ in qualities at most. */
+static bool take_encoders(struct collecting *c, const char *encoders)
+{
+    if (*c->files->encoders || !encoders || !*encoders) return true;
+    c->files->encoders = zr_arena_copy(c->arena, encoders, strlen(encoders) + 1);
+    return c->files->encoders != NULL;
+}
+
 /* Adds warnings that no earlier view has. */
 static void take_warnings(struct collecting *c, const struct zr_warning_list *warnings)
 {
@@ -173,9 +181,11 @@ static enum zr_status open_files(struct collecting *c)
 {
     const struct zr_view *view = &c->views->scene->views[0];
     const size_t most = (size_t)c->views->set->count * view->output_count;
+    static char empty[1];
     enum zr_status status = ZR_OK;
     *c->files = (struct zr_files){.entries = zr_arena_alloc(c->arena, most, sizeof *c->files->entries),
-                                  .types = zr_arena_alloc(c->arena, most, sizeof *c->files->types)};
+                                  .types = zr_arena_alloc(c->arena, most, sizeof *c->files->types),
+                                  .encoders = empty};
     c->sinks = zr_arena_alloc(c->arena, view->output_count, sizeof *c->sinks);
     if (!c->files->entries || !c->files->types || !c->sinks) return ZR_NO_MEMORY;
     for (uint32_t i = 0; status == ZR_OK && i < view->output_count; i++)
@@ -191,6 +201,7 @@ static enum zr_status close_sheet(struct collecting *c, uint32_t number)
         zr_sheet_picture_encode(&c->sheet, number, c->arena, c->team, c->cancel, &files, c->error);
     if (status != ZR_OK) return status;
     const struct zr_zip_entry *entry = &files.entries[0];
+    if (!take_encoders(c, files.encoders)) return ZR_NO_MEMORY;
     return add_file(c, entry->name, entry->bytes, entry->size, files.types[0]) ? ZR_OK : ZR_NO_MEMORY;
 }
 
@@ -240,6 +251,7 @@ static enum zr_status take_batch(struct collecting *c, struct batch *batch, uint
         if (status == ZR_NO_MEMORY) zr_arena_charge(c->arena, zr_arena_left(c->arena) + 1); /* fails, for the caller */
         if (status == ZR_OK) status = take_files(c, batch->first + i, &d->files);
         if (status != ZR_OK) return status;
+        if (!take_encoders(c, d->files.encoders)) return ZR_NO_MEMORY;
         if (c->views->scene->sheet.is_on) zr_sheet_picture_add(&c->sheet, batch->first + i, d->frame);
         take_warnings(c, &d->files.warnings);
         if (d->arena.held > d->arena.ceiling) zr_arena_reset(&batch->drawings[i].arena, 0); /* was drawn alone */
