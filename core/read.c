@@ -267,6 +267,23 @@ enum zr_status zr_scene_change(struct zr_arena *arena, struct zr_team *team, con
     return status == ZR_OK ? read_request(arena, team, &request, &kept->limits, &keeping, scene, error) : status;
 }
 
+enum zr_status zr_scene_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept, uint32_t number,
+                              const struct zr_cancel *cancel, const struct zr_scene **scene, struct zr_error *error)
+{
+    const struct zr_view_set *set = kept->scene->view_set;
+    const struct zr_request change = {.cancel = cancel};
+    const double share = (double)number / (double)set->count;
+    struct zr_request request;
+    struct zr_keeping keeping;
+    enum zr_status status = zr_change_read(arena, kept, &change, &request, &keeping, error);
+    if (status == ZR_NO_MEMORY && error->count == 0)
+        zr_error_add(error, status, NULL, "a frame needs more than %zu bytes", arena->ceiling);
+    if (status != ZR_OK) return status;
+    keeping.animation = set->animation;
+    keeping.moment = (struct zr_moment){share, set->seconds * share};
+    return read_request(arena, team, &request, &kept->limits, &keeping, scene, error);
+}
+
 const struct zr_scene *zr_kept_scene(const struct zr_kept *kept)
 {
     return kept->scene;

@@ -10,6 +10,7 @@
 
 #include "core.h"
 #include "input/json_list.h"
+#include "scene/animation.h"
 #include "scene/scene_builder.h"
 
 struct zr_soup;
@@ -58,6 +59,8 @@ struct zr_keeping {
     bool has_view;     /* `keys` has a view */
     const char *poses; /* JSON object: matrices by names of nodes; or NULL */
     size_t poses_size;
+    const struct zr_animation *animation; /* moves nodes; or NULL */
+    struct zr_moment moment;              /* of `animation` */
 };
 
 /* Saves what the reader of a format has left in a builder, or gives it to another builder. Arrays are shared, except
