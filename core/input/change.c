@@ -139,10 +139,14 @@ enum zr_status zr_change_read(struct zr_arena *arena, const struct zr_kept *kept
     *request = kept->request;
     *keeping = (struct zr_keeping){.from = kept};
     request->cancel = change->cancel;
-    if (change->animation || change->time)
+    const char *posed = change->animation ? "animation"
+                        : change->time    ? "time"
+                        : change->frames  ? "frames"
+                        : change->timeEnd ? "timeEnd"
+                                          : NULL;
+    if (posed)
         return zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                            "parameter %s: a change keeps the geometry; read the file again for another pose",
-                            change->animation ? "animation" : "time");
+                            "parameter %s: a change keeps the geometry; read the file again for another pose", posed);
 #define REPLACE(name, ...)                                                                                             \
     if (change->name) request->name = change->name;
     ZR_PARAMETER_ROWS(REPLACE)

@@ -46,7 +46,7 @@ bool zr_gltf_choose_animation(struct zr_gltf *file, const struct zr_request *req
     struct zr_arena *arena = file->root.json.arena;
     const uint32_t count = file->counts[ZR_GLTF_ANIMATIONS];
     struct zr_gltf_animation *all;
-    if (!request->animation && !request->time) return true;
+    if (!request->animation && !request->time && !request->frames) return true;
     file->animation = all = zr_arena_zero(arena, 1, sizeof *all);
     if (!all) return false;
     all->names = zr_arena_zero(arena, count, sizeof *all->names);
@@ -126,6 +126,7 @@ static bool find_key(struct zr_gltf *file, const struct zr_json_path *path, cons
             before = at;
         }
     }
+    if (before > file->made->animation_end) file->made->animation_end = before;
     if (has_start && has_end) {
         out->span = end - start;
         out->share = (time - start) / out->span;

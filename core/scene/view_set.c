@@ -5,7 +5,7 @@
 
 const char *zr_view_set_pointer(const struct zr_view_set *set)
 {
-    static const char *const pointers[] = {"/views", "/turntable", "/orbit", "/animate"};
+    static const char *const pointers[] = {"/views", "/turntable", "/orbit", "/animate", "/query/frames"};
     return pointers[set->kind];
 }
 
@@ -76,7 +76,7 @@ void zr_view_set_pose(const struct zr_scene *scene, const struct zr_view_set *se
         if (scene->sheet.is_on) use_sheet_scale(&set->items[number], camera, view);
         return;
     }
-    if (set->kind == ZR_VIEW_SET_ANIMATE) {
+    if (zr_view_set_is_animation(set)) {
         if (camera->is_still) keep_still(camera, view);
         return;
     }

@@ -4,6 +4,7 @@
  * Turntable: the camera turns once around the scene, in equal steps.
  * Orbit:     cameras lie on a Fibonacci sphere around the scene, the first one at the top.
  * Animate:   nodes move; frames are at equal steps of time, from its start up to the step before its end.
+ * File:      the same for an animation of a glTF file, which is read once for each frame.
  * Sheet:     one picture of all views, at one scale. Two layouts have views of their own.
  *
  * All cameras of a turntable or an orbit look at one target, from one distance and at one scale, which hold the
@@ -14,7 +15,7 @@
 #include "scene/animation.h"
 #include "scene/resolved_view.h"
 
-enum zr_view_set_kind { ZR_VIEW_SET_LIST, ZR_VIEW_SET_TURNTABLE, ZR_VIEW_SET_ORBIT, ZR_VIEW_SET_ANIMATE };
+enum zr_view_set_kind { ZR_VIEW_SET_LIST, ZR_VIEW_SET_TURNTABLE, ZR_VIEW_SET_ORBIT, ZR_VIEW_SET_ANIMATE, ZR_VIEW_SET_FILE };
 
 struct zr_view_item {
     const char *name; /* of its files; NULL: its number */
@@ -34,6 +35,7 @@ struct zr_view_set {
     double seconds; /* of one turn, or of an animation; else 0 */
     float distance; /* orbit: from the target; 0: fitted */
     const struct zr_animation *animation; /* animate; else NULL */
+    double start;                         /* file: time of the first frame, seconds */
 };
 
 /* Camera that the views of a turntable, an orbit or an animation share. */
@@ -63,7 +65,13 @@ enum zr_status zr_view_set_fit(const struct zr_scene *scene, const struct zr_vie
 void zr_view_set_pose(const struct zr_scene *scene, const struct zr_view_set *set, uint32_t number,
                       const struct zr_shared_camera *camera, struct zr_view *view);
 
-/* Key of the scene that gives the set: "/views", "/turntable", "/orbit" or "/animate". */
+/* Key of the scene that gives the set: "/views", "/turntable", "/orbit", "/animate" or "/query/frames". */
 const char *zr_view_set_pointer(const struct zr_view_set *set);
+
+/* True if the views are frames of an animation. */
+static inline bool zr_view_set_is_animation(const struct zr_view_set *set)
+{
+    return set->kind == ZR_VIEW_SET_ANIMATE || set->kind == ZR_VIEW_SET_FILE;
+}
 
 #endif
