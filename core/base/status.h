@@ -18,7 +18,7 @@ enum zr_status {
     ZR_INTERNAL     /* a bug of zraster */
 };
 
-enum { ZR_ERROR_ITEMS = 20, ZR_POINTER_SIZE = 160, ZR_DETAIL_SIZE = 840 };
+enum { ZR_ERROR_ITEMS = 20, ZR_POINTER_SIZE = 160, ZR_DETAIL_SIZE = 880 };
 
 struct zr_error_item {
     char pointer[ZR_POINTER_SIZE]; /* JSON Pointer, or "" */

@@ -128,8 +128,8 @@ static void add_frames(struct zr_query *query)
         return;
     }
     if (!zr_view_count_check(json, path, query->frames) || !(set = zr_view_set_add(json, path, root->scene))) return;
-    *set = (struct zr_view_set){
-        .kind = ZR_VIEW_SET_FILE, .count = query->frames, .seconds = length, .start = query->time};
+    *set =
+        (struct zr_view_set){.kind = ZR_VIEW_SET_FILE, .count = query->frames, .seconds = length, .start = query->time};
 }
 
 static void warn(struct zr_parsed_scene *root, const struct zr_request *request)

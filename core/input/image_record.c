@@ -16,8 +16,7 @@ static bool look_up(void *context, const void *bytes, size_t size, struct zr_fil
     write_number(ZR_IMAGES_RECORDED, hash);
     for (uint32_t i = 0; i < record->count; i++) {
         const struct zr_recorded_image *item = &record->items[i];
-        if (!item->is_decoded || item->size != size ||
-            (item->bytes != bytes && memcmp(item->bytes, bytes, size) != 0))
+        if (!item->is_decoded || item->size != size || (item->bytes != bytes && memcmp(item->bytes, bytes, size) != 0))
             continue;
         *image = item->kept;
         return true;

@@ -165,7 +165,8 @@ static bool read_track(struct zr_json *json, const struct zr_json_path *path, st
     for (int key = TRANSLATION; key <= SCALE; key++)
         has_keys |= zr_json_gives(keys, key);
     if (has_keys != zr_json_gives(keys, TIMES))
-        return zr_json_fault(json, path, has_keys ? "keys without times" : "times without keys: translation, rotation or scale");
+        return zr_json_fault(json, path,
+                             has_keys ? "keys without times" : "times without keys: translation, rotation or scale");
     if (!has_keys && !zr_json_gives(keys, ROTATE))
         return zr_json_fault(json, path, "moves nothing: rotate, or times with translation, rotation or scale");
     const size_t times = given.times.count;

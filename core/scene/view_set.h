@@ -15,7 +15,13 @@
 #include "scene/animation.h"
 #include "scene/resolved_view.h"
 
-enum zr_view_set_kind { ZR_VIEW_SET_LIST, ZR_VIEW_SET_TURNTABLE, ZR_VIEW_SET_ORBIT, ZR_VIEW_SET_ANIMATE, ZR_VIEW_SET_FILE };
+enum zr_view_set_kind {
+    ZR_VIEW_SET_LIST,
+    ZR_VIEW_SET_TURNTABLE,
+    ZR_VIEW_SET_ORBIT,
+    ZR_VIEW_SET_ANIMATE,
+    ZR_VIEW_SET_FILE
+};
 
 struct zr_view_item {
     const char *name; /* of its files; NULL: its number */
@@ -32,8 +38,8 @@ struct zr_view_set {
     const struct zr_view_item *items; /* list */
     bool has_elevation;               /* turntable; false: that of the scene's view */
     double elevation_degrees;
-    double seconds; /* of one turn, or of an animation; else 0 */
-    float distance; /* orbit: from the target; 0: fitted */
+    double seconds;                       /* of one turn, or of an animation; else 0 */
+    float distance;                       /* orbit: from the target; 0: fitted */
     const struct zr_animation *animation; /* animate; else NULL */
     double start;                         /* file: time of the first frame, seconds */
 };
@@ -55,8 +61,8 @@ bool zr_view_has_sheet_scale(const struct zr_view *view);
  */
 enum zr_status zr_sheet_complete(struct zr_scene *scene, struct zr_error *error);
 
-/* Finds the shared camera. Not for lists and animations. ZR_BAD_SCENE if the scene's view has a pose or a projection as a matrix, or
- * if one of the views has no solution; ZR_CANCELLED. */
+/* Finds the shared camera. Not for lists and animations. ZR_BAD_SCENE if the scene's view has a pose or a projection as
+ * a matrix, or if one of the views has no solution; ZR_CANCELLED. */
 enum zr_status zr_view_set_fit(const struct zr_scene *scene, const struct zr_view_set *set, struct zr_team *team,
                                const struct zr_cancel *cancel, struct zr_shared_camera *camera, struct zr_error *error);
 

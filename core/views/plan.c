@@ -152,8 +152,8 @@ static enum zr_status plan(struct zr_arena *scratch, struct zr_team *team, struc
     /* Windows are equal, but for those of a list: too many pixels are refused before the geometry is walked. */
     if (set->kind != ZR_VIEW_SET_LIST) pixels = set->count * pixels_of(&views->scene->views[0]);
     if (status == ZR_OK && set->kind != ZR_VIEW_SET_LIST && pixels <= most)
-        status = zr_view_set_is_animation(set)     ? zr_still_camera_find(scratch, team, views, cancel, error)
-                                                  : fit_camera(scratch, team, views, cancel, error);
+        status = zr_view_set_is_animation(set) ? zr_still_camera_find(scratch, team, views, cancel, error)
+                                               : fit_camera(scratch, team, views, cancel, error);
     if (status == ZR_OK && set->kind == ZR_VIEW_SET_LIST && views->scene->sheet.is_on)
         status = fit_sheet(scratch, team, views, cancel, error);
     for (uint32_t i = 0; status == ZR_OK && i < set->count && pixels <= most; i += step) {
