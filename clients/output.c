@@ -82,8 +82,9 @@ bool output_is_name(const char *name)
 void output_set_encoding(struct options *options)
 {
     const char *ending = options->own[OPTION_OUTPUT] ? ending_of(options->own[OPTION_OUTPUT]) : "";
-    const bool is_animation =
-        strcasecmp(ending, "apng") == 0 || (strcasecmp(ending, "png") == 0 && options->parameters[PARAMETER_turntable]);
+    const bool is_animation = strcasecmp(ending, "apng") == 0 ||
+                              (strcasecmp(ending, "png") == 0 &&
+                               (options->parameters[PARAMETER_turntable] || options->parameters[PARAMETER_frames]));
     if (!is_animation && strcasecmp(ending, "svg") != 0) return;
     if (options->parameters[PARAMETER_channel] || options->parameters[PARAMETER_encoding]) return;
     options->parameters[PARAMETER_channel] = "color";
