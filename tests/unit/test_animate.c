@@ -175,18 +175,23 @@ TEST_AROUND(keys_come_before_a_turn_and_set_the_time, open_arena, close_arena)
 
 /* ---- the camera ---- */
 
-/* The camera of a fitted view is the same in each frame, and each vertex is in the window. */
+/* The camera of a fitted view is the same in each frame, and each vertex is in the window. A frame equals the scene
+ * with this camera. */
 TEST_AROUND(a_fitted_camera_stands_still_and_sees_all_frames, open_arena, close_arena)
 {
-    static const char *const looks[] = {"\"look\": \"studio\"", "\"view\": {\"preset\": \"top\"}",
-                                        "\"view\": {\"azimuthDegrees\": 20, \"elevationDegrees\": 10, "
-                                        "\"orthographic\": {}}"};
-    for (size_t i = 0; i < sizeof looks / sizeof *looks; i++) {
+    static const struct {
+        const char *look, *projection; /* written out; NULL: that of the look */
+    } cases[] = {{"\"look\": \"studio\"", NULL},
+                 {"\"view\": {\"preset\": \"top\", \"perspective\": {\"yfovDegrees\": 40}}",
+                  "\"perspective\": {\"yfovDegrees\": 40}"},
+                 {"\"view\": {\"azimuthDegrees\": 20, \"elevationDegrees\": 10, \"orthographic\": {}}",
+                  "\"orthographic\": {\"xmag\": %.9g, \"ymag\": %.9g}"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct zr_views views;
-        char text[2048], matrix[512], camera[512], size[64] = "";
+        char text[2048], matrix[512], camera[512], projection[128];
         snprintf(text, sizeof text,
                  "{%s,%s,%s,%s,%s,\"animate\": {\"frames\": 5, \"nodes\": {\"n\": {\"rotate\": {\"axis\": \"y\"}}}}}",
-                 MESH, WINDOW, OUTPUTS, NODE("\"translation\": [4,0,0]"), looks[i]);
+                 MESH, WINDOW, OUTPUTS, NODE("\"translation\": [4,0,0]"), cases[i].look);
         open_scene(text, &views);
         const struct zr_files files = draw(&views);
         for (uint32_t k = 0; k < 5; k++) {
@@ -206,15 +211,17 @@ TEST_AROUND(a_fitted_camera_stands_still_and_sees_all_frames, open_arena, close_
                 }
             }
         }
-        if (i != 1) continue; /* the picture equals that of a scene with this camera, here in perspective */
+        if (!cases[i].projection) continue;
+        snprintf(projection, sizeof projection, cases[i].projection, (double)views.camera.xmag,
+                 (double)views.camera.ymag);
         write_matrix("worldToCamera", &views.camera.world_to_eye, camera);
         const zr_mat4 turned = matrix_in(&views, 2);
         write_matrix("matrix", &turned, matrix);
         snprintf(
             text, sizeof text,
-            "{%s,%s,%s,\"view\": {%s%s}, \"nodes\": [{\"name\": \"n\", \"mesh\": \"a\", %s, \"children\": [\"m\"]}, "
+            "{%s,%s,%s,\"view\": {%s, %s}, \"nodes\": [{\"name\": \"n\", \"mesh\": \"a\", %s, \"children\": [\"m\"]}, "
             "{\"name\": \"m\", \"mesh\": \"a\", \"translation\": [0,0,3]}]}",
-            MESH, WINDOW, OUTPUTS, camera, size, matrix);
+            MESH, WINDOW, OUTPUTS, camera, projection, matrix);
         const struct zr_files alone = draw_alone(text);
         assert_frame(&files, 2, &alone);
     }
