@@ -52,7 +52,7 @@ static struct zr_files draw_alone(const char *text)
     const struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = text, .size = strlen(text)};
     const struct zr_scene *scene;
     const struct zr_frame *frame = NULL;
-    struct zr_files files;
+    struct zr_files files = {.count = 0};
     struct zr_error error = {0};
     enum zr_status status = zr_scene_read(&arena, NULL, &request, &limits, &scene, &error);
     if (status == ZR_OK) status = zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error);
