@@ -120,8 +120,9 @@ void output_set_encoding(struct options *options)
 {
     const char *out = options->own[OPTION_OUTPUT];
     if (!out || options->parameters[PARAMETER_encoding]) return;
-    const bool is_animation = strcasecmp(ending_of(out), "png") == 0 && options->parameters[PARAMETER_turntable];
-    if (is_animation && !options->parameters[PARAMETER_channel]) options->parameters[PARAMETER_encoding] = "apng";
+    const bool has_frames = options->parameters[PARAMETER_turntable] || options->parameters[PARAMETER_frames];
+    if (has_frames && strcasecmp(ending_of(out), "png") == 0 && !options->parameters[PARAMETER_channel])
+        options->parameters[PARAMETER_encoding] = "apng";
     for (size_t i = 0; i < sizeof CHOICES / sizeof *CHOICES; i++) {
         if (strcasecmp(ending_of(out), CHOICES[i].ending) != 0) continue;
         const char *channel = options->parameters[PARAMETER_channel];

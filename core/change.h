@@ -26,4 +26,9 @@ const struct zr_scene *zr_kept_scene(const struct zr_kept *kept);
 enum zr_status zr_scene_change(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept,
                                const struct zr_request *change, const struct zr_scene **scene, struct zr_error *error);
 
+/* Makes frame `number` of a kept scene whose set of views is an animation. *scene equals the scene that is read with
+ * the matrices of this frame. It lives in `arena` and points to the kept one; threads as for zr_scene_change. */
+enum zr_status zr_scene_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept, uint32_t number,
+                              const struct zr_cancel *cancel, const struct zr_scene **scene, struct zr_error *error);
+
 #endif

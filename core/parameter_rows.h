@@ -76,6 +76,8 @@
     ROW(animation, "/query/animation", MESH, NAME,                                                                     \
         "animation of a glTF file, by its name or number (default: the file's pose, without time)")                    \
     ROW(time, "/query/time", MESH, SECONDS, "time of the animation (default: 0)")                                      \
+    ROW(frames, "/query/frames", MESH, WHOLE, "several views: so many, of the animation from this time on")            \
+    ROW(timeEnd, "/query/timeEnd", MESH, SECONDS, "time at which the frames end (default: that of the animation)")     \
     ROW(fileLights, "/query/fileLights", MESH, BOOL, "lights of a glTF file instead of the look's (default: false)")   \
     ROW(projection, "/query/projection", MESH, NAME,                                                                   \
         "kind of camera: orthographic or perspective (default: the look's)")                                           \

@@ -1,8 +1,12 @@
 /* read.c - core: reads the query, then the body by the reader of its format, and checks the whole scene. */
 #include "change.h"
+
+#include <stdio.h>
+
 #include "geometry/geometry.h"
 #include "input/change.h"
 #include "input/formats.h"
+#include "input/image_record.h"
 #include "input/kept.h"
 #include "input/kept_mesh.h"
 #include "input/parameters.h"
@@ -16,6 +20,9 @@
 #include "scene/scene_edit.h"
 #include "scene/validate.h"
 #include "scene/view_set.h"
+
+/* Bytes of a time as text, in microseconds, with its final zero. */
+enum { ZR_TIME_SIZE = 24 };
 
 /* False if the arena cannot hold the vertices that drawing keeps. Nodes can place a large mesh so often that a walk
  * over its points would take minutes; this check refuses such scenes first. */
@@ -196,12 +203,17 @@ static enum zr_status open_body(struct zr_arena *arena, struct zr_request *body,
 }
 
 /* Stores the data that a change needs: the format of the body, and the members of a ZIP archive. */
-static bool keep_body(struct zr_arena *arena, const struct zr_request *body, struct zr_kept *kept)
+static bool keep_body(struct zr_arena *arena, const struct zr_request *body, const struct zr_scene *made,
+                      struct zr_kept *kept)
 {
     kept->request.format = body->format;
     kept->request.member = NULL;
     kept->request.assets = body->assets;
     kept->request.asset_count = body->asset_count;
+    if (made->view_set && made->view_set->kind == ZR_VIEW_SET_FILE) {
+        kept->body = body->bytes;
+        kept->body_size = body->size;
+    }
     return zr_zip_body_keep(arena, body);
 }
 
@@ -220,7 +232,7 @@ static enum zr_status read_request(struct zr_arena *arena, struct zr_team *team,
         status = zr_zip_body_check(&body, model, status, error);
     }
     const bool keeps = keeping && keeping->into && (made->view_set || !keeping->if_views);
-    if (status == ZR_OK && keeps && !keep_body(arena, &body, keeping->into)) status = ZR_NO_MEMORY;
+    if (status == ZR_OK && keeps && !keep_body(arena, &body, made, keeping->into)) status = ZR_NO_MEMORY;
     arena->cancel = NULL;
     if (zr_is_cancelled(request->cancel)) {
         *error = (struct zr_error){0}; /* faults of a partly read body */
@@ -245,11 +257,20 @@ static enum zr_status keep(struct zr_arena *arena, struct zr_team *team, const s
                            const struct zr_limits *limits, bool if_views, struct zr_kept **kept, struct zr_error *error)
 {
     struct zr_kept *made = zr_arena_zero(arena, 1, sizeof *made);
+    struct zr_image_record *images = zr_arena_alloc(arena, 1, sizeof *images);
     const struct zr_keeping keeping = {.into = made, .if_views = if_views};
-    if (!made) return zr_error_add(error, ZR_NO_MEMORY, NULL, "a scene needs more than %zu bytes", arena->ceiling);
+    struct zr_request first = *request;
+    if (request->frames && !if_views) first.bytes = zr_arena_copy(arena, request->bytes, request->size);
+    if (!zr_arena_ok(arena))
+        return zr_error_add(error, ZR_NO_MEMORY, NULL, "a scene needs more than %zu bytes", arena->ceiling);
+    made->images = images;
     made->request = *request;
     made->limits = *limits;
-    const enum zr_status status = read_request(arena, team, request, limits, &keeping, &made->scene, error);
+    first.images = zr_image_record_open(images, &request->images);
+    if (request->frames) first.meshes = (struct zr_kept_meshes){.hash = NULL}; /* each frame finds these images */
+    const enum zr_status status = read_request(arena, team, &first, limits, &keeping, &made->scene, error);
+    made->request.images = zr_image_record_lend(images);
+    made->request.meshes = (struct zr_kept_meshes){.hash = NULL};
     made->request.bytes = NULL;
     made->request.size = 0;
     made->request.cancel = NULL;
@@ -278,6 +299,41 @@ enum zr_status zr_scene_change(struct zr_arena *arena, struct zr_team *team, con
     if (status == ZR_NO_MEMORY && error->count == 0)
         zr_error_add(error, status, NULL, "the change needs more than %zu bytes", arena->ceiling);
     return status == ZR_OK ? read_request(arena, team, &request, &kept->limits, &keeping, scene, error) : status;
+}
+
+/* Reads the file of a kept scene at another time of its animation. */
+static enum zr_status read_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept, double time,
+                                 const struct zr_cancel *cancel, const struct zr_scene **scene, struct zr_error *error)
+{
+    char *text = zr_arena_alloc(arena, ZR_TIME_SIZE, 1);
+    struct zr_request request = kept->request;
+    if (!text) return ZR_NO_MEMORY;
+    snprintf(text, ZR_TIME_SIZE, "%.6f", time);
+    request.bytes = kept->body;
+    request.size = kept->body_size;
+    request.cancel = cancel;
+    request.time = text;
+    request.frames = request.timeEnd = NULL;
+    return read_request(arena, team, &request, &kept->limits, NULL, scene, error);
+}
+
+enum zr_status zr_scene_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept, uint32_t number,
+                              const struct zr_cancel *cancel, const struct zr_scene **scene, struct zr_error *error)
+{
+    const struct zr_view_set *set = kept->scene->view_set;
+    const struct zr_request change = {.cancel = cancel};
+    const double share = (double)number / (double)set->count;
+    struct zr_request request;
+    struct zr_keeping keeping;
+    if (set->kind == ZR_VIEW_SET_FILE)
+        return read_frame(arena, team, kept, set->start + set->seconds * share, cancel, scene, error);
+    enum zr_status status = zr_change_read(arena, kept, &change, &request, &keeping, error);
+    if (status == ZR_NO_MEMORY && error->count == 0)
+        zr_error_add(error, status, NULL, "a frame needs more than %zu bytes", arena->ceiling);
+    if (status != ZR_OK) return status;
+    keeping.animation = set->animation;
+    keeping.moment = (struct zr_moment){share, set->seconds * share};
+    return read_request(arena, team, &request, &kept->limits, &keeping, scene, error);
 }
 
 const struct zr_scene *zr_kept_scene(const struct zr_kept *kept)

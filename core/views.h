@@ -24,7 +24,7 @@ struct zr_views {
     const struct zr_kept *kept;    /* what the views are made from */
 
     /* Set by zr_views_plan. */
-    struct zr_shared_camera camera; /* of a turntable, an orbit or a sheet */
+    struct zr_shared_camera camera; /* of a turntable, an orbit, a sheet or an animation */
     struct zr_sheet_layout layout;  /* of a sheet */
     struct zr_bounds bounds;        /* of the scene without changes */
     bool has_one_window;            /* all views have windows of the size */

@@ -77,10 +77,12 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 /* ---- working ---- */
 
 /* Limits of a small request: predicted time on the reference machine, since a small request stays small on a slow one;
- * faces for the painter, whose time cannot be counted; input that is read within some milliseconds. */
+ * faces for the painter, whose time cannot be counted; views, each of which is read before its cost is known; input
+ * that is read within some milliseconds. */
 static const double SMALL_MS = 10.0;
 enum {
     SMALL_PAINTER_FACES = 64,
+    SMALL_VIEWS = 16,
     SMALL_IMAGE_PIXELS = 1 << 18,
     SMALL_NODE_VISITS = 100000,
     SMALL_ARRAY_BYTES = 4 << 20
@@ -198,6 +200,7 @@ static enum zr_status predict(struct rendering *r, struct zr_views *views, const
 {
     const struct service *service = r->service;
     const struct zr_scene *scene = views->scene;
+    if (too_large(r, views->set && views->set->count > SMALL_VIEWS)) return ZR_CANCELLED;
     const enum zr_status status = find_cost(r, views, resolved, error);
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
     const double slowness = slowness_of(service->slowness, r->cost.ms > SMALL_MS);

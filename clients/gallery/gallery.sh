@@ -173,6 +173,9 @@ nodes='"nodes": [{"mesh": "pawn"}, {"mesh": "gold", "translation": [2.3, 0, -0.3
 printf '{"look": "studio", "window": {"width": 800, "height": 400}, "view": {"azimuthDegrees": 12, "elevationDegrees": 20, "perspective": {"yfovDegrees": 26}}, %s, %s, "meshes": [%s]}\n' \
     "$materials" "$nodes" "$meshes" >"$out/still.json"
 render still --compress small
+sed -e 's/"width": 320, "height": 320/"width": 160, "height": 160/' -e 's/"frames": 36/"frames": 24/' \
+    clients/examples/cube.json >"$out/cube.json"
+render cube --compress small
 for name in parts-section parts-drawing parts-blueprint parts-uncut; do
     render "$name" --compress small
 done

@@ -63,3 +63,24 @@ bool zr_matrix_invert(const struct zr_matrix *m, struct zr_matrix *out)
             out->m[4 * column + row] = rows[row][4 + column] / rows[row][row];
     return true;
 }
+
+/* The quaternion is normalised by dividing products by its squared length, so that right angles stay exact.
+ * Source: glTF 2.0, section 3.5.3 "Transformations"; Shoemake, "Quaternions", 1991. */
+zr_mat4 zr_mat4_of_pose(zr_vec3 t, zr_vec4 q, zr_vec3 s)
+{
+    const double x = (double)q.x, y = (double)q.y, z = (double)q.z, w = (double)q.w;
+    const double n = x * x + y * y + z * z + w * w;
+    const double rotation[9] = {
+        (w * w + x * x - y * y - z * z) / n, 2 * (x * y + w * z) / n, 2 * (x * z - w * y) / n, 2 * (x * y - w * z) / n,
+        (w * w - x * x + y * y - z * z) / n, 2 * (y * z + w * x) / n, 2 * (x * z + w * y) / n, 2 * (y * z - w * x) / n,
+        (w * w - x * x - y * y + z * z) / n};
+    const double scale[3] = {(double)s.x, (double)s.y, (double)s.z};
+    zr_mat4 out = zr_mat4_identity();
+    for (int column = 0; column < 3; column++)
+        for (int row = 0; row < 3; row++)
+            out.m[column * 4 + row] = (float)(rotation[column * 3 + row] * scale[column]);
+    out.m[12] = t.x;
+    out.m[13] = t.y;
+    out.m[14] = t.z;
+    return out;
+}

@@ -21,4 +21,7 @@ void zr_matrix_apply(const struct zr_matrix *m, const double v[4], double out[4]
 /* Inverts a matrix. Returns false if it has no inverse: *out is then all zeros. */
 bool zr_matrix_invert(const struct zr_matrix *m, struct zr_matrix *out);
 
+/* Returns translation · rotation · scale; the rotation is a quaternion x, y, z, w of any length above 0. */
+zr_mat4 zr_mat4_of_pose(zr_vec3 t, zr_vec4 q, zr_vec3 s);
+
 #endif

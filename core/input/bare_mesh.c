@@ -6,6 +6,7 @@
 #include "input/kept.h"
 #include "input/parameters.h"
 #include "scene/defaults.h"
+#include "scene/view_set.h"
 
 /* Places the meshes in the axes of the file, by its nodes if it has any. zr_query_orient turns them. */
 static void place(struct zr_query *query)
@@ -100,6 +101,37 @@ static void check_animation(struct zr_query *query)
                             "the parameter time has no effect: the file has no animations");
 }
 
+/* Adds the frames of an animation of the file, if the query asks for them. */
+static void add_frames(struct zr_query *query)
+{
+    struct zr_parsed_scene *root = &query->given;
+    struct zr_json *json = &root->json;
+    const struct zr_request *request = query->request;
+    const struct zr_file_scene *file = root->builder->file;
+    const struct zr_json_path *of_query = ZR_JSON_KEY(NULL, "query"), *path = ZR_JSON_KEY(of_query, "frames"),
+                              *end = ZR_JSON_KEY(of_query, "timeEnd");
+    struct zr_view_set *set;
+    uint32_t number;
+    if (!request->frames) {
+        if (request->timeEnd) zr_json_fault(json, end, "needs the parameter frames");
+        return;
+    }
+    if (!file || file->animation_count == 0) {
+        zr_json_fault(json, path, "the file has no animations");
+        return;
+    }
+    if (!zr_file_scene_find_animation(file, query->animation, &number)) return; /* reported by check_animation */
+    const double until = request->timeEnd ? query->time_end : file->animation_end, length = until - query->time;
+    if (!(length > 0.0)) {
+        zr_json_fault(json, request->timeEnd ? end : path, "an animation of no length: from %.9g to %.9g seconds",
+                      query->time, until);
+        return;
+    }
+    if (!zr_view_count_check(json, path, query->frames) || !(set = zr_view_set_add(json, path, root->scene))) return;
+    *set =
+        (struct zr_view_set){.kind = ZR_VIEW_SET_FILE, .count = query->frames, .seconds = length, .start = query->time};
+}
+
 static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
 {
     const struct zr_format_row *format = &zr_format_rows[request->format];
@@ -133,6 +165,7 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
         use_camera(query);
     }
     check_animation(query);
+    add_frames(query);
     const bool has_ink = zr_cloud_take_edges(root);
     if (has_materials(root)) {
         zr_file_scene_make_materials(root, root->builder->file);

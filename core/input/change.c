@@ -29,7 +29,7 @@ static bool add(struct zr_json *json, const struct zr_kept *kept, const struct z
     if (!has_view && (is_key(key, ZR_SCENE_NODES) || is_key(key, ZR_SCENE_MATERIALS) || is_key(key, ZR_SCENE_BASE)))
         return zr_json_fault(json, path, "a bare mesh has none; a scene in JSON may have it");
     if (is_key(key, ZR_SCENE_VIEWS) || is_key(key, ZR_SCENE_TURNTABLE) || is_key(key, ZR_SCENE_ORBIT) ||
-        is_key(key, ZR_SCENE_SHEET))
+        is_key(key, ZR_SCENE_SHEET) || is_key(key, ZR_SCENE_ANIMATE))
         return zr_json_fault(json, path, "a change has one view; the request of the scene may have several");
     if (strcmp(key->name, ZR_POSES) == 0) {
         if (!has_view) return zr_json_fault(json, path, "a bare mesh has no nodes");
@@ -139,10 +139,14 @@ enum zr_status zr_change_read(struct zr_arena *arena, const struct zr_kept *kept
     *request = kept->request;
     *keeping = (struct zr_keeping){.from = kept};
     request->cancel = change->cancel;
-    if (change->animation || change->time)
+    const char *posed = change->animation ? "animation"
+                        : change->time    ? "time"
+                        : change->frames  ? "frames"
+                        : change->timeEnd ? "timeEnd"
+                                          : NULL;
+    if (posed)
         return zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                            "parameter %s: a change keeps the geometry; read the file again for another pose",
-                            change->animation ? "animation" : "time");
+                            "parameter %s: a change keeps the geometry; read the file again for another pose", posed);
 #define REPLACE(name, ...)                                                                                             \
     if (change->name) request->name = change->name;
     ZR_PARAMETER_ROWS(REPLACE)

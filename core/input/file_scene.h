@@ -37,7 +37,8 @@ struct zr_file_scene {
     uint32_t light_count;
     struct zr_light *lights;               /* directions and positions are in the file's space */
     struct zr_warning_list light_warnings; /* added if the lights are used */
-    uint32_t animation_count;              /* 0 unless the request has the parameter animation or time */
+    uint32_t animation_count;              /* 0 unless the request has the parameter animation, time or frames */
+    double animation_end;                  /* time of the last key of the request's animation, seconds */
     const char *const *animation_names;    /* "" for an animation without a name */
     const uint32_t *mesh_materials;        /* one per mesh; NONE: the look's material */
     const uint32_t *const *face_materials; /* NULL, or one per mesh: NULL, or the material of each face */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "base/slerp.h"
 #include "input/number.h"
 
 /* ---- the animation of the request ---- */
@@ -45,7 +46,7 @@ bool zr_gltf_choose_animation(struct zr_gltf *file, const struct zr_request *req
     struct zr_arena *arena = file->root.json.arena;
     const uint32_t count = file->counts[ZR_GLTF_ANIMATIONS];
     struct zr_gltf_animation *all;
-    if (!request->animation && !request->time) return true;
+    if (!request->animation && !request->time && !request->frames) return true;
     file->animation = all = zr_arena_zero(arena, 1, sizeof *all);
     if (!all) return false;
     all->names = zr_arena_zero(arena, count, sizeof *all->names);
@@ -125,6 +126,7 @@ static bool find_key(struct zr_gltf *file, const struct zr_json_path *path, cons
             before = at;
         }
     }
+    if (before > file->made->animation_end) file->made->animation_end = before;
     if (has_start && has_end) {
         out->span = end - start;
         out->share = (time - start) / out->span;
@@ -154,42 +156,6 @@ static const struct moment *find_moment(const struct reading *r, const struct zr
 }
 
 /* ---- values ---- */
-
-/* Normalises a quaternion. A zero quaternion is kept. */
-static void normalize(double q[4])
-{
-    const double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    for (int k = 0; k < 4 && length > 0.0; k++)
-        q[k] /= length;
-}
-
-/* Writes the rotation at `share` of the shorter arc from a to b. Halves the arc until linear interpolation is exact
- * enough. This avoids sines, whose last bits differ between systems. */
-static void slerp(const float *a, const float *b, double share, float *out)
-{
-    enum { HALVINGS = 20 };
-    double low[4] = {(double)a[0], (double)a[1], (double)a[2], (double)a[3]},
-           high[4] = {(double)b[0], (double)b[1], (double)b[2], (double)b[3]}, middle[4], dot = 0;
-    normalize(low);
-    normalize(high);
-    for (int k = 0; k < 4; k++)
-        dot += low[k] * high[k];
-    for (int k = 0; k < 4 && dot < 0.0; k++)
-        high[k] = -high[k];
-    for (int i = 0; i < HALVINGS; i++) {
-        for (int k = 0; k < 4; k++)
-            middle[k] = low[k] + high[k];
-        normalize(middle);
-        share *= 2;
-        memcpy(share < 1.0 ? high : low, middle, sizeof middle);
-        if (share >= 1.0) share -= 1;
-    }
-    for (int k = 0; k < 4; k++)
-        middle[k] = low[k] + share * (high[k] - low[k]);
-    normalize(middle);
-    for (int k = 0; k < 4; k++)
-        out[k] = (float)middle[k];
-}
 
 /* Each key has an in-tangent, a value and an out-tangent of `n` numbers each. */
 static void put_cubic(const float *from, const float *to, size_t n, const struct moment *at, float *out)
@@ -243,7 +209,7 @@ static float *find_value(const struct reading *r, const struct zr_json_path *pat
     else if (sampler->curve == CUBICSPLINE)
         put_cubic(from, to, n, at, out);
     else if (is_rotation)
-        slerp(from, to, at->share, out);
+        zr_slerp(from, to, at->share, out);
     else
         put_linear(from, to, n, at, out);
     for (size_t k = 0; k < n; k++)

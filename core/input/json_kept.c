@@ -15,7 +15,7 @@ static const char *end_of_list(const struct zr_parsed_scene *root, const char *n
 /* True for a key that asks for several views. */
 static bool is_of_views(const char *name)
 {
-    for (int key = ZR_SCENE_VIEWS; key <= ZR_SCENE_SHEET; key++)
+    for (int key = ZR_SCENE_VIEWS; key <= ZR_SCENE_ANIMATE; key++)
         if (strcmp(name, zr_scene_fields[key].key) == 0) return true;
     return false;
 }

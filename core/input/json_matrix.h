@@ -3,6 +3,7 @@
 #ifndef ZR_JSON_MATRIX_H
 #define ZR_JSON_MATRIX_H
 
+#include "base/matrix.h"
 #include "input/json_value.h"
 
 zr_json_read_fn zr_json_mat4;   /* zr_mat4: four rows of four numbers, or sixteen numbers column by column */
@@ -12,8 +13,5 @@ zr_json_read_fn zr_json_affine; /* zr_mat4, affine: its bottom row is 0 0 0 1 */
  * or an array; else one flat list. */
 bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out,
                     bool *nested);
-
-/* Returns translation · rotation · scale; the rotation is a quaternion x, y, z, w of any length above 0. */
-zr_mat4 zr_mat4_of_pose(zr_vec3 t, zr_vec4 q, zr_vec3 s);
 
 #endif

@@ -12,6 +12,8 @@
 #include "base/cancel.h"
 #include "input/quick.h"
 #include "input/text.h"
+#include "scene/animation.h"
+#include "scene/view_set.h"
 
 /* ---- references ---- */
 
@@ -115,6 +117,12 @@ static const struct zr_json_field fields[] = {
                   .text = "numbers or names of child nodes"}};
 const struct zr_json_object zr_json_object_node = ZR_JSON_OBJECT_OF("node", fields);
 
+/* Pose of a node as read. */
+struct own_pose {
+    struct zr_node_pose pose;
+    bool is_matrix;
+};
+
 /* Nodes while they are read. Children are resolved once every name is known. */
 struct reader {
     struct zr_json *json;
@@ -122,6 +130,7 @@ struct reader {
     struct directory meshes, nodes;
     const char **children; /* the place of each node's list in the text, or NULL */
     struct zr_node *made;
+    struct own_pose *own; /* of each node, for an animation; or NULL */
 };
 
 static zr_mat4 find_local(struct zr_json *json, const struct zr_json_path *path, const struct given_node *given,
@@ -156,6 +165,9 @@ static void read_node(struct reader *reader, struct zr_json *json, const struct 
         read_reference(&there, ZR_JSON_KEY(path, fields[MESH].key), &reader->meshes, &node->mesh);
     }
     node->local = find_local(json, path, &given, keys);
+    if (reader->own)
+        reader->own[number] =
+            (struct own_pose){{given.translation, given.scale, given.rotation}, zr_json_gives(keys, MATRIX)};
     reader->children[number] = NULL;
     if (given.children) {
         struct zr_json there = zr_json_at(json, given.children);
@@ -211,6 +223,33 @@ static void read_poses(struct reader *reader, const struct zr_keeping *keeping)
     }
 }
 
+/* Returns the animation that moves the nodes, or that has the scene as its set of views. */
+static const struct zr_animation *animation_of(const struct zr_parsed_scene *root)
+{
+    const struct zr_keeping *keeping = root->builder->keeping;
+    const struct zr_view_set *set = root->scene->view_set;
+    return keeping && keeping->animation ? keeping->animation : set ? set->animation : NULL;
+}
+
+/* Checks the nodes that an animation names. Moves them if the scene is that of a frame. */
+static void animate(struct reader *reader, const struct zr_keeping *keeping, const struct zr_animation *animation)
+{
+    const struct zr_json_path *path = ZR_JSON_KEY(ZR_JSON_KEY(NULL, "animate"), "nodes");
+    for (uint32_t i = 0; animation && i < animation->count; i++) {
+        const struct zr_track *track = &animation->tracks[i];
+        const struct zr_json_path *at = ZR_JSON_KEY(path, track->node);
+        uint32_t number;
+        if (!find_name(reader->json, at, &reader->nodes, track->node, &number)) continue;
+        const struct own_pose *own = &reader->own[number];
+        struct zr_node *node = &reader->made[number];
+        if (track->key_count > 0 && own->is_matrix)
+            zr_json_fault(reader->json, at, "node %" PRIu32 " has a matrix; translation, rotation and scale can move",
+                          number);
+        else if (keeping && keeping->animation)
+            node->local = zr_track_matrix(track, &keeping->moment, &own->pose, &node->local);
+    }
+}
+
 /* Returns the number of meshes that no node places. In a hierarchy without cycles every node is below a root. */
 static uint32_t count_unplaced(struct zr_arena *arena, const struct reader *reader)
 {
@@ -239,6 +278,8 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
                             .nodes = open_directory(arena, "node", "nodes", (uint32_t)nodes),
                             .children = zr_arena_alloc(arena, nodes, sizeof *reader.children),
                             .made = zr_arena_alloc(arena, nodes, sizeof *reader.made)};
+    const struct zr_animation *animation = animation_of(root);
+    if (animation) reader.own = zr_arena_alloc(arena, nodes, sizeof *reader.own);
     if (!zr_arena_ok(arena)) return NULL;
     for (uint32_t i = 0; i < mesh_count; i++)
         add_name(&reader.meshes, meshes[i].name, i);
@@ -250,6 +291,7 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
     sort_names(&reader.nodes);
     struct zr_nodes hierarchy = {.count = reader.nodes.count, .nodes = reader.made};
     read_poses(&reader, root->builder->keeping);
+    animate(&reader, root->builder->keeping, animation);
     hierarchy.children = read_children(&reader, &hierarchy.child_count);
     if (!zr_arena_ok(arena) || json->error->count > 0) return NULL;
     struct zr_quick *quick = root->assets.quick;

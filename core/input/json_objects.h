@@ -20,6 +20,9 @@
     ROW(turntable)                                                                                                     \
     ROW(orbit)                                                                                                         \
     ROW(sheet)                                                                                                         \
+    ROW(animate)                                                                                                       \
+    ROW(track)                                                                                                         \
+    ROW(rotate)                                                                                                        \
     ROW(colorBar)                                                                                                      \
     ROW(highlight)                                                                                                     \
     ROW(explode)                                                                                                       \

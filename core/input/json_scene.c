@@ -4,6 +4,7 @@
 #include "input/input.h"
 #include "input/json_objects.h"
 #include "input/kept.h"
+#include "scene/view_set.h"
 
 /* The deepest item of a list, /meshes/0/heights/values/0/0. Rows of numbers are read without counting levels. */
 enum { DEPTH_OF_LISTS = 6 };
@@ -30,6 +31,8 @@ static void place_meshes(struct zr_parsed_scene *root)
     const struct zr_keeping *keeping = root->builder->keeping;
     if (!root->nodes && keeping && keeping->poses)
         zr_json_fault(&root->json, ZR_JSON_KEY(NULL, ZR_POSES), "the scene has no nodes");
+    if (!root->nodes && scene->view_set && scene->view_set->animation)
+        zr_json_fault(&root->json, ZR_JSON_KEY(ZR_SCENE_PATH(ZR_SCENE_ANIMATE), "nodes"), "the scene has no nodes");
     struct zr_instance *instances =
         root->nodes ? zr_parsed_read_nodes(root, ZR_SCENE_PATH(ZR_SCENE_NODES), scene->meshes, listed, &count)
                     : zr_arena_alloc(root->json.arena, end, sizeof *instances);

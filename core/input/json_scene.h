@@ -146,7 +146,8 @@ enum zr_scene_key {
     ZR_SCENE_VIEWS,
     ZR_SCENE_TURNTABLE,
     ZR_SCENE_ORBIT,
-    ZR_SCENE_SHEET
+    ZR_SCENE_SHEET,
+    ZR_SCENE_ANIMATE
 };
 
 enum { ZR_SCENE_KEYS_MAX = 64 };
@@ -371,6 +372,12 @@ extern const struct zr_names zr_part_color_names;
 /* Read into the scene; lights into root->lights. */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs, zr_read_sections;
 zr_json_read_fn zr_read_views, zr_read_turntable, zr_read_orbit, zr_read_sheet; /* json_views.c */
+zr_json_read_fn zr_read_animate;                                                /* json_animate.c */
+
+/* json_views.c: adds a set of views to the scene, which has at most one. NULL if it has one, which is reported, or
+ * without memory. */
+struct zr_view_set *zr_view_set_add(struct zr_json *json, const struct zr_json_path *path, struct zr_scene *scene);
+bool zr_view_count_check(struct zr_json *json, const struct zr_json_path *path, size_t count);
 
 /* json_light.c: zr_vec4, a colour of light. Numbers are linear light. A text is sRGB-encoded and is stored
  * negated until zr_light_color decodes it: to linear light, or to the values as written if light is not linear. */

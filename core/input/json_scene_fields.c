@@ -125,5 +125,7 @@ const struct zr_json_field zr_scene_fields[] = {
                         .text = "several views: from all directions"},
     [ZR_SCENE_SHEET] = {"sheet", zr_read_sheet, 0, .object = &zr_json_object_sheet, .otherwise = "false",
                         .text = "one picture of all views: a layout, or an object"},
+    [ZR_SCENE_ANIMATE] = {"animate", zr_read_animate, 0, .object = &zr_json_object_animate,
+                          .text = "several views: frames of nodes that move"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_scene, face_style)};
 const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", zr_scene_fields);

@@ -112,11 +112,10 @@ static bool read_item(struct zr_json *json, const struct zr_json_path *path, str
 
 /* ---- the keys ---- */
 
-/* Adds the set to the scene, which has at most one. NULL if it has one, which is reported, or without memory. */
-static struct zr_view_set *add_set(struct zr_json *json, const struct zr_json_path *path, struct zr_scene *scene)
+struct zr_view_set *zr_view_set_add(struct zr_json *json, const struct zr_json_path *path, struct zr_scene *scene)
 {
     if (scene->view_set) {
-        zr_json_fault(json, path, "a scene has one of views, turntable and orbit, and this one has %s, too",
+        zr_json_fault(json, path, "a scene has one of views, turntable, orbit and animate, and this one has %s, too",
                       zr_view_set_pointer(scene->view_set) + 1);
         return NULL;
     }
@@ -125,7 +124,7 @@ static struct zr_view_set *add_set(struct zr_json *json, const struct zr_json_pa
     return set;
 }
 
-static bool check_count(struct zr_json *json, const struct zr_json_path *path, size_t count)
+bool zr_view_count_check(struct zr_json *json, const struct zr_json_path *path, size_t count)
 {
     return (count >= 1 && count <= json->limits->views_max) ||
            zr_json_fault(json, path, "%zu views; 1 to %u are allowed", count, json->limits->views_max);
@@ -139,7 +138,7 @@ bool zr_read_views(struct zr_json *json, const struct zr_json_path *path, const 
     bool is_good = true;
     (void)field;
     if (!zr_json_count(json, path, &count)) return false;
-    if (!check_count(json, path, count) || !(set = add_set(json, path, root->scene))) {
+    if (!zr_view_count_check(json, path, count) || !(set = zr_view_set_add(json, path, root->scene))) {
         zr_json_skip(json);
         return false;
     }
@@ -175,8 +174,8 @@ static bool read_turn(struct zr_json *json, const struct zr_json_path *path, con
     uint64_t keys;
     if (!zr_json_fields(json, path, object, &given, &keys)) return false;
     given.has_elevation = given.kind == ZR_VIEW_SET_TURNTABLE && zr_json_gives(keys, ELEVATION);
-    if (!check_count(json, ZR_JSON_KEY(path, object->fields[0].key), given.count)) return false;
-    if (!(set = add_set(json, path, root->scene))) return false;
+    if (!zr_view_count_check(json, ZR_JSON_KEY(path, object->fields[0].key), given.count)) return false;
+    if (!(set = zr_view_set_add(json, path, root->scene))) return false;
     *set = given;
     return true;
 }

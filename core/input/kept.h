@@ -10,8 +10,10 @@
 
 #include "core.h"
 #include "input/json_list.h"
+#include "scene/animation.h"
 #include "scene/scene_builder.h"
 
+struct zr_image_record;
 struct zr_soup;
 
 /* A bare mesh or a model file, as the reader of its format leaves it. */
@@ -35,6 +37,10 @@ struct zr_kept {
     struct zr_request request;    /* without its body; its texts and assets outlive this */
     struct zr_limits limits;      /* of the first reading */
     const struct zr_scene *scene; /* the scene without a change */
+    struct zr_image_record *images;
+
+    const char *body; /* of frames of a file, in the format of `request`; else NULL */
+    size_t body_size;
 
     size_t key_count; /* of a JSON scene: the root's keys other than meshes, polygons and several views */
     const struct zr_kept_key *keys;
@@ -58,6 +64,8 @@ struct zr_keeping {
     bool has_view;     /* `keys` has a view */
     const char *poses; /* JSON object: matrices by names of nodes; or NULL */
     size_t poses_size;
+    const struct zr_animation *animation; /* moves nodes; or NULL */
+    struct zr_moment moment;              /* of `animation` */
 };
 
 /* Saves what the reader of a format has left in a builder, or gives it to another builder. Arrays are shared, except

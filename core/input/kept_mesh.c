@@ -78,6 +78,7 @@ static void make_hashes(struct zr_mesh_file *file)
     add(file, alone, facts, sizeof facts);
     add_text(file, alone, request->animation);
     add_text(file, alone, request->time);
+    add_text(file, alone, request->frames ? "frames" : NULL);
     hash_assets(file);
     *with_others = *alone;
     add(file, with_others, file->assets->hash.bytes, sizeof file->assets->hash.bytes);

@@ -17,7 +17,8 @@ struct zr_query {
     int compress, projection, up;   /* ZR_UNSET: not given; up: enum zr_mesh_up */
     const char *member;             /* NULL: zr_zip_body_open takes it */
     const char *camera, *animation; /* name or number of one of the file; NULL: not given */
-    double time;                    /* seconds */
+    double time, time_end;          /* seconds */
+    uint32_t frames;
     bool is_strict, has_file_lights;
     struct zr_instance *instances; /* of a bare mesh */
 };

@@ -5,7 +5,7 @@
 
 const char *zr_view_set_pointer(const struct zr_view_set *set)
 {
-    static const char *const pointers[] = {"/views", "/turntable", "/orbit"};
+    static const char *const pointers[] = {"/views", "/turntable", "/orbit", "/animate", "/query/frames"};
     return pointers[set->kind];
 }
 
@@ -57,6 +57,17 @@ static void use_sheet_scale(const struct zr_view_item *item, const struct zr_sha
     view->ymag = camera->ymag;
 }
 
+/* Sets a camera as its matrix, and half sizes that were fitted. */
+static void keep_still(const struct zr_shared_camera *camera, struct zr_view *view)
+{
+    view->suits_extent = false;
+    view->pose = ZR_POSE_MATRIX;
+    view->world_to_camera = camera->world_to_eye;
+    if (!(camera->xmag > 0.0f)) return;
+    view->xmag = camera->xmag;
+    view->ymag = camera->ymag;
+}
+
 void zr_view_set_pose(const struct zr_scene *scene, const struct zr_view_set *set, uint32_t number,
                       const struct zr_shared_camera *camera, struct zr_view *view)
 {
@@ -65,8 +76,12 @@ void zr_view_set_pose(const struct zr_scene *scene, const struct zr_view_set *se
         if (scene->sheet.is_on) use_sheet_scale(&set->items[number], camera, view);
         return;
     }
-    view->pose = ZR_POSE_ORBIT;
+    if (zr_view_set_is_animation(set)) {
+        if (camera->is_still) keep_still(camera, view);
+        return;
+    }
     view->suits_extent = false;
+    view->pose = ZR_POSE_ORBIT;
     view->up = scene->picture.z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
     view->has_target = true;
     view->target = camera->target;

@@ -168,8 +168,8 @@ static enum zr_status open_sink(struct collecting *c, const struct zr_output *ou
         sink->kind = STACK;
     else if (output->encoding == ZR_ENCODING_APNG)
         sink->kind = ANIMATION;
-    sink->apng = (struct zr_apng){.out = &sink->out, .frames = set->count, .seconds = set->seconds / set->count};
-    if (set->kind != ZR_VIEW_SET_TURNTABLE) sink->apng.seconds = 1.0;
+    sink->apng = (struct zr_apng){.out = &sink->out, .frames = set->count, .seconds = 1.0};
+    if (set->seconds > 0.0) sink->apng.seconds = set->seconds / set->count;
     if (sink->kind != STACK) return ZR_OK;
     const size_t shape[] = {set->count, c->views->height, c->views->width, row->words};
     if (!zr_buffer_room(&sink->out, ZR_NPY_HEADER + 4 * shape[0] * shape[1] * shape[2] * shape[3])) return ZR_NO_MEMORY;

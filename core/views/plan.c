@@ -7,9 +7,10 @@
 #include "change.h"
 #include "input/kept.h"
 #include "scene/scene.h"
+#include "views/still_camera.h"
 #include "views/view_scene.h"
 
-enum { SAMPLED = 16 }; /* views of a turntable or an orbit whose cost is predicted; the others are between them */
+enum { SAMPLED = 16 }; /* views, except those of a list, whose cost is predicted; the others are between them */
 
 struct zr_views zr_views_of_kept(const struct zr_kept *kept)
 {
@@ -148,10 +149,11 @@ static enum zr_status plan(struct zr_arena *scratch, struct zr_team *team, struc
                                           : zr_bounds_of(views->scene, team, cancel);
     enum zr_status status = check_names(views, scratch, error);
     if (status == ZR_OK) status = lay_out_sheet(views, error);
-    /* All windows of a turntable are equal: too many pixels are refused before the geometry is walked. */
+    /* Windows are equal, but for those of a list: too many pixels are refused before the geometry is walked. */
     if (set->kind != ZR_VIEW_SET_LIST) pixels = set->count * pixels_of(&views->scene->views[0]);
     if (status == ZR_OK && set->kind != ZR_VIEW_SET_LIST && pixels <= most)
-        status = fit_camera(scratch, team, views, cancel, error);
+        status = zr_view_set_is_animation(set) ? zr_still_camera_find(scratch, team, views, cancel, error)
+                                               : fit_camera(scratch, team, views, cancel, error);
     if (status == ZR_OK && set->kind == ZR_VIEW_SET_LIST && views->scene->sheet.is_on)
         status = fit_sheet(scratch, team, views, cancel, error);
     for (uint32_t i = 0; status == ZR_OK && i < set->count && pixels <= most; i += step) {

@@ -57,6 +57,11 @@ enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, stru
         const enum zr_status status = zr_scene_change(arena, team, views->kept, &change, &changed, &faults);
         if (status != ZR_OK) return zr_view_report(views, number, status, &faults, error);
     }
+    if (zr_view_set_is_animation(set)) {
+        struct zr_error faults = {0};
+        const enum zr_status status = zr_scene_frame(arena, team, views->kept, number, cancel, &changed, &faults);
+        if (status != ZR_OK) return zr_view_report(views, number, status, &faults, error);
+    }
     struct zr_scene *made = zr_arena_copy(arena, changed, sizeof *made);
     if (!made) return ZR_NO_MEMORY;
     made->sheet = views->scene->sheet;

@@ -132,6 +132,12 @@ static void write_scenes(void)
          "{\"channel\":\"color\",\"encoding\":\"apng\"},{\"channel\":\"depth\"}]}"},
         {"sheet", "{\"window\":{\"width\":48,\"height\":48}," TRIANGLE ",\"sheet\":{\"layout\":\"threeView\",\"angle\":"
                   "\"first\",\"captions\":false},\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"info\"}]}"},
+        {"animate",
+         "{" WINDOW "," TETRAHEDRA "\"nodes\":[{\"name\":\"n\",\"mesh\":\"a\",\"scale\":[1,2,1],\"children\":[\"m\"]},"
+         "{\"name\":\"m\",\"mesh\":\"b\"}],\"animate\":{\"frames\":3,\"seconds\":2,\"nodes\":{\"n\":{\"rotate\":{"
+         "\"axis\":"
+         "[0,1,1],\"degrees\":90}},\"m\":{\"times\":[0.5,1],\"translation\":[[0,0,0],[1,0,0]],\"rotation\":[[0,0,0,1],"
+         "[0,0,1,1]],\"scale\":[[1,1,1],[2,1,1]],\"interpolation\":\"step\",\"rotate\":{\"axis\":\"x\"}}}}}"},
         {"orbit-of-views",
          "{" WINDOW "," TRIANGLE ",\"orbit\":{\"count\":4,\"distance\":3},\"view\":{\"perspective\":{}}}"},
     };

@@ -9,6 +9,7 @@
 #include "support/files.h"
 #include "support/renderer.h"
 #include "support/tests.h"
+#include "views.h"
 
 static struct zr_arena arena;
 
@@ -26,19 +27,34 @@ static struct answer answer_of(zraster_status status, const void *bytes, size_t 
     return answer;
 }
 
+/* Draws all views. */
+static enum zr_status draw_views(struct zr_views *views, struct zr_answer *answer, struct zr_error *error)
+{
+    struct zr_files files;
+    enum zr_status status = zr_views_plan(&arena, NULL, views, NULL, error);
+    if (status == ZR_OK) status = zr_views_draw(&arena, NULL, views, NULL, &files, error);
+    return status == ZR_OK ? zr_files_answer(&arena, &files, views->scene, answer, error) : status;
+}
+
+static enum zr_status draw_one(const struct zr_scene *scene, struct zr_answer *answer, struct zr_error *error)
+{
+    const struct zr_frame *frame;
+    const enum zr_status status = zr_render(&arena, NULL, scene, NULL, NULL, &frame, error);
+    return status == ZR_OK ? zr_encode(&arena, NULL, scene, frame, NULL, answer, error) : status;
+}
+
 /* Draws by the core alone. */
 static struct answer core_answer(const char *text, size_t size)
 {
     const struct zr_limits limits = zr_limits_default();
     const struct zr_request request = {.format = ZR_FORMAT_UNKNOWN, .bytes = text, .size = size};
-    const struct zr_scene *scene;
-    const struct zr_frame *frame;
+    struct zr_views views;
     struct zr_answer answer;
     struct zr_error error = {0};
     zr_arena_reset(&arena, SIZE_MAX);
-    enum zr_status status = zr_scene_read(&arena, NULL, &request, &limits, &scene, &error);
-    if (status == ZR_OK) status = zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error);
-    if (status == ZR_OK) status = zr_encode(&arena, NULL, scene, frame, NULL, &answer, &error);
+    enum zr_status status = zr_views_read(&arena, NULL, &request, &limits, &views, &error);
+    if (status == ZR_OK)
+        status = views.set ? draw_views(&views, &answer, &error) : draw_one(views.scene, &answer, &error);
     if (status != ZR_OK) return answer_of((zraster_status)status, error.items[0].detail, strlen(error.items[0].detail));
     return answer_of(ZRASTER_OK, answer.bytes, answer.size);
 }
@@ -115,10 +131,11 @@ static const char *const changes[] = {
     "{\"colorBar\": true, \"lineWidth\": 3, \"algorithm\": \"scanline\"}",
 };
 
-/* Returns the text of one scene with the keys of both. */
+/* Returns the text of one scene with the keys of both, without its animation: a change has one view. */
 static char *merge(const char *scene, const char *change)
 {
     cJSON *all = cJSON_Parse(scene), *keys = cJSON_Parse(change);
+    cJSON_DeleteItemFromObjectCaseSensitive(all, "animate");
     while (keys->child) {
         cJSON *key = cJSON_DetachItemViaPointer(keys, keys->child);
         char name[64];

@@ -1,6 +1,8 @@
 /* Tests the poses of animations of glTF files: curves, times, targets and refusals. */
 #include "input_check.h"
 #include "kept_check.h"
+#include "same_scene.h"
+#include "scene/view_set.h"
 #include "support/tests.h"
 
 /* Bytes of the part "b". */
@@ -174,6 +176,86 @@ TEST(a_kept_file_keeps_its_pose)
     assert_int_equal(keeping_change(keeping, (struct zr_request){.bytes = "", .look = "clay"}), ZR_OK);
     assert_true(keeping->scene->instances[0].object_to_world.m[12] == 10.0f);
     keeping_free(keeping);
+}
+
+/* ---- frames ---- */
+
+static const struct zr_view_set *set_of(const struct keeping *keeping)
+{
+    return zr_kept_scene(keeping->kept)->view_set;
+}
+
+/* A frame is the file at its time, even once the request's body is freed. */
+TEST(a_frame_equals_the_file_at_its_time)
+{
+    static const struct {
+        const char *name, *time, *end;
+        const char *times[3];
+        double seconds;
+    } cases[] = {{"move", NULL, NULL, {"0", "1.333333", "2.666667"}, 4},
+                 {"melt", "1", "2.5", {"1", "1.5", "2"}, 1.5},
+                 {"turn", "0.5", NULL, {"0.5", "1.666667", "2.833333"}, 3.5},
+                 {NULL, "3", "9", {"3", "5", "7"}, 6}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct zr_request request = {.format = ZR_FORMAT_GLTF,
+                                           .assets = parts,
+                                           .asset_count = 1,
+                                           .animation = cases[i].name,
+                                           .time = cases[i].time,
+                                           .timeEnd = cases[i].end,
+                                           .frames = "3"};
+        struct keeping *keeping = keep(request, text, sizeof text - 1);
+        assert_int_equal(set_of(keeping)->count, 3);
+        assert_true(set_of(keeping)->seconds == cases[i].seconds);
+        for (uint32_t k = 0; k < 3; k++) {
+            const struct zr_scene *frame;
+            struct zr_error error = {0};
+            struct reading *alone =
+                read_over((struct zr_request){.animation = cases[i].name, .time = cases[i].times[k]}, text);
+            assert_read(alone);
+            zr_arena_reset(&keeping->other, 0);
+            assert_int_equal(zr_scene_frame(&keeping->other, NULL, keeping->kept, k, NULL, &frame, &error), ZR_OK);
+            assert_same_scene(frame, alone->scene);
+            assert_int_equal(frame->instance_count, alone->scene->instance_count);
+            for (uint32_t n = 0; n < frame->instance_count; n++)
+                assert_memory_equal(&frame->instances[n].object_to_world, &alone->scene->instances[n].object_to_world,
+                                    sizeof(zr_mat4));
+            reading_free(alone);
+        }
+        keeping_free(keeping);
+    }
+}
+
+TEST(wrong_frames_are_refused)
+{
+    static const struct {
+        const char *of;
+        struct zr_request request;
+        enum zr_status status;
+        const char *detail;
+    } cases[] = {
+        {text, {.frames = "0"}, ZR_BAD_SCENE, "parameter frames: 0 views; 1 to 4096 are allowed"},
+        {text, {.frames = "-1"}, ZR_BAD_REQUEST, "parameter frames: '-1' is not a whole number"},
+        {text,
+         {.frames = "2", .time = "4"},
+         ZR_BAD_SCENE,
+         "parameter frames: an animation of no length: from 4 to 4 seconds"},
+        {text,
+         {.frames = "2", .time = "1", .timeEnd = "0.5"},
+         ZR_BAD_SCENE,
+         "parameter timeEnd: an animation of no length: from 1 to 0.5 seconds"},
+        {text, {.timeEnd = "2"}, ZR_BAD_SCENE, "parameter timeEnd: needs the parameter frames"},
+        {text,
+         {.frames = "2", .turntable = "3"},
+         ZR_BAD_SCENE,
+         "parameter frames: a scene has one of views, turntable"},
+        {text, {.frames = "2", .animation = "none"}, ZR_BAD_SCENE, "the file has no animation 'none'"},
+        {HEAD MESHES NODES "}", {.frames = "2"}, ZR_BAD_SCENE, "parameter frames: the file has no animations"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct reading *reading = read_over(cases[i].request, cases[i].of);
+        assert_complaint(reading, cases[i].status, "", cases[i].detail);
+        reading_free(reading);
+    }
 }
 
 RUN_TESTS(NULL, NULL)
