@@ -556,6 +556,7 @@ $(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/support/
 
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
+$(BUILD)/tests/server/test_streams: $(BUILD)/clients/unzip.o
 
 # Where there is no compiler, it is said so once, and what brings one.
 missing_compiler := $(if $(macros),,compiler)
