@@ -24,7 +24,7 @@ static double seconds(void)
 
 TEST(a_reader_that_stops_for_20_s_loses_nothing_and_costs_others_nothing)
 {
-    struct daemon server = daemon_start(LIST("--workers=1"));
+    struct daemon server = daemon_start(LIST("--workers=1", "--cost-max-ms=86400000", "--render-timeout-ms=600000"));
     struct streamed whole = streamed_begin(&server, LARGE, 0);
     streamed_read_all(&whole);
     struct streamed stopped = streamed_begin(&server, LARGE, BUFFER);

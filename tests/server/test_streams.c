@@ -11,6 +11,8 @@
 #include "support/sanitized.h"
 #include "support/tests.h"
 
+#define LET_IN "--render-timeout-ms=600000", "--cost-max-ms=86400000"
+
 #define GEOMETRY "\"meshes\":[{\"heights\":[[0,1,0],[1,2,1],[0,1,3]]}]"
 #define COLOR    "{\"channel\":\"color\"}"
 #define DEPTH    "{\"channel\":\"depth\",\"encoding\":\"npy\"}"
@@ -37,10 +39,10 @@ static double seconds(void)
 
 TEST(each_part_is_the_file_of_the_archive_and_the_first_comes_before_the_last_is_drawn)
 {
-    enum { VIEWS = 200 };
+    enum { VIEWS = IS_SANITIZED ? 40 : 200, SIDE = IS_SANITIZED ? 64 : 200 };
     char scene[1024];
-    struct daemon server = daemon_start(LIST("--render-timeout-ms=600000"));
-    scene_of(scene, VIEWS, 200, COLOR ",{\"channel\":\"depth\",\"encoding\":\"png16\"}");
+    struct daemon server = daemon_start(LIST(LET_IN));
+    scene_of(scene, VIEWS, SIDE, COLOR ",{\"channel\":\"depth\",\"encoding\":\"png16\"}");
     struct reply archive = client_render(&server, scene);
     assert_int_equal(archive.status, 200);
     assert_string_equal(reply_header(&archive, "Content-Type"), "application/zip");
@@ -125,7 +127,8 @@ TEST(what_is_no_set_of_views_or_cannot_be_drawn_is_answered_as_ever)
 TEST(work_that_takes_too_long_ends_with_a_problem_and_no_final_delimiter)
 {
     char scene[1024];
-    struct daemon server = daemon_start(LIST("--render-timeout-ms=1000", "--cost-max-ms=86400000"));
+    struct daemon server = daemon_start(LIST(IS_SANITIZED ? "--render-timeout-ms=8000" : "--render-timeout-ms=1000",
+                                             "--cost-max-ms=86400000"));
     struct streamed streamed = streamed_begin(&server, scene_of(scene, 1000, 512, COLOR), 0);
     struct streamed_part part = {.size = 0};
     int count = 0;
@@ -152,7 +155,7 @@ TEST(work_that_takes_too_long_ends_with_a_problem_and_no_final_delimiter)
 static double time_of_leaving_ms(bool waits)
 {
     char scene[1024];
-    struct daemon server = daemon_start(LIST("--render-timeout-ms=600000", "--cost-max-ms=86400000"));
+    struct daemon server = daemon_start(LIST(LET_IN));
     struct streamed streamed =
         streamed_begin(&server, scene_of(scene, 1000, 512, waits ? COLOR "," DEPTH : COLOR), 0);
     struct tm time = {0};
@@ -185,12 +188,12 @@ TEST(work_ends_within_100_ms_after_its_client_has_left)
 TEST(streams_are_counted_and_one_that_waits_holds_no_worker)
 {
     char scene[1024], small[1024];
-    struct daemon server = daemon_start(LIST("--workers=1", "--max-streams=1", "--drain-timeout-ms=100"));
+    struct daemon server = daemon_start(LIST(LET_IN, "--workers=1", "--max-streams=1", "--drain-timeout-ms=100"));
     struct streamed streamed = streamed_begin(&server, scene_of(scene, 200, 512, DEPTH), 1 << 18);
     streamed_read_part(&streamed);
     usleep(300 * 1000); /* until it waits */
     scene_of(small, 10, 64, COLOR);
-    struct reply large = client_render(&server, scene_of(scene, 20, 256, COLOR));
+    struct reply large = client_render(&server, scene_of(scene, 20, 64, COLOR));
     assert_int_equal(large.status, 200);
     assert_string_equal(reply_header(&large, "Content-Type"), "application/zip");
     reply_free(&large);
@@ -206,7 +209,7 @@ TEST(streams_are_counted_and_one_that_waits_holds_no_worker)
 static long peak_of(int views)
 {
     char scene[1024];
-    struct daemon server = daemon_start(LIST("--render-timeout-ms=600000"));
+    struct daemon server = daemon_start(LIST(LET_IN));
     struct streamed streamed = streamed_begin(&server, scene_of(scene, views, 64, COLOR), 0);
     streamed_read_all(&streamed);
     struct streamed_parts parts = streamed_parts(&streamed);
