@@ -14,8 +14,8 @@
 #include "router.h"
 
 /* DISCARD_MAX: a refused body of up to so many bytes is read to its end to keep the connection; a longer one takes more
- * time than a new connection. COMING_MS: see count_coming. STREAM_BLOCK: libmicrohttpd takes less if its memory of the connection
- * is less. */
+ * time than a new connection. COMING_MS: see count_coming. STREAM_BLOCK: libmicrohttpd takes less if its memory of the
+ * connection is less. */
 enum { DISCARD_MAX = 32 << 10, COMING_MS = 500, STREAM_BLOCK = 64 << 10 };
 
 static struct connection *connection_of(struct MHD_Connection *mhd)

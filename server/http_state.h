@@ -61,7 +61,7 @@ struct exchange {
     struct http *http;
     struct MHD_Connection *mhd;
     struct connection *connection;
-    struct exchange *next; /* in http->reports */
+    struct exchange *next;                   /* in http->reports */
     bool is_reported, has_answer, has_ended; /* with http->lock: in the list, since there is an answer or work ended */
     char remote[INET6_ADDRSTRLEN];
     enum step step;

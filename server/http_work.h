@@ -12,7 +12,8 @@ enum queue_lane http_lane_of(uint64_t body_bytes);
 /* Begins work on a complete body. Suspends the connection until its answer is ready. */
 enum MHD_Result http_begin_work(struct exchange *exchange);
 
-/* Sends answers that workers have made, and bytes of those that they stream. On the thread of the loop, like all functions below. */
+/* Sends answers that workers have made, and bytes of those that they stream. On the thread of the loop, like all
+ * functions below. */
 void http_take_reports(struct http *http);
 
 /* Ends the work on a request whose client left. */

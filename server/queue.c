@@ -23,8 +23,8 @@ struct worker {
     pthread_t thread;
     pthread_cond_t wake;
     bool is_express;
-    bool is_idle; /* waits in the stack; the thread that takes it out wakes it */
-    bool is_busy; /* has a job from `lane` */
+    bool is_idle;  /* waits in the stack; the thread that takes it out wakes it */
+    bool is_busy;  /* has a job from `lane` */
     bool is_aside; /* has a job that waits, and no place */
     enum queue_lane lane;
     int64_t began_us, aside_us;

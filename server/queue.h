@@ -43,7 +43,7 @@ struct queue_job {
     bool waiting;
 
     struct worker *worker; /* for the queue, while the job runs */
-    int64_t pushed_us; /* set by queue_push, on clock_us */
+    int64_t pushed_us;     /* set by queue_push, on clock_us */
     /* Set by the queue before `work`. NULL: the job is on a worker. Otherwise it is on the express: if it is large, it
      * must call queue_put_back, at the latest soon after this is raised. */
     const struct zr_cancel *overdue;

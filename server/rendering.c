@@ -104,7 +104,7 @@ struct rendering {
     struct zr_cost cost; /* predicted cost; all 0 before the prediction */
     struct answer *answer;
     struct zr_look_pin look; /* of a stream */
-    const char *busy; /* reason why there can be no stream now */
+    const char *busy;        /* reason why there can be no stream now */
 };
 
 static double ms_since(int64_t *mark_us)
@@ -179,6 +179,12 @@ static bool has_memory(const struct rendering *r)
     return zr_arena_charge(arena, cost->window_bytes < 1e18 ? (size_t)cost->window_bytes + 1 : SIZE_MAX);
 }
 
+/* A sheet is one picture. */
+static bool is_stream(const struct rendering *r, const struct zr_views *views)
+{
+    return views->set && !views->scene->sheet.is_on && r->request->stream;
+}
+
 static bool has_many_faces_for_the_painter(const struct zr_scene *scene)
 {
     uint64_t faces = 0;
@@ -213,8 +219,8 @@ static enum zr_status predict(struct rendering *r, struct zr_views *views, const
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
     const double slowness = slowness_of(service->slowness, r->cost.ms > SMALL_MS);
     const double predicted_ms = r->times->predicted_ms = r->cost.ms * slowness;
-    const bool is_stream = views->set && r->request->stream; /* may wait for its reader */
-    if (too_large(r, is_stream || r->cost.ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
+    const bool may_wait = is_stream(r, views); /* for its reader */
+    if (too_large(r, may_wait || r->cost.ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
     if (!has_memory(r)) return ZR_NO_MEMORY;
     if (predicted_ms <= (double)service->config->cost_max_ms) return status;
     const struct zr_cost_most most = zr_cost_most(&r->cost);
@@ -258,24 +264,24 @@ static enum zr_status draw_several(struct rendering *r, struct zr_views *views, 
 /* ---- streams ---- */
 
 /* Streams the files of a view. */
-static enum zr_status send_view(void *context, uint32_t number, const char *name, const struct zr_files *files,
-                                struct zr_error *error)
+static enum zr_status send_view(void *context, const struct zr_drawn_view *view, struct zr_error *error)
 {
     struct rendering *r = context;
+    const struct zr_files *files = view->files;
     struct stream *stream = r->request->stream;
     char warnings[ZR_WARNINGS_SIZE], file[128];
     struct zr_arena scratch = zr_arena_open_scratch(r->arena);
     text_to_ascii(warnings, sizeof warnings, zr_warnings_join(&scratch, &files->warnings));
     zr_arena_close_scratch(&scratch, r->arena);
     (void)error;
-    if (number == 0) {
+    if (view->number == 0) {
         add_look(r->answer, r->look.text);
         add_timing(r->answer, r->times);
         parts_begin(stream, r->answer);
     }
     for (uint32_t i = 0; i < files->count; i++) {
         const struct zr_zip_entry *entry = &files->entries[i];
-        snprintf(file, sizeof file, "%s.%s", name, entry->name);
+        snprintf(file, sizeof file, "%s.%s", view->name, entry->name);
         const struct part part = {file, files->types[i], warnings, entry->bytes, entry->size};
         if (!parts_add(stream, &part)) return ZR_CANCELLED;
     }
@@ -309,7 +315,7 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     if (!views.set) return draw_one(r, views.scene, resolved, result, error);
-    return r->request->stream ? stream_several(r, &views, error) : draw_several(r, &views, result, error);
+    return is_stream(r, &views) ? stream_several(r, &views, error) : draw_several(r, &views, result, error);
 }
 
 static void answer_image(struct answer *answer, const struct zr_answer *result)

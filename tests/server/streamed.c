@@ -18,10 +18,11 @@ struct streamed streamed_begin(const struct daemon *daemon, const char *scene, i
     struct streamed streamed = {.fd = client_connect(daemon)};
     assert_true(streamed.fd >= 0);
     if (buffer > 0) assert_int_equal(setsockopt(streamed.fd, SOL_SOCKET, SO_RCVBUF, &buffer, sizeof buffer), 0);
-    const int length = snprintf(head, sizeof head,
-                                "POST /v1/render HTTP/1.1\r\nHost: a\r\nAccept: application/zip;q=0.5, multipart/mixed\r\n"
-                                JSON_TYPE "\r\nContent-Length: %zu\r\n\r\n",
-                                strlen(scene));
+    const int length =
+        snprintf(head, sizeof head,
+                 "POST /v1/render HTTP/1.1\r\nHost: a\r\nAccept: application/zip;q=0.5, multipart/mixed\r\n" JSON_TYPE
+                 "\r\nContent-Length: %zu\r\n\r\n",
+                 strlen(scene));
     assert_true(client_write(streamed.fd, head, (size_t)length));
     assert_true(client_write(streamed.fd, scene, strlen(scene)));
     return streamed;

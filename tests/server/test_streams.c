@@ -127,8 +127,8 @@ TEST(what_is_no_set_of_views_or_cannot_be_drawn_is_answered_as_ever)
 TEST(work_that_takes_too_long_ends_with_a_problem_and_no_final_delimiter)
 {
     char scene[1024];
-    struct daemon server = daemon_start(LIST(IS_SANITIZED ? "--render-timeout-ms=8000" : "--render-timeout-ms=1000",
-                                             "--cost-max-ms=86400000"));
+    struct daemon server = daemon_start(
+        LIST(IS_SANITIZED ? "--render-timeout-ms=8000" : "--render-timeout-ms=1000", "--cost-max-ms=86400000"));
     struct streamed streamed = streamed_begin(&server, scene_of(scene, 1000, 512, COLOR), 0);
     struct streamed_part part = {.size = 0};
     int count = 0;
@@ -156,8 +156,7 @@ static double time_of_leaving_ms(bool waits)
 {
     char scene[1024];
     struct daemon server = daemon_start(LIST(LET_IN));
-    struct streamed streamed =
-        streamed_begin(&server, scene_of(scene, 1000, 512, waits ? COLOR "," DEPTH : COLOR), 0);
+    struct streamed streamed = streamed_begin(&server, scene_of(scene, 1000, 512, waits ? COLOR "," DEPTH : COLOR), 0);
     struct tm time = {0};
     streamed_read_part(&streamed);
     if (waits) usleep(1000 * 1000);

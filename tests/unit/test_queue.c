@@ -260,8 +260,8 @@ TEST(jobs_that_step_aside_leave_their_places_to_others)
     task_init(&first, false);
     task_init(&second, false);
     task_init(&third, true);
-    struct queue *queue = queue_create(
-        &(struct queue_options){.workers = 1, .stand_ins = PAUSES, .capacity = 9, .calm_ms = PATIENCE_MS});
+    struct queue *queue =
+        queue_create(&(struct queue_options){.workers = 1, .stand_ins = PAUSES, .capacity = 9, .calm_ms = PATIENCE_MS});
     assert_non_null(queue);
     for (int i = 0; i < PAUSES; i++) {
         struct pause *pause = &pauses[i];
