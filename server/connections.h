@@ -5,6 +5,7 @@
  *
  *     IDLE -> HEADER -> BODY -> WORK -> WRITE -> IDLE
  *       BODY -> WRITE: answered without work
+ *       WORK -> WRITE: with the first bytes of a streamed answer, while work goes on
  *       WRITE -> HEADER: bytes of the next request are here already
  *       any of these but WORK -> REFUSED: answered without libmicrohttpd; bytes that still arrive are discarded
  *

@@ -1,5 +1,9 @@
 /* http_work.h - the way of a request from its last byte to its answer: queue, worker, and back to the loop. For http*.c
  * only.
+ *
+ * Streams: the worker reports an answer with its first bytes, then more bytes, then the end of its work. The loop sends
+ * bytes until there are none, and resumes at the next report. A client that leaves ends its exchange for libmicrohttpd
+ * at once; it is freed when its work has ended.
  */
 #ifndef ZRASTERD_HTTP_WORK_H
 #define ZRASTERD_HTTP_WORK_H
