@@ -8,6 +8,7 @@
 
 #include "accept.h"
 #include "clock.h"
+#include "http_end.h"
 #include "http_work.h"
 #include "log.h"
 #include "problem.h"
@@ -62,8 +63,6 @@ void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket
 
 /* ---- refusals ---- */
 
-static void log_exchange(struct exchange *exchange);
-
 /* Sends the answer now, while the client still sends, and discards the bytes that still arrive. */
 static void send_past_library(struct http *http, struct connection *connection, const struct answer *answer)
 {
@@ -82,7 +81,7 @@ static void reply_past_library(struct exchange *exchange)
     exchange->step = STEP_REFUSED;
     exchange->is_whole = true;
     exchange->bytes_out = answer->size;
-    log_exchange(exchange);
+    http_log_exchange(exchange);
     if (strcmp(exchange->method, "HEAD") == 0) answer_drop_bytes(answer);
     send_past_library(exchange->http, exchange->connection, answer);
     upload_free(&exchange->upload, &exchange->http->uploads);
@@ -139,50 +138,6 @@ void *http_on_request_line(void *context, const char *target, struct MHD_Connect
     exchange->request.path = exchange->target;
     exchange->connection->exchange = exchange;
     return exchange;
-}
-
-/* The times of work belong to the worker until it ends. */
-static void log_exchange(struct exchange *exchange)
-{
-    const char *detail = exchange->answer.detail;
-    if (exchange->logged || exchange->http->is_self_test) return;
-    exchange->logged = true;
-    if (exchange->client_left)
-        detail = "the client left";
-    else if (!exchange->answer.status)
-        detail = "the request was malformed or not whole";
-    else if (!exchange->is_working && exchange->stream.is_begun)
-        detail = exchange->made.detail;
-    log_request(&(struct log_request){
-        .id = exchange->request.id,
-        .remote = exchange->remote,
-        .method = exchange->method,
-        .path = exchange->request.path,
-        .query = exchange->request.query,
-        .traceparent = exchange->traceparent,
-        .detail = detail,
-        .status = exchange->replied ? exchange->answer.status : 0,
-        .aborted = !exchange->is_whole,
-        .bytes_in = exchange->body_bytes,
-        .bytes_out = exchange->bytes_out,
-        .total_ms = (double)(clock_us() - exchange->began_us) / 1000.0,
-        .times = exchange->is_working ? NO_STEP_TIMES : exchange->times,
-    });
-}
-
-void http_close_exchange(struct exchange *exchange)
-{
-    struct http *http = exchange->http;
-    log_exchange(exchange);
-    atomic_fetch_sub(&http->answer_bytes, exchange->answer_bytes);
-    upload_free(&exchange->upload, &http->uploads);
-    if (exchange->request.stream) stream_free(&exchange->stream);
-    request_free(&exchange->request);
-    answer_free(&exchange->answer);
-    answer_free(&exchange->made);
-    free(exchange->target);
-    if (exchange->opened) http->in_flight--;
-    free(exchange);
 }
 
 void http_on_completed(void *context, struct MHD_Connection *mhd, void **slot, enum MHD_RequestTerminationCode code)

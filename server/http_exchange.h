@@ -14,9 +14,6 @@ enum MHD_Result http_on_request(void *http, struct MHD_Connection *connection, c
 void http_on_completed(void *http, struct MHD_Connection *connection, void **exchange,
                        enum MHD_RequestTerminationCode code);
 
-/* Logs and frees an exchange that is over, for libmicrohttpd and for workers. */
-void http_close_exchange(struct exchange *exchange);
-
 /* Refuses the bytes that the connection sends, whether or not its request is known. Sends the answer without
  * libmicrohttpd and closes the sending half. */
 void http_refuse(struct http *http, struct connection *connection, int status, const char *detail);

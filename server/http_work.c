@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include "clock.h"
-#include "http_exchange.h"
+#include "http_end.h"
 #include "parts.h"
 #include "problem.h"
 #include "router.h"
