@@ -11,7 +11,9 @@ void http_log_exchange(struct exchange *exchange)
     const char *detail = exchange->answer.detail;
     if (exchange->logged || exchange->http->is_self_test) return;
     exchange->logged = true;
-    if (exchange->client_left)
+    if (exchange->was_slow)
+        detail = "the answer was read too slowly";
+    else if (exchange->client_left)
         detail = "the client left";
     else if (!exchange->answer.status)
         detail = "the request was malformed or not whole";

@@ -218,6 +218,8 @@ static void end_overdue(struct http *http, struct connection *connection, int64_
         http_cancel_work(connection->exchange);
         break;
     case OVERDUE_READER:
+        if (connection->exchange) connection->exchange->was_slow = true;
+        /* fall through */
     case OVERDUE_CLOSE:
         shutdown(connection->fd, SHUT_RDWR);
         connection->deadline_ms = INT64_MAX;

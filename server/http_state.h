@@ -66,6 +66,7 @@ struct exchange {
     char remote[INET6_ADDRSTRLEN];
     enum step step;
     bool opened, replied, logged, client_left;
+    bool was_slow;     /* the client read the answer too slowly */
     bool is_working;   /* from its place in the queue until the loop learns that work has ended */
     bool is_suspended; /* a stream has no bytes */
     bool is_over;      /* for libmicrohttpd; the connection may be gone */
