@@ -538,6 +538,7 @@ $(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a $(BUILD)/libcore.
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
 $(BUILD)/tests/unit/test_framing: $(BUILD)/server/framing.o
+$(BUILD)/tests/unit/test_accept: $(BUILD)/server/accept.o
 $(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o
 $(BUILD)/tests/unit/test_queue: $(BUILD)/server/queue.o
 $(BUILD)/tests/unit/test_images: $(BUILD)/server/images.o $(BUILD)/server/kept.o
@@ -556,6 +557,7 @@ $(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/support/
 
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
+$(BUILD)/tests/server/test_streams: $(BUILD)/clients/unzip.o
 
 # Where there is no compiler, it is said so once, and what brings one.
 missing_compiler := $(if $(macros),,compiler)

@@ -2,11 +2,12 @@
  *
  *     zr_views_read   bytes  -> scene, and the views it asks for
  *     zr_views_plan   views  -> their cost, before any is drawn
- *     zr_views_draw   views  -> files
+ *     zr_views_draw   views  -> files, all at the end
+ *     zr_views_draw_each     -> files, as soon as a view is drawn
  *
  * Exact:   each view equals that of a request for it alone, byte for byte.
  * Memory:  a few views are drawn at once, each in an arena of its own within the request's memory. It depends on the
- *          sizes of the windows, not on the number of views; only the files stay.
+ *          sizes of the windows, not on the number of views. Only zr_views_draw keeps their files.
  */
 #ifndef ZR_VIEWS_H
 #define ZR_VIEWS_H
@@ -46,6 +47,25 @@ struct zr_views zr_views_of_kept(const struct zr_kept *kept);
  * together than limits.view_pixels_max. */
 enum zr_status zr_views_plan(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
                              const struct zr_cancel *cancel, struct zr_error *error);
+
+/* A view and its files, whose names are channel.extension. All of it is valid until `take` returns. */
+struct zr_drawn_view {
+    uint32_t number;
+    const char *name; /* of its files, without the channel */
+    const struct zr_files *files;
+    const struct zr_frame *frame;
+};
+
+struct zr_views_taker {
+    /* Another status than ZR_OK ends the drawing. */
+    enum zr_status (*take)(void *context, const struct zr_drawn_view *view, struct zr_error *error);
+    void *context;
+};
+
+/* Draws and encodes all views, and hands them on in order, on the thread of the call. No file is joined, not even on a
+ * sheet. Nothing is drawn while `take` runs. Errors: those of zr_render, zr_encode and `take`. */
+enum zr_status zr_views_draw_each(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
+                                  const struct zr_cancel *cancel, struct zr_views_taker taker, struct zr_error *error);
 
 /* Draws and encodes all views. Files are NAME.channel.extension, one for each view and output, with these exceptions:
  * outputs with the encoding apng are one animation, and arrays (npy) of windows of one size are one array, whose first

@@ -51,6 +51,8 @@ static const struct setting SETTINGS[] = {
     {"max-per-private-client", NUMBER, AT(max_per_private_client), true, 0, 0, 65536, NULL, "requests",
      "in flight per address of this machine or of a private network; 0: no limit"},
     {"max-connections", NUMBER, AT(max_connections), true, 1024, 8, 65536, NULL, "", "open connections"},
+    {"max-streams", NUMBER, AT(max_streams), true, 16, 1, 256, NULL, "answers",
+     "streamed at once; each has a thread, which waits while its reader is slow"},
     {"body-max-bytes", NUMBER, AT(body_max_bytes), true, 64 * MIB, 1, 4 * GIB, NULL, "bytes", "of one request body"},
     {"upload-memory-bytes", NUMBER, AT(upload_memory_bytes), true, 512 * MIB, 1, 1024 * GIB, NULL, "bytes",
      "of all request bodies held at once; their pages may take up to twice that"},

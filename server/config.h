@@ -26,7 +26,7 @@ struct config {
     char isa[CONFIG_TEXT_SIZE];        /* "auto", or an instruction set of this machine */
     uint64_t port;                     /* 0: any free port */
 
-    uint64_t workers, threads, queue, max_per_client, max_per_private_client, max_connections;
+    uint64_t workers, threads, queue, max_per_client, max_per_private_client, max_connections, max_streams;
 
     uint64_t body_max_bytes, upload_memory_bytes, request_memory_bytes, keep_memory_bytes, answer_memory_bytes;
     uint64_t keep_image_bytes, keep_mesh_bytes;

@@ -12,7 +12,7 @@ enum {
     TICK_MS = 50,
     TICK_IDLE_MS = 1000,
     RATE_GRACE_MS = 5000, /* before the rate of a body or of a reader is measured */
-    CREDIT_MS = 20000,    /* longest time without reading that a fast reader can earn */
+    CREDIT_MS = 20500,    /* longest time without reading that a fast reader can earn: 20 s, and to begin again */
     LINGER_MS = 2000, /* a refused client may go on sending: closing at once would reset the connection before it reads
                          the refusal */
     JUST_BEGUN_MS = 50, /* a younger connection may have sent bytes that are not read yet */
@@ -156,6 +156,12 @@ void connections_enter(struct connections *connections, struct connection *conne
     }
     /* PHASE_HEADER, too: bytes of it may have come with the request before. */
     if (is_waiting(phase) || phase == PHASE_REFUSED) connections_release(connection);
+}
+
+void connections_pause(struct connection *connection, int64_t ms)
+{
+    connection->deadline_ms += ms;
+    connection->credit_until_ms += ms;
 }
 
 bool connections_admit(struct connections *connections, struct connection *connection, uint64_t *most)

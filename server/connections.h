@@ -5,6 +5,7 @@
  *
  *     IDLE -> HEADER -> BODY -> WORK -> WRITE -> IDLE
  *       BODY -> WRITE: answered without work
+ *       WORK -> WRITE: with the first bytes of a streamed answer, while work goes on
  *       WRITE -> HEADER: bytes of the next request are here already
  *       any of these but WORK -> REFUSED: answered without libmicrohttpd; bytes that still arrive are discarded
  *
@@ -71,6 +72,9 @@ struct connection *connections_find(const struct connections *connections, int f
 
 /* Enters a phase and starts its time. */
 void connections_enter(struct connections *connections, struct connection *connection, enum phase phase);
+
+/* Gives a reader in PHASE_WRITE more time, since there was nothing to read. */
+void connections_pause(struct connection *connection, int64_t ms);
 
 /* Counts the request as in flight. False: its client has `most` requests in flight, its maximum (0: no maximum). */
 bool connections_admit(struct connections *connections, struct connection *connection, uint64_t *most);

@@ -77,7 +77,7 @@ static struct MHD_Daemon *start_daemon(struct http *http)
 static void stop(struct http *http)
 {
     queue_stop(http->queue); /* not destroyed: kept connections may still call it */
-    http_take_finished(http);
+    http_take_reports(http);
     MHD_run(http->daemon);
     MHD_stop_daemon(http->daemon);
     http->daemon = NULL;
@@ -114,6 +114,7 @@ static bool start(struct http *http, char *message, size_t message_size)
     http->wake_fd = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     http->queue = queue_create(&(struct queue_options){
         .workers = (size_t)config->workers,
+        .stand_ins = (size_t)config->max_streams,
         .capacity = (size_t)config->queue,
         .request_memory_bytes = (size_t)config->request_memory_bytes,
         .keep_memory_bytes = (size_t)config->keep_memory_bytes,

@@ -1,7 +1,7 @@
 /* http.h - the HTTP side of the daemon: listens, receives requests, sends answers.
  *
  * Only http*.c include microhttpd.h. One thread, the loop, serves all connections. While a worker has a request,
- * libmicrohttpd suspends its connection.
+ * libmicrohttpd suspends its connection; a streamed answer (stream.h) resumes it whenever there are bytes.
  */
 #ifndef ZRASTERD_HTTP_H
 #define ZRASTERD_HTTP_H

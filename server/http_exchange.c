@@ -6,15 +6,18 @@
 #include <strings.h>
 #include <sys/socket.h>
 
+#include "accept.h"
 #include "clock.h"
+#include "http_end.h"
 #include "http_work.h"
 #include "log.h"
 #include "problem.h"
 #include "router.h"
 
 /* DISCARD_MAX: a refused body of up to so many bytes is read to its end to keep the connection; a longer one takes more
- * time than a new connection. COMING_MS: see count_coming. */
-enum { DISCARD_MAX = 32 << 10, COMING_MS = 500 };
+ * time than a new connection. COMING_MS: see count_coming. STREAM_BLOCK: libmicrohttpd takes less if its memory of the
+ * connection is less. */
+enum { DISCARD_MAX = 32 << 10, COMING_MS = 500, STREAM_BLOCK = 64 << 10 };
 
 static struct connection *connection_of(struct MHD_Connection *mhd)
 {
@@ -60,8 +63,6 @@ void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket
 
 /* ---- refusals ---- */
 
-static void log_exchange(struct exchange *exchange, bool completed);
-
 /* Sends the answer now, while the client still sends, and discards the bytes that still arrive. */
 static void send_past_library(struct http *http, struct connection *connection, const struct answer *answer)
 {
@@ -78,7 +79,9 @@ static void reply_past_library(struct exchange *exchange)
     if (answer->is_broken) answer_to_no_memory(answer);
     answer->close = exchange->replied = true;
     exchange->step = STEP_REFUSED;
-    log_exchange(exchange, true);
+    exchange->is_whole = true;
+    exchange->bytes_out = answer->size;
+    http_log_exchange(exchange);
     if (strcmp(exchange->method, "HEAD") == 0) answer_drop_bytes(answer);
     send_past_library(exchange->http, exchange->connection, answer);
     upload_free(&exchange->upload, &exchange->http->uploads);
@@ -131,35 +134,10 @@ void *http_on_request_line(void *context, const char *target, struct MHD_Connect
         free(exchange);
         return NULL;
     }
+    snprintf(exchange->remote, sizeof exchange->remote, "%s", exchange->connection->address);
     exchange->request.path = exchange->target;
     exchange->connection->exchange = exchange;
     return exchange;
-}
-
-static void log_exchange(struct exchange *exchange, bool completed)
-{
-    const char *detail = exchange->answer.detail;
-    if (exchange->logged || exchange->http->is_self_test) return;
-    exchange->logged = true;
-    if (exchange->client_left)
-        detail = "the client left";
-    else if (!exchange->answer.status)
-        detail = "the request was malformed or not whole";
-    log_request(&(struct log_request){
-        .id = exchange->request.id,
-        .remote = exchange->connection->address,
-        .method = exchange->method,
-        .path = exchange->request.path,
-        .query = exchange->request.query,
-        .traceparent = exchange->traceparent,
-        .detail = detail,
-        .status = exchange->replied ? exchange->answer.status : 0,
-        .aborted = !completed,
-        .bytes_in = exchange->body_bytes,
-        .bytes_out = completed ? exchange->answer.size : (size_t)connections_taken(exchange->connection),
-        .total_ms = (double)(clock_us() - exchange->began_us) / 1000.0,
-        .times = exchange->times,
-    });
 }
 
 void http_on_completed(void *context, struct MHD_Connection *mhd, void **slot, enum MHD_RequestTerminationCode code)
@@ -170,16 +148,15 @@ void http_on_completed(void *context, struct MHD_Connection *mhd, void **slot, e
     if (!exchange) return;
     *slot = NULL;
     struct connection *connection = exchange->connection;
-    log_exchange(exchange, exchange->replied && code == MHD_REQUEST_TERMINATED_COMPLETED_OK);
-    atomic_fetch_sub(&http->answer_bytes, exchange->answer_bytes);
-    upload_free(&exchange->upload, &http->uploads);
-    request_free(&exchange->request);
-    answer_free(&exchange->answer);
-    free(exchange->target);
-    if (exchange->opened) http->in_flight--;
     const bool is_last = exchange->is_last;
-    free(exchange);
+    exchange->is_whole = exchange->replied && code == MHD_REQUEST_TERMINATED_COMPLETED_OK;
+    exchange->bytes_out = exchange->is_whole ? exchange->answer.size : connections_taken(connection);
+    exchange->is_over = true;
     connection->exchange = NULL;
+    if (exchange->is_working) /* on a streamed answer: closed once it ends */
+        http_cut_stream(exchange);
+    else
+        http_close_exchange(exchange);
     connection->answered++;
     if (connection->phase == PHASE_REFUSED) return;
     connections_enter(&http->connections, connection,
@@ -196,10 +173,13 @@ static ssize_t no_bytes(void *context, uint64_t position, char *bytes, size_t si
 }
 
 /* Takes ownership of the answer's bytes or file. */
-static struct MHD_Response *create_response(struct answer *answer)
+static struct MHD_Response *create_response(struct exchange *exchange)
 {
+    struct answer *answer = &exchange->answer;
     struct MHD_Response *response;
-    if (answer->file > 0)
+    if (exchange->stream.is_begun)
+        response = MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, STREAM_BLOCK, http_read_stream, exchange, NULL);
+    else if (answer->file > 0)
         response = MHD_create_response_from_fd64(answer->size, answer->file);
     else if (answer->bytes || answer->size == 0)
         response = MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_MUST_FREE);
@@ -231,7 +211,7 @@ static enum MHD_Result reply(struct exchange *exchange)
     router_finish(answer, exchange->request.id);
     answer->close |= atomic_load(&http->draining);
     exchange->file = answer->file;
-    struct MHD_Response *response = answer->is_broken ? NULL : create_response(answer);
+    struct MHD_Response *response = answer->is_broken ? NULL : create_response(exchange);
     enum MHD_Result result = MHD_NO;
     if (response && add_headers(response, answer))
         result = MHD_queue_response(exchange->mhd, (unsigned)answer->status, response);
@@ -279,6 +259,13 @@ static void get_load(struct http *http, uint64_t body_bytes, struct load *load)
 
 /* ---- requests ---- */
 
+static enum MHD_Result read_accept(void *accept, enum MHD_ValueKind kind, const char *name, const char *value)
+{
+    (void)kind;
+    if (value && strcasecmp(name, "Accept") == 0) accept_read(accept, value);
+    return MHD_YES;
+}
+
 static const char *header(struct exchange *exchange, const char *name)
 {
     return MHD_lookup_connection_value(exchange->mhd, MHD_HEADER_KIND, name);
@@ -293,7 +280,10 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.content_encoding = header(exchange, "Content-Encoding");
     exchange->request.authorization = header(exchange, "Authorization");
     exchange->request.if_none_match = header(exchange, "If-None-Match");
+    struct accept accept = {0};
     exchange->request.accept = header(exchange, "Accept");
+    MHD_get_connection_values(exchange->mhd, MHD_HEADER_KIND, read_accept, &accept);
+    exchange->request.accepts_stream = accept_wants_stream(&accept);
     const char *trace = header(exchange, "traceparent");
     if (trace && log_is_traceparent(trace)) snprintf(exchange->traceparent, TRACEPARENT_SIZE, "%s", trace);
     request_take_id(&exchange->request, http->service, header(exchange, "X-Request-Id"));

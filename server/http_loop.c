@@ -146,6 +146,10 @@ static void client_left(struct http *http, struct connection *connection)
     connection->has_left = true;
     if (connection->phase == PHASE_WORK && !connection->exchange->client_left)
         http_abandon_work(http, connection->exchange);
+    if (connection->exchange && http_is_streaming(connection->exchange)) {
+        connection->exchange->client_left = true;
+        http_cut_stream(connection->exchange);
+    }
     if (connection->phase == PHASE_REFUSED) shutdown(connection->fd, SHUT_RDWR);
 }
 
@@ -185,6 +189,15 @@ static bool is_cut_off(const struct connection *connection)
            (uint64_t)info.st_size < exchange->answer.size;
 }
 
+/* Ends work that took too long while its answer is streamed. Returns true if the reader waits for bytes. */
+static bool stream_rests(const struct connection *connection, int64_t now)
+{
+    struct exchange *exchange = connection->exchange;
+    if (!exchange || !http_is_streaming(exchange)) return false;
+    if (now >= http_work_deadline_ms(exchange)) http_cancel_work(exchange);
+    return exchange->is_suspended;
+}
+
 static void end_overdue(struct http *http, struct connection *connection, int64_t now)
 {
     /* Most clients read their refusal while they send, and leave. Others send to the end: their bytes are discarded
@@ -193,6 +206,7 @@ static void end_overdue(struct http *http, struct connection *connection, int64_
     if (has_ended(connection) || is_cut_off(connection))
         shutdown(connection->fd, SHUT_RDWR); /* recv() or send() reports it to libmicrohttpd */
     if (connection->phase == PHASE_WORK) connection->deadline_ms = http_work_deadline_ms(connection->exchange);
+    if (stream_rests(connection, now)) return;
     switch (connections_overdue(&http->connections, connection, now)) {
     case OVERDUE_NO:
         break;
@@ -204,6 +218,8 @@ static void end_overdue(struct http *http, struct connection *connection, int64_
         http_cancel_work(connection->exchange);
         break;
     case OVERDUE_READER:
+        if (connection->exchange) connection->exchange->was_slow = true;
+        /* fall through */
     case OVERDUE_CLOSE:
         shutdown(connection->fd, SHUT_RDWR);
         connection->deadline_ms = INT64_MAX;
@@ -239,7 +255,7 @@ static void cut_short(struct http *http, int64_t now)
     atomic_store(&http->cut_short, true);
     http->cut_ms = now;
     for (struct connection *c = http->connections.first; c; c = c->next) {
-        if (c->phase == PHASE_WORK) http_cancel_work(c->exchange);
+        if (c->phase == PHASE_WORK || (c->exchange && http_is_streaming(c->exchange))) http_cancel_work(c->exchange);
         if (c->phase == PHASE_BODY) http_refuse(http, c, 503, "the service is going down");
     }
 }
@@ -255,8 +271,10 @@ static bool drain(struct http *http, int64_t now)
         cut_short(http, now);
     if (http->cut_ms == 0 || now - http->cut_ms < CANCEL_MS) return false;
     if (!http->sockets_cut)
-        for (struct connection *c = http->connections.first; c; c = c->next)
+        for (struct connection *c = http->connections.first; c; c = c->next) {
+            if (c->exchange && http_is_streaming(c->exchange)) http_cut_stream(c->exchange);
             shutdown(c->fd, SHUT_RDWR);
+        }
     http->sockets_cut = true;
     return now - http->cut_ms >= 2 * CANCEL_MS;
 }
@@ -294,7 +312,7 @@ void http_loop_run(struct http *http)
         const int tick = tick_ms(http);
         const int count = epoll_wait(http->epoll_fd, events, EVENTS, wait_ms(http));
         take_events(http, events, count);
-        http_take_finished(http);
+        http_take_reports(http);
         MHD_run(http->daemon);
         const int64_t now = clock_ms();
         if (tick >= 0 && now - checked_ms >= tick) {

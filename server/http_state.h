@@ -11,11 +11,12 @@
 #include "connections.h"
 #include "queue.h"
 #include "request.h"
+#include "stream.h"
 #include "upload.h"
 
 struct exchange;
 
-/* Belongs to the thread of the loop (http_loop.h), except atomic members, the queue, and `finished` with its lock. */
+/* Belongs to the thread of the loop (http_loop.h), except atomic members, the queue, and `reports` with its lock. */
 struct http {
     const struct config *config;
     struct service *service;
@@ -29,14 +30,15 @@ struct http {
     bool listener_rests; /* no descriptor, or no place, for a new connection */
     bool is_self_test;   /* logs nothing */
     struct upload_budget uploads;
-    atomic_size_t answer_bytes;     /* of finished answers that are not sent yet */
+    atomic_size_t answer_bytes;     /* of answers that are not sent yet */
+    atomic_size_t streams;          /* works that may stream their answers */
     size_t in_flight;               /* exchanges with a complete header */
     int64_t drain_began_ms, cut_ms; /* 0: not yet */
     bool sockets_cut;
     atomic_bool draining, cut_short; /* cut_short: the drain timeout has passed */
 
     pthread_mutex_t lock;
-    struct exchange *finished; /* list, from workers to the loop */
+    struct exchange *reports; /* list, from workers to the loop */
 };
 
 /* Connections beyond max-connections for health checks from this machine. */
@@ -53,14 +55,24 @@ enum step {
     STEP_ANSWER   /* a worker makes or has made the answer */
 };
 
-/* One request and its answer, from the request line to the last byte. */
+/* One request and its answer, from the request line to the last byte, or to the end of work on a streamed answer whose
+ * reader left. */
 struct exchange {
     struct http *http;
     struct MHD_Connection *mhd;
     struct connection *connection;
-    struct exchange *next; /* in http->finished */
+    struct exchange *next;                   /* in http->reports */
+    bool is_reported, has_answer, has_ended; /* with http->lock: in the list, since there is an answer or work ended */
+    char remote[INET6_ADDRSTRLEN];
     enum step step;
     bool opened, replied, logged, client_left;
+    bool was_slow;     /* the client read the answer too slowly */
+    bool is_working;   /* from its place in the queue until the loop learns that work has ended */
+    bool is_suspended; /* a stream has no bytes */
+    bool is_over;      /* for libmicrohttpd; the connection may be gone */
+    bool is_whole;     /* the client has the whole answer */
+    uint64_t bytes_out;
+    int64_t suspended_ms;
     bool is_last; /* the client ends the connection after this request: bytes behind it are no request */
     char *target; /* path and query, split by a zero once the header is complete */
     char method[METHOD_SIZE], traceparent[TRACEPARENT_SIZE];
@@ -71,6 +83,10 @@ struct exchange {
     int file;                           /* of the answer during sending; libmicrohttpd closes it; 0: none */
     struct request request;
     struct answer answer;
+    struct answer made; /* for the worker; of a stream, the problem that ended it */
+    struct stream stream;
+    bool has_stream;  /* for the worker: counts in http->streams */
+    int64_t spent_ms; /* for the worker: of its time before it waits for the reader */
     struct upload upload;
     struct queue_job job;
     struct zr_cancel cancel;

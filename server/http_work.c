@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include "clock.h"
+#include "http_end.h"
+#include "parts.h"
 #include "problem.h"
 #include "router.h"
 
@@ -18,50 +20,86 @@ bool http_answers_are_full(struct http *http)
     return atomic_load(&http->answer_bytes) >= http->config->answer_memory_bytes;
 }
 
-/* Returns the exchange to the loop: libmicrohttpd will call for its answer. */
-static void finish_work(struct exchange *exchange)
-{
-    struct http *http = exchange->http;
-    if (exchange->client_left) answer_free(&exchange->answer);
-    upload_free(&exchange->upload, &http->uploads);
-    connections_enter(&http->connections, exchange->connection, PHASE_WRITE);
-    MHD_resume_connection(exchange->mhd);
-}
-
-void http_take_finished(struct http *http)
-{
-    pthread_mutex_lock(&http->lock);
-    struct exchange *exchange = http->finished;
-    http->finished = NULL;
-    pthread_mutex_unlock(&http->lock);
-    while (exchange) {
-        struct exchange *next = exchange->next;
-        finish_work(exchange);
-        exchange = next;
-    }
-}
-
 /* ---- on a worker ---- */
 
-/* The loop resumes the connection: libmicrohttpd 0.9.75 can miss it if another thread resumes it during a run. */
-static void hand_over(struct exchange *exchange)
+/* Puts the exchange on the list of the loop. It resumes the connection: libmicrohttpd 0.9.75 can miss it if another
+ * thread resumes it during a run. If work has ended, the exchange may be gone at once. */
+static void report(struct exchange *exchange, bool has_answer, bool has_ended)
 {
     static const uint64_t ONE = 1;
     struct http *http = exchange->http;
-    exchange->answer_bytes = exchange->answer.bytes ? exchange->answer.size : 0;
-    atomic_fetch_add(&http->answer_bytes, exchange->answer_bytes);
     pthread_mutex_lock(&http->lock);
-    const bool was_empty = !http->finished;
-    exchange->next = http->finished;
-    http->finished = exchange;
+    const bool was_empty = !http->reports;
+    exchange->has_answer |= has_answer;
+    exchange->has_ended |= has_ended;
+    if (!exchange->is_reported) {
+        exchange->is_reported = true;
+        exchange->next = http->reports;
+        http->reports = exchange;
+    }
     pthread_mutex_unlock(&http->lock);
     if (was_empty) (void)!write(http->wake_fd, &ONE, sizeof ONE);
 }
 
+static void hand_over(struct exchange *exchange, struct answer *answer, size_t bytes, bool has_ended)
+{
+    exchange->answer = *answer;
+    *answer = (struct answer){0};
+    exchange->answer_bytes = bytes;
+    atomic_fetch_add(&exchange->http->answer_bytes, bytes);
+    report(exchange, true, has_ended);
+}
+
+/* ---- of a stream, on a worker ---- */
+
+static bool open_stream(void *context)
+{
+    struct exchange *exchange = context;
+    struct http *http = exchange->http;
+    exchange->has_stream = atomic_fetch_add(&http->streams, 1) < http->config->max_streams;
+    if (!exchange->has_stream) atomic_fetch_sub(&http->streams, 1);
+    return exchange->has_stream;
+}
+
+static void begin_stream(void *context, struct answer *answer)
+{
+    hand_over(context, answer, STREAM_ROOM, false);
+}
+
+static void wake_reader(void *context)
+{
+    report(context, false, false);
+}
+
+/* While work waits for the reader, its time stands still. */
+static void wait_for_reader(void *context, bool begins)
+{
+    struct exchange *exchange = context;
+    struct queue *queue = exchange->http->queue;
+    if (begins) {
+        exchange->spent_ms = clock_ms() - atomic_load(&exchange->work_began_ms);
+        atomic_store(&exchange->work_began_ms, 0);
+        queue_step_aside(queue, &exchange->job);
+    } else {
+        queue_step_back(queue, &exchange->job);
+        atomic_store(&exchange->work_began_ms, clock_ms() - exchange->spent_ms);
+    }
+}
+
+static void prepare_stream(struct exchange *exchange)
+{
+    const struct stream_owner owner = {open_stream, begin_stream, wake_reader, wait_for_reader, exchange};
+    if (!exchange->request.accepts_stream) return;
+    stream_init(&exchange->stream, &owner);
+    exchange->request.stream = &exchange->stream;
+}
+
+/* ---- work ---- */
+
 static enum request_next begin(struct exchange *exchange, struct zr_arena *arena)
 {
     return router_work(exchange->http->service, &exchange->request, arena, &exchange->cancel, &exchange->times,
-                       &exchange->answer);
+                       &exchange->made);
 }
 
 /* Moves a large request from the express to the workers. True: it belongs to the queue. */
@@ -78,7 +116,7 @@ static bool put_back(struct exchange *exchange, struct zr_arena *arena)
     }
     exchange->times = NO_STEP_TIMES;
     if (queue_put_back(http->queue, &exchange->job)) return true;
-    problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), "the queue is full");
+    problem_busy(&exchange->made, queue_wait_estimate_s(http->queue, QUEUE_LARGE), "the queue is full");
     return false;
 }
 
@@ -86,23 +124,109 @@ static void work(struct queue_job *job, struct zr_arena *arena)
 {
     struct exchange *exchange = (struct exchange *)(void *)((char *)job - offsetof(struct exchange, job));
     struct http *http = exchange->http;
+    struct answer *made = &exchange->made;
     exchange->times.queue_ms = (double)(clock_us() - job->pushed_us) / 1000.0;
     atomic_store(&exchange->work_began_ms, clock_ms());
     exchange->request.small_only = job->overdue != NULL;
     exchange->cancel.parent = job->overdue;
     bool cancelled = atomic_load(&exchange->cancel.raised);
     if (!cancelled && !exchange->request.asset && http_answers_are_full(http)) /* assets take no memory */
-        problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), ANSWERS_FULL);
+        problem_busy(made, queue_wait_estimate_s(http->queue, QUEUE_LARGE), ANSWERS_FULL);
     else if (!cancelled && begin(exchange, arena) == REQUEST_LARGE && put_back(exchange, arena))
         return;
-    if (atomic_load(&http->cut_short) && (cancelled || exchange->answer.status == 504)) {
-        answer_free(&exchange->answer);
-        problem_busy(&exchange->answer, 1, "the service went down");
+    if (atomic_load(&http->cut_short) && (cancelled || made->status == 504)) {
+        answer_free(made);
+        problem_busy(made, 1, "the service went down");
     }
-    hand_over(exchange);
+    if (exchange->has_stream) atomic_fetch_sub(&http->streams, 1);
+    if (exchange->stream.is_begun) {
+        parts_end(&exchange->stream, made);
+        report(exchange, false, true);
+    } else {
+        hand_over(exchange, made, made->bytes ? made->size : 0, true);
+    }
 }
 
 /* ---- on the loop ---- */
+
+bool http_is_streaming(const struct exchange *exchange)
+{
+    return exchange->is_working && exchange->connection->phase == PHASE_WRITE;
+}
+
+/* The reader's time stood still while there was nothing to read. */
+static void resume_stream(struct exchange *exchange)
+{
+    if (!exchange->is_suspended) return;
+    exchange->is_suspended = false;
+    connections_pause(exchange->connection, clock_ms() - exchange->suspended_ms);
+    MHD_resume_connection(exchange->mhd);
+}
+
+ssize_t http_read_stream(void *context, uint64_t position, char *bytes, size_t size)
+{
+    struct exchange *exchange = context;
+    const ptrdiff_t count = stream_read(&exchange->stream, bytes, size);
+    (void)position;
+    if (count == STREAM_AT_END) return MHD_CONTENT_READER_END_OF_STREAM;
+    if (count == STREAM_AT_BREAK) return MHD_CONTENT_READER_END_WITH_ERROR;
+    exchange->answer.size += (size_t)count;
+    if (count > 0) return count;
+    exchange->is_suspended = true;
+    exchange->suspended_ms = clock_ms();
+    MHD_suspend_connection(exchange->mhd);
+    return 0;
+}
+
+void http_cut_stream(struct exchange *exchange)
+{
+    http_cancel_work(exchange);
+    if (exchange->request.stream) stream_close(&exchange->stream);
+    if (!exchange->is_over) resume_stream(exchange);
+}
+
+/* Returns a connection to libmicrohttpd, which will call for its answer. */
+static void begin_answer(struct exchange *exchange)
+{
+    if (exchange->client_left) answer_free(&exchange->answer);
+    connections_enter(&exchange->http->connections, exchange->connection, PHASE_WRITE);
+    MHD_resume_connection(exchange->mhd);
+}
+
+static void end_work(struct exchange *exchange)
+{
+    exchange->is_working = false;
+    upload_free(&exchange->upload, &exchange->http->uploads);
+}
+
+static struct exchange *take_report(struct http *http, bool *has_answer, bool *has_ended)
+{
+    pthread_mutex_lock(&http->lock);
+    struct exchange *exchange = http->reports;
+    if (exchange) {
+        http->reports = exchange->next;
+        *has_answer = exchange->has_answer;
+        *has_ended = exchange->has_ended;
+        exchange->is_reported = exchange->has_answer = exchange->has_ended = false;
+    }
+    pthread_mutex_unlock(&http->lock);
+    return exchange;
+}
+
+void http_take_reports(struct http *http)
+{
+    struct exchange *exchange;
+    bool has_answer = false, has_ended = false;
+    while ((exchange = take_report(http, &has_answer, &has_ended))) {
+        if (has_ended) end_work(exchange);
+        if (exchange->is_over && has_ended)
+            http_close_exchange(exchange);
+        else if (has_answer)
+            begin_answer(exchange);
+        else if (!exchange->is_over)
+            resume_stream(exchange);
+    }
+}
 
 int64_t http_work_deadline_ms(const struct exchange *exchange)
 {
@@ -118,8 +242,10 @@ void http_cancel_work(struct exchange *exchange)
 void http_abandon_work(struct http *http, struct exchange *exchange)
 {
     exchange->client_left = true;
-    http_cancel_work(exchange);
-    if (queue_remove(http->queue, &exchange->job)) finish_work(exchange);
+    http_cut_stream(exchange);
+    if (!queue_remove(http->queue, &exchange->job)) return;
+    end_work(exchange);
+    begin_answer(exchange);
 }
 
 enum MHD_Result http_begin_work(struct exchange *exchange)
@@ -136,10 +262,13 @@ enum MHD_Result http_begin_work(struct exchange *exchange)
     connections_enter(&http->connections, exchange->connection, PHASE_WORK);
     /* Suspended before it is pushed: a worker may finish before queue_push returns. */
     MHD_suspend_connection(exchange->mhd);
+    prepare_stream(exchange);
+    exchange->is_working = true;
     enum queue_lane lane = http_lane_of(exchange->upload.size);
     if (!queue_push(http->queue, &exchange->job, lane)) {
         problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, lane), "the queue is full");
-        finish_work(exchange);
+        end_work(exchange);
+        begin_answer(exchange);
     }
     return MHD_YES;
 }

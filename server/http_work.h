@@ -1,5 +1,9 @@
 /* http_work.h - the way of a request from its last byte to its answer: queue, worker, and back to the loop. For http*.c
  * only.
+ *
+ * Streams: the worker reports an answer with its first bytes, then more bytes, then the end of its work. The loop sends
+ * bytes until there are none, and resumes at the next report. A client that leaves ends its exchange for libmicrohttpd
+ * at once; it is freed when its work has ended.
  */
 #ifndef ZRASTERD_HTTP_WORK_H
 #define ZRASTERD_HTTP_WORK_H
@@ -12,11 +16,21 @@ enum queue_lane http_lane_of(uint64_t body_bytes);
 /* Begins work on a complete body. Suspends the connection until its answer is ready. */
 enum MHD_Result http_begin_work(struct exchange *exchange);
 
-/* Sends the answers of finished work. On the thread of the loop, like all functions below. */
-void http_take_finished(struct http *http);
+/* Sends answers that workers have made, and bytes of those that they stream. On the thread of the loop, like all
+ * functions below. */
+void http_take_reports(struct http *http);
 
 /* Ends the work on a request whose client left. */
 void http_abandon_work(struct http *http, struct exchange *exchange);
+
+/* Returns true if a worker still makes the answer, whose first bytes may be sent. */
+bool http_is_streaming(const struct exchange *exchange);
+
+/* Reads bytes of a streamed answer for libmicrohttpd. */
+ssize_t http_read_stream(void *exchange, uint64_t position, char *bytes, size_t size);
+
+/* Ends a streamed answer that nobody reads, and the work on it. */
+void http_cut_stream(struct exchange *exchange);
 
 /* Cancels work that took too long. */
 void http_cancel_work(struct exchange *exchange);

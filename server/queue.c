@@ -23,10 +23,11 @@ struct worker {
     pthread_t thread;
     pthread_cond_t wake;
     bool is_express;
-    bool is_idle; /* waits in the stack; the thread that takes it out wakes it */
-    bool is_busy; /* has a job from `lane` */
+    bool is_idle;  /* waits in the stack; the thread that takes it out wakes it */
+    bool is_busy;  /* has a job from `lane` */
+    bool is_aside; /* has a job that waits, and no place */
     enum queue_lane lane;
-    int64_t began_us;
+    int64_t began_us, aside_us;
     struct worker *below;
     struct zr_arena arena;
     size_t used; /* bytes of its last jobs; older ones count less */
@@ -38,13 +39,14 @@ struct queue {
     struct lane lanes[QUEUE_LANES];
     struct worker *idle; /* stack: the last one to work is woken first, since its memory is warm */
     size_t woken;        /* workers that were woken and have not taken a job yet */
+    size_t busy;         /* jobs on workers that are not aside; they may exceed options.workers for the rest of a job */
     bool stopping;
     struct zr_cancel express_overdue; /* for the job on the express */
     pthread_t overseer;
     pthread_cond_t express_begins; /* wakes the overseer, which otherwise checks every OVERSEER_TICK_MS */
     bool overseer_runs, overseer_sleeps, overseer_ends;
     size_t worker_count;
-    struct worker *express; /* last of the workers */
+    struct worker *express; /* last of the workers, behind those that stand in */
     struct worker workers[];
 };
 
@@ -78,7 +80,8 @@ static size_t count_held(const struct queue *queue)
     const int64_t now_us = clock_us();
     size_t held = 0;
     for (const struct worker *worker = queue->workers; worker < queue->express; worker++)
-        held += worker->is_busy && (worker->lane == QUEUE_LARGE || now_us - worker->began_us > SMALL_US);
+        held += worker->is_busy && !worker->is_aside &&
+                (worker->lane == QUEUE_LARGE || now_us - worker->began_us > SMALL_US);
     return held;
 }
 
@@ -135,6 +138,10 @@ static struct queue_job *take_job(struct worker *worker)
         bool needed = queue->stopping || small->waiting + large->waiting > queue->woken;
         return small->first && needed ? take_out(queue, small->first) : NULL;
     }
+    if (queue->busy >= queue->options.workers) { /* a job stepped back, maybe after this worker was woken */
+        if (small->first) pthread_cond_signal(&queue->express->wake);
+        return NULL;
+    }
     if (small->first && (!large->first || small->first->pushed_us <= large->first->pushed_us))
         return take_out(queue, small->first);
     return large->first ? take_out(queue, large->first) : NULL;
@@ -146,22 +153,28 @@ static bool is_over(const struct worker *worker)
     return worker->queue->stopping && (worker->is_express || !worker->queue->express->is_busy);
 }
 
+static void wake_worker(struct queue *queue)
+{
+    struct worker *worker = queue->idle;
+    queue->idle = worker->below;
+    worker->is_idle = false;
+    queue->woken++;
+    pthread_cond_signal(&worker->wake);
+}
+
 /* Wakes a thread for one more waiting job. */
 static void wake_one(struct queue *queue)
 {
-    struct worker *worker = queue->idle;
-    if (worker) {
-        queue->idle = worker->below;
-        worker->is_idle = false;
-        queue->woken++;
-    }
-    pthread_cond_signal(worker ? &worker->wake : &queue->express->wake);
+    if (queue->idle && queue->busy + queue->woken < queue->options.workers)
+        wake_worker(queue);
+    else
+        pthread_cond_signal(&queue->express->wake);
 }
 
 static void wake_all(struct queue *queue)
 {
     while (queue->idle)
-        wake_one(queue);
+        wake_worker(queue);
     pthread_cond_signal(&queue->express->wake);
 }
 
@@ -225,10 +238,14 @@ static void begin_job(struct worker *worker, struct queue_job *job)
 {
     struct queue *queue = worker->queue;
     worker->is_busy = true;
+    job->worker = worker;
     worker->lane = job->lane;
     worker->began_us = clock_us();
     job->overdue = worker->is_express ? &queue->express_overdue : NULL;
-    if (!worker->is_express) return;
+    if (!worker->is_express) {
+        queue->busy++;
+        return;
+    }
     atomic_store(&queue->express_overdue.raised, false);
     if (queue->overseer_sleeps) pthread_cond_signal(&queue->express_begins);
 }
@@ -237,6 +254,7 @@ static void end_job(struct worker *worker)
 {
     struct queue *queue = worker->queue;
     worker->is_busy = false;
+    if (!worker->is_express) queue->busy--;
     learn(worker, clock_us() - worker->began_us);
     if (worker->is_express && queue->stopping) wake_all(queue);
 }
@@ -300,7 +318,7 @@ static void init_workers(struct queue *queue)
     pthread_condattr_t attributes;
     pthread_condattr_init(&attributes);
     pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
-    queue->express = &queue->workers[queue->options.workers];
+    queue->express = &queue->workers[queue->options.workers + queue->options.stand_ins];
     for (struct worker *worker = queue->workers; worker <= queue->express; worker++) {
         worker->queue = queue;
         worker->is_express = worker == queue->express;
@@ -316,7 +334,7 @@ static int start_threads(struct queue *queue)
     pthread_attr_init(&attributes);
     pthread_attr_setstacksize(&attributes, STACK_BYTES);
     int failure = 0;
-    for (size_t i = 0; i <= queue->options.workers && !failure; i++) {
+    for (size_t i = 0; &queue->workers[i] <= queue->express && !failure; i++) {
         failure = pthread_create(&queue->workers[i].thread, &attributes, work, &queue->workers[i]);
         if (!failure) queue->worker_count++;
     }
@@ -328,7 +346,8 @@ static int start_threads(struct queue *queue)
 
 struct queue *queue_create(const struct queue_options *options)
 {
-    struct queue *queue = calloc(1, sizeof *queue + (options->workers + 1) * sizeof(struct worker));
+    const size_t threads = options->workers + options->stand_ins + 1;
+    struct queue *queue = calloc(1, sizeof *queue + threads * sizeof(struct worker));
     if (!queue) return NULL;
     queue->options = *options;
     pthread_mutex_init(&queue->lock, NULL);
@@ -370,6 +389,27 @@ bool queue_remove(struct queue *queue, struct queue_job *job)
     if (found) take_out(queue, job);
     pthread_mutex_unlock(&queue->lock);
     return found;
+}
+
+void queue_step_aside(struct queue *queue, const struct queue_job *job)
+{
+    struct worker *worker = job->worker;
+    pthread_mutex_lock(&queue->lock);
+    worker->is_aside = true;
+    worker->aside_us = clock_us();
+    queue->busy--;
+    if (queue->lanes[QUEUE_SMALL].first || queue->lanes[QUEUE_LARGE].first) wake_one(queue);
+    pthread_mutex_unlock(&queue->lock);
+}
+
+void queue_step_back(struct queue *queue, const struct queue_job *job)
+{
+    struct worker *worker = job->worker;
+    pthread_mutex_lock(&queue->lock);
+    worker->is_aside = false;
+    worker->began_us += clock_us() - worker->aside_us;
+    queue->busy++;
+    pthread_mutex_unlock(&queue->lock);
 }
 
 bool queue_is_full(struct queue *queue, enum queue_lane lane, size_t coming)

@@ -6,6 +6,9 @@
  * asked to move if it takes longer than QUEUE_EXPRESS_MS and another small job waits. Running threads share the
  * processors by the kernel's rules.
  *
+ * Waiting: a job that waits for its reader steps aside. A thread that stands in takes its place, so waiting jobs cost
+ * others nothing. When it steps back, it runs at once, beside the others, and the next worker to end takes no new job.
+ *
  * Bounds: a queue accepts up to two jobs per worker. Beyond that it accepts only jobs that should start within
  * QUEUE_WAIT_MS, by the times of its last jobs, and none if its oldest job has waited longer than that. It never holds
  * more than `capacity` jobs.
@@ -39,7 +42,8 @@ struct queue_job {
     enum queue_lane lane;
     bool waiting;
 
-    int64_t pushed_us; /* set by queue_push, on clock_us */
+    struct worker *worker; /* for the queue, while the job runs */
+    int64_t pushed_us;     /* set by queue_push, on clock_us */
     /* Set by the queue before `work`. NULL: the job is on a worker. Otherwise it is on the express: if it is large, it
      * must call queue_put_back, at the latest soon after this is raised. */
     const struct zr_cancel *overdue;
@@ -49,8 +53,9 @@ struct queue_job {
 };
 
 struct queue_options {
-    size_t workers;  /* without the express */
-    size_t capacity; /* waiting jobs per queue */
+    size_t workers;   /* without the express */
+    size_t stand_ins; /* jobs that may step aside at once */
+    size_t capacity;  /* waiting jobs per queue */
     size_t request_memory_bytes, keep_memory_bytes;
     uint64_t calm_ms;
 };
@@ -64,6 +69,10 @@ bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane
 /* Called by `work` on the express for a large job: moves it to the workers. True: the queue owns the job. False: the
  * queue is full. */
 bool queue_put_back(struct queue *queue, struct queue_job *job);
+
+/* Called by `work` on a worker, not on the express, before and after a wait. */
+void queue_step_aside(struct queue *queue, const struct queue_job *job);
+void queue_step_back(struct queue *queue, const struct queue_job *job);
 
 /* True: the job was waiting and is the caller's again. False: it is or was on a worker. */
 bool queue_remove(struct queue *queue, struct queue_job *job);

@@ -12,7 +12,9 @@
 #include "cost.h"
 #include "input/formats.h"
 #include "input/query_text.h"
+#include "parts.h"
 #include "problem.h"
+#include "scene/looks.h"
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
 #include "text.h"
@@ -102,6 +104,9 @@ struct rendering {
     struct images_use images;
     struct meshes_use meshes;
     struct zr_cost cost; /* predicted cost; all 0 before the prediction */
+    struct answer *answer;
+    struct zr_look_pin look; /* of a stream */
+    const char *busy;        /* reason why there can be no stream now */
 };
 
 static double ms_since(int64_t *mark_us)
@@ -128,6 +133,12 @@ static void add_timing(struct answer *answer, const struct step_times *times)
             used += (size_t)snprintf(text + used, sizeof text - used, "%s%s;dur=%.3f", used ? ", " : "", steps[i].name,
                                      steps[i].ms);
     if (used) answer_header(answer, "Server-Timing", "%s", text);
+}
+
+static void add_look(struct answer *answer, const char *look)
+{
+    answer_header(answer, "Zraster-Look", "%s", look);
+    answer_header(answer, "Vary", "Accept");
 }
 
 /* ---- early detection of large requests ---- */
@@ -170,6 +181,12 @@ static bool has_memory(const struct rendering *r)
     return zr_arena_charge(arena, cost->window_bytes < 1e18 ? (size_t)cost->window_bytes + 1 : SIZE_MAX);
 }
 
+/* A sheet is one picture. */
+static bool is_stream(const struct rendering *r, const struct zr_views *views)
+{
+    return views->set && !views->scene->sheet.is_on && r->request->stream;
+}
+
 static bool has_many_faces_for_the_painter(const struct zr_scene *scene)
 {
     uint64_t faces = 0;
@@ -205,7 +222,8 @@ static enum zr_status predict(struct rendering *r, struct zr_views *views, const
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
     const double slowness = slowness_of(service->slowness, r->cost.ms > SMALL_MS);
     const double predicted_ms = r->times->predicted_ms = r->cost.ms * slowness;
-    if (too_large(r, r->cost.ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
+    const bool may_wait = is_stream(r, views); /* for its reader */
+    if (too_large(r, may_wait || r->cost.ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
     if (!has_memory(r)) return ZR_NO_MEMORY;
     if (predicted_ms <= (double)service->config->cost_max_ms) return status;
     const struct zr_cost_most most = zr_cost_most(&r->cost);
@@ -246,6 +264,48 @@ static enum zr_status draw_several(struct rendering *r, struct zr_views *views, 
     return status;
 }
 
+/* ---- streams ---- */
+
+/* Streams the files of a view. */
+static enum zr_status send_view(void *context, const struct zr_drawn_view *view, struct zr_error *error)
+{
+    struct rendering *r = context;
+    const struct zr_files *files = view->files;
+    struct stream *stream = r->request->stream;
+    char warnings[ZR_WARNINGS_SIZE], file[128];
+    struct zr_arena scratch = zr_arena_open_scratch(r->arena);
+    text_to_ascii(warnings, sizeof warnings, zr_warnings_join(&scratch, &files->warnings));
+    zr_arena_close_scratch(&scratch, r->arena);
+    (void)error;
+    if (view->number == 0) {
+        add_look(r->answer, r->look.text);
+        add_timing(r->answer, r->times);
+        parts_begin(stream, r->answer);
+    }
+    for (uint32_t i = 0; i < files->count; i++) {
+        const struct zr_zip_entry *entry = &files->entries[i];
+        snprintf(file, sizeof file, "%s.%s", view->name, entry->name);
+        const struct part part = {file, files->types[i], warnings, entry->bytes, entry->size};
+        if (!parts_add(stream, &part)) return ZR_CANCELLED;
+    }
+    stream_flush(stream);
+    return ZR_OK;
+}
+
+/* Draws several views, and streams each. The time of drawing includes encoding, and no waits for the reader. */
+static enum zr_status stream_several(struct rendering *r, struct zr_views *views, struct zr_error *error)
+{
+    struct stream *stream = r->request->stream;
+    const struct zr_views_taker taker = {send_view, r};
+    r->look = zr_look_pin_of(views->scene->look);
+    r->busy = stream_open(stream);
+    if (r->busy) return ZR_CANCELLED;
+    int64_t mark = clock_us();
+    const enum zr_status status = zr_views_draw_each(r->arena, r->service->team, views, r->cancel, taker, error);
+    r->times->render_ms = ms_since(&mark) - (double)stream->waited_us / 1000.0;
+    return status;
+}
+
 static enum zr_status run_steps(struct rendering *r, const struct zr_request *request, struct zr_answer *result,
                                 struct zr_error *error)
 {
@@ -257,13 +317,14 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
     if (status == ZR_OK) status = predict(r, &views, &resolved, error);
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    return views.set ? draw_several(r, &views, result, error) : draw_one(r, views.scene, resolved, result, error);
+    if (!views.set) return draw_one(r, views.scene, resolved, result, error);
+    return is_stream(r, &views) ? stream_several(r, &views, error) : draw_several(r, &views, result, error);
 }
 
 static void answer_image(struct answer *answer, const struct zr_answer *result)
 {
     answer_copy(answer, result->content_type, result->bytes, result->size);
-    answer_header(answer, "Zraster-Look", "%s", result->look);
+    add_look(answer, result->look);
     if (*result->encoders) answer_header(answer, "Zraster-Encoder", "%s", result->encoders);
     if (result->warnings && *result->warnings) {
         char warnings[ZR_WARNINGS_SIZE];
@@ -281,6 +342,7 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
                           .arena = arena,
                           .cancel = cancel,
                           .times = times,
+                          .answer = answer,
                           .images = {.images = service->images},
                           .meshes = {.meshes = service->meshes}};
     struct zr_error error = {0};
@@ -320,7 +382,9 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
         return REQUEST_LARGE;
     times->parse_ms += unpack_ms;
     if (status == ZR_OK) {
-        answer_image(answer, &result);
+        if (result.bytes) answer_image(answer, &result); /* else it is streamed */
+    } else if (r.busy) {
+        problem_busy(answer, 1, r.busy);
     } else if (status == ZR_NO_MEMORY) {
         problem_memory(answer, arena, &r.cost);
     } else if (status == ZR_CANCELLED) {
@@ -328,7 +392,7 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
     } else {
         kind->report(answer, status, &error);
     }
-    add_timing(answer, times);
+    if (answer->status != 0) add_timing(answer, times);
     return REQUEST_ANSWERED;
 }
 

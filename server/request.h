@@ -20,6 +20,7 @@
 #include "slowness.h"
 #include "step_times.h"
 #include "store.h"
+#include "stream.h"
 
 enum { REQUEST_ID_SIZE = 129 };
 
@@ -59,6 +60,8 @@ struct request {
     const char *query;                                           /* behind the '?', or NULL */
     const char *content_type, *content_encoding, *authorization; /* NULL if not sent */
     const char *if_none_match, *accept;                          /* NULL if not sent */
+    bool accepts_stream;                                         /* Accept names the type of streams */
+    struct stream *stream;                                       /* for such a request, on a worker; else NULL */
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */
     bool small_only; /* set on the express (queue.h): a request that turns out to be large is given up */

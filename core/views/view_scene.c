@@ -35,7 +35,8 @@ static void make_outputs_plain(struct zr_arena *arena, struct zr_view *view)
 {
     struct zr_output *outputs = zr_arena_copy(arena, view->outputs, view->output_count * sizeof *outputs);
     for (uint32_t i = 0; outputs && i < view->output_count; i++)
-        if (outputs[i].channel == ZR_CHANNEL_COLOR) outputs[i].encoding = ZR_ENCODING_PNG;
+        if (outputs[i].channel == ZR_CHANNEL_COLOR)
+            outputs[i] = (struct zr_output){.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
     if (outputs) view->outputs = outputs;
 }
 

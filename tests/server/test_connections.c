@@ -251,6 +251,7 @@ TEST(a_reader_below_the_least_speed_is_cut_off)
     }
     char *line = daemon_wait_for_log(&server, "\"aborted\":true");
     assert_non_null(strstr(line, "\"status\":200"));
+    assert_non_null(strstr(line, "read too slowly"));
     free(line);
     assert_true(seconds() - begun < 15.0); /* 5 s, on a busy machine; write-timeout-ms is 60 s */
     close(fd);

@@ -230,6 +230,72 @@ TEST(a_lane_takes_no_more_while_its_oldest_job_has_waited_for_too_long)
     assert_true(!is_full_at_once && !takes_more);
 }
 
+/* ---- jobs that wait for their readers ---- */
+
+/* Steps aside until it may go on, and then runs until it may end. */
+struct pause {
+    struct queue_job job;
+    struct queue *queue;
+    sem_t is_aside, may_go_on, is_back, may_end;
+};
+
+static void pause_on(struct queue_job *job, struct zr_arena *arena)
+{
+    struct pause *pause = (struct pause *)(void *)job;
+    (void)arena;
+    queue_step_aside(pause->queue, job);
+    sem_post(&pause->is_aside);
+    sem_wait(&pause->may_go_on);
+    queue_step_back(pause->queue, job);
+    sem_post(&pause->is_back);
+    sem_wait(&pause->may_end);
+}
+
+/* Threads that stand in take the places; once a job is back, they end theirs and take no more. */
+TEST(jobs_that_step_aside_leave_their_places_to_others)
+{
+    enum { PAUSES = 3 };
+    struct pause pauses[PAUSES];
+    struct task first, second, third;
+    task_init(&first, false);
+    task_init(&second, false);
+    task_init(&third, true);
+    struct queue *queue =
+        queue_create(&(struct queue_options){.workers = 1, .stand_ins = PAUSES, .capacity = 9, .calm_ms = PATIENCE_MS});
+    assert_non_null(queue);
+    for (int i = 0; i < PAUSES; i++) {
+        struct pause *pause = &pauses[i];
+        *pause = (struct pause){.job.work = pause_on, .queue = queue};
+        sem_init(&pause->is_aside, 0, 0);
+        sem_init(&pause->may_go_on, 0, 0);
+        sem_init(&pause->is_back, 0, 0);
+        sem_init(&pause->may_end, 0, 0);
+        assert_true(queue_push(queue, &pause->job, QUEUE_LARGE));
+        assert_int_equal(sem_wait(&pause->is_aside), 0);
+    }
+    assert_true(queue_push(queue, &first.job, QUEUE_LARGE));
+    const bool is_first_served = task_begins(&first);
+    assert_true(queue_push(queue, &second.job, QUEUE_LARGE));
+    usleep(20000);
+    const bool is_one_at_once = sem_trywait(&second.begun) != 0;
+    for (int i = 0; i < PAUSES; i++) {
+        sem_post(&pauses[i].may_go_on);
+        assert_int_equal(sem_wait(&pauses[i].is_back), 0);
+    }
+    sem_post(&first.may_end);
+    sem_post(&pauses[0].may_end);
+    usleep(20000);
+    const bool is_full = sem_trywait(&second.begun) != 0; /* two are back */
+    assert_true(queue_push(queue, &third.job, QUEUE_SMALL));
+    const bool is_small_served = task_begins(&third); /* on the express */
+    sem_post(&pauses[1].may_end);
+    sem_post(&pauses[2].may_end);
+    const bool is_second_served = task_begins(&second);
+    sem_post(&second.may_end);
+    queue_destroy(queue);
+    assert_true(is_first_served && is_one_at_once && is_full && is_small_served && is_second_served);
+}
+
 /* ---- bounds ---- */
 
 /* How many jobs of so many milliseconds wait at most, and for how long the queue says that one more would. */

@@ -1,0 +1,201 @@
+/* Collects the files of all views: some each by itself, others joined. */
+#include <stdio.h>
+#include <string.h>
+
+#include "output/apng.h"
+#include "output/npy.h"
+#include "scene/scene.h"
+#include "views/sheet_picture.h"
+#include "views/view_scene.h"
+
+/* Files of one output of all views. */
+struct sink {
+    const struct zr_output *output;
+    enum { EACH, STACK, ANIMATION, SHEET, SHEET_INFO } kind;
+    struct zr_buffer out;
+    struct zr_apng apng;
+};
+
+struct collecting {
+    struct zr_arena *arena;
+    const struct zr_views *views;
+    struct zr_team *team;
+    const struct zr_cancel *cancel;
+    struct sink *sinks;
+    struct zr_sheet_picture sheet;
+    struct zr_files *files;
+    struct zr_error *error;
+};
+
+static bool add_file(struct collecting *c, const char *name, const void *bytes, size_t size, const char *type)
+{
+    struct zr_files *files = c->files;
+    const char *copied = zr_arena_copy(c->arena, name, strlen(name) + 1);
+    if (!copied) return false;
+    files->entries[files->count] = (struct zr_zip_entry){copied, bytes, size};
+    files->types[files->count++] = type;
+    return true;
+}
+
+/* Appends the rows of an array. */
+static enum zr_status add_rows(struct sink *sink, const struct zr_zip_entry *entry)
+{
+    const bool is_added =
+        zr_buffer_add(&sink->out, (const char *)entry->bytes + ZR_NPY_HEADER, entry->size - ZR_NPY_HEADER);
+    return is_added ? ZR_OK : ZR_NO_MEMORY;
+}
+
+static enum zr_status add_frame(struct collecting *c, struct sink *sink, uint32_t number,
+                                const struct zr_zip_entry *entry)
+{
+    const enum zr_status status = zr_apng_add(&sink->apng, entry->bytes, entry->size);
+    if (status != ZR_BAD_SCENE) return status;
+    struct zr_error fault = {0};
+    zr_error_add(&fault, status, NULL,
+                 "another size than view 0, or an opaque background where that has none: frames of an apng are alike");
+    return zr_view_report(c->views, number, status, &fault, c->error);
+}
+
+/* Takes the files of a view out of its arena. */
+static enum zr_status take_files(struct collecting *c, const struct zr_drawn_view *view)
+{
+    char name[ZR_VIEW_NAME_SIZE + 64];
+    const struct zr_files *files = view->files;
+    for (uint32_t i = 0; i < files->count; i++) {
+        const struct zr_zip_entry *entry = &files->entries[i];
+        struct sink *sink = &c->sinks[i];
+        enum zr_status status = ZR_OK;
+        const void *copy;
+        switch (sink->kind) {
+        case EACH:
+            copy = zr_arena_copy(c->arena, entry->bytes, entry->size);
+            snprintf(name, sizeof name, "%s.%s", view->name, entry->name);
+            if (!copy || !add_file(c, name, copy, entry->size, files->types[i])) status = ZR_NO_MEMORY;
+            break;
+        case STACK:
+            status = add_rows(sink, entry);
+            break;
+        case ANIMATION:
+            status = add_frame(c, sink, view->number, entry);
+            break;
+        case SHEET_INFO:
+            if (view->number == 0 && !zr_buffer_add(&sink->out, entry->bytes, entry->size)) status = ZR_NO_MEMORY;
+            break;
+        case SHEET:
+            break;
+        }
+        if (status != ZR_OK) return status;
+    }
+    return ZR_OK;
+}
+
+/* Notes the encoders of the first view that has some: views differ in qualities at most. */
+static bool take_encoders(struct collecting *c, const char *encoders)
+{
+    if (*c->files->encoders || !encoders || !*encoders) return true;
+    c->files->encoders = zr_arena_copy(c->arena, encoders, strlen(encoders) + 1);
+    return c->files->encoders != NULL;
+}
+
+/* Adds warnings that no earlier view has. */
+static void take_warnings(struct collecting *c, const struct zr_warning_list *warnings)
+{
+    struct zr_warning_list *all = &c->files->warnings;
+    for (size_t i = 0; i < warnings->count; i++) {
+        size_t k = 0;
+        while (k < all->count && strcmp(all->texts[k], warnings->texts[i]) != 0)
+            k++;
+        if (k == all->count) zr_warning_list_add(c->arena, all, "%s", warnings->texts[i]);
+    }
+}
+
+static enum zr_status open_sink(struct collecting *c, const struct zr_output *output, struct sink *sink)
+{
+    const struct zr_view_set *set = c->views->set;
+    const struct zr_channel_row *row = &zr_channel_rows[output->channel];
+    *sink = (struct sink){.output = output, .out = {.arena = c->arena}};
+    if (c->views->scene->sheet.is_on && output->channel == ZR_CHANNEL_COLOR)
+        sink->kind = SHEET;
+    else if (c->views->scene->sheet.is_on && output->channel == ZR_CHANNEL_INFO)
+        sink->kind = SHEET_INFO;
+    else if (output->encoding == ZR_ENCODING_NPY && c->views->has_one_window)
+        sink->kind = STACK;
+    else if (output->encoding == ZR_ENCODING_APNG)
+        sink->kind = ANIMATION;
+    sink->apng = (struct zr_apng){.out = &sink->out, .frames = set->count, .seconds = 1.0};
+    if (set->seconds > 0.0) sink->apng.seconds = set->seconds / set->count;
+    if (sink->kind != STACK) return ZR_OK;
+    const size_t shape[] = {set->count, c->views->height, c->views->width, row->words};
+    if (!zr_buffer_room(&sink->out, ZR_NPY_HEADER + 4 * shape[0] * shape[1] * shape[2] * shape[3])) return ZR_NO_MEMORY;
+    return zr_npy_begin(row->values == ZR_VALUES_UINT32 ? ZR_NPY_UINT32 : ZR_NPY_FLOAT32, shape, row->words > 1 ? 4 : 3,
+                        &sink->out);
+}
+
+static enum zr_status open_files(struct collecting *c)
+{
+    const struct zr_view *view = &c->views->scene->views[0];
+    const size_t most = (size_t)c->views->set->count * view->output_count;
+    enum zr_status status = ZR_OK;
+    *c->files = (struct zr_files){.entries = zr_arena_alloc(c->arena, most, sizeof *c->files->entries),
+                                  .types = zr_arena_alloc(c->arena, most, sizeof *c->files->types),
+                                  .encoders = ""};
+    c->sinks = zr_arena_alloc(c->arena, view->output_count, sizeof *c->sinks);
+    if (!c->files->entries || !c->files->types || !c->sinks) return ZR_NO_MEMORY;
+    for (uint32_t i = 0; status == ZR_OK && i < view->output_count; i++)
+        status = open_sink(c, &view->outputs[i], &c->sinks[i]);
+    if (status == ZR_OK && c->views->scene->sheet.is_on) status = zr_sheet_picture_make(c->arena, c->views, &c->sheet);
+    return status;
+}
+
+static enum zr_status close_sheet(struct collecting *c, uint32_t number)
+{
+    struct zr_files files;
+    const enum zr_status status =
+        zr_sheet_picture_encode(&c->sheet, number, c->arena, c->team, c->cancel, &files, c->error);
+    if (status != ZR_OK) return status;
+    const struct zr_zip_entry *entry = &files.entries[0];
+    if (!take_encoders(c, files.encoders)) return ZR_NO_MEMORY;
+    return add_file(c, entry->name, entry->bytes, entry->size, files.types[0]) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+/* Adds the files that all views have together. */
+static enum zr_status close_files(struct collecting *c)
+{
+    char name[64];
+    for (uint32_t i = 0; i < c->views->scene->views[0].output_count; i++) {
+        struct sink *sink = &c->sinks[i];
+        enum zr_status status = ZR_OK;
+        if (sink->kind == EACH) continue;
+        if (sink->kind == SHEET_INFO) status = zr_sheet_info_add(&c->sheet, &sink->out);
+        if (sink->kind == SHEET) status = close_sheet(c, i);
+        if (status != ZR_OK) return status;
+        if (sink->kind == SHEET) continue;
+        const struct zr_file_kind *kind = &zr_file_kinds[sink->output->encoding];
+        snprintf(name, sizeof name, "%s.%s", zr_channel_rows[sink->output->channel].name, kind->extension);
+        if (!add_file(c, name, sink->out.bytes, sink->out.size, kind->type)) return ZR_NO_MEMORY;
+    }
+    return ZR_OK;
+}
+
+static enum zr_status take(void *context, const struct zr_drawn_view *view, struct zr_error *error)
+{
+    struct collecting *c = context;
+    enum zr_status status = view->number == 0 ? open_files(c) : ZR_OK;
+    (void)error; /* that of *c */
+    if (status == ZR_OK) status = take_files(c, view);
+    if (status == ZR_OK && !take_encoders(c, view->files->encoders)) status = ZR_NO_MEMORY;
+    if (status != ZR_OK) return status;
+    if (c->views->scene->sheet.is_on) zr_sheet_picture_add(&c->sheet, view->number, view->frame);
+    take_warnings(c, &view->files->warnings);
+    return ZR_OK;
+}
+
+enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
+                             const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error)
+{
+    struct collecting collecting = {
+        .arena = arena, .team = team, .cancel = cancel, .views = views, .files = files, .error = error};
+    const struct zr_views_taker taker = {take, &collecting};
+    const enum zr_status status = zr_views_draw_each(arena, team, views, cancel, taker, error);
+    return status == ZR_OK ? close_files(&collecting) : status;
+}
