@@ -5,7 +5,6 @@
 
 #include "base/matrix.h"
 #include "input/json_scene.h"
-#include "input/json_view.h"
 #include "input/text.h"
 #include "scene/camera.h"
 
@@ -174,7 +173,7 @@ static bool set_pose_by_matrix(struct zr_view *view, const zr_mat4 *camera_to_wo
     const zr_mat4 pose = zr_pose_matrix_scale(camera_to_world) == 0.0 ? unscale(camera_to_world) : *camera_to_world;
     view->pose = ZR_POSE_MATRIX;
     if (!zr_mat4_invert(&pose, &view->world_to_camera)) return false;
-    zr_view_remove_scale(&view->world_to_camera);
+    zr_pose_remove_scale(&view->world_to_camera);
     return true;
 }
 

@@ -136,15 +136,6 @@ static void flip_camera(zr_mat4 *world_to_camera)
             world_to_camera->m[column * 4 + row] = 0.0f - world_to_camera->m[column * 4 + row];
 }
 
-void zr_view_remove_scale(zr_mat4 *world_to_camera)
-{
-    const double scale = zr_pose_matrix_scale(world_to_camera);
-    if (scale == 1.0 || scale == 0.0) return;
-    for (int column = 0; column < 4; column++)
-        for (int row = 0; row < 3; row++)
-            world_to_camera->m[column * 4 + row] = (float)((double)world_to_camera->m[column * 4 + row] / scale);
-}
-
 static void find_matrix(struct zr_parsed_view *given)
 {
     zr_mat4 *out = &given->view.world_to_camera, inverse;
@@ -154,7 +145,7 @@ static void find_matrix(struct zr_parsed_view *given)
     if (zr_view_gives(given, ZR_VIEW_CAMERA_TO_WORLD))
         check_inverse(given, ZR_VIEW_CAMERA_TO_WORLD, &given->camera_to_world, out);
     if (given->convention == ZR_CONVENTION_OPENCV) flip_camera(out);
-    if (!zr_view_gives(given, ZR_VIEW_PROJECTION_MATRIX)) zr_view_remove_scale(out);
+    if (!zr_view_gives(given, ZR_VIEW_PROJECTION_MATRIX)) zr_pose_remove_scale(out);
 }
 
 static void check_convention(struct zr_parsed_view *given)

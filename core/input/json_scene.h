@@ -370,6 +370,7 @@ zr_json_read_fn zr_read_hide, zr_read_isolate, zr_read_ghost, zr_read_highlight,
 extern const struct zr_names zr_part_color_names;
 
 /* Read into the scene; lights into root->lights. */
+zr_json_read_fn zr_read_window; /* json_window.c */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs, zr_read_sections;
 zr_json_read_fn zr_read_views, zr_read_turntable, zr_read_orbit, zr_read_sheet; /* json_views.c */
 zr_json_read_fn zr_read_animate;                                                /* json_animate.c */

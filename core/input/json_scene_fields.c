@@ -14,22 +14,6 @@ static bool read_version(struct zr_json *json, const struct zr_json_path *path, 
     return number == 1 || zr_json_fault(json, path, "%u; this is version 1 of the contract", number);
 }
 
-static const struct zr_json_field window_fields[] = {
-    {"width", zr_json_whole, offsetof(struct zr_view, width), .unit = "pixels", .otherwise = "640",
-     .text = "width of the picture"},
-    {"height", zr_json_whole, offsetof(struct zr_view, height), .unit = "pixels", .otherwise = "480",
-     .text = "height of the picture"}};
-const struct zr_json_object zr_json_object_window = ZR_JSON_OBJECT_OF("window", window_fields);
-
-static bool read_window(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
-{
-    struct zr_parsed_scene *root = out;
-    uint64_t keys;
-    (void)field;
-    return zr_json_fields(json, path, &zr_json_object_window, &root->scene->views[0], &keys);
-}
-
 static bool read_render(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
@@ -44,7 +28,7 @@ static bool read_render(struct zr_json *json, const struct zr_json_path *path, c
 #define PICTURE(member) AT(picture.picture.member)
 const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_VERSION] = {"version", read_version, 0, .otherwise = "1", .text = "version of the contract"},
-    [ZR_SCENE_WINDOW] = {"window", read_window, 0, .object = &zr_json_object_window, .text = "size of the picture"},
+    [ZR_SCENE_WINDOW] = {"window", zr_read_window, 0, .object = &zr_json_object_window, .text = "size of the picture"},
     [ZR_SCENE_LOOK] = {"look", zr_read_look, 0, .otherwise = "textbook",
                        .text = "defaults of the scene, by name; NAME@VERSION pins a version"},
     [ZR_SCENE_BACKGROUND] = {"background", zr_read_background, 0, .object = &zr_json_object_gradient,

@@ -76,10 +76,6 @@ static inline bool zr_view_gives(const struct zr_parsed_view *given, enum zr_vie
 /* json_pose.c: finds the pose from the keys, in OpenGL's axes. */
 void zr_view_find_pose(struct zr_parsed_view *given);
 
-/* json_pose.c: divides a pose by its uniform scale, so that distances of the view and its outputs are in scene units. A
- * camera below a scaled node has such a pose. A pose with another scale stays as it is. */
-void zr_view_remove_scale(zr_mat4 *world_to_camera);
-
 /* json_projection.c */
 zr_json_read_fn zr_read_perspective, zr_read_orthographic, zr_read_intrinsics; /* struct zr_parsed_view */
 

@@ -89,6 +89,10 @@ struct zr_orbit zr_orbit_of(const struct zr_camera *camera, bool z_is_up);
  * come from rounding and give 1. */
 double zr_pose_matrix_scale(const zr_mat4 *world_to_eye);
 
+/* Divides a pose by its uniform scale, so that distances of the view and its outputs are in scene units. A
+ * camera below a scaled node has such a pose. A pose with another scale stays as it is. */
+void zr_pose_remove_scale(zr_mat4 *world_to_camera);
+
 /* Adds a warning if pose and projectionMatrix together mirror the picture, one for a reversed z, and one for a scaling
  * pose if outputs hold eye-space lengths, which are then not in scene units. */
 void zr_view_matrices_warn(struct zr_arena *arena, const struct zr_view *view, struct zr_warning_list *warnings);

@@ -181,3 +181,12 @@ void zr_view_matrices_warn(struct zr_arena *arena, const struct zr_view *view, s
             "units",
             sqrt(row_product(m, 0, 0)), sqrt(row_product(m, 1, 1)), sqrt(row_product(m, 2, 2)));
 }
+
+void zr_pose_remove_scale(zr_mat4 *world_to_camera)
+{
+    const double scale = zr_pose_matrix_scale(world_to_camera);
+    if (scale == 1.0 || scale == 0.0) return;
+    for (int column = 0; column < 4; column++)
+        for (int row = 0; row < 3; row++)
+            world_to_camera->m[column * 4 + row] = (float)((double)world_to_camera->m[column * 4 + row] / scale);
+}
