@@ -5,6 +5,7 @@
 
 #include "base/matrix.h"
 #include "input/json_scene.h"
+#include "input/json_view.h"
 #include "input/text.h"
 #include "scene/camera.h"
 

@@ -127,7 +127,7 @@ verdict "and nothing is saved" [ ! -e two.png ]
 check "but as a ZIP" 0 "$client" render two.json -o two.ZIP
 check "an array is not saved as a picture" 2 "$client" render scene.json --channel depth -o depth.png
 verdict "and the message names the ending and the encoding of a picture" grep -q -e '-o depth.npy saves it; depth has a PNG, too: --encoding png16' complained
-check "a PNG is not saved as a JPEG" 2 "$client" render scene.json -o v1.2/a.jpeg
+check "a PNG is not saved as a GIF" 2 "$client" render scene.json -o v1.2/a.gif
 verdict "and a folder's dot is no ending" grep -q -e '-o v1.2/a.png saves a picture' complained
 check "an unknown ending accepts any format" 0 "$client" render two.json -o two.part
 check "so does a name without an ending" 0 "$client" render scene.json -o ./none
