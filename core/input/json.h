@@ -38,10 +38,10 @@ struct zr_json {
     const struct zr_limits *limits;
     struct zr_error *error;
     struct zr_parsed_assets *assets; /* json_scene.h; NULL: the text is no scene, and names none */
-    unsigned depth; /* open lists and objects around `at` */
-    bool ended;     /* reading has ended: the text is malformed or too deep, or the request is cancelled */
-    bool is_ahead;  /* reads a part of a list in parallel: a fault ends the part without a report (json_list.h) */
-    char *room;     /* memory for such parts; NULL until the first large list */
+    unsigned depth;                  /* open lists and objects around `at` */
+    bool ended;    /* reading has ended: the text is malformed or too deep, or the request is cancelled */
+    bool is_ahead; /* reads a part of a list in parallel: a fault ends the part without a report (json_list.h) */
+    char *room;    /* memory for such parts; NULL until the first large list */
 };
 
 enum zr_json_type {

@@ -42,10 +42,9 @@ static bool is_same(const struct zr_material *a, const struct zr_material *b)
     return a->shading == b->shading && a->double_sided == b->double_sided && a->unfilled == b->unfilled &&
            a->is_hidden == b->is_hidden && a->uniform_color == b->uniform_color && a->outline == b->outline &&
            a->shininess == b->shininess && a->metallic == b->metallic && a->roughness == b->roughness &&
-           zr_vec4_equal(a->base_color, b->base_color) &&
-           zr_vec4_equal(a->outline_color, b->outline_color) && is_same_color(a->specular, b->specular) &&
-           is_same_color(a->reflectance, b->reflectance) && a->grazing == b->grazing &&
-           is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
+           zr_vec4_equal(a->base_color, b->base_color) && zr_vec4_equal(a->outline_color, b->outline_color) &&
+           is_same_color(a->specular, b->specular) && is_same_color(a->reflectance, b->reflectance) &&
+           a->grazing == b->grazing && is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
            a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff && a->normal_scale == b->normal_scale &&
            a->occlusion_strength == b->occlusion_strength && memcmp(a->textures, b->textures, sizeof a->textures) == 0;
 }

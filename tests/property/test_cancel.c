@@ -385,7 +385,8 @@ TEST(reading_of_brackets_and_of_what_is_odd_stops)
 TEST(comparison_of_patterns_with_names_stops)
 {
     enum { NODES = 3000, NAME = 1000, ROOM = NODES * (NAME + 40) };
-    static const char begin_text[] = "{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2]]}],\"hide\":";
+    static const char begin_text[] =
+        "{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2]]}],\"hide\":";
     char *text = malloc(ROOM), *at = text, name[NAME + 1];
     struct later later;
     struct zr_error error = {.count = 0};

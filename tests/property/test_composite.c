@@ -78,8 +78,8 @@ static struct picture draw_into(const struct picture *base, int begin, int end, 
     char members[512];
     struct zr_asset assets[CHANNELS];
     for (int i = 0; i < CHANNELS; i++)
-        assets[i] = (struct zr_asset){
-            .name = NAMES[i], .bytes = base->channels[i].bytes, .size = base->channels[i].size};
+        assets[i] =
+            (struct zr_asset){.name = NAMES[i], .bytes = base->channels[i].bytes, .size = base->channels[i].size};
     snprintf(members, sizeof members,
              ",\"base\":{\"color\":{\"asset\":\"color\"},\"windowDepth\":{\"asset\":\"windowDepth\"},"
              "\"depth\":{\"asset\":\"depth\"},\"faceId\":{\"asset\":\"faceId\"}%s}",

@@ -37,7 +37,8 @@ static bool covers(struct reference *reference, zr_vec4 a, zr_vec4 b, int x, int
 static bool version_contradicts(const struct reference *reference, enum line_rule rule)
 {
     int version = reference_mesa_version(reference);
-    return (version >= REFERENCE_CURRENT_MESA && rule == LINE_RULE_OLDER) || (version <= 2203 && rule == LINE_RULE_CURRENT);
+    return (version >= REFERENCE_CURRENT_MESA && rule == LINE_RULE_OLDER) ||
+           (version <= 2203 && rule == LINE_RULE_CURRENT);
 }
 
 bool line_rule_find(struct reference *reference, enum line_rule *rule, struct reference_error *error)
