@@ -274,6 +274,7 @@ static enum zr_status keep(struct zr_arena *arena, struct zr_team *team, const s
     made->request.bytes = NULL;
     made->request.size = 0;
     made->request.cancel = NULL;
+    made->request.quick = NULL; /* the limits of the first reading, which changes share with other threads */
     if (status == ZR_OK) *kept = made;
     return status;
 }

@@ -98,9 +98,10 @@ struct rendering {
     const struct zr_cancel *cancel;
     struct step_times *times;
     struct zr_stored stored; /* all assets, large ones too */
-    size_t small_left;       /* bytes of assets that a small request may still read */
-    bool is_large;           /* gives up: small_only is set, and the request is large */
-    struct zr_quick quick;   /* limits of a small request */
+    /* Several views read assets on several threads. */
+    atomic_size_t small_left; /* bytes of assets that a small request may still read */
+    atomic_bool is_large;     /* gives up: small_only is set, and the request is large */
+    struct zr_quick quick;    /* limits of a small request */
     struct images_use images;
     struct meshes_use meshes;
     struct zr_cost cost; /* predicted cost; all 0 before the prediction */
@@ -145,7 +146,7 @@ static void add_look(struct answer *answer, const char *look)
 
 static bool too_large(struct rendering *r, bool large)
 {
-    r->is_large |= r->request->small_only && large;
+    if (r->request->small_only && large) r->is_large = true;
     return r->is_large;
 }
 
@@ -156,8 +157,8 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
     struct rendering *r = context;
     size_t there = 0;
     if (r->request->small_only && store_look(r->service->store, sha256, &there) == STORE_THERE) {
-        if (too_large(r, there > r->small_left)) return ZR_CANCELLED;
-        r->small_left -= there;
+        const size_t before = atomic_fetch_sub(&r->small_left, there);
+        if (too_large(r, there > before)) return ZR_CANCELLED;
     }
     return r->stored.read(r->stored.context, sha256, arena, bytes, size);
 }
