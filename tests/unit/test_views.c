@@ -43,7 +43,7 @@ static enum zr_status read_views(struct zr_team *team, struct zr_request request
 static struct zr_files draw_with(struct zr_team *team, struct zr_request request, struct zr_views *views)
 {
     struct zr_error error;
-    struct zr_files files;
+    struct zr_files files = {.count = 0};
     enum zr_status status = read_views(team, request, views, &error);
     assert_true(status != ZR_OK || views->set);
     if (status == ZR_OK) status = zr_views_draw(&arena, team, views, NULL, &files, &error);
