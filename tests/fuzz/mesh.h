@@ -2,9 +2,12 @@
 #ifndef ZR_FUZZ_MESH_H
 #define ZR_FUZZ_MESH_H
 
+#include <string.h>
+
 #include "fuzz/fuzz.h"
 
-/* `when`: the parameter time, or NULL; with it, the lights of the file are used, and some draw frames. */
+/* `when`: the parameter time, or NULL; with it, the lights of the file are used, and its
+ * animations draw frames. */
 #define FUZZ_MESH_AT(ID, when)                                                                                         \
     int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)                                                       \
     {                                                                                                                  \
@@ -17,7 +20,7 @@
                                           .height = "32",                                                              \
                                           .time = (when),                                                              \
                                           .fileLights = (when) ? "1" : NULL,                                           \
-                                          .frames = (when) && size / 18 % 2 ? "2" : NULL,                              \
+                                          .frames = (when) && memmem(data, size, "animations", 10) ? "2" : NULL,       \
                                           .preset = presets[size % 3],                                                 \
                                           .shading = shadings[size / 3 % 3]});                                         \
         return 0;                                                                                                      \
