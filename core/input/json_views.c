@@ -151,7 +151,7 @@ bool zr_read_views(struct zr_json *json, const struct zr_json_path *path, const 
 
 #define AT(member) offsetof(struct zr_view_set, member)
 static const struct zr_json_field turntable_fields[] = {
-    {"frames", zr_json_whole, AT(count), 0, UINT32_MAX, .otherwise = "36", .text = "number of views in one turn"},
+    {"frames", zr_json_whole, AT(count), 1, 4096, .otherwise = "36", .text = "number of views in one turn"},
     {"elevation", zr_json_number, AT(elevation_degrees), -90, 90, .unit = "degrees",
      .otherwise = "that of the scene's view", .text = "angle of the camera above the horizon"},
     {"seconds", zr_json_number, AT(seconds), 0.02, 3600, .unit = "seconds", .otherwise = "4",
@@ -159,7 +159,7 @@ static const struct zr_json_field turntable_fields[] = {
 const struct zr_json_object zr_json_object_turntable = ZR_JSON_OBJECT_OF("turntable", turntable_fields);
 
 static const struct zr_json_field orbit_fields[] = {
-    {"count", zr_json_whole, AT(count), 0, UINT32_MAX, .required = true, .text = "number of views"},
+    {"count", zr_json_whole, AT(count), 1, 4096, .required = true, .text = "number of views"},
     {"distance", zr_json_positive, AT(distance), .unit = "scene units", .otherwise = "fitted to the geometry",
      .text = "distance from the cameras to the target"}};
 const struct zr_json_object zr_json_object_orbit = ZR_JSON_OBJECT_OF("orbit", orbit_fields);
@@ -172,7 +172,8 @@ static bool read_turn(struct zr_json *json, const struct zr_json_path *path, con
     enum { ELEVATION = 1 };
     struct zr_view_set given = *defaults, *set;
     uint64_t keys;
-    if (!zr_json_fields(json, path, object, &given, &keys)) return false;
+    const size_t faults = json->error->count;
+    if (!zr_json_fields(json, path, object, &given, &keys) || json->error->count > faults) return false;
     given.has_elevation = given.kind == ZR_VIEW_SET_TURNTABLE && zr_json_gives(keys, ELEVATION);
     if (!zr_view_count_check(json, ZR_JSON_KEY(path, object->fields[0].key), given.count)) return false;
     if (!(set = zr_view_set_add(json, path, root->scene))) return false;
@@ -207,7 +208,7 @@ static const struct zr_json_field sheet_fields[] = {
      .text =
          "views: those of the scene; threeView: front, top, right and isometric; balanced: two isometric views from "
          "above, two from below"},
-    {"columns", zr_json_whole, AT(columns), 0, UINT32_MAX, .otherwise = "as many as rows, or one more",
+    {"columns", zr_json_whole, AT(columns), 1, COLUMNS_MAX, .otherwise = "as many as rows, or one more",
      .text = "views in a row"},
     {"angle", zr_json_choice, AT(angle), .words = &angle_names, .otherwise = "third",
      .text = "of projection: places of the views in threeView"},
@@ -221,10 +222,11 @@ bool zr_read_sheet(struct zr_json *json, const struct zr_json_path *path, const 
     struct zr_parsed_scene *root = out;
     struct zr_sheet given = {.is_on = true, .has_captions = true};
     uint64_t keys = 0;
+    const size_t faults = json->error->count;
     (void)field;
     if (zr_json_type(json) == ZR_JSON_STRING) {
         if (!zr_json_choice(json, path, &sheet_fields[LAYOUT], &given.layout)) return false;
-    } else if (!zr_json_fields(json, path, &zr_json_object_sheet, &given, &keys))
+    } else if (!zr_json_fields(json, path, &zr_json_object_sheet, &given, &keys) || json->error->count > faults)
         return false;
     if (zr_json_gives(keys, COLUMNS) && (given.columns < 1 || given.columns > COLUMNS_MAX))
         return zr_json_fault(json, ZR_JSON_KEY(path, "columns"), "%u; 1 to %d are allowed", given.columns, COLUMNS_MAX);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { SIGNATURE = 8, AROUND = 12 /* length, type and check sum of a chunk */, DELAY_PARTS = 1000, DELAY_MOST = 65535 };
+enum { SIGNATURE = 8, AROUND = 12 /* length, type and check sum of a chunk */, DELAY_MOST = 65535 };
 
 static void put_u32(unsigned char *at, uint32_t value)
 {
@@ -33,15 +33,32 @@ static bool add_chunk(struct zr_buffer *out, const char *type, const uint32_t *n
     return true;
 }
 
+/* Finds the fraction of two 16-bit numbers that is nearest to a time, by continued fractions. */
+static void find_delay(double seconds, uint32_t *numerator, uint32_t *denominator)
+{
+    double p[2] = {0, 1}, q[2] = {1, 0}; /* of the last two convergents */
+    double rest = fmin(seconds, DELAY_MOST);
+    for (int i = 0; i < 32; i++) {
+        const double whole = floor(rest), next_p = whole * p[1] + p[0], next_q = whole * q[1] + q[0];
+        if (next_p > DELAY_MOST || next_q > DELAY_MOST) break;
+        p[0] = p[1], q[0] = q[1], p[1] = next_p, q[1] = next_q;
+        if (rest - whole < 1e-9) break;
+        rest = 1.0 / (rest - whole);
+    }
+    *numerator = p[1] > 0 ? (uint32_t)p[1] : 1; /* 0 would be as fast as the reader can */
+    *denominator = p[1] > 0 ? (uint32_t)q[1] : DELAY_MOST;
+}
+
 static bool add_frame_control(struct zr_apng *apng)
 {
-    const double parts = fmin(fmax(round(apng->seconds * DELAY_PARTS), 1.0), DELAY_MOST);
+    uint32_t numerator, denominator;
+    find_delay(apng->seconds, &numerator, &denominator);
     unsigned char control[22] = {0};    /* frames begin at 0, 0, and replace the last one */
     memcpy(control, apng->head + 8, 8); /* width and height */
-    control[16] = (unsigned char)((uint32_t)parts >> 8);
-    control[17] = (unsigned char)(uint32_t)parts;
-    control[18] = DELAY_PARTS >> 8;
-    control[19] = DELAY_PARTS & 255;
+    control[16] = (unsigned char)(numerator >> 8);
+    control[17] = (unsigned char)numerator;
+    control[18] = (unsigned char)(denominator >> 8);
+    control[19] = (unsigned char)denominator;
     const uint32_t number = apng->sequence++;
     return add_chunk(apng->out, "fcTL", &number, control, sizeof control);
 }

@@ -1,5 +1,7 @@
 #include "scene/view_set.h"
 
+#include <string.h>
+
 #include "scene/camera_parts.h"
 #include "scene/upright.h"
 
@@ -214,12 +216,29 @@ static const struct zr_view_item balanced[] = {
     ANGLES("front-right-above", 45, SLOPE), ANGLES("back-left-above", 225, SLOPE),
     ANGLES("front-left-below", -45, -SLOPE), ANGLES("back-right-below", 135, -SLOPE)};
 
+/* A sheet is a picture of pixels, and its views have another size than the window. */
+static enum zr_status check_sheet(const struct zr_scene *scene, struct zr_error *error)
+{
+    const struct zr_view *view = &scene->views[0];
+    if (zr_view_encodes(view, ZR_ENCODING_SVG))
+        return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
+                            "a picture of pixels, which the encoding svg has not: leave out the sheet, or take png");
+    if (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS))
+        return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
+                            "does not go with the channel fragments, which is of a pixel of one view");
+    if (scene->base)
+        return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
+                            "does not go with a base, whose pictures have the size of one view");
+    return ZR_OK;
+}
+
 enum zr_status zr_sheet_complete(struct zr_scene *scene, struct zr_error *error)
 {
     static const struct zr_view_set sets[2][2] = {{{.count = 4, .items = third}, {.count = 4, .items = first}},
                                                   {{.count = 4, .items = balanced}, {.count = 4, .items = balanced}}};
     struct zr_sheet *sheet = &scene->sheet;
     if (!sheet->is_on) return ZR_OK;
+    if (check_sheet(scene, error) != ZR_OK) return ZR_BAD_SCENE;
     if (sheet->layout == ZR_SHEET_VIEWS)
         return scene->view_set ? ZR_OK
                                : zr_error_add(error, ZR_BAD_SCENE, "/sheet",
@@ -229,7 +248,7 @@ enum zr_status zr_sheet_complete(struct zr_scene *scene, struct zr_error *error)
             error, ZR_BAD_SCENE, "/sheet",
             "this layout has views of its own, and the scene gives %s, too: give \"layout\": \"views\", "
             "or leave these out",
-            zr_view_set_pointer(scene->view_set) + 1);
+            strrchr(zr_view_set_pointer(scene->view_set), '/') + 1);
     scene->view_set = &sets[sheet->layout - ZR_SHEET_THREE_VIEW][sheet->angle];
     sheet->columns = 2;
     return ZR_OK;

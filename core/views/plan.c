@@ -130,10 +130,11 @@ static enum zr_status lay_out_sheet(struct zr_views *views, struct zr_error *err
     if (!views->scene->sheet.is_on) return ZR_OK;
     if (zr_sheet_lay_out(&views->scene->sheet, views->set->count, window->width, window->height, &views->layout))
         return ZR_OK;
-    return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
-                        "%" PRIu32 " x %" PRIu32 " pixels have no room for %" PRIu32
-                        " views of at least 16 x 16 pixels: a larger window or fewer views have",
-                        window->width, window->height, views->set->count);
+    return zr_error_add(
+        error, ZR_BAD_SCENE, "/sheet",
+        "%" PRIu32 " x %" PRIu32 " pixels have no room for %" PRIu32
+        " views of at least 16 x 16 pixels, with margins and captions: a larger window or fewer views have",
+        window->width, window->height, views->set->count);
 }
 
 static enum zr_status plan(struct zr_arena *scratch, struct zr_team *team, struct zr_views *views,
