@@ -97,7 +97,7 @@ static const void *find_values(const struct encoding *e, const struct zr_output 
     return out;
 }
 
-/* Returns the values of a channel with infinity where nothing is, as in depth. A thickness of 0 is that of no mesh. */
+/* Returns the values of a channel, with infinity for uncovered pixels, as in depth. Their thickness is 0. */
 static const float *values_for_steps(const struct encoding *e, enum zr_channel channel)
 {
     const size_t pixels = (size_t)e->frame->width * e->frame->height;

@@ -22,7 +22,7 @@ struct zr_kept;
 struct zr_views {
     const struct zr_scene *scene;  /* as read */
     const struct zr_view_set *set; /* NULL: one view, that of the scene */
-    const struct zr_kept *kept;    /* what the views are made from */
+    const struct zr_kept *kept;    /* source of the views */
 
     /* Set by zr_views_plan. */
     struct zr_shared_camera camera; /* of a turntable, an orbit, a sheet or an animation */
@@ -48,7 +48,7 @@ struct zr_views zr_views_of_kept(const struct zr_kept *kept);
 enum zr_status zr_views_plan(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
                              const struct zr_cancel *cancel, struct zr_error *error);
 
-/* A view and its files, whose names are channel.extension. All of it is valid until `take` returns. */
+/* A view and its files, whose names are channel.extension. They are valid until `take` returns. */
 struct zr_drawn_view {
     uint32_t number;
     const char *name; /* of its files, without the channel */
@@ -63,7 +63,7 @@ struct zr_views_taker {
 };
 
 /* Draws and encodes all views, and hands them on in order, on the thread of the call. No file is joined, not even on a
- * sheet. Nothing is drawn while `take` runs. Errors: those of zr_render, zr_encode and `take`. */
+ * sheet. Drawing pauses while `take` runs. Errors: those of zr_render, zr_encode and `take`. */
 enum zr_status zr_views_draw_each(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
                                   const struct zr_cancel *cancel, struct zr_views_taker taker, struct zr_error *error);
 

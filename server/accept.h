@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-/* Thousandths of the weights of types that a request names; 0: not named. Starts as {0}. Wildcards name nothing. */
+/* Thousandths of the weights of types that a request names; 0: not named. Starts as {0}. Wildcards are ignored. */
 struct accept {
     int mixed, zip;
 };

@@ -73,7 +73,7 @@ struct connection *connections_find(const struct connections *connections, int f
 /* Enters a phase and starts its time. */
 void connections_enter(struct connections *connections, struct connection *connection, enum phase phase);
 
-/* Gives a reader in PHASE_WRITE more time, since there was nothing to read. */
+/* Moves the deadline of a reader in PHASE_WRITE by a wait for bytes. */
 void connections_pause(struct connection *connection, int64_t ms);
 
 /* Counts the request as in flight. False: its client has `most` requests in flight, its maximum (0: no maximum). */

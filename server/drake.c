@@ -118,7 +118,7 @@ static void put_color(struct zr_json_writer *json)
     put(json, "/outputs/0/encoding", "\"png32\"");
 }
 
-/* Depths and labels are those of the nearest surface, whatever its opacity. */
+/* Depths and labels show the nearest surface and ignore opacity. */
 static void put_depth(struct zr_json_writer *json, const struct drake_form *form, bool is_tiff)
 {
     char range[80];

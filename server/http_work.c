@@ -154,7 +154,7 @@ bool http_is_streaming(const struct exchange *exchange)
     return exchange->is_working && exchange->connection->phase == PHASE_WRITE;
 }
 
-/* The reader's time stood still while there was nothing to read. */
+/* The reader's deadline moves by the time in which the stream had no bytes. */
 static void resume_stream(struct exchange *exchange)
 {
     if (!exchange->is_suspended) return;

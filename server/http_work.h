@@ -29,7 +29,7 @@ bool http_is_streaming(const struct exchange *exchange);
 /* Reads bytes of a streamed answer for libmicrohttpd. */
 ssize_t http_read_stream(void *exchange, uint64_t position, char *bytes, size_t size);
 
-/* Ends a streamed answer that nobody reads, and the work on it. */
+/* Ends a streamed answer whose client does not read, and cancels its work. */
 void http_cut_stream(struct exchange *exchange);
 
 /* Cancels work that took too long. */

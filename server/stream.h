@@ -3,7 +3,7 @@
  * Bound:   up to STREAM_ROOM bytes wait for the loop. If they fill it, the writer waits, so a slow reader slows drawing
  *          and memory stays flat. A writer that waits gives up its place for work (queue.h), so it costs others
  * nothing. Threads: one writer, and one reader, which never waits. End:     the writer ends the bytes. The reader
- * closes the stream if nobody takes more of them; then each call of the writer returns at once.
+ * closes the stream to stop the writer, whose calls then return at once.
  */
 #ifndef ZRASTERD_STREAM_H
 #define ZRASTERD_STREAM_H

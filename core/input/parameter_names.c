@@ -30,7 +30,7 @@ static int row_of(const char *pointer, const char *key, size_t length)
     return -1;
 }
 
-/* The text of a missing key is about JSON; that of its parameter says how a query gives it. False for other texts. */
+/* Replaces the text of a missing key, which describes JSON, by the help of its parameter. False for other texts. */
 static bool explain_missing(const char *pointer, const char *text, size_t key, struct zr_parameter_text *out)
 {
     const int row = row_of(pointer, text, key);

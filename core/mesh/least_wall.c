@@ -102,7 +102,8 @@ static double height_at(const struct facet *f, struct point p)
     return h < low ? low : h > high ? high : h;
 }
 
-/* Keeps what is left of the line from a to b. Source: Sutherland and Hodgman, 1974. */
+/* Clips a convex polygon to the left side of the line from a to b, and returns the number of its corners.
+ * Source: Sutherland and Hodgman, 1974. */
 static int clip(const struct point *in, int count, struct point a, struct point b, struct point *out)
 {
     int kept = 0;

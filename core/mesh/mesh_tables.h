@@ -1,6 +1,6 @@
 /* mesh_tables.h - mesh: tables of meshes that depend on no view: made once, for several views of a scene.
  *
- * Why:    a turntable of the bunny in `studio` takes 1.1 times as long without them (make bench).
+ * Why:    without them, 36 views of the bunny take 1.2 times the processor time in `technical`, 1.06 in `studio`.
  * Exact:  whoever uses a table would make an equal one.
  * Threads: nothing here changes once it is made. */
 #ifndef ZR_MESH_TABLES_H

@@ -23,8 +23,8 @@ ZR_KERNEL_TABLE(zr_depth16_fn, zr_depth16)
 /* Converts rows of depth, or of another length, while they are written. */
 struct zr_depth16 {
     const struct zr_frame *frame;
-    const float *values;                /* of the frame's size; infinity where nothing is */
-    const struct zr_column_span *spans; /* outside of them nothing is; NULL: everywhere may be something */
+    const float *values;                /* of the frame's size; infinity if uncovered */
+    const struct zr_column_span *spans; /* pixels outside of them are uncovered; NULL: unknown */
     float scale;
     const float *range; /* nearest and farthest depth, scene units; NULL: any */
     zr_depth16_fn *make_steps;

@@ -2,7 +2,6 @@
  *
  * Colours have half the resolution of brightness below FINE_FROM; from there on, they have all of it. */
 #include <setjmp.h>
-#include <string.h>
 
 #include "base/cancel.h"
 #include "input/jpeg_memory.h"
@@ -145,13 +144,7 @@ enum zr_status zr_jpeg_write(struct zr_arena *arena, const struct zr_lossy *imag
     enum zr_status status = writing.status;
     *file = (struct zr_lossy_file){.size = writing.out.size, .quality = image->quality};
     if (status == ZR_NO_MEMORY) scratch.failed = true;
-    if (status == ZR_OK && file->size <= most) {
-        file->bytes = zr_arena_alloc_beside(arena, &scratch, file->size, 1);
-        if (file->bytes) memcpy(file->bytes, writing.out.bytes, file->size);
-        if (!file->bytes) status = ZR_NO_MEMORY;
-    }
-    zr_arena_close_scratch(&scratch, arena);
-    return status;
+    return zr_lossy_end_try(arena, &scratch, &writing.out, most, status, file);
 }
 
 #define TEXT(word)     #word

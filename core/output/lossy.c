@@ -1,6 +1,21 @@
 #include "output/lossy.h"
 
-/* The last try but one if none has fitted yet: the last one is then 1, and neither misses more than three. */
+#include <string.h>
+
+enum zr_status zr_lossy_end_try(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_buffer *out,
+                                size_t most, enum zr_status status, struct zr_lossy_file *file)
+{
+    if (status == ZR_OK && file->size <= most) {
+        file->bytes = zr_arena_alloc_beside(arena, scratch, file->size, 1);
+        if (file->bytes) memcpy(file->bytes, out->bytes, file->size);
+        if (!file->bytes) status = ZR_NO_MEMORY;
+    }
+    zr_arena_close_scratch(scratch, arena);
+    return status;
+}
+
+/* Quality of the next to last try if none has fitted. The last one then has quality 1, and neither misses more than
+ * three. */
 enum { LOW = 5 };
 
 enum zr_status zr_lossy_fit(zr_lossy_write_fn *write, struct zr_arena *arena, const struct zr_lossy *image, size_t most,

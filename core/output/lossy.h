@@ -10,6 +10,7 @@
 
 #include "base/arena.h"
 #include "base/status.h"
+#include "output/buffer.h"
 
 /* Most files that are made to find the quality for a number of bytes. */
 enum { ZR_LOSSY_TRIES = 6 };
@@ -34,6 +35,11 @@ struct zr_lossy_file {
 typedef enum zr_status zr_lossy_write_fn(struct zr_arena *arena, const struct zr_lossy *image, size_t most,
                                          const struct zr_cancel *cancel, struct zr_lossy_file *file);
 zr_lossy_write_fn zr_jpeg_write, zr_webp_write;
+
+/* Ends a try: copies a file of at most `most` bytes from `scratch` to `arena`, and closes `scratch`. Returns `status`,
+ * or ZR_NO_MEMORY. */
+enum zr_status zr_lossy_end_try(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_buffer *out,
+                                size_t most, enum zr_status status, struct zr_lossy_file *file);
 
 /* Returns the library with its version. */
 const char *zr_jpeg_encoder(void);

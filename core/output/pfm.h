@@ -7,7 +7,7 @@
 #include "base/status.h"
 #include "output/buffer.h"
 
-/* Appends the file to `out`. `components`: 1 (Pf) or 3 (PF) a pixel. Row 0 of `values` is the top. Returns ZR_OK or
+/* Appends the file to `out`. `components`: 1 (Pf) or 3 (PF) per pixel. Row 0 of `values` is the top. Returns ZR_OK or
  * ZR_NO_MEMORY. */
 enum zr_status zr_pfm_write(uint32_t width, uint32_t height, uint32_t components, const float *values,
                             struct zr_buffer *out);

@@ -7,7 +7,7 @@
 #include "base/status.h"
 #include "output/buffer.h"
 
-/* Appends the file to `out`. The pixels have at most ZR_TIFF_BYTES_MAX. `components`: 1 to 3 a pixel; 3 are marked as
+/* Appends the file to `out`. The pixels have at most ZR_TIFF_BYTES_MAX. `components`: 1 to 3 per pixel; 3 are marked as
  * RGB, which readers pass on unchanged. Returns ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_tiff_write(uint32_t width, uint32_t height, uint32_t components, const float *values,
                              struct zr_buffer *out);

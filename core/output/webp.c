@@ -2,9 +2,8 @@
  *
  * Memory:       libwebp uses malloc. A bound is charged to the arena before: the most that was measured, for pictures
  *               of noise, and some more.
- * Cancellation: libwebp asks its progress hook, at most a hundred times for a picture. */
+ * Cancellation: libwebp asks its progress hook, at most a hundred times per picture. */
 #include <stdio.h>
-#include <string.h>
 
 #include "base/cancel.h"
 #include "output/buffer.h"
@@ -86,13 +85,7 @@ enum zr_status zr_webp_write(struct zr_arena *arena, const struct zr_lossy *imag
     if (status == ZR_NO_MEMORY) scratch.failed = true;
     if (!scratch.failed) zr_arena_refund(&scratch, own);
     *file = (struct zr_lossy_file){.size = writing.out.size, .quality = image->quality};
-    if (status == ZR_OK && file->size <= most) {
-        file->bytes = zr_arena_alloc_beside(arena, &scratch, file->size, 1);
-        if (file->bytes) memcpy(file->bytes, writing.out.bytes, file->size);
-        if (!file->bytes) status = ZR_NO_MEMORY;
-    }
-    zr_arena_close_scratch(&scratch, arena);
-    return status;
+    return zr_lossy_end_try(arena, &scratch, &writing.out, most, status, file);
 }
 
 struct zr_webp_encoder zr_webp_encoder(void)

@@ -18,9 +18,9 @@ struct zr_track {
     double degrees;   /* of the whole animation; 0: no turn */
     uint32_t key_count;
     const double *times;       /* seconds, ascending */
-    const float *translations; /* 3 numbers a key, NULL: the node's own */
-    const float *rotations;    /* 4 numbers a key: x, y, z, w */
-    const float *scales;       /* 3 numbers a key */
+    const float *translations; /* 3 numbers per key; NULL: the node's own */
+    const float *rotations;    /* 4 numbers per key: x, y, z, w */
+    const float *scales;       /* 3 numbers per key */
     bool has_steps;            /* a key holds until the next one; false: poses between keys are interpolated */
 };
 

@@ -34,7 +34,7 @@ static const char *unit_of(const struct zr_scene *scene)
     return "units";
 }
 
-/* Writes the direction of a view, unless its name says it. */
+/* Writes the angles of a view; nothing if its name is a direction. */
 static void find_direction(const struct zr_sheet_picture *sheet, uint32_t number, char text[64])
 {
     const struct zr_views *views = sheet->views;

@@ -1,4 +1,4 @@
-/* sheet_picture.h - views: one picture of all views, and what info says about it. */
+/* sheet_picture.h - views: one picture of all views, and its key in info. */
 #ifndef ZR_SHEET_PICTURE_H
 #define ZR_SHEET_PICTURE_H
 

@@ -15,7 +15,7 @@ struct streamed {
 /* Asks for a stream; `buffer`: bytes that the client's system takes beyond those that are read, 0: its own choice. */
 struct streamed streamed_begin(const struct daemon *daemon, const char *scene, int buffer);
 
-/* Reads what is there, or comes first. False: the end, or nothing for long. */
+/* Reads the bytes that have arrived, or waits for some. False: the connection ended, or none arrived in time. */
 bool streamed_read(struct streamed *streamed);
 
 /* Reads until the first part is whole. */

@@ -1,4 +1,4 @@
-/* The encoding svg: units, widths, parts, what is left out, the same bytes for every team and instruction set. */
+/* The encoding svg: units, widths, parts and warnings. Every team and instruction set gives the same bytes. */
 #include <math.h>
 
 #include "json_check.h"

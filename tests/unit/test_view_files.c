@@ -1,0 +1,195 @@
+/* core/views: arrays, animations and sheets of several views have the pixels of the views drawn alone. */
+#include "output/npy.h"
+#include "support/png.h"
+#include "views_check.h"
+
+/* ---- joined files ---- */
+
+TEST_AROUND(arrays_of_equal_windows_are_one_array, open_arena, close_arena)
+{
+    struct zr_views views;
+    const struct zr_files files =
+        draw(SCENE
+             ", \"outputs\": [{\"channel\": \"normals\"}, {\"channel\": \"faceId\"}], \"views\": [\"front\", \"top\"]}",
+             &views);
+    static const char *const views_alone[] = {"front", "top"};
+    assert_int_equal(files.count, 2);
+    for (int k = 0; k < 2; k++) {
+        const struct zr_zip_entry *file = file_of(&files, k == 0 ? "normals.npy" : "faceId.npy");
+        const size_t bytes = (size_t)80 * 60 * (k == 0 ? 12 : 4);
+        assert_int_equal(file->size, ZR_NPY_HEADER + 2 * bytes);
+        assert_non_null(strstr((const char *)file->bytes + 10, k == 0 ? "(2, 60, 80, 3)" : "(2, 60, 80)"));
+        for (int v = 0; v < 2; v++) {
+            char text[1024];
+            struct zr_files alone;
+            snprintf(text, sizeof text, SCENE ", \"outputs\": [{\"channel\": \"%s\"}], \"view\": {\"preset\": \"%s\"}}",
+                     k == 0 ? "normals" : "faceId", views_alone[v]);
+            draw_alone(text, &alone);
+            assert_memory_equal((const char *)file->bytes + ZR_NPY_HEADER + (size_t)v * bytes,
+                                (const char *)alone.entries[0].bytes + ZR_NPY_HEADER, bytes);
+        }
+    }
+}
+
+TEST_AROUND(arrays_of_other_windows_stay_apart, open_arena, close_arena)
+{
+    struct zr_views views;
+    const struct zr_files files = draw(SCENE ", \"outputs\": [{\"channel\": \"depth\"}], \"views\": [\"front\", "
+                                             "{\"name\": \"b\", \"window\": {\"width\": 9, \"height\": 9}}]}",
+                                       &views);
+    assert_int_equal(files.count, 2);
+    assert_int_equal(file_of(&files, "b.depth.npy")->size, ZR_NPY_HEADER + 4 * 81);
+    file_of(&files, "front.depth.npy");
+}
+
+static uint32_t u32_at(const uint8_t *at)
+{
+    return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3];
+}
+
+/* Makes the PNG of a frame: the chunks before the first frame, and the frame's data as IDAT. libpng checks their sums.
+ */
+static void take_frame(const uint8_t *apng, size_t size, uint32_t number, struct zr_buffer *out)
+{
+    uint32_t frame = UINT32_MAX, sequence = 0;
+    zr_buffer_add(out, apng, 8 + 25);
+    for (size_t at = 8 + 25; at < size; at += u32_at(apng + at) + 12) {
+        const uint8_t *chunk = apng + at;
+        const uint32_t length = u32_at(chunk);
+        const bool is_control = memcmp(chunk + 4, "fcTL", 4) == 0, is_more = memcmp(chunk + 4, "fdAT", 4) == 0;
+        if (is_control) frame++;
+        if (is_control || is_more) assert_int_equal(u32_at(chunk + 8), sequence++);
+        if (memcmp(chunk + 4, "IDAT", 4) == 0) assert_int_equal(frame, 0);
+        if (frame != number) continue;
+        if (memcmp(chunk + 4, "IDAT", 4) == 0) zr_buffer_add(out, chunk, length + 12);
+        if (!is_more) continue;
+        uint8_t head[8];
+        for (int i = 0; i < 4; i++)
+            head[i] = (uint8_t)((length - 4) >> (24 - 8 * i));
+        memcpy(head + 4, "IDAT", 4);
+        zr_buffer_add(out, head, 8);
+        zr_buffer_add(out, chunk + 12, length - 4);
+        uint32_t sum = UINT32_MAX; /* CRC-32 of ISO 3309, bit by bit */
+        for (size_t i = out->size - length; i < out->size; i++) {
+            sum ^= out->bytes[i];
+            for (int bit = 0; bit < 8; bit++)
+                sum = sum >> 1 ^ (sum & 1u ? 0xedb88320u : 0);
+        }
+        for (int i = 0; i < 4; i++)
+            head[i] = (uint8_t)(~sum >> (24 - 8 * i));
+        zr_buffer_add(out, head, 4);
+    }
+    assert_int_equal(frame + 1, 3);
+    static const uint8_t end[] = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
+    assert_memory_equal(apng + size - sizeof end, end, sizeof end);
+    zr_buffer_add(out, end, sizeof end);
+}
+
+TEST_AROUND(frames_of_an_animation_have_the_pixels_of_their_views, open_arena, close_arena)
+{
+    static const char *const backgrounds[] = {"\"#102030\"", "\"#10203040\""};
+    for (int k = 0; k < 2; k++) {
+        char text[1024];
+        struct zr_views views;
+        snprintf(text, sizeof text,
+                 SCENE ", \"background\": %s, \"outputs\": [{\"channel\": \"color\", \"encoding\": \"apng\"}], "
+                       "\"views\": [\"front\", \"top\", {\"hide\": \"m\"}]}",
+                 backgrounds[k]);
+        const struct zr_files files = draw(text, &views);
+        static const char *const keys[] = {"\"view\": {\"preset\": \"front\"}", "\"view\": {\"preset\": \"top\"}",
+                                           "\"hide\": \"m\""};
+        assert_int_equal(files.count, 1);
+        assert_string_equal(files.entries[0].name, "color.apng");
+        assert_string_equal(files.types[0], "image/apng");
+        for (uint32_t i = 0; i < 3; i++) {
+            struct zr_buffer png = {.arena = &arena};
+            struct zr_files alone;
+            uint32_t width, height;
+            take_frame(files.entries[0].bytes, files.entries[0].size, i, &png);
+            snprintf(text, sizeof text, SCENE ", \"background\": %s, %s}", backgrounds[k], keys[i]);
+            draw_alone(text, &alone);
+            void *got = png_memory_read(png.bytes, png.size, PNG_AS_RGBA, &width, &height);
+            void *want = png_memory_read(alone.entries[0].bytes, alone.entries[0].size, PNG_AS_RGBA, &width, &height);
+            assert_non_null(got);
+            assert_non_null(want);
+            assert_memory_equal(got, want, 80 * 60 * 4);
+            free(got);
+            free(want);
+        }
+    }
+}
+
+/* ---- sheets ---- */
+
+TEST_AROUND(tiles_of_a_sheet_have_the_pixels_of_their_views, open_arena, close_arena)
+{
+    static const char *const sheets[] = {"\"threeView\"", "\"balanced\"", "{\"columns\": 3}"};
+    for (int k = 0; k < 3; k++) {
+        char text[2048], view[400];
+        struct zr_views views;
+        snprintf(text, sizeof text, "{" GEOMETRY ", \"window\": {\"width\": 300, \"height\": 220}, \"sheet\": %s%s}",
+                 sheets[k],
+                 k == 2 ? ", \"views\": [\"front\", \"top\", \"isometric\", {\"view\": {\"direction\": [1,1,1]}}]"
+                        : "");
+        const struct zr_files files = draw(text, &views);
+        uint32_t width, height, ink = 0;
+        assert_int_equal(files.count, 1);
+        assert_string_equal(files.entries[0].name, "color.png");
+        uint32_t *sheet = png_memory_read(files.entries[0].bytes, files.entries[0].size, PNG_AS_RGBA, &width, &height);
+        assert_non_null(sheet);
+        assert_true(width == 300 && height == 220);
+        float ymag = 0.0f;
+        for (uint32_t i = 0; i < views.set->count; i++) {
+            const struct zr_view *given = &scene_of_view(&views, i)->views[0];
+            const struct zr_box box = zr_sheet_box(&views.layout, i);
+            static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
+            assert_true(ymag == 0.0f || ymag == given->ymag); /* one scale */
+            ymag = given->ymag;
+            if (given->pose == ZR_POSE_PRESET)
+                snprintf(view, sizeof view, "\"preset\": \"%s\"", presets[given->preset]);
+            else if (given->pose == ZR_POSE_DIRECTION)
+                snprintf(view, sizeof view, "\"direction\": [1,1,1]");
+            else
+                snprintf(view, sizeof view, "\"azimuthDegrees\": %.17g, \"elevationDegrees\": %.17g",
+                         given->azimuth_degrees, given->elevation_degrees);
+            snprintf(text, sizeof text,
+                     "{" GEOMETRY ", \"window\": {\"width\": %d, \"height\": %d}, \"view\": {%s, "
+                     "\"orthographic\": {\"xmag\": %.9g, \"ymag\": %.9g}}}",
+                     box.width, box.height, view, (double)given->xmag, (double)given->ymag);
+            struct zr_files alone;
+            const struct zr_frame *frame = draw_alone(text, &alone);
+            for (int32_t y = 0; y < box.height; y++)
+                assert_memory_equal(&sheet[(box.y + y) * 300 + box.x], frame->color + (size_t)y * (size_t)box.width * 4,
+                                    (size_t)box.width * 4);
+            for (int32_t y = box.y + box.height; y < box.y + box.height + views.layout.caption; y++)
+                for (int32_t x = box.x; x < box.x + box.width; x++)
+                    ink += sheet[y * 300 + x] != UINT32_MAX;
+        }
+        assert_in_range(ink, 100, 4000); /* captions */
+        free(sheet);
+    }
+}
+
+TEST_AROUND(info_of_a_sheet_has_all_boxes, open_arena, close_arena)
+{
+    struct zr_views views;
+    const struct zr_files files =
+        draw(SCENE ", \"sheet\": {\"layout\": \"threeView\", \"angle\": \"first\", \"captions\": "
+                   "false}, \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"info\"}]}",
+             &views);
+    const struct zr_zip_entry *info = file_of(&files, "info.json");
+    char *text = zr_arena_alloc(&arena, info->size + 1, 1);
+    memcpy(text, info->bytes, info->size);
+    text[info->size] = '\0';
+    const char *at = strstr(text, ",\"sheet\":[");
+    assert_non_null(at);
+    static const char *const parts[] = {
+        "{\"name\":\"right\",\"box\":[4,4,38,28]", "{\"name\":\"front\",\"box\":[42,4,76,28]",
+        "{\"name\":\"isometric\",\"box\":[4,32,38,56]", "{\"name\":\"top\",\"box\":[42,32,76,56]", "}]}\n"};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        at = strstr(at, parts[i]);
+        if (!at) fail_msg("%s is not in %s", parts[i], text);
+    }
+}
+
+RUN_TESTS(NULL, NULL)
