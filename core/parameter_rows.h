@@ -23,9 +23,10 @@
     KIND(SIDE, "PIXELS")  /* integer, side of the window */                                                            \
     KIND(PIXEL, "PIXELS") /* integer, from 0 */                                                                        \
     KIND(VECTOR, "X,Y,Z")                                                                                              \
-    KIND(PARTS, "NAME,...") /* names, patterns or ids of parts, with commas between them */                            \
-    KIND(PLANES, "PLANES")  /* AXIS[:FRACTION[:KEEP]], with commas between planes */                                   \
-    KIND(COLOR, "COLOR")    /* opaque */                                                                               \
+    KIND(PARTS, "NAME,...")   /* names, patterns or ids of parts, with commas between them */                          \
+    KIND(PRESETS, "NAME,...") /* names of presets, with commas between them */                                         \
+    KIND(PLANES, "PLANES")    /* AXIS[:FRACTION[:KEEP]], with commas between planes */                                 \
+    KIND(COLOR, "COLOR")      /* opaque */                                                                             \
     KIND(BACKGROUND, "COLOR")                                                                                          \
     KIND(OUTLINE, "COLOR") /* true, false, or opaque */
 
@@ -61,7 +62,7 @@
     ROW(padding, "/view/fit/padding", MESH, NUMBER, "share of the window left free on each side, 0 to 0.45")           \
     ROW(up, "/query/up", MESH, AXIS,                                                                                   \
         "axis of the mesh that points up: x, -x, y, -y, z, -z or auto (default: z for STL and 3MF, else y)")           \
-    ROW(views, "/views", MESH, PARTS, "several views: names of presets with commas between them")                      \
+    ROW(views, "/views", MESH, PRESETS, "several views: names of presets with commas between them")                    \
     ROW(turntable, "/turntable/frames", MESH, WHOLE, "several views: so many, from around the mesh")                   \
     ROW(turntableElevation, "/turntable/elevation", MESH, DEGREES,                                                     \
         "angle of the camera above the horizon (default: the look's)")                                                 \

@@ -132,6 +132,15 @@ static void add_frames(struct zr_query *query)
         (struct zr_view_set){.kind = ZR_VIEW_SET_FILE, .count = query->frames, .seconds = length, .start = query->time};
 }
 
+/* Each of the views is a preset, which gives the angles. */
+static void check_views(struct zr_query *query)
+{
+    const struct zr_request *request = query->request;
+    if (request->views && (request->preset || request->azimuth || request->elevation || request->camera))
+        zr_json_fault(&query->given.json, ZR_JSON_KEY(NULL, "views"),
+                      "does not go with preset, azimuth, elevation or camera");
+}
+
 static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
 {
     const struct zr_format_row *format = &zr_format_rows[request->format];
@@ -166,6 +175,7 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
     }
     check_animation(query);
     add_frames(query);
+    check_views(query);
     const bool has_ink = zr_cloud_take_edges(root);
     if (has_materials(root)) {
         zr_file_scene_make_materials(root, root->builder->file);

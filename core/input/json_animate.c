@@ -232,7 +232,7 @@ enum { NODES, FRAMES, SECONDS };
 static const struct zr_json_field fields[] = {
     [NODES] = {"nodes", read_tracks, AT(animation), .required = true, .object = &zr_json_object_track,
                .text = "motions by the names of nodes"},
-    [FRAMES] = {"frames", zr_json_whole, AT(frames), 0, UINT32_MAX, .otherwise = "36", .text = "number of views"},
+    [FRAMES] = {"frames", zr_json_whole, AT(frames), 1, 4096, .otherwise = "36", .text = "number of views"},
     [SECONDS] = {"seconds", zr_json_number, AT(seconds), 0.02, SECONDS_MAX, .unit = "seconds",
                  .otherwise = "the last of all times, or 4", .text = "time from the first frame to its return"}};
 #undef AT

@@ -70,26 +70,30 @@ static const struct zr_json_field item_fields[] = {
 enum { VALUES = sizeof item_fields / sizeof *item_fields - FIRST_KEY };
 const struct zr_json_object zr_json_object_views = ZR_JSON_OBJECT_OF("views", item_fields);
 
-/* Writes the keys of an item as an object of their own. NULL without memory. */
-static const char *write_keys(struct zr_arena *arena, const struct given_item *given, size_t *size)
+/* Writes the keys of an item as an object of their own. False without memory. */
+static bool write_keys(struct zr_arena *arena, const struct given_item *given, struct zr_view_item *item)
 {
     size_t room = 2;
     for (int i = 0; i < VALUES; i++)
         room += given->values[i].size + strlen(item_fields[FIRST_KEY + i].key) + 4;
     char *text = zr_arena_alloc(arena, room, 1), *end = text;
-    if (!text) return NULL;
+    const char **names = zr_arena_zero(arena, VALUES + 1, sizeof *names);
+    item->keys = text;
+    item->key_names = names;
+    if (!text || !names) return false;
     *end++ = '{';
     for (int i = 0; i < VALUES; i++) {
         if (!given->values[i].at) continue;
         if (end[-1] != '{') *end++ = ',';
+        *names++ = item_fields[FIRST_KEY + i].key;
         *end++ = '"';
         end = stpcpy(end, item_fields[FIRST_KEY + i].key);
         end = mempcpy(end, "\":", 2);
         end = mempcpy(end, given->values[i].at, given->values[i].size);
     }
     *end++ = '}';
-    *size = (size_t)(end - text);
-    return text;
+    item->keys_size = (size_t)(end - text);
+    return true;
 }
 
 static bool read_item(struct zr_json *json, const struct zr_json_path *path, struct zr_view_item *item)
@@ -106,8 +110,7 @@ static bool read_item(struct zr_json *json, const struct zr_json_path *path, str
     if (zr_json_type(json) != ZR_JSON_OBJECT) return zr_json_expect(json, path, "the name of a preset or an object");
     if (!zr_json_fields(json, path, &zr_json_object_views, &given, &keys)) return false;
     item->name = given.name;
-    item->keys = write_keys(json->arena, &given, &item->keys_size);
-    return item->keys != NULL;
+    return write_keys(json->arena, &given, item);
 }
 
 /* ---- the keys ---- */

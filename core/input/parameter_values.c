@@ -208,12 +208,12 @@ static bool put_name(const struct zr_parameter *p, const char *text, struct zr_j
 }
 
 /* Writes a list of the texts between the commas. */
-static bool put_parts(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
+static bool put_list(const struct zr_parameter *p, const char *text, const char *wanted, struct zr_json_writer *json)
 {
     const char *at = text;
     for (size_t length; at; at = at[length] ? at + length + 1 : NULL) {
         length = strcspn(at, ",");
-        if (length == 0) return refuse(p, text, "a list of names, patterns or ids of parts with commas between them");
+        if (length == 0) return refuse(p, text, wanted);
         zr_json_put(json, at == text ? "[" : ",");
         zr_json_put_part(json, at, length);
     }
@@ -221,19 +221,39 @@ static bool put_parts(const struct zr_parameter *p, const char *text, struct zr_
     return true;
 }
 
+static bool put_parts(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
+{
+    return put_list(p, text, "a list of names, patterns or ids of parts with commas between them", json);
+}
+
+static bool put_presets(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
+{
+    return put_list(p, text, "a list of names of presets with commas between them", json);
+}
+
 typedef bool put_fn(const struct zr_parameter *p, const char *text, struct zr_json_writer *json);
 
 bool zr_parameter_put(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
 {
-    static put_fn *const by_kind[] = {[ZR_PARAMETER_NAME] = put_name,        [ZR_PARAMETER_NAME_OR_FALSE] = put_name,
-                                      [ZR_PARAMETER_AXIS] = put_name,        [ZR_PARAMETER_BOOL] = put_flag,
-                                      [ZR_PARAMETER_COUNT] = put_count,      [ZR_PARAMETER_NUMBER] = put_in_range,
-                                      [ZR_PARAMETER_DEGREES] = put_in_range, [ZR_PARAMETER_PIXELS] = put_in_range,
-                                      [ZR_PARAMETER_UNITS] = put_positive,   [ZR_PARAMETER_SECONDS] = put_in_range,
-                                      [ZR_PARAMETER_WHOLE] = put_whole,      [ZR_PARAMETER_SIDE] = put_side,
-                                      [ZR_PARAMETER_PIXEL] = put_pixel,      [ZR_PARAMETER_VECTOR] = put_vector,
-                                      [ZR_PARAMETER_PARTS] = put_parts,      [ZR_PARAMETER_PLANES] = put_planes,
-                                      [ZR_PARAMETER_COLOR] = put_opaque,     [ZR_PARAMETER_BACKGROUND] = put_background,
+    static put_fn *const by_kind[] = {[ZR_PARAMETER_NAME] = put_name,
+                                      [ZR_PARAMETER_NAME_OR_FALSE] = put_name,
+                                      [ZR_PARAMETER_AXIS] = put_name,
+                                      [ZR_PARAMETER_BOOL] = put_flag,
+                                      [ZR_PARAMETER_COUNT] = put_count,
+                                      [ZR_PARAMETER_NUMBER] = put_in_range,
+                                      [ZR_PARAMETER_DEGREES] = put_in_range,
+                                      [ZR_PARAMETER_PIXELS] = put_in_range,
+                                      [ZR_PARAMETER_UNITS] = put_positive,
+                                      [ZR_PARAMETER_SECONDS] = put_in_range,
+                                      [ZR_PARAMETER_WHOLE] = put_whole,
+                                      [ZR_PARAMETER_SIDE] = put_side,
+                                      [ZR_PARAMETER_PIXEL] = put_pixel,
+                                      [ZR_PARAMETER_VECTOR] = put_vector,
+                                      [ZR_PARAMETER_PARTS] = put_parts,
+                                      [ZR_PARAMETER_PLANES] = put_planes,
+                                      [ZR_PARAMETER_PRESETS] = put_presets,
+                                      [ZR_PARAMETER_COLOR] = put_opaque,
+                                      [ZR_PARAMETER_BACKGROUND] = put_background,
                                       [ZR_PARAMETER_OUTLINE] = put_outline};
     return by_kind[p->kind](p, text, json);
 }

@@ -52,7 +52,7 @@ static const struct zr_json_field query_fields[] = {
     {"animation", zr_json_string, AT(animation), .text = "animation of the file, by name or number"},
     {"fileLights", zr_json_bool, AT(has_file_lights), .text = "lights of the file instead of the look's"},
     {"time", zr_json_number, AT(time), 0, TIME_MAX, .unit = "seconds", .text = "time of the animation"},
-    {"frames", zr_json_whole, AT(frames), 0, UINT32_MAX, .text = "number of views, from this time on"},
+    {"frames", zr_json_whole, AT(frames), 1, 4096, .text = "number of views, from this time on"},
     {"timeEnd", zr_json_number, AT(time_end), 0, TIME_MAX, .unit = "seconds", .text = "time at which the frames end"}};
 #undef AT
 static const struct zr_json_object query_object = ZR_JSON_OBJECT_OF("query", query_fields);

@@ -30,6 +30,7 @@ struct zr_view_item {
     double azimuth_degrees, elevation_degrees;
     const char *keys; /* JSON object of the keys that it changes; NULL: none */
     size_t keys_size;
+    const char *const *key_names; /* of these keys, NULL after the last */
 };
 
 struct zr_view_set {

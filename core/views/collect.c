@@ -16,6 +16,11 @@ struct sink {
     struct zr_apng apng;
 };
 
+/* Views that have a warning. */
+struct warned {
+    uint32_t views, first;
+};
+
 struct collecting {
     struct zr_arena *arena;
     const struct zr_views *views;
@@ -24,6 +29,7 @@ struct collecting {
     struct sink *sinks;
     struct zr_sheet_picture sheet;
     struct zr_files *files;
+    struct warned *warned; /* by warning of the files */
     struct zr_error *error;
 };
 
@@ -98,14 +104,41 @@ static bool take_encoders(struct collecting *c, const char *encoders)
 }
 
 /* Adds warnings that no earlier view has. */
-static void take_warnings(struct collecting *c, const struct zr_warning_list *warnings)
+static void take_warnings(struct collecting *c, const struct zr_warning_list *warnings, uint32_t number)
 {
     struct zr_warning_list *all = &c->files->warnings;
     for (size_t i = 0; i < warnings->count; i++) {
         size_t k = 0;
         while (k < all->count && strcmp(all->texts[k], warnings->texts[i]) != 0)
             k++;
-        if (k == all->count) zr_warning_list_add(c->arena, all, "%s", warnings->texts[i]);
+        if (k == all->count) {
+            struct warned *more = zr_arena_grow(c->arena, c->warned, k, k + 1, sizeof *more);
+            if (!more) return;
+            c->warned = more;
+            c->warned[k] = (struct warned){0, number};
+            zr_warning_list_add(c->arena, all, "%s", warnings->texts[i]);
+        }
+        if (k < all->count) c->warned[k].views++;
+    }
+}
+
+/* Names the views of warnings that some views have, and others not. */
+static void name_warnings(struct collecting *c)
+{
+    const struct zr_warning_list all = c->files->warnings;
+    const uint32_t count = c->views->set->count;
+    char name[ZR_VIEW_NAME_SIZE];
+    c->files->warnings = (struct zr_warning_list){0};
+    for (size_t i = 0; i < all.count; i++) {
+        const struct warned *warned = &c->warned[i];
+        zr_view_name(c->views->set, warned->first, name);
+        if (warned->views == count)
+            zr_warning_list_add(c->arena, &c->files->warnings, "%s", all.texts[i]);
+        else if (warned->views == 1)
+            zr_warning_list_add(c->arena, &c->files->warnings, "view %s: %s", name, all.texts[i]);
+        else
+            zr_warning_list_add(c->arena, &c->files->warnings, "%u of %u views, the first is %s: %s", warned->views,
+                                count, name, all.texts[i]);
     }
 }
 
@@ -162,6 +195,7 @@ static enum zr_status close_sheet(struct collecting *c, uint32_t number)
 static enum zr_status close_files(struct collecting *c)
 {
     char name[64];
+    name_warnings(c);
     for (uint32_t i = 0; i < c->views->scene->views[0].output_count; i++) {
         struct sink *sink = &c->sinks[i];
         enum zr_status status = ZR_OK;
@@ -186,7 +220,7 @@ static enum zr_status take(void *context, const struct zr_drawn_view *view, stru
     if (status == ZR_OK && !take_encoders(c, view->files->encoders)) status = ZR_NO_MEMORY;
     if (status != ZR_OK) return status;
     if (c->views->scene->sheet.is_on) zr_sheet_picture_add(&c->sheet, view->number, view->frame);
-    take_warnings(c, &view->files->warnings);
+    take_warnings(c, &view->files->warnings, view->number);
     return ZR_OK;
 }
 

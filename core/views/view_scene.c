@@ -14,18 +14,33 @@ void zr_view_name(const struct zr_view_set *set, uint32_t number, char name[ZR_V
         snprintf(name, ZR_VIEW_NAME_SIZE, "%04u", number + 1);
 }
 
+/* True if the fault is of a key that the view of a list gives, not of one of the scene. */
+static bool is_of_item(const struct zr_view_item *item, const char *pointer)
+{
+    const size_t length = *pointer ? strcspn(pointer + 1, "/") : 0;
+    if (length == 0 || strcmp(pointer, "/name") == 0) return true;
+    for (const char *const *name = item->key_names; name && *name; name++)
+        if (strlen(*name) == length && memcmp(*name, pointer + 1, length) == 0) return true;
+    return !item->keys && length == 4 && memcmp(pointer + 1, "view", 4) == 0; /* a preset */
+}
+
 enum zr_status zr_view_report(const struct zr_views *views, uint32_t number, enum zr_status status,
                               const struct zr_error *faults, struct zr_error *error)
 {
     const bool is_list = views->set->kind == ZR_VIEW_SET_LIST;
     const char *pointer = zr_view_set_pointer(views->set);
-    char at[ZR_POINTER_SIZE];
+    char at[ZR_POINTER_SIZE], name[ZR_VIEW_NAME_SIZE];
+    zr_view_name(views->set, number, name);
     for (size_t i = 0; i < zr_error_held(faults); i++) {
-        if (is_list)
-            snprintf(at, sizeof at, "%s/%u%.120s", pointer, number, faults->items[i].pointer);
-        else
-            snprintf(at, sizeof at, "%s", pointer);
-        zr_error_add(error, status, at, "%s", faults->items[i].detail);
+        const struct zr_error_item *fault = &faults->items[i];
+        if (!is_list) {
+            zr_error_add(error, status, pointer, "%s", fault->detail);
+        } else if (is_of_item(&views->set->items[number], fault->pointer)) {
+            snprintf(at, sizeof at, "%s/%u%.120s", pointer, number, fault->pointer);
+            zr_error_add(error, status, at, "%s", fault->detail);
+        } else {
+            zr_error_add(error, status, fault->pointer, "in the view %s: %s", name, fault->detail);
+        }
     }
     return status;
 }

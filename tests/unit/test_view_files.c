@@ -42,6 +42,24 @@ TEST_AROUND(arrays_of_other_windows_stay_apart, open_arena, close_arena)
     file_of(&files, "front.depth.npy");
 }
 
+#define AWAY(name) "{\"name\": \"" name "\", \"view\": {\"eye\": [0,0,99], \"target\": [0,0,200]}}"
+TEST_AROUND(warnings_of_some_views_name_them, open_arena, close_arena)
+{
+    static const struct {
+        const char *views, *warning;
+    } cases[] = {{"\"front\", " AWAY("away") ", \"top\"", "view away: nothing is seen"},
+                 {"\"front\", " AWAY("a") ", " AWAY("b"), "2 of 3 views, the first is a: nothing is seen"},
+                 {AWAY("a") ", " AWAY("b"), "nothing is seen"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1024];
+        struct zr_views views;
+        snprintf(text, sizeof text, SCENE ", \"views\": [%s]}", cases[i].views);
+        const struct zr_files files = draw(text, &views);
+        assert_int_equal(files.warnings.count, 1);
+        assert_memory_equal(files.warnings.texts[0], cases[i].warning, strlen(cases[i].warning));
+    }
+}
+
 static uint32_t u32_at(const uint8_t *at)
 {
     return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3];
