@@ -186,6 +186,12 @@ test-python: ## the Python package and its notebook; PYTHON_RENDERS=10000: memor
 	@$(MAKE) -s -j$(JOBS) library $(BUILD)/zrasterd
 	@PYTHON="$(PYTHON)" PYTHON_RENDERS="$(or $(PYTHON_RENDERS),300)" DATA="$(DATA)" tests/run.sh $(BUILD) python
 
+.PHONY: test-docs
+test-docs: ## runs the examples of the README and of clients/docs, and checks their links
+	@.ci/need $(NEED_BUILD) $(NEED_TEST)
+	@$(MAKE) -s -j$(JOBS) all library
+	@tests/clients/test_docs.sh $(BUILD)
+
 .PHONY: reference
 reference: ## the long comparison with Mesa, and build/reference/report.html about it; REFERENCE=egl: without OSMesa
 	@.ci/need $(NEED_BUILD) $(NEED_REFERENCE) $(NEED_DEMO)

@@ -133,7 +133,7 @@ for part in "$@"; do
         run encodings tests/clients/test_encodings.sh "$build"
         run wrong-lines tests/clients/test_wrong_lines.sh "$build"
         run gallery tests/clients/test_gallery.sh "$build"
-        run readme tests/clients/test_readme.sh "$build"
+        run docs tests/clients/test_docs.sh "$build"
         ;;
     python)
         python=${PYTHON:-/usr/bin/python3}
