@@ -11,6 +11,7 @@
 #include "output/lossy.h"
 #include "raster/tile.h"
 #include "render/layers.h"
+#include "render/lens.h"
 #include "render/picture.h"
 #include "scene/resolved_view.h"
 #include "shade/lights/shadow_map.h"
@@ -208,7 +209,8 @@ static void count_lossy(const struct zr_scene *scene, const struct zr_output *ou
         counts[output->encoding == ZR_ENCODING_JPEG ? ZR_COST_JPEG_PIXEL : ZR_COST_WEBP_PIXEL] += pixels * tries;
 }
 
-static void count_outputs(const struct zr_scene *scene, double *counts)
+/* Channels are computed for all pixels that are drawn, more than those of the view if it has a lens. */
+static void count_outputs(const struct zr_scene *scene, double drawn, double *counts)
 {
     const struct zr_view *view = &scene->views[0];
     const double pixels = (double)view->width * (double)view->height;
@@ -216,7 +218,7 @@ static void count_outputs(const struct zr_scene *scene, double *counts)
         const enum zr_encoding encoding = view->outputs[i].encoding;
         if (encoding == ZR_ENCODING_SVG) continue;
         counts[ZR_COST_OUTPUT_WORD] += pixels * fmax((double)zr_channel_rows[view->outputs[i].channel].words, 1.0);
-        counts[ZR_COST_CHANNEL_PIXEL] += pixels * CHANNEL_TIMES[view->outputs[i].channel];
+        counts[ZR_COST_CHANNEL_PIXEL] += drawn * CHANNEL_TIMES[view->outputs[i].channel];
         if (zr_encoding_has_quality(encoding)) count_lossy(scene, &view->outputs[i], pixels, counts);
         if (!zr_encoding_is_png(encoding)) continue;
         counts[scene->compress == ZR_COMPRESS_SMALL ? ZR_COST_SMALL_PNG_PIXEL : ZR_COST_PNG_PIXEL] += pixels;
@@ -315,18 +317,38 @@ struct zr_cost_most zr_cost_most(const struct zr_cost *cost)
     return (struct zr_cost_most){1e-6 * cost->counts[most] * ROWS[most].ns, cost->counts[most], ROWS[most].words};
 }
 
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
+/* Adds the pixels that a lens looks up, and the channels of the view. */
+static void add_lens(const struct zr_view *view, struct zr_cost *cost)
 {
-    const struct passes passes = passes_of(scene, resolved);
+    const double pixels = (double)view->width * (double)view->height;
+    cost->counts[ZR_COST_LENS_PIXEL] += pixels;
+    cost->window_bytes += pixels * (bytes_of_channels(view) + (double)sizeof(struct zr_remap_place));
+}
+
+/* `drawn` and `resolved`: what is drawn; `scene`: what is written. They differ if the view has a lens. */
+static struct zr_cost cost_of(const struct zr_scene *scene, const struct zr_scene *drawn,
+                              const struct zr_resolved_view *resolved)
+{
+    const struct passes passes = passes_of(drawn, resolved);
+    const struct zr_view *view = &drawn->views[0];
     struct zr_cost cost = {.counts = {[ZR_COST_REQUEST] = 1.0}, .lamp_maps = passes.lamp_maps};
-    const struct zr_cost_sample sample = zr_cost_sample_of(scene, resolved);
-    count_geometry(scene, &passes, cost.counts);
-    count_outputs(scene, cost.counts);
+    const struct zr_cost_sample sample = zr_cost_sample_of(drawn, resolved);
+    cost.window_bytes =
+        window_bytes(drawn, &passes, sample.kept * (passes.samples > 0.0 ? passes.side * passes.side : 1.0));
+    count_geometry(drawn, &passes, cost.counts);
+    count_outputs(scene, (double)view->width * (double)view->height, cost.counts);
     count_fragments(&sample, &passes, cost.counts);
+    if (drawn != scene && !scene->is_undrawn) add_lens(&scene->views[0], &cost);
     for (int kind = 0; kind < ZR_COST_KINDS; kind++)
         cost.ms += 1e-6 * cost.counts[kind] * ROWS[kind].ns;
     cost.lamp_map_bytes = bytes_of_lamp_maps(passes.lamp_maps);
-    cost.window_bytes =
-        window_bytes(scene, &passes, sample.kept * (passes.samples > 0.0 ? passes.side * passes.side : 1.0));
     return cost;
+}
+
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
+{
+    struct zr_lens_drawing drawing;
+    if (!resolved->lens) return cost_of(scene, scene, resolved);
+    zr_lens_drawing_open(scene, resolved, &drawing);
+    return cost_of(scene, &drawing.scene, &drawing.resolved);
 }

@@ -30,6 +30,7 @@
     ROW(perspective)                                                                                                   \
     ROW(orthographic)                                                                                                  \
     ROW(intrinsics)                                                                                                    \
+    ROW(distortion)                                                                                                    \
     ROW(light)                                                                                                         \
     ROW(fog)                                                                                                           \
     ROW(material)                                                                                                      \

@@ -100,7 +100,7 @@ static bool use_camera(struct zr_parsed_scene *root, struct zr_parsed_view *give
     for (int key = 0; key < ZR_VIEW_KEYS; key++)
         if (!(ZR_VIEW_BIT(key) &
               (ZR_VIEW_PROJECTIONS | ZR_VIEW_BIT(ZR_VIEW_CAMERA) | ZR_VIEW_BIT(ZR_VIEW_PIXEL_CENTER) |
-               ZR_VIEW_BIT(ZR_VIEW_ZNEAR) | ZR_VIEW_BIT(ZR_VIEW_ZFAR))) &&
+               ZR_VIEW_BIT(ZR_VIEW_DISTORTION) | ZR_VIEW_BIT(ZR_VIEW_ZNEAR) | ZR_VIEW_BIT(ZR_VIEW_ZFAR))) &&
             zr_view_gives(given, (enum zr_view_key)key))
             return zr_json_fault(given->json, given->path, "two views: %s and %s", zr_view_fields[ZR_VIEW_CAMERA].key,
                                  zr_view_fields[key].key);

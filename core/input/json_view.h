@@ -29,6 +29,7 @@ enum zr_view_key {
     ZR_VIEW_K,
     ZR_VIEW_PIXEL_CENTER,
     ZR_VIEW_PROJECTION_MATRIX,
+    ZR_VIEW_DISTORTION,
     ZR_VIEW_ZNEAR,
     ZR_VIEW_ZFAR,
     ZR_VIEW_FIT,
@@ -78,6 +79,9 @@ void zr_view_find_pose(struct zr_parsed_view *given);
 
 /* json_projection.c */
 zr_json_read_fn zr_read_perspective, zr_read_orthographic, zr_read_intrinsics; /* struct zr_parsed_view */
+
+/* json_distortion.c */
+zr_json_read_fn zr_read_distortion; /* struct zr_lens */
 
 /* Reports a focal length, pixels, that is too short; returns false. */
 bool zr_view_check_focal(struct zr_json *json, const struct zr_json_path *path, double value);

@@ -114,6 +114,10 @@ const struct zr_json_field zr_view_fields[] = {
                               .otherwise = "0.5", .text = "coordinate of the centre of the first pixel: 0 or 0.5"},
     [ZR_VIEW_PROJECTION_MATRIX] = {"projectionMatrix", zr_json_mat4, VIEW(projection_matrix),
                                    .text = "projection from eye space to OpenGL's clip space"},
+    [ZR_VIEW_DISTORTION] = {"distortion", zr_read_distortion, VIEW(lens), .object = &zr_json_object_distortion,
+                            .otherwise = "none",
+                            .text =
+                                "distortion of the lens, also as the list k1, k2, p1, p2, k3, k4, k5, k6 of OpenCV"},
     [ZR_VIEW_ZNEAR] = {"znear", zr_json_length, VIEW(znear), .unit = "scene units",
                        .otherwise = "just in front of the geometry", .text = "distance of the near plane"},
     [ZR_VIEW_ZFAR] = {"zfar", zr_json_length, VIEW(zfar), .unit = "scene units",

@@ -31,6 +31,18 @@ static void print_intrinsics(struct zr_print *print, const struct zr_frame *fram
     zr_print_end(print, ']');
 }
 
+/* Prints the lens as a view gives it. */
+static void print_lens(struct zr_print *print, const struct zr_lens *lens)
+{
+    const bool is_fisheye = lens->model == ZR_LENS_FISHEYE;
+    if (lens->model == ZR_LENS_NONE) return;
+    zr_print_begin(print, "distortion", '{');
+    zr_print_string(print, "model", is_fisheye ? "fisheye" : "opencv");
+    zr_print_doubles(print, "k", lens->k, is_fisheye ? 4 : 6);
+    if (!is_fisheye) zr_print_doubles(print, "p", lens->p, 2);
+    zr_print_end(print, '}');
+}
+
 /* Prints the direction of the view in angles, for readers. */
 static void print_orbit(struct zr_print *print, const struct zr_camera *camera, bool z_is_up)
 {
@@ -50,6 +62,7 @@ static void print_camera(struct zr_print *print, const struct zr_frame *frame, b
     zr_print_floats(print, "worldToCamera", camera->world_to_eye.m, 16);
     zr_print_floats(print, "projectionMatrix", camera->projection.m, 16);
     print_intrinsics(print, frame);
+    print_lens(print, &frame->view->lens);
     if (camera->znear != 0.0f || camera->zfar != 0.0f) {
         zr_print_float(print, "znear", camera->znear);
         zr_print_float(print, "zfar", camera->zfar);

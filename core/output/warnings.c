@@ -252,6 +252,11 @@ struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, cons
     if (!scene->is_undrawn) add_masked(arena, scene, &w.first);
     if (frame->sections && frame->sections->warning)
         zr_warning_list_add(arena, &w.first, "%s", frame->sections->warning);
+    if (frame->pixels_without_ray > 0)
+        zr_warning_list_add(arena, &w.first,
+                            "%" PRIu64 " pixels are beyond the fold of the lens, where its distortion has no inverse: "
+                            "they have the values of uncovered pixels",
+                            frame->pixels_without_ray);
     if (zr_view_warns(&frame->camera, text)) zr_warning_list_add(arena, &w.first, "%s", text);
     if (scene->is_undrawn) return w;
     if (frame->covered_pixels == 0 && frame->covered_samples == 0) {

@@ -9,6 +9,7 @@
 #include "raster/textbook/algorithms.h"
 #include "render/frame_parts.h"
 #include "render/layer_channels.h"
+#include "render/lens.h"
 #include "render/mesh_lines.h"
 #include "render/pass.h"
 #include "render/picture.h"
@@ -73,20 +74,26 @@ static enum zr_status make_lines(struct zr_arena *arena, struct zr_arena *scratc
     return zr_mesh_lines_keep(arena, scratch, team, shown, cancel, frame);
 }
 
-/* Only the fragments of a pixel and the lines of a file stay in `arena`. */
+/* Only the lines of a file stay in `arena`. */
 static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
                                  const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
 {
-    const struct zr_output *pixel = zr_view_output(frame->view, ZR_CHANNEL_FRAGMENTS);
     const bool has_picture = frame->color && zr_picture_has_own_passes(&scene->picture);
     enum zr_status status = ZR_OK;
     STAGE(has_picture ? draw_picture_and_channels(scratch, team, scene, cancel, frame)
                       : draw_channels(scratch, team, scene, cancel, frame));
-    if (status == ZR_OK) zr_color_bar_draw(scene, frame);
     if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(scratch, team, scene, cancel, frame));
     if (zr_view_encodes(frame->view, ZR_ENCODING_SVG)) STAGE(make_lines(arena, scratch, team, scene, cancel, frame));
-    if (pixel) STAGE(zr_pixel_fragments_find(arena, scratch, team, scene, pixel->x, pixel->y, cancel, frame));
     return status;
+}
+
+/* Lists the fragments of the pixel that an output asks for. Only they stay in `arena`. */
+static enum zr_status list_fragments(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                     const struct zr_scene *scene, const struct zr_cancel *cancel,
+                                     struct zr_frame *frame)
+{
+    const struct zr_output *pixel = zr_view_output(frame->view, ZR_CHANNEL_FRAGMENTS);
+    return pixel ? zr_pixel_fragments_find(arena, scratch, team, scene, pixel->x, pixel->y, cancel, frame) : ZR_OK;
 }
 
 /* Makes a frame without channels. */
@@ -110,7 +117,33 @@ static enum zr_status draw(struct zr_arena *arena, struct zr_arena *scratch, str
     STAGE(zr_base_place(arena, scene, frame->view, &frame->camera, &frame->base, error));
     STAGE(zr_render_sections(arena, scratch, team, scene, resolved, cancel, frame, &drawn, error));
     STAGE(draw_frame(arena, scratch, team, drawn, cancel, frame));
+    if (status == ZR_OK) zr_color_bar_draw(drawn, frame);
+    STAGE(list_fragments(arena, scratch, team, drawn, cancel, frame));
     STAGE(zr_render_sections_restore(arena, cancel, frame));
+    return status;
+}
+
+/* The same through a lens: the frame of the pinhole picture, in `scratch`, then that of the view. */
+static enum zr_status draw_through_lens(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                        const struct zr_scene *scene, const struct zr_resolved_view *resolved,
+                                        const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
+{
+    const struct zr_scene *drawn;
+    struct zr_frame pinhole = {.width = 0};
+    struct zr_lens_drawing drawing;
+    struct zr_remap remap;
+    enum zr_status status = ZR_OK;
+    STAGE(zr_frame_make(arena, resolved, frame));
+    STAGE(zr_remap_make(scratch, team, resolved->lens, cancel, &remap));
+    STAGE(zr_render_sections(arena, scratch, team, scene, resolved, cancel, &pinhole, &drawn, error));
+    if (status != ZR_OK) return status;
+    zr_lens_drawing_open(drawn, resolved, &drawing);
+    STAGE(zr_frame_make(scratch, &drawing.resolved, &pinhole));
+    STAGE(draw_frame(arena, scratch, team, &drawing.scene, cancel, &pinhole));
+    STAGE(zr_lens_list_fragments(arena, scratch, team, &drawing, &remap, cancel, &pinhole));
+    STAGE(zr_render_sections_restore(arena, cancel, &pinhole));
+    STAGE(zr_lens_take(team, scene, &remap, &pinhole, cancel, frame));
+    if (status == ZR_OK) zr_color_bar_draw(scene, frame);
     return status;
 }
 
@@ -121,6 +154,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_arena *scra
     enum zr_status status = ZR_OK;
     if (!resolved) STAGE(zr_resolved_view_find(arena, team, scene, cancel, &resolved, error));
     STAGE(scene->is_undrawn ? draw_nothing(arena, scratch, team, scene, resolved, cancel, frame, error)
+          : resolved->lens  ? draw_through_lens(arena, scratch, team, scene, resolved, cancel, frame, error)
                             : draw(arena, scratch, team, scene, resolved, cancel, frame, error));
     if (status == ZR_OK && zr_view_wants(frame->view, ZR_CHANNEL_INFO))
         STAGE(zr_frame_parts_find(arena, scratch, team, scene, cancel, frame));

@@ -114,6 +114,8 @@ static inline bool zr_view_is_perspective(const struct zr_view *view)
 {
     return view->projection == ZR_PROJECTION_PERSPECTIVE || view->projection == ZR_PROJECTION_INTRINSICS;
 }
+/* Returns the pinhole of a perspective view, with its principal point. */
+struct zr_intrinsics zr_view_intrinsics(const struct zr_view *view);
 /* Returns the opening of a perspective view. */
 struct zr_opening zr_opening_of(const struct zr_view *view);
 /* Sets the projection, near and far plane of a camera whose world_to_eye is set. `bounds`: the scene's; `fitted`:

@@ -19,10 +19,13 @@ static struct tangents tangents_of(const struct zr_view *view)
     return (struct tangents){width / height * y, y};
 }
 
-/* Returns the view's intrinsics with the principal point filled in. */
-static struct zr_intrinsics intrinsics_of(const struct zr_view *view)
+struct zr_intrinsics zr_view_intrinsics(const struct zr_view *view)
 {
     struct zr_intrinsics k = view->intrinsics;
+    if (view->projection == ZR_PROJECTION_PERSPECTIVE) {
+        const struct tangents t = tangents_of(view);
+        k = (struct zr_intrinsics){.fx = 0.5 * (double)view->width / t.x, .fy = 0.5 * (double)view->height / t.y};
+    }
     if (!k.has_cx) k.cx = (double)view->width * 0.5;
     if (!k.has_cy) k.cy = (double)view->height * 0.5;
     return k;
@@ -36,7 +39,7 @@ struct zr_opening zr_opening_of(const struct zr_view *view)
         double room = 1.0 - 2.0 * padding;
         return (struct zr_opening){-t.x * room, t.x * room, -t.y * room, t.y * room, 0.0};
     }
-    struct zr_intrinsics k = intrinsics_of(view);
+    struct zr_intrinsics k = zr_view_intrinsics(view);
     double width = (double)view->width, height = (double)view->height;
     return (struct zr_opening){.left = (width * padding - k.cx) / k.fx,
                                .right = (width * (1.0 - padding) - k.cx) / k.fx,
@@ -101,7 +104,7 @@ static zr_mat4 perspective(const struct zr_view *view, double n, double f)
 /* Maps the pixels of zr_intrinsics, 0..width and 0..height, to -1..1 with y up. */
 static zr_mat4 pinhole(const struct zr_view *view, double n, double f)
 {
-    struct zr_intrinsics k = intrinsics_of(view);
+    struct zr_intrinsics k = zr_view_intrinsics(view);
     double x = 2.0 / (double)view->width, y = 2.0 / (double)view->height;
     return (zr_mat4){{(float)(k.fx * x), 0, 0, 0, (float)(0.0 - k.skew * x), (float)(k.fy * y), 0, 0,
                       (float)(1.0 - k.cx * x), (float)(k.cy * y - 1.0), (float)((f + n) / (n - f)), -1, 0, 0,

@@ -6,6 +6,7 @@
 #include "base/cancel.h"
 #include "scene/camera_parts.h"
 #include "scene/extent_view.h"
+#include "scene/lens_plan.h"
 
 static enum zr_status check_range(const struct zr_camera *camera, struct zr_error *error)
 {
@@ -96,7 +97,11 @@ enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *tea
         scene->sections.count > 0)
         resolved->bounds = scene->has_box ? (struct zr_bounds){true, scene->box_min, scene->box_max}
                                           : zr_bounds_of(scene, team, cancel);
-    return zr_camera_resolve(scene, view, &resolved->bounds, team, cancel, &resolved->camera, error);
+    const enum zr_status status =
+        zr_camera_resolve(scene, view, &resolved->bounds, team, cancel, &resolved->camera, error);
+    return status == ZR_OK && view->lens.model != ZR_LENS_NONE
+               ? zr_lens_plan_make(arena, view, cancel, &resolved->lens, error)
+               : status;
 }
 
 enum { PIXELS_A_CANCEL_CHECK = 1 << 16 };

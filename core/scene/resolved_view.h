@@ -17,7 +17,8 @@ struct zr_resolved_view {
     const struct zr_view *view;
     struct zr_bounds
         bounds; /* of the geometry; not valid if neither the view, the picture, a section nor an output needs them */
-    struct zr_camera camera;
+    struct zr_camera camera;         /* of the view, without its lens */
+    const struct zr_lens_plan *lens; /* scene/lens_plan.h; NULL: none */
 };
 
 /* Computes the camera of a view. `bounds` are used only if zr_view_needs_bounds. ZR_BAD_SCENE if the view has no

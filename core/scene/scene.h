@@ -16,6 +16,7 @@
 #include "scene/channels.h"
 #include "scene/colormap.h"
 #include "scene/image.h"
+#include "scene/lens.h"
 #include "scene/part_keys.h"
 #include "scene/picture.h"
 #include "scene/section.h"
@@ -330,6 +331,7 @@ struct zr_view {
     float xmag, ymag;                 /* half sizes; both 0: fitted to the geometry */
     struct zr_intrinsics intrinsics;
     zr_mat4 projection_matrix;
+    struct zr_lens lens; /* perspective and intrinsics only */
 
     bool has_znear, has_zfar; /* false: taken from the bounds */
     float znear, zfar;        /* distances in front of the camera */

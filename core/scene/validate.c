@@ -128,6 +128,22 @@ static void check_svg(const struct zr_scene *scene, const struct zr_view *view, 
         zr_error_add(error, ZR_BAD_SCENE, NULL, "the encoding svg has the lines of faces, and the scene has no face");
 }
 
+/* A lens distorts a pinhole's pixels. */
+static void check_lens(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    static const char pointer[] = "/view/distortion";
+    if (view->lens.model == ZR_LENS_NONE) return;
+    if (view->projection != ZR_PROJECTION_PERSPECTIVE && view->projection != ZR_PROJECTION_INTRINSICS)
+        zr_error_add(error, ZR_BAD_SCENE, pointer,
+                     "belongs to a pinhole: give intrinsics, K or perspective as the projection");
+    if (scene->base)
+        zr_error_add(error, ZR_BAD_SCENE, pointer,
+                     "nothing is drawn into a base through a lens: leave out one of them");
+    if (zr_view_encodes(view, ZR_ENCODING_SVG))
+        zr_error_add(error, ZR_BAD_SCENE, pointer,
+                     "the encoding svg has straight lines, which a lens bends; the others have pixels");
+}
+
 /* Checks that formats of pictures hold the window, and that a JPEG needs no alpha. */
 static void check_formats(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
@@ -210,6 +226,7 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     check_layers(scene, view, error);
     check_pixels(view, error);
     check_svg(scene, view, error);
+    check_lens(scene, view, error);
     check_formats(scene, view, error);
     check_undrawn(scene, view, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;

@@ -68,6 +68,7 @@ struct zr_frame {
     uint64_t covered_samples; /* covered samples of `color`, if it has passes of its own; else 0 */
     uint32_t samples_a_pixel; /* of `color`, likewise; else 0 */
     struct zr_column_span *spans; /* per row: columns outside hold the clear value in all channels; NULL: unknown */
+    uint64_t pixels_without_ray;  /* of a lens: they have the clear value in all channels */
     float deepest;                /* greatest finite value of `depth`; 0: none */
 };
 

@@ -1,0 +1,217 @@
+#include "effects/remap.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <string.h>
+
+enum { ROWS_A_RANGE = 4, HALF = ZR_REMAP_ONE / 2 };
+
+/* ---- places ---- */
+
+struct making {
+    const struct zr_lens_plan *plan;
+    const struct zr_cancel *cancel;
+    struct zr_remap_place *places;
+    atomic_uint_fast64_t nowhere;
+};
+
+/* Rounding may move a place beyond the outermost centres by little. */
+static struct zr_remap_place place_of(const struct zr_lens_plan *plan, double x, double y)
+{
+    const struct zr_lens_ray ray = zr_lens_look_up(plan, x, y);
+    const double u = ray.x - 0.5, v = ray.y - 0.5, right = (double)plan->width - 1.0,
+                 bottom = (double)plan->height - 1.0;
+    if (ray.end != ZR_LENS_RAY || !(u >= -0.5 && u <= right + 0.5 && v >= -0.5 && v <= bottom + 0.5))
+        return (struct zr_remap_place){ZR_REMAP_NOWHERE, 0};
+    return (struct zr_remap_place){(int32_t)floor(fmin(fmax(u, 0.0), right) * ZR_REMAP_ONE + 0.5),
+                                   (int32_t)floor(fmin(fmax(v, 0.0), bottom) * ZR_REMAP_ONE + 0.5)};
+}
+
+static void find_rows(void *context, size_t begin, size_t end)
+{
+    struct making *making = context;
+    const struct zr_lens_plan *plan = making->plan;
+    uint64_t nowhere = 0;
+    for (size_t y = begin; y < end && !zr_is_cancelled(making->cancel); y++) {
+        struct zr_remap_place *row = making->places + y * plan->view_width;
+        for (uint32_t x = 0; x < plan->view_width; x++) {
+            row[x] = place_of(plan, (double)x + 0.5, (double)y + 0.5);
+            nowhere += row[x].x == ZR_REMAP_NOWHERE;
+        }
+    }
+    atomic_fetch_add_explicit(&making->nowhere, nowhere, memory_order_relaxed);
+}
+
+enum zr_status zr_remap_make(struct zr_arena *arena, struct zr_team *team, const struct zr_lens_plan *plan,
+                             const struct zr_cancel *cancel, struct zr_remap *remap)
+{
+    struct zr_remap_place *places = zr_arena_alloc(arena, (size_t)plan->view_width * plan->view_height, sizeof *places);
+    struct making making = {.plan = plan, .cancel = cancel, .places = places};
+    if (!places) return ZR_NO_MEMORY;
+    zr_team_ranges(team, plan->view_height, ROWS_A_RANGE, find_rows, &making);
+    *remap = (struct zr_remap){.width = plan->view_width,
+                               .height = plan->view_height,
+                               .source_width = plan->width,
+                               .source_height = plan->height,
+                               .places = places,
+                               .nowhere = making.nowhere};
+    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+}
+
+/* ---- data ---- */
+
+struct channel {
+    const struct zr_remap *remap;
+    const struct zr_cancel *cancel;
+    uint32_t words, clear;
+    const uint32_t *source;
+    uint32_t *out;
+};
+
+size_t zr_remap_nearest_pixel(const struct zr_remap *remap, struct zr_remap_place place)
+{
+    if (place.x == ZR_REMAP_NOWHERE) return SIZE_MAX;
+    const size_t x = (size_t)(place.x + HALF) >> ZR_REMAP_BITS, y = (size_t)(place.y + HALF) >> ZR_REMAP_BITS;
+    return y * remap->source_width + x;
+}
+
+static void copy_rows(void *context, size_t begin, size_t end)
+{
+    const struct channel *channel = context;
+    const struct zr_remap *remap = channel->remap;
+    const uint32_t words = channel->words;
+    for (size_t y = begin; y < end && !zr_is_cancelled(channel->cancel); y++)
+        for (size_t i = y * remap->width; i < (y + 1) * remap->width; i++) {
+            const size_t pixel = zr_remap_nearest_pixel(remap, remap->places[i]);
+            for (uint32_t k = 0; k < words; k++)
+                channel->out[i * words + k] = pixel == SIZE_MAX ? channel->clear : channel->source[pixel * words + k];
+        }
+}
+
+enum zr_status zr_remap_nearest(const struct zr_remap *remap, struct zr_team *team, const struct zr_cancel *cancel,
+                                uint32_t words, uint32_t clear, const uint32_t *source, uint32_t *out)
+{
+    struct channel channel = {remap, cancel, words, clear, source, out};
+    zr_team_ranges(team, remap->height, ROWS_A_RANGE, copy_rows, &channel);
+    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+}
+
+/* ---- colour ---- */
+
+enum { GRID_MAX = 8, WEIGHT_BITS = 8 };
+
+/* Weighted sums: of alpha, of alpha times colour, and of colour alone. */
+struct sums {
+    uint64_t weight, alpha, lit[3], plain[3];
+};
+
+static void add(struct sums *sums, uint32_t rgba, uint32_t weight)
+{
+    uint8_t bytes[4];
+    memcpy(bytes, &rgba, sizeof bytes);
+    sums->weight += weight;
+    sums->alpha += weight * bytes[3];
+    for (int k = 0; k < 3; k++) {
+        sums->lit[k] += (uint64_t)(weight * bytes[3]) * bytes[k];
+        sums->plain[k] += weight * bytes[k];
+    }
+}
+
+static uint8_t share(uint64_t sum, uint64_t of)
+{
+    return (uint8_t)((sum + of / 2) / of);
+}
+
+static uint32_t mean_of(const struct sums *sums)
+{
+    uint8_t bytes[4];
+    uint32_t rgba;
+    for (int k = 0; k < 3; k++)
+        bytes[k] = sums->alpha > 0 ? share(sums->lit[k], sums->alpha) : share(sums->plain[k], sums->weight);
+    bytes[3] = share(sums->alpha, sums->weight);
+    memcpy(&rgba, bytes, sizeof rgba);
+    return rgba;
+}
+
+static int32_t clamp(int64_t v, uint32_t count)
+{
+    const int64_t most = (int64_t)(count - 1) * ZR_REMAP_ONE;
+    return (int32_t)(v < 0 ? 0 : v > most ? most : v);
+}
+
+/* Adds the four nearest pixels. */
+static void add_place(const struct channel *channel, int64_t at_x, int64_t at_y, struct sums *sums)
+{
+    enum { DROPPED = ZR_REMAP_BITS - WEIGHT_BITS, ONE = 1 << WEIGHT_BITS };
+    const uint32_t width = channel->remap->source_width, height = channel->remap->source_height;
+    const uint32_t x = (uint32_t)(clamp(at_x, width) + (1 << (DROPPED - 1))) >> DROPPED,
+                   y = (uint32_t)(clamp(at_y, height) + (1 << (DROPPED - 1))) >> DROPPED;
+    const uint32_t column = x >> WEIGHT_BITS, row = y >> WEIGHT_BITS, right = x % ONE, below = y % ONE;
+    const uint32_t *pixel = channel->source + (size_t)row * width + column;
+    add(sums, pixel[0], (ONE - right) * (ONE - below));
+    if (right > 0) add(sums, pixel[1], right * (ONE - below));
+    if (below > 0) add(sums, pixel[width], (ONE - right) * below);
+    if (right > 0 && below > 0) add(sums, pixel[width + 1], right * below);
+}
+
+/* Change of places from one pixel of the view to the next. */
+struct step {
+    int64_t x, y;
+};
+
+/* Returns half of the change between the neighbours along an axis, or the whole of that beside one of them. */
+static struct step step_at(const struct zr_remap_place *place, ptrdiff_t next, uint32_t at, uint32_t count)
+{
+    const struct zr_remap_place *before = at > 0 ? place - next : place, *after = at + 1 < count ? place + next : place;
+    if (before->x == ZR_REMAP_NOWHERE) before = place;
+    if (after->x == ZR_REMAP_NOWHERE) after = place;
+    const int64_t pixels = (before != place) + (after != place);
+    if (pixels == 0) return (struct step){0, 0};
+    return (struct step){((int64_t)after->x - before->x) / pixels, ((int64_t)after->y - before->y) / pixels};
+}
+
+/* Returns the number of places along a step. */
+static int64_t grid_of(struct step step)
+{
+    const int64_t x = step.x < 0 ? -step.x : step.x, y = step.y < 0 ? -step.y : step.y, most = x > y ? x : y;
+    const int64_t count = (most + HALF - 1) / ZR_REMAP_ONE;
+    return count < 1 ? 1 : count > GRID_MAX ? GRID_MAX : count;
+}
+
+static uint32_t color_at(const struct channel *channel, uint32_t x, uint32_t y)
+{
+    const struct zr_remap *remap = channel->remap;
+    const struct zr_remap_place *place = remap->places + (size_t)y * remap->width + x;
+    if (place->x == ZR_REMAP_NOWHERE) return channel->clear;
+    const struct step across = step_at(place, 1, x, remap->width),
+                      down = step_at(place, (ptrdiff_t)remap->width, y, remap->height);
+    const int64_t columns = grid_of(across), rows = grid_of(down);
+    struct sums sums = {.weight = 0};
+    for (int64_t row = 0; row < rows; row++)
+        for (int64_t column = 0; column < columns; column++) {
+            /* Twice the offset of the place from the middle of the pixel, in its columns and rows. */
+            const int64_t a = 2 * column + 1 - columns, b = 2 * row + 1 - rows;
+            add_place(channel, place->x + a * across.x / (2 * columns) + b * down.x / (2 * rows),
+                      place->y + a * across.y / (2 * columns) + b * down.y / (2 * rows), &sums);
+        }
+    return mean_of(&sums);
+}
+
+static void mix_rows(void *context, size_t begin, size_t end)
+{
+    const struct channel *channel = context;
+    const uint32_t width = channel->remap->width;
+    for (size_t y = begin; y < end; y++)
+        for (uint32_t x = 0; x < width; x++) {
+            if (x % 1024 == 0 && zr_is_cancelled(channel->cancel)) return;
+            channel->out[y * width + x] = color_at(channel, x, (uint32_t)y);
+        }
+}
+
+enum zr_status zr_remap_color(const struct zr_remap *remap, struct zr_team *team, const struct zr_cancel *cancel,
+                              uint32_t clear, const uint32_t *source, uint32_t *out)
+{
+    struct channel channel = {remap, cancel, 1, clear, source, out};
+    zr_team_ranges(team, remap->height, ROWS_A_RANGE, mix_rows, &channel);
+    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+}

@@ -1,0 +1,107 @@
+#include "render/lens.h"
+
+#include <math.h>
+
+#include "base/rgba.h"
+#include "drawing/strokes.h"
+#include "effects/edges.h"
+#include "render/pixel_fragments.h"
+#include "scene/parsed_picture.h"
+
+/* ---- the pinhole picture ---- */
+
+/* Lines get the width that the view's window gives them, in finer pixels. */
+static void scale_lines(const struct zr_lens_plan *plan, struct zr_picture *picture)
+{
+    struct zr_edges *edges = &picture->edges;
+    const uint32_t width = plan->view_width, height = plan->view_height;
+    const float wide =
+        edges->is_from_mesh ? zr_stroke_width(edges->width, width, height) : zr_edges_width_in(edges, width, height);
+    const float scale = (float)plan->scale;
+    picture->line_width = picture->line_width * scale;
+    if (!edges->is_on) return;
+    edges->width = wide * scale;
+    edges->scales_width = false;
+}
+
+void zr_lens_drawing_open(const struct zr_scene *scene, const struct zr_resolved_view *resolved,
+                          struct zr_lens_drawing *drawing)
+{
+    const struct zr_lens_plan *plan = resolved->lens;
+    struct zr_view *view = &drawing->scene.views[0];
+    struct zr_picture *picture = &drawing->scene.picture;
+    drawing->scene = *scene;
+    view->width = plan->width;
+    view->height = plan->height;
+    picture->side = zr_picture_side_in(picture->side, plan->width, plan->height);
+    scale_lines(plan, picture);
+    drawing->resolved = (struct zr_resolved_view){
+        .view = view, .bounds = resolved->bounds, .camera = zr_lens_pinhole(plan, &resolved->camera)};
+}
+
+enum zr_status zr_lens_list_fragments(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                      const struct zr_lens_drawing *drawing, const struct zr_remap *remap,
+                                      const struct zr_cancel *cancel, struct zr_frame *pinhole)
+{
+    const struct zr_output *output = zr_view_output(pinhole->view, ZR_CHANNEL_FRAGMENTS);
+    enum zr_status status = ZR_OK;
+    if (!output) return ZR_OK;
+    const size_t pixel = zr_remap_nearest_pixel(remap, remap->places[(size_t)output->y * remap->width + output->x]);
+    if (pixel != SIZE_MAX)
+        status = zr_pixel_fragments_find(arena, scratch, team, &drawing->scene, (uint32_t)(pixel % remap->source_width),
+                                         (uint32_t)(pixel / remap->source_width), cancel, pinhole);
+    pinhole->fragments.x = output->x;
+    pinhole->fragments.y = output->y;
+    return status;
+}
+
+/* ---- the frame of the view ---- */
+
+/* Counts the pixels that have a primitive, by the first channel that shows it. Without one, the count is that of the
+ * pinhole picture. */
+static void count_covered(const struct zr_frame *pinhole, struct zr_frame *frame)
+{
+    static const enum zr_channel shows[] = {ZR_CHANNEL_FACE_ID, ZR_CHANNEL_DEPTH, ZR_CHANNEL_WINDOW_DEPTH,
+                                            ZR_CHANNEL_DISTANCE, ZR_CHANNEL_INSTANCE_ID};
+    const size_t pixels = (size_t)frame->width * frame->height;
+    frame->covered_pixels = pinhole->covered_pixels;
+    frame->covered_samples = pinhole->covered_samples;
+    for (size_t i = 0; i < sizeof shows / sizeof *shows; i++) {
+        const uint32_t *words = frame->channels[shows[i]], clear = zr_channel_rows[shows[i]].clear_value;
+        if (!words) continue;
+        frame->covered_pixels = frame->covered_samples = 0;
+        for (size_t k = 0; k < pixels; k++)
+            frame->covered_pixels += words[k] != clear;
+        return;
+    }
+}
+
+static void find_deepest(struct zr_frame *frame)
+{
+    frame->deepest = 0.0f;
+    for (size_t i = 0; frame->depth && i < (size_t)frame->width * frame->height; i++)
+        if (frame->depth[i] > frame->deepest && frame->depth[i] < INFINITY) frame->deepest = frame->depth[i];
+}
+
+enum zr_status zr_lens_take(struct zr_team *team, const struct zr_scene *scene, const struct zr_remap *remap,
+                            const struct zr_frame *pinhole, const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    enum zr_status status = ZR_OK;
+    for (int c = 0; status == ZR_OK && c < ZR_CHANNEL_COUNT; c++) {
+        const struct zr_channel_row *row = &zr_channel_rows[c];
+        if (!frame->channels[c]) continue;
+        status = c == ZR_CHANNEL_COLOR ? zr_remap_color(remap, team, cancel, zr_rgba_make(scene->background),
+                                                        pinhole->channels[c], frame->channels[c])
+                                       : zr_remap_nearest(remap, team, cancel, row->words, row->clear_value,
+                                                          pinhole->channels[c], frame->channels[c]);
+    }
+    frame->spans = NULL;
+    frame->counts = pinhole->counts;
+    frame->sections = pinhole->sections;
+    frame->fragments = pinhole->fragments;
+    frame->pixels_without_ray = remap->nowhere;
+    if (status != ZR_OK) return status;
+    count_covered(pinhole, frame);
+    find_deepest(frame);
+    return ZR_OK;
+}
