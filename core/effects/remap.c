@@ -100,47 +100,59 @@ enum zr_status zr_remap_nearest(const struct zr_remap *remap, struct zr_team *te
 
 enum { GRID_MAX = 8, WEIGHT_BITS = 8 };
 
-/* Weighted sums: of alpha, of alpha times colour, and of colour alone. */
+/* Weighted sums of bytes: two in each word, red and blue, green and alpha. Each has up to 8 + 16 + 6 bits. */
 struct sums {
-    uint64_t weight, alpha, lit[3], plain[3];
+    uint64_t red_blue, green_alpha;
+    uint32_t weight;
+    uint32_t common; /* bits that all pixels have */
+    uint64_t lit[3]; /* of colours times alpha */
 };
 
-static void add(struct sums *sums, uint32_t rgba, uint32_t weight)
+static inline void add(struct sums *sums, uint32_t rgba, uint32_t weight, bool is_lit)
 {
-    uint8_t bytes[4];
-    memcpy(bytes, &rgba, sizeof bytes);
+    const uint64_t red = rgba & 255u, green = rgba >> 8 & 255u, blue = rgba >> 16 & 255u, alpha = rgba >> 24;
+    sums->red_blue += (red | blue << 32) * weight;
+    sums->green_alpha += (green | alpha << 32) * weight;
     sums->weight += weight;
-    sums->alpha += weight * bytes[3];
-    for (int k = 0; k < 3; k++) {
-        sums->lit[k] += (uint64_t)(weight * bytes[3]) * bytes[k];
-        sums->plain[k] += weight * bytes[k];
-    }
+    sums->common &= rgba;
+    if (!is_lit) return;
+    sums->lit[0] += weight * alpha * red;
+    sums->lit[1] += weight * alpha * green;
+    sums->lit[2] += weight * alpha * blue;
 }
 
-static uint8_t share(uint64_t sum, uint64_t of)
+static inline uint32_t share(uint64_t sum, uint64_t of)
 {
-    return (uint8_t)((sum + of / 2) / of);
+    return (uint32_t)((sum + of / 2) / of);
 }
 
-static uint32_t mean_of(const struct sums *sums)
+/* Returns the mean of colours, each in proportion to its weight alone. */
+static inline uint32_t plain_mean(const struct sums *sums)
 {
-    uint8_t bytes[4];
-    uint32_t rgba;
-    for (int k = 0; k < 3; k++)
-        bytes[k] = sums->alpha > 0 ? share(sums->lit[k], sums->alpha) : share(sums->plain[k], sums->weight);
-    bytes[3] = share(sums->alpha, sums->weight);
-    memcpy(&rgba, bytes, sizeof rgba);
-    return rgba;
+    const uint32_t red = (uint32_t)sums->red_blue, blue = (uint32_t)(sums->red_blue >> 32);
+    const uint32_t green = (uint32_t)sums->green_alpha, alpha = (uint32_t)(sums->green_alpha >> 32);
+    const uint32_t weight = sums->weight, half = weight / 2;
+    return (red + half) / weight | (green + half) / weight << 8 | (blue + half) / weight << 16 |
+           (alpha + half) / weight << 24;
 }
 
-static int32_t clamp(int64_t v, uint32_t count)
+/* Returns the mean of colours in proportion to their alpha, too. */
+static uint32_t lit_mean(const struct sums *sums)
+{
+    const uint64_t alpha = sums->green_alpha >> 32;
+    if (alpha == 0) return plain_mean(sums);
+    return share(sums->lit[0], alpha) | share(sums->lit[1], alpha) << 8 | share(sums->lit[2], alpha) << 16 |
+           share(alpha, sums->weight) << 24;
+}
+
+static inline int32_t clamp(int64_t v, uint32_t count)
 {
     const int64_t most = (int64_t)(count - 1) * ZR_REMAP_ONE;
     return (int32_t)(v < 0 ? 0 : v > most ? most : v);
 }
 
 /* Adds the four nearest pixels. */
-static void add_place(const struct channel *channel, int64_t at_x, int64_t at_y, struct sums *sums)
+static inline void add_place(const struct channel *channel, int64_t at_x, int64_t at_y, bool is_lit, struct sums *sums)
 {
     enum { DROPPED = ZR_REMAP_BITS - WEIGHT_BITS, ONE = 1 << WEIGHT_BITS };
     const uint32_t width = channel->remap->source_width, height = channel->remap->source_height;
@@ -148,10 +160,10 @@ static void add_place(const struct channel *channel, int64_t at_x, int64_t at_y,
                    y = (uint32_t)(clamp(at_y, height) + (1 << (DROPPED - 1))) >> DROPPED;
     const uint32_t column = x >> WEIGHT_BITS, row = y >> WEIGHT_BITS, right = x % ONE, below = y % ONE;
     const uint32_t *pixel = channel->source + (size_t)row * width + column;
-    add(sums, pixel[0], (ONE - right) * (ONE - below));
-    if (right > 0) add(sums, pixel[1], right * (ONE - below));
-    if (below > 0) add(sums, pixel[width], (ONE - right) * below);
-    if (right > 0 && below > 0) add(sums, pixel[width + 1], right * below);
+    add(sums, pixel[0], (ONE - right) * (ONE - below), is_lit);
+    if (right > 0) add(sums, pixel[1], right * (ONE - below), is_lit);
+    if (below > 0) add(sums, pixel[width], (ONE - right) * below, is_lit);
+    if (right > 0 && below > 0) add(sums, pixel[width + 1], right * below, is_lit);
 }
 
 /* Change of places from one pixel of the view to the next. */
@@ -160,41 +172,75 @@ struct step {
 };
 
 /* Returns half of the change between the neighbours along an axis, or the whole of that beside one of them. */
-static struct step step_at(const struct zr_remap_place *place, ptrdiff_t next, uint32_t at, uint32_t count)
+static inline struct step step_at(const struct zr_remap_place *place, ptrdiff_t next, uint32_t at, uint32_t count)
 {
     const struct zr_remap_place *before = at > 0 ? place - next : place, *after = at + 1 < count ? place + next : place;
     if (before->x == ZR_REMAP_NOWHERE) before = place;
     if (after->x == ZR_REMAP_NOWHERE) after = place;
     const int64_t pixels = (before != place) + (after != place);
     if (pixels == 0) return (struct step){0, 0};
-    return (struct step){((int64_t)after->x - before->x) / pixels, ((int64_t)after->y - before->y) / pixels};
+    return (struct step){pixels == 2 ? ((int64_t)after->x - before->x) / 2 : (int64_t)after->x - before->x,
+                         pixels == 2 ? ((int64_t)after->y - before->y) / 2 : (int64_t)after->y - before->y};
 }
 
 /* Returns the number of places along a step. */
-static int64_t grid_of(struct step step)
+static inline int64_t grid_of(struct step step)
 {
     const int64_t x = step.x < 0 ? -step.x : step.x, y = step.y < 0 ? -step.y : step.y, most = x > y ? x : y;
     const int64_t count = (most + HALF - 1) / ZR_REMAP_ONE;
     return count < 1 ? 1 : count > GRID_MAX ? GRID_MAX : count;
 }
 
-static uint32_t color_at(const struct channel *channel, uint32_t x, uint32_t y)
+/* Places within a pixel: columns x rows of them. */
+struct grid {
+    struct step across, down;
+    int64_t columns, rows;
+};
+
+static inline void add_grid(const struct channel *channel, const struct zr_remap_place *place, const struct grid *grid,
+                            bool is_lit, struct sums *sums)
+{
+    *sums = (struct sums){.common = UINT32_MAX};
+    for (int64_t row = 0; row < grid->rows; row++)
+        for (int64_t column = 0; column < grid->columns; column++) {
+            /* Twice the offset of the place from the middle of the pixel, in its columns and rows. */
+            const int64_t a = 2 * column + 1 - grid->columns, b = 2 * row + 1 - grid->rows;
+            const int64_t x = a * grid->across.x / (2 * grid->columns) + b * grid->down.x / (2 * grid->rows),
+                          y = a * grid->across.y / (2 * grid->columns) + b * grid->down.y / (2 * grid->rows);
+            add_place(channel, place->x + x, place->y + y, is_lit, sums);
+        }
+}
+
+static uint32_t mix_grid(const struct channel *channel, const struct zr_remap_place *place, const struct grid *grid)
+{
+    struct sums sums;
+    add_grid(channel, place, grid, false, &sums);
+    if (sums.common >> 24 == 255) return plain_mean(&sums);
+    add_grid(channel, place, grid, true, &sums);
+    return lit_mean(&sums);
+}
+
+/* The same for one place. */
+static inline uint32_t mix_place(const struct channel *channel, const struct zr_remap_place *place)
+{
+    struct sums sums = {.common = UINT32_MAX};
+    add_place(channel, place->x, place->y, false, &sums);
+    if (sums.common >> 24 == 255) return plain_mean(&sums);
+    sums = (struct sums){.common = UINT32_MAX};
+    add_place(channel, place->x, place->y, true, &sums);
+    return lit_mean(&sums);
+}
+
+static inline uint32_t color_at(const struct channel *channel, uint32_t x, uint32_t y)
 {
     const struct zr_remap *remap = channel->remap;
     const struct zr_remap_place *place = remap->places + (size_t)y * remap->width + x;
     if (place->x == ZR_REMAP_NOWHERE) return channel->clear;
-    const struct step across = step_at(place, 1, x, remap->width),
-                      down = step_at(place, (ptrdiff_t)remap->width, y, remap->height);
-    const int64_t columns = grid_of(across), rows = grid_of(down);
-    struct sums sums = {.weight = 0};
-    for (int64_t row = 0; row < rows; row++)
-        for (int64_t column = 0; column < columns; column++) {
-            /* Twice the offset of the place from the middle of the pixel, in its columns and rows. */
-            const int64_t a = 2 * column + 1 - columns, b = 2 * row + 1 - rows;
-            add_place(channel, place->x + a * across.x / (2 * columns) + b * down.x / (2 * rows),
-                      place->y + a * across.y / (2 * columns) + b * down.y / (2 * rows), &sums);
-        }
-    return mean_of(&sums);
+    struct grid grid = {.across = step_at(place, 1, x, remap->width),
+                        .down = step_at(place, (ptrdiff_t)remap->width, y, remap->height)};
+    grid.columns = grid_of(grid.across);
+    grid.rows = grid_of(grid.down);
+    return grid.columns * grid.rows == 1 ? mix_place(channel, place) : mix_grid(channel, place, &grid);
 }
 
 static void mix_rows(void *context, size_t begin, size_t end)

@@ -8,6 +8,9 @@
 static const double TANGENT_MAX = 5.6712818196177095;
 static const double ANGLE_MAX = 1.3962634015954636;
 
+/* A step of Newton's method of this length leaves an error of about its square. */
+static const double LAST_STEP = 1e-9;
+
 /* ---- the radial part ---- */
 
 /* Distorted radius at t, and its derivative; `defined` is false at and beyond a pole. */
@@ -16,7 +19,7 @@ struct radius {
     double value, slope;
 };
 
-static struct radius fisheye_radius(const double *k, double t)
+static inline struct radius fisheye_radius(const double *k, double t)
 {
     const double s = t * t;
     return (struct radius){true, t * (1.0 + s * (k[0] + s * (k[1] + s * (k[2] + s * k[3])))),
@@ -28,8 +31,11 @@ struct factor {
     double below, g, slope;
 };
 
-static struct factor factor_of(const double *k, double s)
+static inline struct factor factor_of(const double *k, double s)
 {
+    if (k[3] == 0.0 && k[4] == 0.0 && k[5] == 0.0) /* the same bits, without the divisions */
+        return (struct factor){1.0, 1.0 + s * (k[0] + s * (k[1] + s * k[2])),
+                               k[0] + s * (2.0 * k[1] + s * (3.0 * k[2]))};
     const double above = 1.0 + s * (k[0] + s * (k[1] + s * k[2])), below = 1.0 + s * (k[3] + s * (k[4] + s * k[5]));
     const double rise = k[0] + s * (2.0 * k[1] + s * (3.0 * k[2])),
                  rise_below = k[3] + s * (2.0 * k[4] + s * (3.0 * k[5]));
@@ -37,7 +43,7 @@ static struct factor factor_of(const double *k, double s)
     return (struct factor){below, g, (rise - g * rise_below) / below};
 }
 
-static struct radius radius_at(const struct zr_lens *lens, double t)
+static inline struct radius radius_at(const struct zr_lens *lens, double t)
 {
     if (lens->model == ZR_LENS_FISHEYE) return fisheye_radius(lens->k, t);
     const struct factor f = factor_of(lens->k, t * t);
@@ -89,19 +95,30 @@ static double solve(const struct zr_lens *lens, double low, double high, double 
         if (!(next >= low && next <= high)) next = 0.5 * (low + high);
         const double moved = fabs(next - t);
         t = next;
-        if (moved <= 1e-15 * (1.0 + t)) break;
+        if (moved <= LAST_STEP) break;
     }
     return t;
 }
 
-/* Returns t of a distorted radius, 0 .. far. */
-static double radial_inverse(const struct zr_lens_inverse *inverse, double wanted)
+/* A bracket of t, and its guess between them. */
+struct bracket {
+    double low, high, guess;
+};
+
+/* Looks up t of a distorted radius, 0 .. far. */
+static inline struct bracket bracket_of(const struct zr_lens_inverse *inverse, double wanted)
 {
-    const double at = wanted / inverse->far * ZR_LENS_STEPS;
+    const double at = wanted * inverse->steps;
     int i = (int)at;
     if (i >= ZR_LENS_STEPS) i = ZR_LENS_STEPS - 1;
     const double low = inverse->table[i], high = inverse->table[i + 1];
-    return solve(&inverse->lens, low, high, low + (high - low) * (at - i), wanted);
+    return (struct bracket){low, high, low + (high - low) * (at - i)};
+}
+
+static double radial_inverse(const struct zr_lens_inverse *inverse, double wanted)
+{
+    const struct bracket b = bracket_of(inverse, wanted);
+    return solve(&inverse->lens, b.low, b.high, b.guess, wanted);
 }
 
 void zr_lens_invert(const struct zr_lens *lens, struct zr_lens_inverse *inverse)
@@ -109,6 +126,7 @@ void zr_lens_invert(const struct zr_lens *lens, struct zr_lens_inverse *inverse)
     inverse->lens = *lens;
     find_end(inverse);
     inverse->far = radius_at(lens, inverse->most).value;
+    inverse->steps = ZR_LENS_STEPS / inverse->far;
     inverse->table[0] = 0.0;
     for (int i = 1; i < ZR_LENS_STEPS; i++) {
         const double low = inverse->table[i - 1], high = inverse->most;
@@ -142,7 +160,7 @@ static struct zr_lens_ray tangential_ray(const struct zr_lens_inverse *inverse, 
 {
     enum { STEPS_MAX = 40 };
     const double p1 = inverse->lens.p[0], p2 = inverse->lens.p[1];
-    const double start = radial_inverse(inverse, fmin(distorted, 0.999 * inverse->far)) / distorted;
+    const double start = bracket_of(inverse, fmin(distorted, 0.999 * inverse->far)).guess / distorted;
     struct zr_lens_ray ray = {ZR_LENS_RAY, x * start, y * start, 1.0, 0.0, 1.0};
     bool is_found = false;
     for (int i = 0; i < STEPS_MAX && !is_found; i++) {
@@ -157,7 +175,7 @@ static struct zr_lens_ray tangential_ray(const struct zr_lens_inverse *inverse, 
         if (!(f.below > 0.0) || !(determinant > 0.0) || !(ray.xx + ray.yy > 0.0)) return no_ray(inverse);
         const double dx = (ray.yy * beyond_x - ray.xy * beyond_y) / determinant,
                      dy = (ray.xx * beyond_y - ray.xy * beyond_x) / determinant;
-        is_found = fabs(dx) + fabs(dy) <= 1e-13 * (1.0 + fabs(u) + fabs(v));
+        is_found = fabs(dx) + fabs(dy) <= LAST_STEP;
         ray.x = u - dx;
         ray.y = v - dy;
     }

@@ -26,7 +26,7 @@ struct zr_lens {
 /* Rays farther from the axis have no place in a pinhole picture. */
 #define ZR_LENS_DEGREES_MAX 80
 
-enum { ZR_LENS_STEPS = 512 };
+enum { ZR_LENS_STEPS = 1024 };
 
 /* Tables for the inverse of a lens. The parameter t of its radial part is r, or the angle a of a fisheye. */
 struct zr_lens_inverse {
@@ -34,6 +34,7 @@ struct zr_lens_inverse {
     bool is_folded;                  /* the domain ends at a fold, else at ZR_LENS_DEGREES_MAX */
     double most;                     /* t at the end of the domain */
     double far;                      /* distorted radius there, without p1 and p2 */
+    double steps;                    /* ZR_LENS_STEPS / far */
     double margin;                   /* bound of the displacement by p1 and p2 */
     double table[ZR_LENS_STEPS + 1]; /* t at distorted radii i / ZR_LENS_STEPS * far */
 };
