@@ -51,7 +51,7 @@
     ROW(FACT, 300.0, "triangles of parts that info measures")                                                          \
     ROW(SECTION_CORNER, 60.0, "corners of faces times planes of sections")                                             \
     ROW(CAP_TILE, 6.0, "corners of caps times tiles of the window")                                                    \
-    ROW(LENS_PIXEL, 150.0, "pixels that a lens distorts")                                                              \
+    ROW(LENS_PIXEL, 100.0, "pixels that a lens distorts")                                                              \
     ROW(OUTPUT_WORD, 1.6, "words of outputs")                                                                          \
     ROW(PNG_PIXEL, 0.4, "pixels of PNG files")                                                                         \
     ROW(SMALL_PNG_PIXEL, 18.0, "pixels of PNG files that are compressed well")                                         \
