@@ -350,7 +350,8 @@ bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size
     }
     if (*count >= least && *count <= most) return good;
     if (least == most) return zr_json_fault(json, path, "expected %zu numbers, found %zu", least, *count);
-    return zr_json_fault(json, path, "expected %zu or %zu numbers, found %zu", least, most, *count);
+    return zr_json_fault(json, path, "expected %zu %s %zu numbers, found %zu", least, most - least > 1 ? "to" : "or",
+                         most, *count);
 }
 
 /* Reads three or four numbers; the default of the fourth is 1. */

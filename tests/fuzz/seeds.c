@@ -121,6 +121,13 @@ static void write_scenes(void)
          "\"channel\":\"color\",\"encoding\":\"svg\"}]}"},
         {"intrinsics", "{" WINDOW "," TRIANGLE ",\"view\":{\"R\":[1,0,0,0,1,0,0,0,1],\"t\":[0,0,4],\"intrinsics\":"
                        "{\"fx\":20,\"cx\":8,\"skew\":0.1},\"pixelCenter\":0,\"znear\":1,\"zfar\":10}}"},
+        {"lens", "{" WINDOW "," TRIANGLE ",\"view\":{\"eye\":[0,0,4],\"target\":[0,0,0],\"intrinsics\":{\"fx\":20},"
+                 "\"distortion\":{\"model\":\"opencv\",\"k\":[-0.3,0.1,0,0.2,0,0.1],\"p\":[0.01,-0.02]}},\"outputs\":["
+                 "{\"channel\":\"color\"},{\"channel\":\"position\"},{\"channel\":\"fragments\",\"x\":3,\"y\":2}]}"},
+        {"fisheye", "{" WINDOW "," TRIANGLE ",\"view\":{\"eye\":[0,0,4],\"target\":[0,0,0],\"perspective\":"
+                    "{\"yfovDegrees\":60},\"distortion\":{\"model\":\"fisheye\",\"k\":[0.1,-0.2]}},\"look\":\"clay\"}"},
+        {"lens-list", "{" WINDOW "," TRIANGLE ",\"view\":{\"eye\":[0,0,4],\"target\":[0,0,0],\"distortion\":"
+                      "[-0.3,0.1,0,0.01,0.02]}}"},
         {"svg", "{" WINDOW "," TRIANGLE ",\"edges\":{\"from\":\"mesh\",\"hiddenLines\":true,\"creaseDegrees\":20,"
                 "\"width\":2},\"outputs\":[{\"channel\":\"color\",\"encoding\":\"svg\"},{\"channel\":\"color\"}]}"},
         {"views",

@@ -12,6 +12,7 @@
 #include "input/names.h"
 #include "reference/look_twin.h"
 #include "reference/page.h"
+#include "render/lens.h"
 #include "render/sections.h"
 #include "support/files.h"
 
@@ -91,6 +92,24 @@ static bool open_scene(struct zr_arena *arena, struct zr_scene *scene, struct zr
     return true;
 }
 
+/* A view through a lens becomes that of the pinhole picture behind it, which both sides draw. */
+static bool remove_lens(struct zr_arena *arena, struct zr_scene *scene, struct zr_error *error)
+{
+    const struct zr_resolved_view *resolved;
+    struct zr_lens_drawing drawing;
+    struct zr_view *view = &scene->views[0];
+    if (view->lens.model == ZR_LENS_NONE) return true;
+    if (zr_resolved_view_find(arena, NULL, scene, NULL, &resolved, error) != ZR_OK) return false;
+    zr_lens_drawing_open(scene, resolved, &drawing);
+    *scene = drawing.scene;
+    view->lens.model = ZR_LENS_NONE;
+    view->pose = ZR_POSE_MATRIX;
+    view->world_to_camera = drawing.resolved.camera.world_to_eye;
+    view->projection = ZR_PROJECTION_MATRIX;
+    view->projection_matrix = drawing.resolved.camera.projection;
+    return true;
+}
+
 /* One scene, or one mesh from each view wanted. */
 static enum verdict check_bytes(const struct checking *c, struct zr_arena *arena, struct zr_request *request,
                                 const char *path)
@@ -109,7 +128,7 @@ static enum verdict check_bytes(const struct checking *c, struct zr_arena *arena
         if (zr_scene_read(arena, NULL, request, &limits, &scene, &error) != ZR_OK) return refused(c, path, &error);
         struct zr_scene bare = *scene; /* no colour bar, which Mesa does not draw */
         bare.color_bar.is_on = false;
-        if (!open_scene(arena, &bare, &error)) return refused(c, path, &error);
+        if (!remove_lens(arena, &bare, &error) || !open_scene(arena, &bare, &error)) return refused(c, path, &error);
         enum verdict verdict = check_view(c, &bare, name, (uint64_t)preset, &tally);
         if (verdict > worst) worst = verdict;
     }
