@@ -57,30 +57,35 @@ enum zr_status zr_lens_list_fragments(struct zr_arena *arena, struct zr_arena *s
 
 /* ---- the frame of the view ---- */
 
-/* Counts the pixels that have a primitive, by the first channel that shows it. Without one, the count is that of the
- * pinhole picture. */
-static void count_covered(const struct zr_frame *pinhole, struct zr_frame *frame)
+/* Returns the first channel of the frame that shows whether a pixel has a primitive; ZR_CHANNEL_COUNT: none does. */
+static int covered_channel(const struct zr_frame *frame)
 {
     static const enum zr_channel shows[] = {ZR_CHANNEL_FACE_ID, ZR_CHANNEL_DEPTH, ZR_CHANNEL_WINDOW_DEPTH,
                                             ZR_CHANNEL_DISTANCE, ZR_CHANNEL_INSTANCE_ID};
-    const size_t pixels = (size_t)frame->width * frame->height;
-    frame->covered_pixels = pinhole->covered_pixels;
-    frame->covered_samples = pinhole->covered_samples;
-    for (size_t i = 0; i < sizeof shows / sizeof *shows; i++) {
-        const uint32_t *words = frame->channels[shows[i]], clear = zr_channel_rows[shows[i]].clear_value;
-        if (!words) continue;
-        frame->covered_pixels = frame->covered_samples = 0;
-        for (size_t k = 0; k < pixels; k++)
-            frame->covered_pixels += words[k] != clear;
-        return;
-    }
+    for (size_t i = 0; i < sizeof shows / sizeof *shows; i++)
+        if (frame->channels[shows[i]]) return (int)shows[i];
+    return ZR_CHANNEL_COUNT;
 }
 
-static void find_deepest(struct zr_frame *frame)
+/* Counts covered pixels and finds the greatest depth. Colours alone do not tell which pixels are covered: the counts
+ * are then those of the pinhole picture. */
+static enum zr_status measure(const struct zr_frame *pinhole, const struct zr_cancel *cancel, struct zr_frame *frame)
 {
+    const int channel = covered_channel(frame);
+    frame->covered_pixels = channel == ZR_CHANNEL_COUNT ? pinhole->covered_pixels : 0;
+    frame->covered_samples = channel == ZR_CHANNEL_COUNT ? pinhole->covered_samples : 0;
     frame->deepest = 0.0f;
-    for (size_t i = 0; frame->depth && i < (size_t)frame->width * frame->height; i++)
-        if (frame->depth[i] > frame->deepest && frame->depth[i] < INFINITY) frame->deepest = frame->depth[i];
+    for (size_t y = 0; channel != ZR_CHANNEL_COUNT && y < frame->height; y++) {
+        const size_t first = y * frame->width;
+        const uint32_t *words = (const uint32_t *)frame->channels[channel] + first;
+        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        for (uint32_t x = 0; x < frame->width; x++)
+            frame->covered_pixels += words[x] != zr_channel_rows[channel].clear_value;
+        for (uint32_t x = 0; frame->depth && x < frame->width; x++)
+            if (frame->depth[first + x] > frame->deepest && frame->depth[first + x] < INFINITY)
+                frame->deepest = frame->depth[first + x];
+    }
+    return ZR_OK;
 }
 
 enum zr_status zr_lens_take(struct zr_team *team, const struct zr_scene *scene, const struct zr_remap *remap,
@@ -100,8 +105,5 @@ enum zr_status zr_lens_take(struct zr_team *team, const struct zr_scene *scene, 
     frame->sections = pinhole->sections;
     frame->fragments = pinhole->fragments;
     frame->pixels_without_ray = remap->nowhere;
-    if (status != ZR_OK) return status;
-    count_covered(pinhole, frame);
-    find_deepest(frame);
-    return ZR_OK;
+    return status == ZR_OK ? measure(pinhole, cancel, frame) : status;
 }

@@ -147,9 +147,13 @@ static struct zr_lens_ray no_ray(const struct zr_lens_inverse *inverse)
 static struct zr_lens_ray radial_ray(const struct zr_lens_inverse *inverse, double x, double y, double distorted)
 {
     const double t = radial_inverse(inverse, distorted);
+    const struct radius at = radius_at(&inverse->lens, t);
+    /* A fold or a pole narrower than a step of find_end leaves no solution, or a wrong one. */
+    if (!at.defined || !(at.slope > 0.0) || !(fabs(at.value - distorted) <= 1e-9 * (1.0 + distorted)))
+        return no_ray(inverse);
     const bool is_fisheye = inverse->lens.model == ZR_LENS_FISHEYE;
-    const double r = is_fisheye && t > 0.0 ? zr_tan(t) : t, slope = radius_at(&inverse->lens, t).slope;
-    const double along = is_fisheye ? slope / (1.0 + r * r) : slope, across = r > 0.0 ? distorted / r : 1.0;
+    const double r = is_fisheye && t > 0.0 ? zr_tan(t) : t;
+    const double along = is_fisheye ? at.slope / (1.0 + r * r) : at.slope, across = r > 0.0 ? distorted / r : 1.0;
     const double nx = x / distorted, ny = y / distorted, more = along - across;
     return (struct zr_lens_ray){
         ZR_LENS_RAY, r * nx, r * ny, across + more * nx * nx, more * nx * ny, across + more * ny * ny};
