@@ -44,7 +44,7 @@ NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
 NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl strace=strace pkg-config=pkg-config bwrap=bubblewrap admesh=admesh \
-	/usr/share/i18n/charmaps=locales /usr/lib/python3/dist-packages/PIL=python3-pil dwebp=webp djpeg=libjpeg-turbo-progs \
+	/usr/share/i18n/charmaps=locales /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/tifffile=python3-tifffile? dwebp=webp djpeg=libjpeg-turbo-progs \
 	update-mime-database=shared-mime-info $(NEED_REFERENCE) \
 	$(NEED_PYTHON)
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
