@@ -48,7 +48,7 @@
     ROW(THREADS, "threads", 'j', "N", DRAWING_COMMANDS, "number of threads (default: all processors)")                 \
     ROW(QUIET, "quiet", 'q', NULL, DRAWING_COMMANDS, "no warnings")                                                    \
     ROW(VERBOSE, "verbose", 'v', NULL, DRAWING_COMMANDS, "line per output: name, size, look and times")                \
-    ROW(PLAIN, "plain", 0, NULL, "rbw", "no progress bar (also with the variable NO_COLOR)")                           \
+    ROW(PLAIN, "plain", 0, NULL, "rbwvst", "no progress on a terminal (also with the variable NO_COLOR)")              \
     ROW(HELP, "help", 'h', NULL, "ribcwlhvst", "help of the command")                                                  \
     ROW(VERSION, "version", 'V', NULL, "ribcwlhvst", "version of zraster")
 #define OPTION_ROWS(ROW) OUTPUT_OPTION_ROWS(ROW) GENERAL_OPTION_ROWS(ROW)

@@ -33,6 +33,10 @@ struct zr_views {
     struct zr_cost cost; /* of all views; memory: of the largest */
 
     const struct zr_mesh_tables *tables; /* that they share; set by zr_views_draw */
+
+    /* Set by the caller. Called for each view that is drawn, on the thread of the call; NULL: none. */
+    void (*progress)(void *context, uint32_t done, uint32_t total);
+    void *progress_context;
 };
 
 /* Reads a scene as zr_scene_read does. */
