@@ -44,9 +44,10 @@ NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
 NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl strace=strace pkg-config=pkg-config bwrap=bubblewrap admesh=admesh \
-	/usr/share/i18n/charmaps=locales /usr/lib/python3/dist-packages/PIL=python3-pil dwebp=webp djpeg=libjpeg-turbo-progs \
+	/usr/share/i18n/charmaps=locales /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/tifffile=python3-tifffile? dwebp=webp djpeg=libjpeg-turbo-progs \
 	update-mime-database=shared-mime-info $(NEED_REFERENCE) \
 	$(NEED_PYTHON)
+NEED_BROWSER := chromium=chromium /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/numpy=python3-numpy
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
 NEED_EMULATED := simde/x86/avx512.h=libsimde-dev
@@ -167,6 +168,12 @@ test: ## installs what tests need and runs every test
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
 	@CC="$(CC)" PYTHON="$(PYTHON)" DATA="$(DATA)" tests/run.sh $(BUILD) unit fuzz make server waits clients python reference models mutants
+
+.PHONY: browser
+browser: ## animated PNG and WebP in Chromium, which is installed: screenshots equal the frames; build/browser
+	@.ci/need $(NEED_BUILD) $(NEED_BROWSER)
+	@$(MAKE) -s -j$(JOBS) all
+	@PYTHON="$(PYTHON)" tests/run.sh $(BUILD) browser
 
 .PHONY: test-quick
 test-quick: ## unit and property tests, the server, and a short reference run

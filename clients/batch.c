@@ -181,8 +181,7 @@ int command_batch(struct options *options)
     if (status == 0) status = engine_open(&batch.engine, options, batch.list.count < 2 * count ? (unsigned)count : 1);
     if (status != 0) return status;
     batch.progress = (struct progress){.total = batch.list.count, .began = job_clock()};
-    batch.progress.is_shown =
-        isatty(STDERR_FILENO) && !options->own[OPTION_PLAIN] && !options->own[OPTION_QUIET] && !getenv("NO_COLOR");
+    batch.progress.is_shown = progress_is_wanted(options);
     if (options->own[OPTION_RESUME]) tables_open(); /* before threads share them */
     run(&batch, count < batch.list.count ? count : batch.list.count);
     status = summarize(&batch);

@@ -14,7 +14,8 @@
         "draws several sides: front, top, right and isometric, or --views")                                            \
     ROW(sheet, 's', "FILE [-o OUTPUT] [OPTION]...",                                                                    \
         "draws several sides into one picture at one scale: --sheet threeView or balanced, or --views")                \
-    ROW(turntable, 't', "FILE [-o OUTPUT] [OPTION]...", "draws an animated PNG: the camera turns once around FILE")    \
+    ROW(turntable, 't', "FILE [-o OUTPUT] [OPTION]...",                                                                \
+        "draws an animated PNG or WebP: the camera turns once around FILE")                                            \
     ROW(compare, 'c', "A.png B.png [-o DIFF.png]", "counts the pixels that differ; exit status 4 if any do")           \
     ROW(watch, 'w', "FILE [-o OUTPUT] [OPTION]...", "draws the file again whenever it changes")                        \
     ROW(looks, 'l', "", "lists the looks")                                                                             \
@@ -47,7 +48,7 @@
     ROW(THREADS, "threads", 'j', "N", DRAWING_COMMANDS, "number of threads (default: all processors)")                 \
     ROW(QUIET, "quiet", 'q', NULL, DRAWING_COMMANDS, "no warnings")                                                    \
     ROW(VERBOSE, "verbose", 'v', NULL, DRAWING_COMMANDS, "line per output: name, size, look and times")                \
-    ROW(PLAIN, "plain", 0, NULL, "rbw", "no progress bar (also with the variable NO_COLOR)")                           \
+    ROW(PLAIN, "plain", 0, NULL, "rbwvst", "no progress on a terminal (also with the variable NO_COLOR)")              \
     ROW(HELP, "help", 'h', NULL, "ribcwlhvst", "help of the command")                                                  \
     ROW(VERSION, "version", 'V', NULL, "ribcwlhvst", "version of zraster")
 #define OPTION_ROWS(ROW) OUTPUT_OPTION_ROWS(ROW) GENERAL_OPTION_ROWS(ROW)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "interruption.h"
+#include "job.h"
 #include "post.h"
 #include "query.h"
 #include "wording.h"
@@ -45,6 +46,11 @@ static void take_picture(struct answer *answer)
     snprintf(answer->look, sizeof answer->look, "%s", zraster_picture_look(answer->picture));
 }
 
+static void show_views(void *progress, uint32_t done, uint32_t total)
+{
+    progress_show_views(progress, done, total);
+}
+
 static void draw_here(const struct engine *engine, const struct input *input, const char *query, struct answer *answer)
 {
     struct zraster_part parts[INPUT_PARTS_MAX];
@@ -55,8 +61,11 @@ static void draw_here(const struct engine *engine, const struct input *input, co
                                             .query = query,
                                             .parts = parts,
                                             .part_count = input_parts(input, parts),
-                                            .cancel = engine->cancel};
+                                            .cancel = engine->cancel,
+                                            .progress = engine->progress ? show_views : NULL,
+                                            .progress_context = engine->progress};
     zraster_error *error = NULL;
+    if (engine->progress) engine->progress->printed = job_clock();
     zraster_status status = zraster_draw(engine->renderer, &request, &answer->picture, &error);
     if (status == ZRASTER_OK) status = zraster_picture_encode(answer->picture, NULL, &answer->file, &error);
     if (status == ZRASTER_OK)
@@ -65,6 +74,7 @@ static void draw_here(const struct engine *engine, const struct input *input, co
         bytes_print(&answer->faults, "%s", zraster_error_text(error));
         answer_refuse(answer);
     }
+    if (engine->progress && engine->progress->done > 0) progress_hide(engine->progress);
     if (interrupted()) answer->status = STATUS_INTERRUPTED;
     zraster_error_free(error);
 }

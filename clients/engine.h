@@ -6,6 +6,7 @@
 
 #include "answer.h"
 #include "input.h"
+#include "progress.h"
 #include "token.h"
 
 struct engine {
@@ -13,6 +14,7 @@ struct engine {
     zraster_cancel *cancel; /* raised by SIGINT and SIGTERM */
     const char *server;
     struct token token;
+    struct progress *progress; /* of views that this process draws; NULL: none */
 };
 
 /* Opens an engine for the options; `threads` share one picture (0: all processors). Returns 0, or the exit status of a

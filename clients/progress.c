@@ -1,6 +1,8 @@
 #include "progress.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 #include "job.h"
 
@@ -24,6 +26,11 @@ static void format(const struct progress *progress, double now, char *line, size
     if (progress->failed) snprintf(line + used, size - used, "  %zu failed", progress->failed);
 }
 
+bool progress_is_wanted(const struct options *options)
+{
+    return isatty(STDERR_FILENO) && !options->own[OPTION_PLAIN] && !options->own[OPTION_QUIET] && !getenv("NO_COLOR");
+}
+
 void progress_show(struct progress *progress, bool is_last)
 {
     const double now = job_clock();
@@ -32,6 +39,16 @@ void progress_show(struct progress *progress, bool is_last)
     progress->printed = now;
     format(progress, now, line, sizeof line);
     fprintf(stderr, "\r%s\033[K%s", line, is_last ? "\n" : "");
+    fflush(stderr);
+}
+
+void progress_show_views(struct progress *progress, size_t done, size_t total)
+{
+    const double now = job_clock();
+    if (!progress->is_shown || now - progress->printed < PERIOD_MS) return;
+    progress->printed = now;
+    progress->done = done;
+    fprintf(stderr, "\r%zu of %zu views\033[K", done, total);
     fflush(stderr);
 }
 

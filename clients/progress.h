@@ -1,4 +1,5 @@
-/* progress.h - client: a bar on stderr, printed at most 10 times per second. */
+/* progress.h - client: a line on stderr, printed at most 10 times per second: a bar of files, or the views of one file.
+ */
 #ifndef PROGRESS_H
 #define PROGRESS_H
 
@@ -6,14 +7,22 @@
 #include <stddef.h>
 
 struct progress {
-    bool is_shown;
+    bool is_shown; /* progress_is_wanted */
     size_t total, done, failed, skipped;
     double began, printed; /* ms */
 };
 
+struct options;
+
+/* Returns true if stderr is a terminal, and the options and NO_COLOR allow a line that is written again. */
+bool progress_is_wanted(const struct options *options);
+
 void progress_show(struct progress *progress, bool is_last);
 
-/* Clears the line of the bar. */
+/* Shows "12 of 36 views". Nothing is shown for drawings of less than a tenth of a second. */
+void progress_show_views(struct progress *progress, size_t done, size_t total);
+
+/* Clears the line. */
 void progress_hide(const struct progress *progress);
 
 #endif

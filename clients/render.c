@@ -72,6 +72,8 @@ int command_render(struct options *options)
     output_set_encoding(options);
     if (status == 0) status = engine_open(&engine, options, options_threads(options));
     if (status != 0) return status;
+    struct progress progress = {.is_shown = progress_is_wanted(options)};
+    engine.progress = &progress;
     status = render_draw(&engine, options);
     engine_close(&engine);
     return status;

@@ -1,4 +1,7 @@
 /* several.c - client: `zraster views`, `zraster sheet` and `zraster turntable`: several views of one file. */
+#include <string.h>
+#include <strings.h>
+
 #include "render.h"
 
 /* Sets a parameter that the command line does not give. */
@@ -21,9 +24,18 @@ int command_sheet(struct options *options)
     return command_render(options);
 }
 
+/* Returns the output's name: -o, or the second file. */
+static const char *find_output(const struct options *options)
+{
+    if (options->own[OPTION_OUTPUT]) return options->own[OPTION_OUTPUT];
+    return options->file_count == 2 ? options->files[1] : "";
+}
+
 int command_turntable(struct options *options)
 {
+    const char *ending = strrchr(find_output(options), '.');
+    const bool is_webp = ending && strcasecmp(ending, ".webp") == 0; /* chosen by the ending (output.h) */
     suggest(options, PARAMETER_turntable, "36");
-    if (!options->parameters[PARAMETER_channel]) suggest(options, PARAMETER_encoding, "apng");
+    if (!options->parameters[PARAMETER_channel] && !is_webp) suggest(options, PARAMETER_encoding, "apng");
     return command_render(options);
 }

@@ -33,6 +33,10 @@ struct zr_views {
     struct zr_cost cost; /* of all views; memory: of the largest */
 
     const struct zr_mesh_tables *tables; /* that they share; set by zr_views_draw */
+
+    /* Set by the caller. Called for each view that is drawn, on the thread of the call; NULL: none. */
+    void (*progress)(void *context, uint32_t done, uint32_t total);
+    void *progress_context;
 };
 
 /* Reads a scene as zr_scene_read does. */
@@ -68,9 +72,10 @@ enum zr_status zr_views_draw_each(struct zr_arena *arena, struct zr_team *team, 
                                   const struct zr_cancel *cancel, struct zr_views_taker taker, struct zr_error *error);
 
 /* Draws and encodes all views. Files are NAME.channel.extension, one for each view and output, with these exceptions:
- * outputs with the encoding apng are one animation, and arrays (npy) of windows of one size are one array, whose first
- * axis is the number of the view. On a sheet, outputs with the channel color are one picture, and info is that of the
- * first view, with the places of all. Errors: those of zr_render and zr_encode. */
+ * outputs with the encoding apng, and webp of a turntable or an animation, are one animation, and arrays (npy) of
+ * windows of one size are one array, whose first axis is the number of the view. On a sheet, outputs with the channel
+ * color are one picture, and info is that of the first view, with the places of all. Errors: those of zr_render and
+ * zr_encode. */
 enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
                              const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error);
 

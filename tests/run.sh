@@ -141,6 +141,9 @@ for part in "$@"; do
             run "python-$(basename "$test" .py)" "ZRASTER_DATA=$data" "$python" tests/python/run.py "$build" "$test"
         done
         ;;
+    browser)
+        run browser "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/browser/test_browser.py
+        ;;
     reference)
         triangles=${REFERENCE_TRIANGLES:-210000}
         verify reference "$programs/zraster-verify" --triangles "$triangles" --floats 300

@@ -134,6 +134,29 @@ parts parts-uncut metal "a half section; the axle is not cut" '"sections": {"pla
 parts parts-drawing technical "lines of the mesh; hidden lines are dashed" '"edges": {"from": "mesh", "hiddenLines": true}'
 parts parts-blueprint blueprint "an exploded view" '"explode": {"factor": 1.5, "axis": "y"}'
 
+# ---- several views, by the command ----
+
+for part in base axle bearing wheel washer cap; do
+    printf '%s|%s\n' "$part" "$(awk -v model=$part -f $here/models.awk)"
+done | awk -f $here/obj.awk >"$out/assembly.obj"
+command() { # NAME WHAT COMMAND...: the picture NAME.png, and the command as NAME.sh
+    name=$1 what=$2
+    shift 2
+    echo "zraster $*" >"$out/$name.sh"
+    (cd "$out" && "$zraster" "$@" --compress small) >"$out/client.log" 2>&1 || { cat "$out/client.log" >&2; exit 1; }
+    printf '<figure><img src="%s.png" alt="%s"><figcaption><a href="%s.sh"><b>%s</b></a> %s<br><code>%s</code></figcaption></figure>\n' \
+        "$name" "$name" "$name" "$name" "$what" "$(escape <"$out/$name.sh")" >>"$page"
+    count=$((count + 1))
+}
+zraster=$(realpath "$build/zraster")
+echo '<h2>Several views</h2>' >>"$page"
+command turntable "an animation: the camera turns around <a href=\"assembly.obj\">assembly.obj</a>" \
+    turntable assembly.obj -o turntable.png --turntable 20 -s 200x170 --colors parts --section z:0.5:negative --background white
+command sheet "views at one scale" sheet assembly.obj -o sheet.png -s 480x360 --colors parts --look technical
+sed -e 's/"width": 320, "height": 320/"width": 160, "height": 160/' -e 's/"frames": 36/"frames": 24/' \
+    clients/examples/cube.json >"$out/cube.json"
+command cube "nodes that move by <a href=\"cube.json\">\"animate\"</a>, in fog" cube.json -o cube.png
+
 # ---- printed parts ----
 
 # https://github.com/azdle/printables (CC0), commit 3c104a23: unsorted/fan_adaptor.stl, unsorted/pc-board-mount.stl and
@@ -173,9 +196,6 @@ nodes='"nodes": [{"mesh": "pawn"}, {"mesh": "gold", "translation": [2.3, 0, -0.3
 printf '{"look": "studio", "window": {"width": 800, "height": 400}, "view": {"azimuthDegrees": 12, "elevationDegrees": 20, "perspective": {"yfovDegrees": 26}}, %s, %s, "meshes": [%s]}\n' \
     "$materials" "$nodes" "$meshes" >"$out/still.json"
 render still --compress small
-sed -e 's/"width": 320, "height": 320/"width": 160, "height": 160/' -e 's/"frames": 36/"frames": 24/' \
-    clients/examples/cube.json >"$out/cube.json"
-render cube --compress small
 for name in parts-section parts-drawing parts-blueprint parts-uncut; do
     render "$name" --compress small
 done

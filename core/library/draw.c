@@ -43,6 +43,8 @@ static enum zr_status run(const struct drawing *d, zraster_picture **picture, st
     }
     enum zr_status status = zr_request_take(d->arena, d->request, false, &taken, error);
     if (status == ZR_OK) status = read(d, &taken.request, &views, error);
+    views.progress = taken.progress;
+    views.progress_context = taken.progress_context;
     return status == ZR_OK ? make(d, &views, taken.cancel, picture, error) : status;
 }
 

@@ -96,6 +96,8 @@ enum zr_status zr_request_take(struct zr_arena *arena, const struct zraster_requ
     if (status == ZR_OK) status = read_query(arena, all.query, request, error);
     if (status == ZR_OK) status = take_parts(arena, &all, is_kept, request, error);
     out->cancel = all.cancel;
+    out->progress = all.progress;
+    out->progress_context = all.progress_context;
     request->cancel = zr_cancel_flag(all.cancel);
     request->bytes = all.body;
     request->size = all.body_size;

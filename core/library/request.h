@@ -9,6 +9,8 @@
 struct zr_taken_request {
     struct zr_request request;
     zraster_cancel *cancel;
+    void (*progress)(void *context, uint32_t done, uint32_t total); /* or NULL */
+    void *progress_context;
 };
 
 /* Checks and translates a request; the texts of its query go to the arena. `is_kept`: parts that are not

@@ -81,4 +81,10 @@ static inline bool zr_view_set_is_animation(const struct zr_view_set *set)
     return set->kind == ZR_VIEW_SET_ANIMATE || set->kind == ZR_VIEW_SET_FILE;
 }
 
+/* True if the views are frames in time: of a turn or an animation. */
+static inline bool zr_view_set_has_times(const struct zr_view_set *set)
+{
+    return set->seconds > 0.0;
+}
+
 #endif

@@ -4,6 +4,7 @@
 
 #include "output/apng.h"
 #include "output/npy.h"
+#include "output/webp_frames.h"
 #include "scene/scene.h"
 #include "views/sheet_picture.h"
 #include "views/view_scene.h"
@@ -11,9 +12,10 @@
 /* Files of one output of all views. */
 struct sink {
     const struct zr_output *output;
-    enum { EACH, STACK, ANIMATION, SHEET, SHEET_INFO } kind;
+    enum { EACH, STACK, APNG, WEBP, SHEET, SHEET_INFO } kind;
     struct zr_buffer out;
     struct zr_apng apng;
+    struct zr_webp_frames webp;
 };
 
 /* Views that have a warning. */
@@ -54,11 +56,15 @@ static enum zr_status add_rows(struct sink *sink, const struct zr_zip_entry *ent
 static enum zr_status add_frame(struct collecting *c, struct sink *sink, uint32_t number,
                                 const struct zr_zip_entry *entry)
 {
-    const enum zr_status status = zr_apng_add(&sink->apng, entry->bytes, entry->size);
+    const bool is_apng = sink->kind == APNG;
+    const enum zr_status status = is_apng ? zr_apng_add(&sink->apng, entry->bytes, entry->size)
+                                          : zr_webp_frames_add(&sink->webp, entry->bytes, entry->size);
     if (status != ZR_BAD_SCENE) return status;
     struct zr_error fault = {0};
-    zr_error_add(&fault, status, NULL,
-                 "another size than view 0, or an opaque background where that has none: frames of an apng are alike");
+    zr_error_add(
+        &fault, status, NULL, "%s",
+        is_apng ? "another size than view 0, or an opaque background where that has none: frames of an apng are alike"
+                : "with this frame, the webp has 4 GiB or more: a smaller window, fewer frames or less quality fit");
     return zr_view_report(c->views, number, status, &fault, c->error);
 }
 
@@ -81,7 +87,8 @@ static enum zr_status take_files(struct collecting *c, const struct zr_drawn_vie
         case STACK:
             status = add_rows(sink, entry);
             break;
-        case ANIMATION:
+        case APNG:
+        case WEBP:
             status = add_frame(c, sink, view->number, entry);
             break;
         case SHEET_INFO:
@@ -154,9 +161,16 @@ static enum zr_status open_sink(struct collecting *c, const struct zr_output *ou
     else if (output->encoding == ZR_ENCODING_NPY && c->views->has_one_window)
         sink->kind = STACK;
     else if (output->encoding == ZR_ENCODING_APNG)
-        sink->kind = ANIMATION;
-    sink->apng = (struct zr_apng){.out = &sink->out, .frames = set->count, .seconds = 1.0};
-    if (set->seconds > 0.0) sink->apng.seconds = set->seconds / set->count;
+        sink->kind = APNG;
+    else if (output->encoding == ZR_ENCODING_WEBP && zr_view_set_has_times(set))
+        sink->kind = WEBP;
+    const double seconds = zr_view_set_has_times(set) ? set->seconds / set->count : 1.0;
+    sink->apng = (struct zr_apng){.out = &sink->out, .frames = set->count, .seconds = seconds};
+    sink->webp = (struct zr_webp_frames){.out = &sink->out,
+                                         .frames = set->count,
+                                         .seconds = seconds,
+                                         .width = c->views->width,
+                                         .height = c->views->height};
     if (sink->kind != STACK) return ZR_OK;
     const size_t shape[] = {set->count, c->views->height, c->views->width, row->words};
     if (!zr_buffer_room(&sink->out, ZR_NPY_HEADER + 4 * shape[0] * shape[1] * shape[2] * shape[3])) return ZR_NO_MEMORY;
@@ -224,12 +238,27 @@ static enum zr_status take(void *context, const struct zr_drawn_view *view, stru
     return ZR_OK;
 }
 
+/* Refuses a number of bytes for an animated WebP, whose size is known after the last frame. */
+static enum zr_status check_sizes(const struct zr_views *views, struct zr_error *error)
+{
+    const struct zr_view *view = &views->scene->views[0];
+    const bool is_animated = zr_view_set_has_times(views->set) && !views->scene->sheet.is_on;
+    for (uint32_t i = 0; is_animated && i < view->output_count; i++) {
+        char pointer[48];
+        if (view->outputs[i].encoding != ZR_ENCODING_WEBP || view->outputs[i].max_bytes == 0) continue;
+        snprintf(pointer, sizeof pointer, "/outputs/%u/maxBytes", i);
+        return zr_error_add(error, ZR_BAD_SCENE, pointer, "an animated webp has none: quality makes it smaller");
+    }
+    return ZR_OK;
+}
+
 enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
                              const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error)
 {
     struct collecting collecting = {
         .arena = arena, .team = team, .cancel = cancel, .views = views, .files = files, .error = error};
     const struct zr_views_taker taker = {take, &collecting};
-    const enum zr_status status = zr_views_draw_each(arena, team, views, cancel, taker, error);
+    enum zr_status status = check_sizes(views, error);
+    if (status == ZR_OK) status = zr_views_draw_each(arena, team, views, cancel, taker, error);
     return status == ZR_OK ? close_files(&collecting) : status;
 }

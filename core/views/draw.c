@@ -71,7 +71,10 @@ static enum zr_status hand_on(const struct batch *batch, uint32_t number, const 
     char name[ZR_VIEW_NAME_SIZE];
     zr_view_name(batch->views->set, number, name);
     const struct zr_drawn_view view = {number, name, &d->files, d->frame};
-    return batch->taker.take(batch->taker.context, &view, batch->error);
+    const enum zr_status status = batch->taker.take(batch->taker.context, &view, batch->error);
+    const struct zr_views *views = batch->views;
+    if (status == ZR_OK && views->progress) views->progress(views->progress_context, number + 1, views->set->count);
+    return status;
 }
 
 static enum zr_status take_batch(struct batch *batch, uint32_t count, uint32_t width)

@@ -160,6 +160,24 @@ verdict "and the nearest key is suggested" grep -q 'line 1: unknown key "colour"
 script -qec "'$zraster' batch many -o bar -s 16" typescript </dev/null >"$said" 2>"$complained"
 verdict "a terminal gets a bar" grep -qE '\[#{20}\] 13/13  [0-9.]+/s' "$said"
 
+# progress of views: 40 of them take more than the tenth of a second from which on it is shown
+turn="'$zraster' turntable part.stl --turntable 40 -s 640x480 -n"
+lines_of() { tr '\r' '\n' <"$said" | sed 's/\x1b\[K//'; }
+script -qec "$turn -o a.webp" typescript </dev/null >"$said" 2>"$complained"
+verdict "a terminal gets the number of views" eval 'lines_of | grep -qx "[1-9][0-9]* of 40 views"'
+verdict "which rises" eval 'lines_of | grep " of 40 views" | sort -nuC'
+verdict "and is gone at the end" eval 'lines_of | grep -A1 " of 40 views" | tail -n 1 | grep -q "^a.webp  [0-9]* bytes"'
+for silent in "-q -o b.webp" "--plain -o c.webp" "-o d.webp 2>errors" "-o e.webp 2>&1 | cat"; do
+    script -qec "$turn $silent" typescript </dev/null >"$said" 2>"$complained"
+    verdict "no number of views with $silent" eval '! grep -q "of 40" "$said" "$complained"'
+done
+verdict "errors in a file, neither" [ ! -s errors ]
+verdict "and the same bytes" eval 'cmp a.webp b.webp && cmp a.webp c.webp && cmp a.webp d.webp && cmp a.webp e.webp'
+check "another ending makes an animated PNG" 0 "$zraster" turntable part.stl turn.png --turntable 3 -s 16
+verdict "with frames" grep -q acTL turn.png
+check "an animated WebP has no number of bytes" 1 "$zraster" turntable part.stl turn.webp --max-bytes 9999
+verdict "and it is said" grep -q 'an animated webp has none' "$complained"
+
 broken_name=$(printf 'new\nline')
 mkdir odd && cp part.stl "odd/$broken_name.stl"
 check "a name with a line break" 0 "$zraster" batch odd -o odd/out -s 8 -c color,depth --json

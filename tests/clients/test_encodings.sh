@@ -1,6 +1,6 @@
 #!/bin/sh
-# test_encodings.sh BUILD: other programs decode JPEG, WebP, PFM and TIFF as the PNG or NPY of the same picture: Pillow,
-# numpy, dwebp and djpeg. Missing ones of the last two are reported. Prints TAP.
+# test_encodings.sh BUILD: other programs decode JPEG, WebP, PFM, TIFF and animations as the PNG or NPY of the same picture:
+# Pillow, numpy, tifffile, dwebp, djpeg, webpinfo and pngcheck. Missing ones, but for the first two, are reported. Prints TAP.
 set -u
 build=$(realpath "$1")
 zraster=$build/zraster
@@ -45,8 +45,19 @@ for threads in 1 3; do
 done
 verdict "the same bytes" cmp -s 1.webp 3.webp
 
+
+# Animations, beside the pictures of their views: ZIPs of 0001.color.png to 0005.color.png, color.apng and color.webp.
+outputs='{"channel": "color", "encoding": "png32"}, {"channel": "color", "encoding": "apng"}, {"channel": "color", "encoding": "webp"'
+for scene in scene clear; do
+    sed "s/\"window\"/\"turntable\": {\"frames\": 5, \"elevation\": 20, \"seconds\": 0.5}, \"outputs\": [$outputs, \"lossless\": true}], \"window\"/
+        s/\"view\": {[^}]*}/\"view\": {\"perspective\": {\"yfovDegrees\": 30}}/" $scene.json >turn-$scene.json
+    sed 's/"lossless": true/"quality": 80/' turn-$scene.json >lossy-$scene.json
+    check "animations, $scene" 0 "$zraster" turn-$scene.json -o turn-$scene.zip
+    check "lossy, $scene" 0 "$zraster" lossy-$scene.json -o lossy-$scene.zip
+done
+
 /usr/bin/python3 - >"$said" 2>&1 <<'END'
-import numpy, struct
+import io, numpy, struct, zipfile
 from PIL import Image
 
 def pixels(name, mode): return numpy.asarray(Image.open(name).convert(mode)).astype(int)
@@ -77,8 +88,41 @@ assert depth.mode == "F" and numpy.array_equal(numpy.asarray(depth), numpy.load(
 steps, distance = numpy.asarray(Image.open("distance.png")).astype(int), numpy.load("distance.npy")
 seen = numpy.isfinite(distance)
 assert seen.any() and (steps[~seen] == 0).all() and abs(steps[seen] * 0.001 - distance[seen]).max() < 0.00051
+
+def frames(data, mode):
+    picture = Image.open(io.BytesIO(data))
+    assert picture.n_frames == 5 and picture.info["loop"] == 0
+    for i in range(5):
+        picture.seek(i)
+        picture.load()
+        assert picture.info["duration"] == 100, picture.info["duration"]
+        yield numpy.asarray(picture.convert(mode)).astype(int)
+
+for scene, mode in ("scene", "RGB"), ("clear", "RGBA"):
+    for kind in "turn", "lossy":
+        with zipfile.ZipFile(f"{kind}-{scene}.zip") as files:
+            views = [numpy.asarray(Image.open(files.open(f"000{i}.color.png")).convert(mode)).astype(int) for i in range(1, 6)]
+            apng, webp = files.read("color.apng"), files.read("color.webp")
+        open(f"{kind}-{scene}.apng", "wb").write(apng), open(f"{kind}-{scene}.webp", "wb").write(webp)
+        assert all((views[i] != views[i - 1]).any() for i in range(5))
+        assert all(map(numpy.array_equal, frames(apng, mode), views)), scene
+        apart = [abs(a - b).mean() for a, b in zip(frames(webp, mode), views)]
+        assert max(apart) == 0 if kind == "turn" else 0 < max(apart) < 2, (kind, scene, apart)
 END
 verdict "Pillow and numpy agree" [ $? = 0 ]
+for scene in scene clear; do check "pngcheck, $scene" 0 pngcheck -q turn-$scene.apng; done
+
+if /usr/bin/python3 -c 'import tifffile' 2>/dev/null; then
+    /usr/bin/python3 - >"$said" 2>&1 <<'END'
+import numpy, tifffile
+for name in "depth", "position", "texcoord":
+    values = tifffile.imread(name + ".tif")
+    assert values.dtype == "float32" and numpy.array_equal(values, numpy.load(name + ".npy")), (name, values.shape)
+END
+    verdict "tifffile has the floats" [ $? = 0 ]
+else
+    skip "tifffile has the floats" "it is not installed"
+fi
 
 if command -v dwebp >/dev/null; then
     check "dwebp" 0 dwebp -quiet whole.webp -ppm -o whole.ppm
@@ -87,5 +131,19 @@ assert Image.open("whole.ppm").tobytes() == Image.open("a.png").convert("RGB").t
 else
     skip "dwebp" "it is not installed"
 fi
-if command -v djpeg >/dev/null; then check "djpeg" 0 djpeg -outfile a.ppm a.jpg; else skip "djpeg" "it is not installed"; fi
+if command -v webpinfo >/dev/null; then
+    for name in a whole clear turn-scene turn-clear lossy-scene lossy-clear; do
+        check "webpinfo, $name" 0 webpinfo $name.webp
+        verdict "finds no fault" grep -q '^No error detected' "$said"
+    done
+else
+    skip "webpinfo" "it is not installed"
+fi
+if command -v djpeg >/dev/null; then
+    check "djpeg" 0 djpeg -outfile a.ppm a.jpg
+    verdict "has Pillow's pixels" /usr/bin/python3 -c 'from PIL import Image
+assert Image.open("a.ppm").tobytes() == Image.open("a.jpg").tobytes()'
+else
+    skip "djpeg" "it is not installed"
+fi
 verdicts

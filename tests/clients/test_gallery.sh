@@ -29,14 +29,14 @@ verdict "without the meshes of printed parts, their pictures are left out, and i
 scenes=$(grep -c '^[a-z][a-z0-9.-]* |' clients/gallery/scenes.txt)
 names=$(sed -n 's/^<figure[^>]*><img src="\([^"]*\)\.png".*/\1/p' "$out/index.html")
 shown=$(echo "$names" | wc -l)
-verdict "the page shows $scenes scenes, 2 grids of balls, lamps, parts, printed parts, and a colour bar" [ "$shown" = $((scenes + 15 - left_out)) ]
+verdict "the page shows $scenes scenes, 2 grids of balls, lamps, parts, several views, printed parts, and a colour bar" [ "$shown" = $((scenes + 18 - left_out)) ]
 verdict "each under a name of its own" [ "$(echo "$names" | sort -u | wc -l)" = "$shown" ]
 all_there() {
     for name in $names; do
-        is_png "$out/$name.png" && [ -s "$out/$name.json" ] || { echo "$name" >>"$said"; return 1; }
+        is_png "$out/$name.png" && [ -s "$out/$name.json" -o -s "$out/$name.sh" ] || { echo "$name" >>"$said"; return 1; }
     done
 }
-verdict "with its picture and its scene beside it" all_there
+verdict "with its picture, and its scene or command beside it" all_there
 
 # A feature that a look has by default shows the same picture twice.
 twins() {
@@ -69,7 +69,7 @@ is_todays() { # PNG
     repack "$1" "$work/a.png" && repack "$out/${1##*/}" "$work/b.png" && cmp "$work/a.png" "$work/b.png" >>"$said" 2>&1
 }
 pictures=$(grep -oE '(\]\(|src=")clients/[^")]*\.png' README.md | sed 's/.*[("]//')
-verdict "the README has a picture, one of each look but textbook, four of an assembly, a spinning cube, and three of printed parts" [ "$(echo "$pictures" | wc -l)" = 17 ]
+verdict "the README has a picture, one of each look but textbook, four of an assembly, a turntable, a sheet, a spinning cube, and three of printed parts" [ "$(echo "$pictures" | wc -l)" = 19 ]
 for picture in $pictures; do
     if grep -q "^LEFT OUT: .* $picture stays" "$complained"; then
         skip "$picture is as it is drawn now" "its mesh is missing"

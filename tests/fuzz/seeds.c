@@ -137,6 +137,9 @@ static void write_scenes(void)
         {"turntable",
          "{" WINDOW "," TRIANGLE ",\"turntable\":{\"frames\":3,\"elevation\":25,\"seconds\":2},\"outputs\":["
          "{\"channel\":\"color\",\"encoding\":\"apng\"},{\"channel\":\"depth\"}]}"},
+        {"turntable-webp",
+         "{" WINDOW "," TRIANGLE ",\"background\":\"#1020\",\"turntable\":{\"frames\":2,\"seconds\":0.02},\"outputs\":["
+         "{\"channel\":\"color\",\"encoding\":\"webp\",\"lossless\":true}]}"},
         {"sheet", "{\"window\":{\"width\":48,\"height\":48}," TRIANGLE ",\"sheet\":{\"layout\":\"threeView\",\"angle\":"
                   "\"first\",\"captions\":false},\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"info\"}]}"},
         {"animate",

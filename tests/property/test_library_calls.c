@@ -227,4 +227,40 @@ TEST(a_signal_handler_may_cancel)
     zraster_picture_free(picture);
 }
 
+/* ---- progress ---- */
+
+struct seen {
+    uint32_t calls, until; /* 0: never cancelled */
+    pthread_t thread;
+    zraster_cancel *cancel;
+};
+
+static void see(void *context, uint32_t done, uint32_t total)
+{
+    struct seen *seen = context;
+    assert_int_equal(done, ++seen->calls);
+    assert_int_equal(total, 5);
+    assert_true(pthread_equal(pthread_self(), seen->thread));
+    if (done == seen->until) zraster_cancel_raise(seen->cancel);
+}
+
+TEST(progress_counts_views_and_may_cancel)
+{
+    static const char several[] = "{\"window\": {\"width\": 20, \"height\": 10}, \"turntable\": {\"frames\": 5}, "
+                                  "\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}]}";
+    for (uint32_t until = 0; until <= 2; until += 2) {
+        struct seen seen = {.until = until, .thread = pthread_self(), .cancel = zraster_cancel_new()};
+        struct zraster_request request = request_of(several);
+        zraster_picture *picture;
+        request.progress = see;
+        request.progress_context = &seen;
+        request.cancel = seen.cancel;
+        const zraster_status status = zraster_draw(renderer, &request, &picture, NULL);
+        assert_int_equal(status, until ? ZRASTER_CANCELLED : ZRASTER_OK);
+        assert_in_range(seen.calls, until ? until : 5, until ? 4 : 5); /* views that are drawn at once */
+        zraster_picture_free(picture);
+        zraster_cancel_free(seen.cancel);
+    }
+}
+
 RUN_TESTS(open_renderer, close_renderer)

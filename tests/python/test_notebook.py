@@ -29,8 +29,8 @@ class Notebook(unittest.TestCase):
             if re.fullmatch(r"\w+", last):
                 self.assertTrue(names[last]._repr_png_().startswith(b"\x89PNG"))
                 shown += 1
-        self.assertEqual((len(cells), shown), (8, 3))
-        for wanted in ("(320, 480) float32", "(160, 960, 3)", "8 depth maps", "/meshes/0/faces/17/2 - ", "did you mean look?",
+        self.assertEqual((len(cells), shown), (10, 5))
+        for wanted in ("(320, 480) float32", "(160, 960, 3)", "8 depth maps", "(24, 160, 240) (160, 240, 3)", "/meshes/0/faces/17/2 - ", "did you mean look?",
                        "(240, 320, 3) (240, 320) 0 for background pixels: True"):  # fmt: skip
             self.assertIn(wanted, printed.getvalue())
 

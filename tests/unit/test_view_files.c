@@ -1,5 +1,6 @@
 /* core/views: arrays, animations and sheets of several views have the pixels of the views drawn alone. */
 #include "output/npy.h"
+#include "output/webp_frames.h"
 #include "support/png.h"
 #include "views_check.h"
 
@@ -135,6 +136,94 @@ TEST_AROUND(frames_of_an_animation_have_the_pixels_of_their_views, open_arena, c
             free(want);
         }
     }
+}
+
+/* ---- animated WebP ---- */
+
+static uint32_t little_at(const uint8_t *at, int bytes)
+{
+    uint32_t value = 0;
+    for (int i = 0; i < bytes; i++)
+        value |= (uint32_t)at[i] << (8 * i);
+    return value;
+}
+
+/* Compares a chunk ANMF with the picture of its view, drawn alone. Returns its duration. */
+static uint32_t check_frame(const uint8_t *chunk, const struct zr_zip_entry *alone)
+{
+    static const uint8_t place[] = {0, 0, 0, 0, 0, 0, 79, 0, 0, 59, 0, 0};
+    const uint8_t *image = (const uint8_t *)alone->bytes + 12;
+    const size_t extended = memcmp(image, "VP8X", 4) == 0 ? 18 : 0; /* a frame has none */
+    assert_memory_equal(chunk, "ANMF", 4);
+    assert_memory_equal(chunk + 8, place, sizeof place);
+    assert_int_equal(chunk[8 + 15], 2); /* replaces the last frame */
+    assert_int_equal(little_at(chunk + 4, 4), 16 + alone->size - 12 - extended);
+    assert_memory_equal(chunk + 8 + 16, image + extended, alone->size - 12 - extended);
+    return little_at(chunk + 8 + 12, 3);
+}
+
+TEST_AROUND(frames_of_an_animated_webp_have_the_bytes_of_their_views, open_arena, close_arena)
+{
+    static const struct {
+        const char *background, *how;
+        uint8_t flags; /* animation, alpha */
+    } cases[] = {{"#102030", "\"lossless\": true", 2},
+                 {"#10203040", "\"lossless\": true", 2 | 16},
+                 {"#102030", "\"quality\": 40", 2},
+                 {"#10203040", "\"quality\": 40", 2 | 16}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        char text[1024], output[200];
+        struct zr_views views;
+        snprintf(output, sizeof output,
+                 ", \"background\": \"%s\", \"outputs\": [{\"channel\": \"color\", \"encoding\": \"webp\", %s}]",
+                 cases[k].background, cases[k].how);
+        snprintf(text, sizeof text, SCENE "%s, \"turntable\": {\"frames\": 3, \"seconds\": 0.1}}", output);
+        const struct zr_files files = draw(text, &views);
+        const uint8_t *webp = files.entries[0].bytes;
+        const size_t size = files.entries[0].size;
+        assert_int_equal(files.count, 1);
+        assert_string_equal(files.entries[0].name, "color.webp");
+        assert_string_equal(files.types[0], "image/webp");
+        assert_memory_equal(webp, "RIFF", 4);
+        assert_int_equal(little_at(webp + 4, 4) + 8, size);
+        assert_memory_equal(webp + 8, "WEBPVP8X\x0a\0\0", 11);
+        const uint8_t canvas[] = {cases[k].flags, 0, 0, 0, 79, 0, 0, 59, 0, 0};
+        assert_memory_equal(webp + 20, canvas, sizeof canvas);
+        assert_memory_equal(webp + 30, "ANIM\x06\0\0\0\0\0\0\0\0\0", 14);
+        const uint8_t *at = webp + 44;
+        for (uint32_t i = 0; i < 3; i++) {
+            static const uint32_t times[] = {33, 34, 33};
+            const struct zr_frame *frame;
+            struct zr_files alone;
+            struct zr_error error = {0};
+            const struct zr_scene *scene = scene_of_view(&views, i);
+            assert_int_equal(zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error), ZR_OK);
+            assert_int_equal(zr_encode_files(&arena, NULL, scene, frame, NULL, NULL, &alone, &error), ZR_OK);
+            assert_int_equal(check_frame(at, &alone.entries[0]), times[i]);
+            at += 8 + little_at(at + 4, 4);
+        }
+        assert_ptr_equal(at, webp + size);
+    }
+}
+
+TEST_AROUND(pictures_of_views_without_times_are_no_animation, open_arena, close_arena)
+{
+    struct zr_views views;
+    const struct zr_files files = draw(SCENE ", \"outputs\": [{\"channel\": \"color\", \"encoding\": \"webp\"}], "
+                                             "\"views\": [\"front\", \"top\"]}",
+                                       &views);
+    assert_int_equal(files.count, 2);
+    file_of(&files, "front.color.webp");
+}
+
+TEST_AROUND(a_webp_of_4_gib_is_refused, open_arena, close_arena)
+{
+    const uint8_t still[] = "RIFF\x0e\0\0\0WEBPVP8L\x02\0\0\0\x2f";
+    struct zr_buffer out = {.arena = &arena};
+    struct zr_webp_frames frames = {.out = &out, .frames = 9, .seconds = 1, .width = 1, .height = 1};
+    assert_int_equal(zr_webp_frames_add(&frames, still, sizeof still - 1), ZR_OK);
+    out.size = UINT32_MAX - 40; /* has no such memory, and needs none */
+    assert_int_equal(zr_webp_frames_add(&frames, still, sizeof still - 1), ZR_BAD_SCENE);
 }
 
 /* ---- sheets ---- */

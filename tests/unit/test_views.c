@@ -268,7 +268,9 @@ TEST_AROUND(wrong_views_are_refused_before_any_is_drawn, open_arena, close_arena
          "/views/1", "another size than view 0"},
         {"\"views\": [\"front\", {\"background\": \"#0000\"}], \"outputs\": [{\"channel\": \"color\", \"encoding\": "
          "\"apng\"}]",
-         "/views/1", "or an opaque background"}};
+         "/views/1", "or an opaque background"},
+        {"\"turntable\": {}, \"outputs\": [{\"channel\": \"color\", \"encoding\": \"webp\", \"maxBytes\": 9999}]",
+         "/outputs/0/maxBytes", "an animated webp has none"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[2048];
         struct zr_views views;

@@ -29,10 +29,11 @@ from ._picture import Picture
 from ._renderer import Cancel, Renderer, given_or_shared
 from ._request import make as _make
 from ._scene import Scene
+from ._views import Views
 
 __all__ = [
     "Cancel", "Cancelled", "Error", "Fault", "InternalError", "MemoryLimitError", "OptionError", "OptionTypeError",
-    "Picture", "Renderer", "Scene", "SceneError", "ServerError", "Warning", "options", "render", "rules",
+    "Picture", "Renderer", "Scene", "SceneError", "ServerError", "Views", "Warning", "options", "render", "rules",
 ]  # fmt: skip
 
 __version__: str = _library.library.version().decode()

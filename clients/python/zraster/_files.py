@@ -5,7 +5,7 @@ import io
 import struct
 import zipfile
 import zlib
-from typing import Any, Dict, Mapping
+from typing import Any, Dict, List, Mapping
 
 from ._errors import OptionError
 
@@ -52,6 +52,26 @@ def _chunks(data: bytes) -> Mapping[bytes, bytes]:
         found[kind] = found.get(kind, b"") + data[at + 8 : at + 8 + size]
         at += size + 12
     return found
+
+
+def frames(data: bytes) -> List[bytes]:
+    """Returns the frames of an animated PNG, which are whole pictures, as PNG files."""
+    def chunk(kind: bytes, content: bytes) -> bytes:
+        return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+
+    found: List[bytes] = []
+    at, head = len(PNG), b""
+    while at < len(data):
+        size, kind = struct.unpack_from(">I4s", data, at)
+        content = data[at + 8 : at + 8 + size]
+        if kind == b"IHDR":
+            head = content
+        elif kind == b"fcTL":
+            found.append(b"")
+        elif kind in (b"IDAT", b"fdAT"):
+            found[-1] += content[4:] if kind == b"fdAT" else content
+        at += size + 12
+    return [PNG + chunk(b"IHDR", head) + chunk(b"IDAT", pixels) + chunk(b"IEND", b"") for pixels in found]
 
 
 def _unfilter(rows: Any, step: int) -> Any:

@@ -101,12 +101,14 @@ class Files:
     def encode(self, channel: Optional[str]) -> Optional[Tuple[bytes, str]]:
         if channel is None:
             return self.answer
-        name = channel.rsplit(".", 1)[0]
+        name = channel if channel in self.files else channel.rsplit(".", 1)[0]  # depth, front.color; depth.npy
         if name not in self.files:
             return None
         data = self.files[name]
         signatures = {b"\x89PNG": "image/png", b"\x93NUM": "application/x-npy", b"<svg": "image/svg+xml"}
         signatures.update({b"RIFF": "image/webp", b"II*\0": "image/tiff", b"\xff\xd8\xff\xe0": "image/jpeg"})
+        if data[37:41] == b"acTL":
+            return data, "image/apng"
         is_pfm = data[:3] in (b"PF\n", b"Pf\n")
         return data, "image/x-portable-floatmap" if is_pfm else signatures.get(data[:4], "application/json")
 

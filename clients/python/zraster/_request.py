@@ -1,6 +1,8 @@
 """Requests: a body with its parts and parameters, and the keys that change it."""
 from __future__ import annotations
 
+import copy
+import json
 import os
 from ctypes import byref, c_void_p, sizeof
 from typing import Any, Callable, Dict, List, Optional
@@ -54,6 +56,32 @@ class Call:
         return c.Handle(made.value, free)
 
 
+SEVERAL = {"views", "turntable", "orbit", "animate", "frames", "sheet"}  # keys and parameters
+
+
+def _pose(scene: Dict[str, Any], poses: Dict[str, Any]) -> None:
+    nodes = [dict(node) for node in scene.get("nodes", ())]
+    for name, matrix in poses.items():
+        named = [node for node in nodes if node.get("name") == name]
+        if not named:
+            raise SceneError(f"/poses/{name}: no node has this name", [(f"/poses/{name}", "no node has this name")])
+        for node in named:
+            for key in ("translation", "rotation", "scale"):
+                node.pop(key, None)
+            node["matrix"] = matrix
+    scene["nodes"] = nodes
+
+
+def outputs_query(outputs: List[Dict[str, Any]]) -> Dict[str, str]:
+    """Returns the parameters that give these outputs of a mesh."""
+    query = {"channel": ",".join(str(output["channel"]) for output in outputs)}
+    for name, value in ((name, value) for output in outputs for name, value in output.items() if name != "channel"):
+        text = str(value).lower() if isinstance(value, bool) else str(value)
+        if query.setdefault(name, text) != text:
+            raise OptionError(f"channels: several views of a mesh have one {name}, not {query[name]} and {text}")
+    return query
+
+
 class Request:
     """A body with parameters. keys: keys of a scene that change it after it is read; none for a dict, which has them."""
 
@@ -69,7 +97,34 @@ class Request:
         call = Call(self.body, self.type, self.query, self.parts, None)
         return call.run(c.library.scene_read, renderer._handle, c.library.scene_free)
 
+    def merged(self, query: Dict[str, str], keys: Dict[str, Any]) -> "Request":
+        """Returns a request with more parameters and keys, all in its body and query, as servers and several views need it."""
+        made = copy.copy(self)
+        made.query, made.keys, made.parts = {**self.query, **query}, {}, Parts(self.parts.named)
+        made.parts.optional = set(self.parts.optional)
+        if self.source.is_mesh:
+            rest = dict(keys)
+            made.query.update(outputs_query(rest.pop("outputs", [])) if "outputs" in rest else {})
+            if rest:
+                raise OptionError(f"{', '.join(rest)}: several views of a mesh have parameters only; zraster.options() lists them")
+            return made
+        try:
+            scene = json.loads(self.body) if keys else None
+        except ValueError:
+            return made  # the renderer reports the fault
+        if not keys:
+            return made
+        if not isinstance(scene, dict):
+            raise SceneError("the scene is no JSON object")
+        scene.update({key: value for key, value in keys.items() if key != "poses"})
+        if "poses" in keys:
+            _pose(scene, keys["poses"])
+        made.body = dump(scene, made.parts)
+        return made
+
     def draw(self, renderer: Renderer, cancel: Optional[Cancel]) -> Picture:
+        if self.keys and not SEVERAL.isdisjoint([*self.keys, *self.query]):
+            return self.merged({}, self.keys).draw(renderer, cancel)
         if self.keys:
             return draw_change(self.read_scene(renderer), self.keys, {}, cancel)
         call = Call(self.body, self.type, self.query, self.parts, cancel)

@@ -3,15 +3,16 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping as AbstractMapping
-from typing import Any, Dict, Mapping, Optional, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
 from . import _library as c
 from . import _options, _server
-from ._arrays import as_list, is_array
+from ._arrays import as_list, is_array, whole
 from ._errors import OptionError, Warning, expect
 from ._picture import Picture
 from ._renderer import Cancel, Renderer, given_or_shared
 from ._request import Request, draw_change, make, view_of
+from ._views import Views
 
 
 class Scene:
@@ -85,13 +86,70 @@ class Scene:
             raise OptionError("the scene is closed")
         query, keys = _options.split(options, channels, size, request.source)
         keys = {**request.keys, **keys}
-        is_dict = isinstance(poses, AbstractMapping)
-        expect(poses is None or is_dict, "poses", "a dict of 4x4 matrices by the names of nodes", poses)
-        if poses:
-            keys["poses"] = {name: _matrix(name, matrix) for name, matrix in poses.items()}
+        keys.update(_poses(poses))
         if server is not None:
             return _server.render(server, request, {**request.query, **query}, keys)
         return draw_change(handle, keys, query, cancel)  # type: ignore[arg-type]
+
+    # ---- several views ----
+
+    def views(
+        self, views: Sequence[Any] = ("front", "top", "right", "isometric"), channels: Optional[_options.Channels] = None, **options: Any
+    ) -> Views:
+        """Draws several views by one request, which reads the scene once more.
+
+        views: presets such as "front", or dicts with a name and the keys that the view changes, as in the scene format
+        channels, options, such as size and poses: as for `render`
+        Returns Views: a sequence of Pictures, which notebooks show as a sheet.
+
+        >>> scene.views(["front", {"name": "high", "view": {"azimuthDegrees": 30, "elevationDegrees": 60}}]).save("views/")
+        """
+        is_list = isinstance(views, (list, tuple)) and len(views) > 0
+        expect(is_list, "views", "a list of presets such as 'front', or of dicts", views)
+        return self._several([_view_name(i, view) for i, view in enumerate(views)], False, channels, {**options, "views": list(views)})
+
+    def turntable(
+        self,
+        frames: int = 36,
+        channels: Optional[_options.Channels] = None,
+        *,
+        elevation: Optional[float] = None,
+        seconds: Optional[float] = None,
+        **options: Any,
+    ) -> Views:
+        """Draws views from around the scene, in equal steps.
+
+        elevation: degrees; default: that of the scene's view
+        seconds: time of a turn in the animation; default: 4
+        channels, options: as for `views`. Returns Views, which notebooks show as an animation.
+
+        >>> scene.turntable(look="clay").save("turn.webp")
+        """
+        turn = {"turntable": frames, "turntable_elevation": elevation, "turntable_seconds": seconds}
+        return self._several(_numbers(frames), True, channels, {**options, **turn})
+
+    def orbit(self, count: int, channels: Optional[_options.Channels] = None, *, distance: Optional[float] = None, **options: Any) -> Views:
+        """Draws views from all directions, such as those of a data set.
+
+        distance: from the cameras to the target; fitted by default
+        channels, options: as for `views`. Returns Views.
+        """
+        return self._several(_numbers(count), False, channels, {**options, "orbit": count, "orbit_distance": distance})
+
+    def _several(self, names: List[str], is_turn: bool, channels: Any, options: Dict[str, Any]) -> Views:
+        size, poses, cancel = (options.pop(name, None) for name in ("size", "poses", "cancel"))
+        view = view_of(options.pop("view", None))
+
+        def draw(outputs: Any, **more: Any) -> Picture:
+            request, renderer, server = self._state
+            given = {**options, "view": view, **more}
+            query, keys = _options.split(given, outputs, given.pop("size", size), request.source)
+            keys = {**request.keys, **keys, **_poses(poses)}
+            if server is not None:
+                return _server.render(server, request, {**request.query, **query}, keys)
+            return request.merged(query, keys).draw(given_or_shared(renderer), cancel)
+
+        return Views(names, is_turn, channels, draw)
 
     def close(self) -> None:
         """Frees the scene; its pictures stay valid."""
@@ -109,6 +167,24 @@ class Scene:
     def __setstate__(self, state: Any) -> None:
         self._state, self._handle = state, None
         self._read()
+
+
+def _poses(poses: Any) -> Dict[str, Any]:
+    """Returns the key of a change for matrices of nodes, if there are any."""
+    is_dict = isinstance(poses, AbstractMapping)
+    expect(poses is None or is_dict, "poses", "a dict of 4x4 matrices by the names of nodes", poses)
+    return {"poses": {name: _matrix(name, matrix) for name, matrix in poses.items()}} if poses else {}
+
+
+def _numbers(count: Any) -> List[str]:
+    number = whole(count)
+    expect(number is not None and number > 0, "frames", "a whole number from 1 on", count)
+    return [f"{i + 1:04}" for i in range(number or 0)]
+
+
+def _view_name(number: int, view: Any) -> str:
+    name = view.get("name") if isinstance(view, AbstractMapping) else view
+    return str(name) if name is not None else f"{number + 1:04}"
 
 
 def _matrix(name: str, matrix: Any) -> Any:

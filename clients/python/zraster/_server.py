@@ -10,10 +10,10 @@ from urllib.parse import urlencode
 from urllib.request import Request as HttpRequest
 from urllib.request import urlopen
 
-from ._arrays import Parts, dump
+from ._arrays import Parts
 from ._errors import Error, OptionError, SceneError, ServerError, expect, words
 from ._picture import Picture, from_answer, joined
-from ._request import Request
+from ._request import Request, outputs_query
 from ._renderer import shared
 
 TYPES = {400: OptionError, 422: SceneError, 415: SceneError}
@@ -71,46 +71,22 @@ def _post(server: str, body: bytes, type_: str, query: Dict[str, str]) -> Tuple[
         raise ServerError(f"nothing answers at {address} ({reason}); leave out server to render here") from None
 
 
-def _outputs(scene: Any, query: Dict[str, str]) -> str:
+def _only_channel(body: bytes, query: Dict[str, str]) -> str:
     """Returns the channel of a scene's only output."""
     if "channel" in query:
         return query["channel"]
+    scene = json.loads(body)
     listed = scene.get("outputs") if isinstance(scene, dict) else None
     return str(listed[0]["channel"]) if listed else "color"
 
 
-def _pose(scene: Dict[str, Any], poses: Dict[str, Any]) -> None:
-    nodes = [dict(node) for node in scene.get("nodes", ())]
-    for name, matrix in poses.items():
-        named = [node for node in nodes if node.get("name") == name]
-        if not named:
-            raise SceneError(f"/poses/{name}: no node has this name", [(f"/poses/{name}", "no node has this name")])
-        for node in named:
-            for key in ("translation", "rotation", "scale"):
-                node.pop(key, None)
-            node["matrix"] = matrix
-    scene["nodes"] = nodes
-
-
 def _render_scene(server: str, request: Request, query: Dict[str, str], keys: Dict[str, Any]) -> Picture:
-    parts = Parts(request.parts.named)
-    parts.optional = set(request.parts.optional)
-    body = request.body
-    try:
-        scene = json.loads(body)
-    except ValueError:
-        scene = None  # the server answers with the fault
-    if keys and not isinstance(scene, dict):
-        raise SceneError("the scene is no JSON object")
-    if keys:
-        scene.update({key: value for key, value in keys.items() if key != "poses"})
-        _pose(scene, keys.get("poses", {}))
-        body = dump(scene, parts)
-    type_ = "application/json"
-    if parts:
-        body, type_ = _multipart(body, type_, parts)
+    merged = request.merged({}, keys)
+    body, type_ = merged.body, "application/json"
+    if merged.parts:
+        body, type_ = _multipart(body, type_, merged.parts)
     data, content_type, look, warnings = _post(server, body, type_, query)
-    return from_answer(data, content_type, _outputs(scene, query), look, warnings)
+    return from_answer(data, content_type, _only_channel(merged.body, query), look, warnings)
 
 
 def _render_mesh(server: str, request: Request, query: Dict[str, str], keys: Dict[str, Any]) -> Picture:
@@ -122,7 +98,7 @@ def _render_mesh(server: str, request: Request, query: Dict[str, str], keys: Dic
         body, type_sent = _multipart(body, type_sent, request.parts)
     pictures = []
     for output in outputs or [{}]:
-        asked = {**query, **{key: str(value) for key, value in output.items()}}
+        asked = {**query, **(outputs_query([output]) if output else {})}
         data, type_, look, warnings = _post(server, body, type_sent, asked)
         pictures.append(from_answer(data, type_, asked.get("channel", "color"), look, warnings))
     return pictures[0] if len(pictures) == 1 else joined(pictures)
