@@ -4,6 +4,7 @@
 
 #include "mesh/sections.h"
 #include "output/json_print.h"
+#include "output/masks.h"
 #include "output/palette.h"
 #include "scene/camera.h"
 #include "scene/looks.h"
@@ -309,7 +310,7 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
 
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
                              uint64_t misfits, const struct zr_warning_list *warnings, const char *encoders,
-                             struct zr_buffer *out)
+                             const struct zr_cancel *cancel, struct zr_buffer *out)
 {
     struct zr_print root = {.out = out}, *print = &root;
     const uint32_t first = first_face_id(frame);
@@ -338,6 +339,10 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     zr_print_count(print, "instances", scene->instance_count);
     print_meshes(print, scene, patches, first);
     print_parts(print, &frame->parts);
+    if (frame->masks) {
+        const enum zr_status status = zr_masks_print(print, scene, frame, cancel);
+        if (status != ZR_OK) return status;
+    }
     if (patches && face_count <= ZR_INFO_FACES_MAX) print_faces(print, patches, face_count, first);
     zr_print_begin(print, "warnings", '[');
     for (size_t i = 0; i < warnings->count; i++)

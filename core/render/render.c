@@ -8,6 +8,7 @@
 #include "overlay/color_bar.h"
 #include "raster/textbook/algorithms.h"
 #include "render/frame_parts.h"
+#include "render/instance_masks.h"
 #include "render/layer_channels.h"
 #include "render/mesh_lines.h"
 #include "render/pass.h"
@@ -73,7 +74,7 @@ static enum zr_status make_lines(struct zr_arena *arena, struct zr_arena *scratc
     return zr_mesh_lines_keep(arena, scratch, team, shown, cancel, frame);
 }
 
-/* Only the fragments of a pixel and the lines of a file stay in `arena`. */
+/* Only fragments of a pixel, masks and the lines of a file stay in `arena`. */
 static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
                                  const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
 {
@@ -84,6 +85,7 @@ static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratc
                       : draw_channels(scratch, team, scene, cancel, frame));
     if (status == ZR_OK) zr_color_bar_draw(scene, frame);
     if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(scratch, team, scene, cancel, frame));
+    if (zr_view_has_masks(frame->view)) STAGE(zr_instance_masks_find(arena, scratch, team, scene, cancel, frame));
     if (zr_view_encodes(frame->view, ZR_ENCODING_SVG)) STAGE(make_lines(arena, scratch, team, scene, cancel, frame));
     if (pixel) STAGE(zr_pixel_fragments_find(arena, scratch, team, scene, pixel->x, pixel->y, cancel, frame));
     return status;
