@@ -21,18 +21,13 @@
 #include "scene/validate.h"
 #include "shade/frame.h"
 
-const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {[ZR_ENCODING_PNG] = {"png", "image/png"},
-                                                              [ZR_ENCODING_PNG16] = {"png", "image/png"},
-                                                              [ZR_ENCODING_PNG32] = {"png", "image/png"},
-                                                              [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
-                                                              [ZR_ENCODING_JSON] = {"json", "application/json"},
-                                                              [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},
-                                                              [ZR_ENCODING_TIFF] = {"tiff", "image/tiff"},
-                                                              [ZR_ENCODING_APNG] = {"apng", "image/apng"},
-                                                              [ZR_ENCODING_JPEG] = {"jpg", "image/jpeg"},
-                                                              [ZR_ENCODING_WEBP] = {"webp", "image/webp"},
-                                                              [ZR_ENCODING_ZIP] = {"zip", "application/zip"},
-                                                              [ZR_ENCODING_PFM] = {"pfm", "image/x-portable-floatmap"}};
+const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {
+    [ZR_ENCODING_PNG] = {"png", "image/png"},          [ZR_ENCODING_PNG16] = {"png", "image/png"},
+    [ZR_ENCODING_PNG32] = {"png", "image/png"},        [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
+    [ZR_ENCODING_JSON] = {"json", "application/json"}, [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},
+    [ZR_ENCODING_TIFF] = {"tiff", "image/tiff"},       [ZR_ENCODING_APNG] = {"apng", "image/apng"},
+    [ZR_ENCODING_JPEG] = {"jpg", "image/jpeg"},        [ZR_ENCODING_WEBP] = {"webp", "image/webp"},
+    [ZR_ENCODING_ZIP] = {"zip", "application/zip"},    [ZR_ENCODING_PFM] = {"pfm", "image/x-portable-floatmap"}};
 
 enum { ENCODERS_SIZE = 256 };
 

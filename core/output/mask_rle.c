@@ -5,10 +5,10 @@ enum { COLUMNS = 64 };
 /* Runs written so far. An edge is a pixel that differs from the one before it, in the order of columns. */
 struct runs {
     struct zr_buffer *out;
-    uint64_t edge;    /* the last one, not yet written */
-    bool has_edge;    /* else there is none */
-    uint64_t begin;   /* of the run that ends at the edge */
-    int64_t last[2];  /* the last two runs, the later one first */
+    uint64_t edge;   /* the last one, not yet written */
+    bool has_edge;   /* else there is none */
+    uint64_t begin;  /* of the run that ends at the edge */
+    int64_t last[2]; /* the last two runs, the later one first */
     uint32_t count;
 };
 

@@ -9,8 +9,8 @@ enum { BUCKETS = 64, NONE = 0, ROWS_A_RANGE = 16 };
 
 /* Pixels of one instance in one tile. */
 struct block {
-    struct block *next;         /* of the tile */
-    struct block *of_bucket;    /* while the tile is drawn */
+    struct block *next;          /* of the tile */
+    struct block *of_bucket;     /* while the tile is drawn */
     uint64_t rows[ZR_TILE_SIZE]; /* from the lowest; bit k: column k */
     uint32_t instance;
 };
@@ -143,7 +143,10 @@ static enum zr_status status_of(const struct drawing *d, const struct zr_arena *
 /* Opaque surfaces keep their fragments, masked ones are tested, and blended ones are left out. */
 static void reveal(struct zr_material *material)
 {
-    if (material->alpha_mode == ZR_ALPHA_BLEND) material->is_hidden = true;
+    if (material->alpha_mode == ZR_ALPHA_BLEND) {
+        material->is_hidden = material->unfilled = true;
+        material->outline = ZR_OUTLINE_NONE;
+    }
     if (material->alpha_mode == ZR_ALPHA_OPAQUE) material->alpha_mode = ZR_ALPHA_BLEND;
 }
 
