@@ -26,11 +26,12 @@ struct drawing {
 /* ---- fragments of a tile ---- */
 
 struct marking {
+    struct zr_fragment_marks marks;
     struct drawing *drawing;
     struct block **list;
     struct block *buckets[BUCKETS]; /* by instance */
-    struct block *last;
     const struct zr_draw *draw;
+    uint64_t lost[ZR_TILE_SIZE]; /* rows without memory */
 };
 
 static struct block *make_block(struct marking *m, uint32_t instance)
@@ -48,38 +49,30 @@ static struct block *make_block(struct marking *m, uint32_t instance)
     return block;
 }
 
-/* Returns the block of the instance. NULL without memory. */
-static struct block *block_of(struct marking *m, uint32_t instance)
+/* Marks the instance of the owner from now on. */
+static void turn(struct zr_fragment_marks *marks, uint32_t owner)
 {
-    if (m->last && m->last->instance == instance) return m->last;
+    struct marking *m = (struct marking *)marks; /* its first member */
+    m->draw = zr_draw_next(&m->drawing->pass.geometry, m->draw, owner - 1);
+    const uint32_t instance = m->draw->instance;
     struct block *block = m->buckets[instance % BUCKETS];
     while (block && block->instance != instance)
         block = block->of_bucket;
-    return m->last = block ? block : make_block(m, instance);
+    if (!block) block = make_block(m, instance);
+    marks->begin = m->draw->first + 1;
+    marks->end = m->draw->first + m->draw->count + 1;
+    marks->rows = block ? block->rows : m->lost;
 }
 
-/* Returns false without memory. */
-static bool mark(struct marking *m, uint32_t owner, int32_t x, int32_t y)
+/* Marks all fragments, in any order. Returns false if cancelled. */
+static bool mark_all(struct marking *m, uint32_t number, struct zr_tile *tile)
 {
-    m->draw = zr_draw_next(&m->drawing->pass.geometry, m->draw, owner - 1);
-    struct block *block = block_of(m, m->draw->instance);
-    if (block) block->rows[y] |= UINT64_C(1) << x;
-    return block != NULL;
-}
-
-static bool mark_all(struct marking *m, const struct zr_layers *layers)
-{
-    const struct zr_tile *tile = &layers->tile;
-    for (int32_t y = 0; y < tile->height; y++) {
-        if (zr_is_cancelled(m->drawing->cancel)) return false;
-        for (int32_t x = 0; x < tile->width; x++) {
-            uint32_t count;
-            const uint64_t *keys = zr_fragments_of(&layers->fragments, (uint32_t)(y * ZR_TILE_STRIDE + x), &count);
-            for (uint32_t i = 0; i < count; i++)
-                if (!mark(m, zr_fragment_owner(keys[i]), x, y)) return false;
-        }
-    }
-    return true;
+    const struct drawing *d = m->drawing;
+    struct zr_fragments fragments = {.marks = &m->marks};
+    tile->fragments = &fragments;
+    const bool is_done = zr_visibility_fragments(d->pass.tiles.visibility, number, ZR_ALPHA_BLEND, d->cancel, tile);
+    tile->fragments = NULL;
+    return is_done;
 }
 
 /* Compares an opacity with the cutoff as layers.c does. */
@@ -89,12 +82,12 @@ static bool passes(const struct zr_draw *draw, float opacity)
 }
 
 /* Marks masked fragments that pass, layer by layer. */
-static bool mark_passing(struct marking *m, struct zr_layers *layers)
+static void mark_passing(struct marking *m, struct zr_layers *layers)
 {
     const struct zr_tile_source *tiles = &m->drawing->pass.tiles;
     const struct zr_tile *layer = &layers->tile;
     for (uint32_t depth = 0; depth < layers->most; depth++) {
-        if (zr_is_cancelled(m->drawing->cancel)) return false;
+        if (zr_is_cancelled(m->drawing->cancel)) return;
         zr_layers_show(layers, depth);
         zr_paint_of(tiles->isa)->opacity(tiles->geometry, tiles->attributes, layer, layers->front[3]);
         for (int32_t y = 0; y < layer->height; y++)
@@ -103,10 +96,10 @@ static bool mark_passing(struct marking *m, struct zr_layers *layers)
                 const uint32_t owner = layer->owner[place];
                 if (owner == 0) continue;
                 m->draw = zr_draw_next(tiles->geometry, m->draw, owner - 1);
-                if (passes(m->draw, layers->front[3][place]) && !mark(m, owner, x, y)) return false;
+                if (passes(m->draw, layers->front[3][place]))
+                    zr_fragment_marks_put(&m->marks, (uint32_t)place, 1, owner);
             }
     }
-    return true;
 }
 
 static void draw_tile(struct drawing *d, uint32_t number, struct zr_tile *tile)
@@ -114,16 +107,17 @@ static void draw_tile(struct drawing *d, uint32_t number, struct zr_tile *tile)
     const struct zr_tile_source *tiles = &d->pass.tiles;
     const bool is_filled = tiles->any_blended && zr_visibility_has_any(tiles->visibility, number, ZR_ALPHA_BLEND);
     const bool is_masked = tiles->any_masked && zr_visibility_has_any(tiles->visibility, number, ZR_ALPHA_MASK);
-    struct marking marking = {.drawing = d, .list = &d->tiles[number], .draw = &d->pass.geometry.draws[0]};
+    struct marking marking = {.marks = {.turn = turn, .stride = ZR_TILE_STRIDE},
+                              .drawing = d,
+                              .list = &d->tiles[number],
+                              .draw = &d->pass.geometry.draws[0]};
     if (!is_filled && !is_masked) return;
     if (!zr_visibility_tile(tiles->visibility, number, d->cancel, tile)) return;
     if (tile->is_empty) zr_tile_begin(tile, NULL, 0, 0);
-    struct zr_layers *layers = zr_layers_take(tiles->layers);
+    if (is_filled && !mark_all(&marking, number, tile)) return;
+    struct zr_layers *layers = is_masked ? zr_layers_take(tiles->layers) : NULL;
     if (!layers) return;
-    bool is_done = !is_filled || (zr_layers_find(tiles, number, ZR_ALPHA_BLEND, d->cancel, tile, layers) &&
-                                  mark_all(&marking, layers));
-    if (is_done && is_masked && zr_layers_find(tiles, number, ZR_ALPHA_MASK, d->cancel, tile, layers))
-        mark_passing(&marking, layers);
+    if (zr_layers_find(tiles, number, ZR_ALPHA_MASK, d->cancel, tile, layers)) mark_passing(&marking, layers);
     zr_layers_give(tiles->layers, layers);
 }
 
@@ -177,6 +171,13 @@ struct joining {
     uint64_t **visible; /* bits per mask */
 };
 
+/* Returns the rows of a tile in the window. */
+static uint32_t rows_in(const struct zr_frame *frame, uint32_t tile)
+{
+    const uint32_t left = frame->height - tile / zr_tile_across(frame->width) * ZR_TILE_SIZE;
+    return left < ZR_TILE_SIZE ? left : ZR_TILE_SIZE;
+}
+
 static uint32_t row_of(const struct zr_frame *frame, uint32_t tile, uint32_t row)
 {
     return frame->height - 1 - (tile / zr_tile_across(frame->width) * ZR_TILE_SIZE + row);
@@ -185,6 +186,13 @@ static uint32_t row_of(const struct zr_frame *frame, uint32_t tile, uint32_t row
 static uint32_t column_of(const struct zr_frame *frame, uint32_t tile)
 {
     return tile % zr_tile_across(frame->width) * ZR_TILE_SIZE;
+}
+
+/* Returns the bits of a row in the window. */
+static uint64_t bits_in(const struct zr_frame *frame, uint32_t tile, const struct block *block, uint32_t row)
+{
+    const uint32_t left = frame->width - column_of(frame, tile);
+    return left < ZR_TILE_SIZE ? block->rows[row] & ((UINT64_C(1) << left) - 1) : block->rows[row];
 }
 
 static void extend(struct zr_mask_extent *extent, uint32_t column, uint32_t y, uint64_t bits)
@@ -222,9 +230,9 @@ static void measure(struct joining *j, uint32_t tile, const struct block *block)
 {
     const struct zr_frame *frame = j->drawing->frame;
     struct zr_instance_mask *mask = &j->masks[j->numbers[block->instance] - 1];
-    for (uint32_t row = 0; row < ZR_TILE_SIZE; row++)
-        if (block->rows[row] != 0)
-            extend(&mask->amodal, column_of(frame, tile), row_of(frame, tile, row), block->rows[row]);
+    for (uint32_t row = 0; row < rows_in(frame, tile); row++)
+        if (bits_in(frame, tile, block, row) != 0)
+            extend(&mask->amodal, column_of(frame, tile), row_of(frame, tile, row), bits_in(frame, tile, block, row));
 }
 
 static void copy(struct joining *j, uint32_t tile, const struct block *block)
@@ -232,9 +240,10 @@ static void copy(struct joining *j, uint32_t tile, const struct block *block)
     const struct zr_frame *frame = j->drawing->frame;
     const struct zr_instance_mask *mask = &j->masks[j->numbers[block->instance] - 1];
     uint64_t *bits = mask->amodal_bits + (column_of(frame, tile) - mask->left) / 64;
-    for (uint32_t row = 0; row < ZR_TILE_SIZE; row++)
-        if (block->rows[row] != 0)
-            bits[(size_t)(row_of(frame, tile, row) - mask->amodal.box[1]) * mask->words] = block->rows[row];
+    for (uint32_t row = 0; row < rows_in(frame, tile); row++)
+        if (bits_in(frame, tile, block, row) != 0)
+            bits[(size_t)(row_of(frame, tile, row) - mask->amodal.box[1]) * mask->words] =
+                bits_in(frame, tile, block, row);
 }
 
 /* Numbers the masks in the order of instances. */
