@@ -44,7 +44,7 @@ static void print_orbit(struct zr_print *print, const struct zr_camera *camera, 
     if (orbit.has_eye) zr_print_vec3(print, "eye", orbit.eye);
 }
 
-static void print_camera(struct zr_print *print, const struct zr_frame *frame, bool z_is_up)
+void zr_camera_print(struct zr_print *print, const struct zr_frame *frame, bool z_is_up)
 {
     const struct zr_camera *camera = &frame->camera;
     zr_print_begin(print, "camera", '{');
@@ -301,7 +301,7 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
     zr_print_count(print, "width", frame->width);
     zr_print_count(print, "height", frame->height);
     zr_print_end(print, '}');
-    print_camera(print, frame, scene->picture.z_is_up);
+    zr_camera_print(print, frame, scene->picture.z_is_up);
     print_file(print, scene);
     if (scene->origin) zr_print_doubles(print, "origin", scene->origin, 3);
     if (!frame->bounds.valid) return;

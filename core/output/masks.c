@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "base/cancel.h"
+#include "output/info.h"
 #include "output/mask_png.h"
 #include "output/mask_rle.h"
 #include "output/zip.h"
@@ -60,6 +61,7 @@ static void print_mask(struct printing *p, const struct zr_scene *scene, const s
     zr_print_count(p->print, "instanceId", UINT64_C(1) + mask->instance);
     zr_print_string(p->print, "name", scene->meshes[instance->mesh].name);
     if (instance->node) zr_print_string(p->print, "node", instance->node);
+    zr_print_floats(p->print, "objectToWorld", instance->object_to_world.m, 16);
     zr_print_count(p->print, "pixels", mask->amodal.pixels);
     zr_print_count(p->print, "visiblePixels", mask->visible.pixels);
     zr_print_double(p->print, "visibleFraction", (double)mask->visible.pixels / (double)mask->amodal.pixels);
@@ -103,6 +105,7 @@ enum zr_status zr_masks_json_write(const struct zr_scene *scene, const struct zr
 {
     struct zr_print print = {.out = out};
     zr_print_begin(&print, NULL, '{');
+    zr_camera_print(&print, frame, scene->picture.z_is_up);
     const enum zr_status status = zr_masks_print(&print, scene, frame, cancel);
     if (status != ZR_OK) return status;
     zr_print_end(&print, '}');
