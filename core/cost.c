@@ -51,11 +51,11 @@ static struct passes passes_of(const struct zr_scene *scene, const struct zr_res
 {
     const struct zr_picture *picture = &scene->picture;
     const struct zr_view *view = &scene->views[0];
-    struct passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0, .side = 1.0};
+    struct passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0 + zr_view_has_masks(view), .side = 1.0};
     if (!zr_view_has_pixels(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
     passes.samples = 1.0;
     passes.side = (double)picture->side;
-    passes.centres = wants_channels(view);
+    passes.centres = wants_channels(view) + zr_view_has_masks(view);
     if (!picture->is_linear) return passes;
     const bool has_maps = zr_diagonal_of(&resolved->bounds) > 0.0f;
     const double ground = has_maps && picture->has_ground;
@@ -139,13 +139,21 @@ static double line_times(const struct zr_scene *scene, const struct passes *pass
     return (in_picture ? 1.0 : 0.0) + (zr_view_encodes(&scene->views[0], ZR_ENCODING_SVG) ? 1.0 : 0.0);
 }
 
-static double window_bytes(const struct zr_scene *scene, const struct passes *passes, double kept)
+/* Bytes of the masks of instances: three bits per pixel. Each has at least a tenth of its instance's fragments. */
+static double bytes_of_masks(const struct zr_scene *scene, double pixels, double fragments)
+{
+    if (!zr_view_has_masks(&scene->views[0])) return 0.0;
+    return 3.0 / 8.0 * fmin(0.1 * fragments, pixels * (double)scene->instance_count);
+}
+
+static double window_bytes(const struct zr_scene *scene, const struct passes *passes, double kept, double fragments)
 {
     const struct zr_picture *picture = &scene->picture;
     const struct zr_view *view = &scene->views[0];
     const double pixels = (double)view->width * (double)view->height, samples = pixels * passes->side * passes->side;
     double sum = pixels * bytes_of_channels(view) + bytes_of_layers(scene, samples, kept);
     if (scene->is_undrawn) return 0.0;
+    sum += bytes_of_masks(scene, pixels, fragments);
     if (zr_view_has_pixels(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* these keep a z-buffer of the whole window */
         sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
@@ -230,7 +238,7 @@ static double layer_walks(const struct zr_view *view)
 {
     return (zr_view_wants(view, ZR_CHANNEL_LAYERS) ? 1.0 : 0.0) +
            (zr_view_wants(view, ZR_CHANNEL_THICKNESS) ? 2.0 : 0.0) +
-           (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0);
+           (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0) + (zr_view_has_masks(view) ? 1.0 : 0.0);
 }
 
 static double square(double value)
@@ -334,7 +342,8 @@ static struct zr_cost cost_of(const struct zr_scene *scene, const struct zr_scen
     struct zr_cost cost = {.counts = {[ZR_COST_REQUEST] = 1.0}, .lamp_maps = passes.lamp_maps};
     const struct zr_cost_sample sample = zr_cost_sample_of(drawn, resolved);
     cost.window_bytes =
-        window_bytes(drawn, &passes, sample.kept * (passes.samples > 0.0 ? passes.side * passes.side : 1.0));
+        window_bytes(drawn, &passes, sample.kept * (passes.samples > 0.0 ? passes.side * passes.side : 1.0),
+                     sample.scale * sample.fragments);
     count_geometry(drawn, &passes, cost.counts);
     count_outputs(scene, (double)view->width * (double)view->height, cost.counts);
     count_fragments(&sample, &passes, cost.counts);

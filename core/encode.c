@@ -11,6 +11,7 @@
 #include "output/info.h"
 #include "output/line_file.h"
 #include "output/lossy.h"
+#include "output/masks.h"
 #include "output/npy.h"
 #include "output/pfm.h"
 #include "output/png.h"
@@ -20,17 +21,13 @@
 #include "scene/validate.h"
 #include "shade/frame.h"
 
-const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {[ZR_ENCODING_PNG] = {"png", "image/png"},
-                                                              [ZR_ENCODING_PNG16] = {"png", "image/png"},
-                                                              [ZR_ENCODING_PNG32] = {"png", "image/png"},
-                                                              [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
-                                                              [ZR_ENCODING_JSON] = {"json", "application/json"},
-                                                              [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},
-                                                              [ZR_ENCODING_TIFF] = {"tiff", "image/tiff"},
-                                                              [ZR_ENCODING_APNG] = {"apng", "image/apng"},
-                                                              [ZR_ENCODING_JPEG] = {"jpg", "image/jpeg"},
-                                                              [ZR_ENCODING_WEBP] = {"webp", "image/webp"},
-                                                              [ZR_ENCODING_PFM] = {"pfm", "image/x-portable-floatmap"}};
+const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {
+    [ZR_ENCODING_PNG] = {"png", "image/png"},          [ZR_ENCODING_PNG16] = {"png", "image/png"},
+    [ZR_ENCODING_PNG32] = {"png", "image/png"},        [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
+    [ZR_ENCODING_JSON] = {"json", "application/json"}, [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},
+    [ZR_ENCODING_TIFF] = {"tiff", "image/tiff"},       [ZR_ENCODING_APNG] = {"apng", "image/apng"},
+    [ZR_ENCODING_JPEG] = {"jpg", "image/jpeg"},        [ZR_ENCODING_WEBP] = {"webp", "image/webp"},
+    [ZR_ENCODING_ZIP] = {"zip", "application/zip"},    [ZR_ENCODING_PFM] = {"pfm", "image/x-portable-floatmap"}};
 
 enum { ENCODERS_SIZE = 256 };
 
@@ -212,7 +209,8 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
                             row->words, values, out);
     case ZR_ENCODING_JSON:
         if (output->channel == ZR_CHANNEL_FRAGMENTS) return zr_fragments_json_write(e->scene, f, out);
-        return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, e->encoders, out);
+        if (output->channel == ZR_CHANNEL_MASKS) return zr_masks_json_write(e->scene, f, e->cancel, out);
+        return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, e->encoders, e->cancel, out);
     case ZR_ENCODING_SVG:
         return zr_line_file_write(e->scene, f, out) ? ZR_OK : ZR_NO_MEMORY;
     case ZR_ENCODING_PFM:
@@ -221,6 +219,8 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     case ZR_ENCODING_JPEG:
     case ZR_ENCODING_WEBP:
         return encode_lossy(e, output, out);
+    case ZR_ENCODING_ZIP:
+        return zr_masks_zip_write(f, e->cancel, e->error, out);
     case ZR_ENCODING_COUNT:
         break;
     }

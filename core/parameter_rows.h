@@ -36,7 +36,7 @@
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
         "outputs instead of the scene's, with commas between them: color, depth, normals or others")                   \
     ROW(encoding, "/outputs/0/encoding", ANY, NAME,                                                                    \
-        "format of the output: png, png16, png32, jpeg, webp, npy, pfm, tiff, json, svg or apng (default: by "         \
+        "format of the output: png, png16, png32, jpeg, webp, npy, pfm, tiff, json, svg, apng or zip (default: by "    \
         "channel)")                                                                                                    \
     ROW(scale, "/outputs/0/scale", ANY, UNITS, "scene units per step of a 16-bit depth picture")                       \
     ROW(quality, "/outputs/0/quality", ANY, WHOLE, "quality of a jpeg or webp, 1 to 100 (default: 85)")                \
@@ -51,6 +51,8 @@
     ROW(colorBar, "/colorBar", ANY, BOOL, "colour bar with numbers over the picture (default: the scene's)")           \
     ROW(render, "/render", ANY, BOOL,                                                                                  \
         "pictures; false: only facts, by the channel info; nothing is drawn (default: true)")                          \
+    ROW(visibility, "/visibility", ANY, BOOL,                                                                          \
+        "pixels of each instance, drawn alone and visible, by the channels info and masks (default: false)")           \
     ROW(look, "/look", MESH, NAME, "; NAME@VERSION pins a version (default: studio)")                                  \
     ROW(samples, "/samples", MESH, COUNT, "samples per pixel: 1, 4, 16 or 64 (default: the look's)")                   \
     ROW(width, "/window/width", MESH, SIDE, "width of the window (default: 640)")                                      \

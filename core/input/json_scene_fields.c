@@ -24,6 +24,13 @@ static bool read_render(struct zr_json *json, const struct zr_json_path *path, c
     return true;
 }
 
+static bool read_visibility(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                            void *out)
+{
+    struct zr_parsed_scene *root = out;
+    return zr_json_bool(json, path, field, &root->scene->views[0].has_visibility);
+}
+
 #define AT(member)      offsetof(struct zr_parsed_scene, member)
 #define PICTURE(member) AT(picture.picture.member)
 const struct zr_json_field zr_scene_fields[] = {
@@ -86,6 +93,8 @@ const struct zr_json_field zr_scene_fields[] = {
                             .text = "colour bar with numbers over the picture: true, false or an object"},
     [ZR_SCENE_RENDER] = {"render", read_render, 0, .otherwise = "true",
                          .text = "false: only facts, by the output info; nothing is drawn"},
+    [ZR_SCENE_VISIBILITY] = {"visibility", read_visibility, 0, .otherwise = "false",
+                             .text = "info lists the pixels of each instance, drawn alone and visible"},
     [ZR_SCENE_HIDE] = {"hide", zr_read_hide, 0, .otherwise = "[]",
                        .text = "parts that are not drawn: a name, a pattern with * and ?, an id, or a list of these"},
     [ZR_SCENE_ISOLATE] = {"isolate", zr_read_isolate, 0, .otherwise = "all parts",

@@ -159,6 +159,35 @@ struct zraster_request {
 ZRASTER_API zraster_status zraster_draw(zraster *renderer, const struct zraster_request *request,
                                         zraster_picture **picture, zraster_error **error);
 
+/* ---- several views: one after the other, in memory that does not grow with their number ---- */
+
+struct zraster_file {
+    const char *name; /* "0001.color.png" */
+    const void *data;
+    size_t size;
+    const char *type; /* "image/png" */
+};
+
+struct zraster_view {
+    size_t struct_size; /* of the library */
+    uint32_t number;    /* from 0 */
+    uint32_t count;     /* of all views */
+    size_t file_count;
+    const struct zraster_file *files; /* in the order of the outputs */
+    size_t warning_count;
+    const char *const *warnings;
+};
+
+/* Receives a view and its files, which are valid until it returns. Drawing pauses meanwhile. Another result than 0 ends
+ * the call with ZRASTER_CANCELLED. */
+typedef int zraster_take_view(void *context, const struct zraster_view *view);
+
+/* Draws a request with several views (views, turntable, orbit, animate or frames) and hands them on in order, on the
+ * thread of the call. No files are joined, as in a stream of POST /v1/render. ZRASTER_BAD_SCENE: it has one view, or a
+ * sheet. */
+ZRASTER_API zraster_status zraster_draw_views(zraster *renderer, const struct zraster_request *request,
+                                              zraster_take_view *take, void *context, zraster_error **error);
+
 /* ---- scene: read once, drawn with other views, poses and looks ---- */
 
 ZRASTER_API zraster_status zraster_scene_read(zraster *renderer, const struct zraster_request *request,

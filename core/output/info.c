@@ -4,6 +4,7 @@
 
 #include "mesh/sections.h"
 #include "output/json_print.h"
+#include "output/masks.h"
 #include "output/palette.h"
 #include "scene/camera.h"
 #include "scene/looks.h"
@@ -55,7 +56,7 @@ static void print_orbit(struct zr_print *print, const struct zr_camera *camera, 
     if (orbit.has_eye) zr_print_vec3(print, "eye", orbit.eye);
 }
 
-static void print_camera(struct zr_print *print, const struct zr_frame *frame, bool z_is_up)
+void zr_camera_print(struct zr_print *print, const struct zr_frame *frame, bool z_is_up)
 {
     const struct zr_camera *camera = &frame->camera;
     zr_print_begin(print, "camera", '{');
@@ -313,7 +314,7 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
     zr_print_count(print, "width", frame->width);
     zr_print_count(print, "height", frame->height);
     zr_print_end(print, '}');
-    print_camera(print, frame, scene->picture.z_is_up);
+    zr_camera_print(print, frame, scene->picture.z_is_up);
     print_file(print, scene);
     if (scene->origin) zr_print_doubles(print, "origin", scene->origin, 3);
     if (!frame->bounds.valid) return;
@@ -322,7 +323,7 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
 
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
                              uint64_t misfits, const struct zr_warning_list *warnings, const char *encoders,
-                             struct zr_buffer *out)
+                             const struct zr_cancel *cancel, struct zr_buffer *out)
 {
     struct zr_print root = {.out = out}, *print = &root;
     const uint32_t first = first_face_id(frame);
@@ -351,6 +352,10 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     zr_print_count(print, "instances", scene->instance_count);
     print_meshes(print, scene, patches, first);
     print_parts(print, &frame->parts);
+    if (frame->masks) {
+        const enum zr_status status = zr_masks_print(print, scene, frame, cancel);
+        if (status != ZR_OK) return status;
+    }
     if (patches && face_count <= ZR_INFO_FACES_MAX) print_faces(print, patches, face_count, first);
     zr_print_begin(print, "warnings", '[');
     for (size_t i = 0; i < warnings->count; i++)

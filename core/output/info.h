@@ -17,6 +17,10 @@ enum { ZR_INFO_MESHES_MAX = 1000 };
  * keys about pixels are left out. */
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
                              uint64_t misfits, const struct zr_warning_list *warnings, const char *encoders,
-                             struct zr_buffer *out);
+                             const struct zr_cancel *cancel, struct zr_buffer *out);
+
+/* Prints the key "camera". */
+struct zr_print;
+void zr_camera_print(struct zr_print *print, const struct zr_frame *frame, bool z_is_up);
 
 #endif

@@ -18,13 +18,29 @@
 #include "base/arena.h"
 #include "base/cancel.h"
 
+/* Receives the places of fragments instead of lists: a bit for each, in rows of 64. */
+struct zr_fragment_marks {
+    uint32_t begin, end; /* owners begin .. end - 1 have their bits in `rows`; others call `turn` first */
+    uint64_t *rows;
+    void (*turn)(struct zr_fragment_marks *marks, uint32_t owner); /* sets the members above for the owner */
+    uint32_t stride;                                               /* places of a row; 64 of them have bits */
+};
+
+/* Marks up to 64 places of one row, from `first` on. */
+static inline void zr_fragment_marks_put(struct zr_fragment_marks *marks, uint32_t first, uint64_t bits, uint32_t owner)
+{
+    if (owner < marks->begin || owner >= marks->end) marks->turn(marks, owner);
+    marks->rows[first / marks->stride] |= bits << first % marks->stride;
+}
+
 struct zr_fragments {
-    uint32_t places;   /* number of pixels, each with a list */
-    uint32_t room;     /* capacity of keys */
-    uint32_t *ends;    /* ends[i + 1]: end of list i and start of the next; during the second pass, ends[i] is the next
-                        * free key of list i */
-    uint64_t *keys;    /* depth bits over owner id: their numeric order is that of the list */
-    bool is_filled_in; /* second pass: fragments are stored, not counted */
+    uint32_t places; /* number of pixels, each with a list */
+    uint32_t room;   /* capacity of keys */
+    uint32_t *ends;  /* ends[i + 1]: end of list i and start of the next; during the second pass, ends[i] is the next
+                      * free key of list i */
+    uint64_t *keys;  /* depth bits over owner id: their numeric order is that of the list */
+    struct zr_fragment_marks *marks; /* or NULL; if set, nothing else is used */
+    bool is_filled_in;               /* second pass: fragments are stored, not counted */
 };
 
 static inline uint64_t zr_fragment_key(float depth, uint32_t owner)
@@ -54,10 +70,12 @@ static inline const uint64_t *zr_fragments_of(const struct zr_fragments *fragmen
     return fragments->keys + fragments->ends[place];
 }
 
-/* Counts a fragment, or stores it in its list. */
+/* Counts a fragment, stores it in its list, or marks its place. */
 static inline void zr_fragments_put(struct zr_fragments *fragments, uint32_t place, float depth, uint32_t owner)
 {
-    if (fragments->is_filled_in)
+    if (fragments->marks)
+        zr_fragment_marks_put(fragments->marks, place, 1, owner);
+    else if (fragments->is_filled_in)
         fragments->keys[fragments->ends[place]++] = zr_fragment_key(depth, owner);
     else
         fragments->ends[place + 1]++;

@@ -48,6 +48,10 @@ static inline void zr_tile_list_v(struct zr_tile *tile, size_t first, zr_vm insi
     float depths[ZR_LANES];
     uint32_t bits = zr_vm_bits(zr_vf_lt_where(inside, z, zr_vf_load(tile->depth + first)));
     if (!bits) return;
+    if (tile->fragments->marks) {
+        zr_fragment_marks_put(tile->fragments->marks, (uint32_t)first, bits, owner);
+        return;
+    }
     zr_vf_store(depths, z);
     for (; bits; bits &= bits - 1) {
         const uint32_t lane = (uint32_t)zr_lowest_bit(bits);

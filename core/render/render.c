@@ -8,8 +8,10 @@
 #include "overlay/color_bar.h"
 #include "raster/textbook/algorithms.h"
 #include "render/frame_parts.h"
+#include "render/instance_masks.h"
 #include "render/layer_channels.h"
 #include "render/lens.h"
+#include "render/lens_masks.h"
 #include "render/mesh_lines.h"
 #include "render/pass.h"
 #include "render/picture.h"
@@ -74,7 +76,7 @@ static enum zr_status make_lines(struct zr_arena *arena, struct zr_arena *scratc
     return zr_mesh_lines_keep(arena, scratch, team, shown, cancel, frame);
 }
 
-/* Only the lines of a file stay in `arena`. */
+/* Only masks and the lines of a file stay in `arena`. */
 static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
                                  const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
 {
@@ -83,6 +85,7 @@ static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratc
     STAGE(has_picture ? draw_picture_and_channels(scratch, team, scene, cancel, frame)
                       : draw_channels(scratch, team, scene, cancel, frame));
     if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(scratch, team, scene, cancel, frame));
+    if (zr_view_has_masks(frame->view)) STAGE(zr_instance_masks_find(arena, scratch, team, scene, cancel, frame));
     if (zr_view_encodes(frame->view, ZR_ENCODING_SVG)) STAGE(make_lines(arena, scratch, team, scene, cancel, frame));
     return status;
 }
@@ -143,6 +146,7 @@ static enum zr_status draw_through_lens(struct zr_arena *arena, struct zr_arena 
     STAGE(zr_lens_list_fragments(arena, scratch, team, &drawing, &remap, cancel, &pinhole));
     STAGE(zr_render_sections_restore(arena, cancel, &pinhole));
     STAGE(zr_lens_take(team, scene, &remap, &pinhole, cancel, frame));
+    if (pinhole.masks) STAGE(zr_lens_masks_take(arena, team, &remap, pinhole.masks, cancel, frame));
     if (status == ZR_OK) zr_color_bar_draw(scene, frame);
     return status;
 }

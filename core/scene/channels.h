@@ -22,6 +22,7 @@ enum zr_encoding {
     ZR_ENCODING_PFM,
     ZR_ENCODING_JPEG,
     ZR_ENCODING_WEBP,
+    ZR_ENCODING_ZIP, /* several pictures */
     ZR_ENCODING_COUNT
 };
 
@@ -40,7 +41,7 @@ enum zr_values {
     ZR_VALUES_RGBA,    /* four bytes in one word */
     ZR_VALUES_FLOAT32, /* one per word */
     ZR_VALUES_UINT32,
-    ZR_VALUES_NONE /* JSON: no pixels */
+    ZR_VALUES_NONE /* no pixels of the frame */
 };
 
 /* Coordinate space of positions and normals. */
@@ -89,7 +90,9 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT
     ROW(THICKNESS, "thickness", FLOAT32, 1, ZERO, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM,       \
         ZR_ENCODING_TIFF)                                                                                              \
     /* JSON: all fragments of one pixel, nearest first */                                                              \
-    ROW(FRAGMENTS, "fragments", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)
+    ROW(FRAGMENTS, "fragments", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)                                             \
+    /* pixels of each instance, drawn alone and visible, as PNG or JSON */                                             \
+    ROW(MASKS, "masks", NONE, 0, ZERO, false, 0, ZR_ENCODING_ZIP, ZR_ENCODING_JSON)
 
 enum zr_channel {
 #define ZR_CHANNEL_ENUM(ID, ...) ZR_CHANNEL_##ID,

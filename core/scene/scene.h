@@ -315,6 +315,7 @@ struct zr_view {
     uint32_t width, height; /* of the window, pixels */
     uint32_t output_count;
     const struct zr_output *outputs;
+    bool has_visibility; /* info lists the masks of instances */
 
     enum zr_pose pose;
     enum zr_preset preset;
@@ -481,11 +482,18 @@ static inline bool zr_view_has_pixels(const struct zr_view *view, enum zr_channe
     return false;
 }
 
+/* True if masks of instances are made. */
+static inline bool zr_view_has_masks(const struct zr_view *view)
+{
+    return view->has_visibility || zr_view_wants(view, ZR_CHANNEL_MASKS);
+}
+
 /* True if an output has pixels of the channel, or if `info` or `fragments` is computed from them. */
 static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel channel)
 {
     const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS);
     return zr_view_has_pixels(view, channel) || (lists && channel == ZR_CHANNEL_WINDOW_DEPTH) ||
+           (channel == ZR_CHANNEL_INSTANCE_ID && zr_view_has_masks(view)) ||
            (channel == ZR_CHANNEL_FACE_ID && (lists || zr_view_wants(view, ZR_CHANNEL_INFO)));
 }
 

@@ -100,6 +100,26 @@ static void check_layers(const struct zr_scene *scene, const struct zr_view *vie
                          zr_channel_rows[channels[i]].name);
 }
 
+/* Masks of instances are drawn from all fragments of the scene. */
+static void check_visibility(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    const char *what = view->has_visibility ? "visibility" : "the channel masks";
+    if (!zr_view_has_masks(view)) return;
+    if (view->has_visibility && !zr_view_wants(view, ZR_CHANNEL_INFO) && !zr_view_wants(view, ZR_CHANNEL_MASKS))
+        zr_error_add(error, ZR_BAD_SCENE, "/visibility",
+                     "the outputs do not have it: add the channel info, which lists it, or masks");
+    if (view->has_visibility && scene->is_undrawn)
+        zr_error_add(error, ZR_BAD_SCENE, "/visibility", "nothing is visible, since render is false");
+    if (view->has_visibility && scene->base)
+        zr_error_add(error, ZR_BAD_SCENE, "/visibility",
+                     "does not go with a base, which may hide an instance and has none itself");
+    if (scene->sections.count > 0)
+        zr_error_add(error, ZR_BAD_SCENE, "/sections", "%s is that of whole instances, and these are cut open", what);
+    if (scene->algorithm == ZR_ALGORITHM_PAINTER)
+        zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
+                     "painter keeps no fragments, which %s needs; the other algorithms do", what);
+}
+
 static bool has_faces(const struct zr_scene *scene)
 {
     for (uint32_t i = 0; i < scene->instance_count; i++)
@@ -224,6 +244,7 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     check_see_through(scene, error);
     check_xrays(scene, view, error);
     check_layers(scene, view, error);
+    check_visibility(scene, view, error);
     check_pixels(view, error);
     check_svg(scene, view, error);
     check_lens(scene, view, error);

@@ -41,6 +41,28 @@ struct zr_frame_parts {
     const double *cap_areas; /* per listed part: area of its caps, world units; NULL: the scene is not cut open */
 };
 
+/* Number of pixels and their box, x0, y0, x1, y1; the last two are exclusive. The box of no pixels is undefined. */
+struct zr_mask_extent {
+    uint64_t pixels;
+    uint32_t box[4];
+};
+
+/* Pixels of an instance that has some in the window. Bit k of word i of a row is column left + 64 i + k. Rows are those
+ * of amodal.box. */
+struct zr_instance_mask {
+    uint32_t instance; /* number, from 0 */
+    uint32_t left;     /* a multiple of 64 */
+    uint32_t words;    /* of a row */
+    struct zr_mask_extent amodal, visible;
+    uint64_t *amodal_bits, *visible_bits; /* drawn alone; not hidden by others */
+};
+
+/* In the order of instances. */
+struct zr_instance_masks {
+    uint32_t count;
+    const struct zr_instance_mask *at;
+};
+
 struct zr_line_sheet; /* drawing/line_sheet.h */
 
 struct zr_frame {
@@ -57,6 +79,7 @@ struct zr_frame {
     };
     struct zr_pixel_fragments fragments;    /* only if wanted */
     struct zr_frame_parts parts;            /* only if info is wanted */
+    const struct zr_instance_masks *masks;  /* only if wanted */
     const struct zr_line_sheet *lines;      /* only if an SVG is wanted */
     const struct zr_sections_cut *sections; /* mesh/sections.h; NULL: the scene is not cut open */
     const struct zr_base *base;             /* background pixels, with window_depth filled in; NULL: none */

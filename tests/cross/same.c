@@ -24,7 +24,7 @@
 enum { NAME_SIZE = 200, LOOK_SIDE = 100 };
 
 static const char *const encodings[ZR_ENCODING_COUNT] = {"png",  "png16", "png32", "npy",  "json", "svg",
-                                                         "tiff", "apng",  "pfm",   "jpeg", "webp"};
+                                                         "tiff", "apng",  "pfm",   "jpeg", "webp", "zip"};
 
 static struct options {
     const char *models, *isas, *only;

@@ -176,6 +176,43 @@ TEST(many_small_instances_stop)
     zr_arena_free(&arena);
 }
 
+/* In drawing, joining and writing them. */
+TEST(masks_of_large_instances_stop)
+{
+    enum { INSTANCES = 400, WINDOW = 1024 };
+    static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_MASKS, .encoding = ZR_ENCODING_JSON},
+                                               {.channel = ZR_CHANNEL_MASKS, .encoding = ZR_ENCODING_ZIP}};
+    static const zr_vec4 corners[] = {{-3, -3, 0.5f, 1}, {3, -3, 0.4f, 1}, {0, 3, 0.3f, 1}};
+    struct zr_error error = {.count = 0};
+    const struct zr_frame *frame;
+    struct zr_answer answer;
+    for (double share = 0.1; share < 0.7; share += 0.15) {
+        static double took_ms;
+        zr_arena_init(&arena, (size_t)1 << 31);
+        scene_of_triangles(&test, WINDOW, WINDOW, corners, 1);
+        struct zr_instance *instances = zr_arena_alloc(&arena, INSTANCES, sizeof *instances);
+        for (uint32_t i = 0; i < INSTANCES; i++)
+            instances[i] = (struct zr_instance){.object_to_world = zr_mat4_identity()};
+        test.scene.instances = instances;
+        test.scene.instance_count = INSTANCES;
+        test.scene.views[0].outputs = outputs;
+        test.scene.views[0].output_count = 2;
+        if (took_ms == 0.0) {
+            const double before = now_ms(CLOCK_THREAD_CPUTIME_ID);
+            assert_int_equal(zr_render(&arena, NULL, &test.scene, NULL, NULL, &frame, &error), ZR_OK);
+            assert_int_equal(zr_encode(&arena, NULL, &test.scene, frame, NULL, &answer, &error), ZR_OK);
+            took_ms = now_ms(CLOCK_THREAD_CPUTIME_ID) - before;
+            print_message("%d masks of %d pixels: %.0f ms\n", INSTANCES, WINDOW * WINDOW, took_ms);
+        }
+        struct later later;
+        begin(&later, share * took_ms);
+        enum zr_status status = zr_render(&arena, NULL, &test.scene, NULL, &later.cancel, &frame, &error);
+        if (status == ZR_OK) status = zr_encode(&arena, NULL, &test.scene, frame, &later.cancel, &answer, &error);
+        assert_ended_soon(&later, status);
+        zr_arena_free(&arena);
+    }
+}
+
 /* Stars of as many corners as one look at the flag is worth, and of fewer. */
 TEST(instances_of_shapes_that_cross_themselves_stop)
 {

@@ -25,6 +25,12 @@ static const struct sample samples[] = {
      " \"faces\": [[0,1,2,3],[0,1,5,4],[0,3,1,2]], \"faceColors\": [[1,0,0],[0,1,0],[0,0,1]],"
      " \"lines\": [[0,2],[1,3]]}], \"materials\": [{\"name\": \"clay\", \"outline\": \"#000000\"}],"
      " \"nodes\": [{\"mesh\": \"quads\", \"children\": [1]}, {\"mesh\": 0, \"translation\": [0,0,1]}]}"},
+    {"masks of instances", ZR_FORMAT_JSON,
+     "{\"window\": {\"width\": 90, \"height\": 70}, \"visibility\": true, \"outputs\": [{\"channel\": \"info\"},"
+     " {\"channel\": \"masks\"}, {\"channel\": \"masks\", \"encoding\": \"json\"}], \"meshes\": [{\"name\": \"a\","
+     " \"positions\": [[0,0,0],[1,0,0],[0,1,0]], \"faces\": [[0,1,2]], \"material\": \"m\"}], \"materials\":"
+     " [{\"name\": \"m\", \"alphaMode\": \"MASK\"}], \"nodes\": [{\"mesh\": \"a\"}, {\"mesh\": 0,"
+     " \"translation\": [0.2,0,1]}]}"},
     {"heights", ZR_FORMAT_JSON,
      "{" OUTPUTS ", \"meshes\": [{\"heights\": [[0,1,0],[1,null,1],[0,1,0],[1,2,1]],"
      " \"colors\": [[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0]],"

@@ -250,7 +250,7 @@ static cJSON *info_beside_color(struct test_scene *test)
     test->scene.views[0].outputs = with_color;
     test->scene.views[0].output_count = 2;
     const struct zr_frame *frame = scene_render(&arena, NULL, &test->scene);
-    assert_int_equal(zr_info_write(&test->scene, frame, 0, 0, &none, "", &out), ZR_OK);
+    assert_int_equal(zr_info_write(&test->scene, frame, 0, 0, &none, "", NULL, &out), ZR_OK);
     cJSON *info = cJSON_ParseWithLength((const char *)out.bytes, out.size);
     assert_non_null(info);
     return info;

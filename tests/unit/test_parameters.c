@@ -164,7 +164,7 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .channel = "color,depth", .encoding = "json"},
          "encoding: the channel color cannot be had as json"},
         {{.format = ZR_FORMAT_OBJ, .channel = "color,depth", .encoding = "png16", .scale = "0"}, "scale: '0' is not"},
-        {{.format = ZR_FORMAT_OBJ, .channel = ",,,,,,,,,,,,,,,"}, "channel: 16 channels; up to 15 are allowed"},
+        {{.format = ZR_FORMAT_OBJ, .channel = ",,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,"}, "channel: 32 channels; up to "},
         {{.format = ZR_FORMAT_OBJ, .preset = "up"}, "preset: 'up' is unknown; allowed: front"},
         {{.format = ZR_FORMAT_OBJ, .shading = "toon"}, "shading: 'toon' is"},
         {{.format = ZR_FORMAT_OBJ, .look = "stduio"},

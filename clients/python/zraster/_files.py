@@ -32,6 +32,15 @@ def unzip(data: bytes) -> Dict[str, bytes]:
         return {name.rsplit(".", 1)[0]: archive.read(name) for name in archive.namelist()}
 
 
+def masks(data: bytes) -> Dict[int, Dict[str, Any]]:
+    """Returns the masks of a ZIP of PNGs, arrays of booleans, by instance: {1: {"amodal": ..., "visible": ...}}."""
+    found: Dict[int, Dict[str, Any]] = {}
+    for name, png in unzip(data).items():  # masks/000001.amodal
+        number, kind = name.rsplit("/", 1)[1].split(".")
+        found.setdefault(int(number), {})[kind] = _decode_png(name, png)[:, :, 0] > 0
+    return found
+
+
 def decode(channel: str, data: bytes) -> Any:
     """Returns the array of an NPY file or of a PNG with 8 bits per channel."""
     import numpy
@@ -106,14 +115,14 @@ def _unfilter_slowly(kind: int, row: Any, above: Any, step: int) -> None:
 
 
 def _decode_png(channel: str, data: bytes) -> Any:
-    """Returns (h, w, 3) or (h, w, 4) u1 of an RGB, RGBA or palette PNG, which is not interlaced."""
+    """Returns (h, w, 1), (h, w, 3) or (h, w, 4) u1 of a grey, RGB, RGBA or palette PNG, which is not interlaced."""
     import numpy
 
     chunks = _chunks(data)
     width, height, depth, kind = struct.unpack_from(">IIBB", chunks[b"IHDR"])
     if depth > 8:
         raise OptionError(f"{channel} is a PNG of {depth} bits: ask for the encoding npy to get its numbers")
-    samples = {2: 3, 3: 1, 6: 4}[kind]
+    samples = {0: 1, 2: 3, 3: 1, 6: 4}[kind]
     packed = numpy.frombuffer(zlib.decompress(chunks[b"IDAT"]), "u1").reshape(height, -1)
     rows = _unfilter(packed, max(1, samples * depth // 8))
     if kind != 3:

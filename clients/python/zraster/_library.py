@@ -64,6 +64,28 @@ class Bytes(ctypes.Structure):
     _fields_ = [("data", c_void_p), ("size", c_size_t), ("type", c_char_p)]
 
 
+class File(ctypes.Structure):
+    """struct zraster_file"""
+
+    _fields_ = [("name", c_char_p), ("data", c_void_p), ("size", c_size_t), ("type", c_char_p)]
+
+
+class View(ctypes.Structure):
+    """struct zraster_view"""
+
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("number", c_uint32),
+        ("count", c_uint32),
+        ("file_count", c_size_t),
+        ("files", POINTER(File)),
+        ("warning_count", c_size_t),
+        ("warnings", POINTER(c_char_p)),
+    ]
+
+
+TakeView = ctypes.CFUNCTYPE(c_int, c_void_p, POINTER(View))
+
 _FUNCTIONS = {  # name: result, arguments
     "error_text": (c_char_p, c_void_p),
     "error_count": (c_size_t, c_void_p),
@@ -77,6 +99,7 @@ _FUNCTIONS = {  # name: result, arguments
     "cancel_raise": (None, c_void_p),
     "cancel_free": (None, c_void_p),
     "draw": (c_int, c_void_p, POINTER(Request), POINTER(c_void_p), POINTER(c_void_p)),
+    "draw_views": (c_int, c_void_p, POINTER(Request), TakeView, c_void_p, POINTER(c_void_p)),
     "scene_read": (c_int, c_void_p, POINTER(Request), POINTER(c_void_p), POINTER(c_void_p)),
     "scene_draw": (c_int, c_void_p, POINTER(Request), POINTER(c_void_p), POINTER(c_void_p)),
     "scene_free": (None, c_void_p),

@@ -11,7 +11,7 @@ from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 from . import _library as c
 from ._errors import OptionError, Warning, expect, raise_status
-from ._files import SPELLINGS, SUFFIXES, decode, unzip, zip_files
+from ._files import SPELLINGS, SUFFIXES, decode, masks, unzip, zip_files
 from ._renderer import shared
 
 
@@ -71,11 +71,12 @@ class Drawn:
             return self.encode(row["name"]) is not None
 
         if any(map(has_pixels, rows)):
-            texts = {"json", "svg"}
+            texts = {"json", "svg", "zip"}
             return [r["name"] for r in rows if has_pixels(r) or (not texts.isdisjoint(r["encodings"]) and has_file(r))]
         answer = self.encode(None)
         if answer and answer[1] == "application/zip":
-            return list(unzip(answer[0]))
+            names = list(unzip(answer[0]))
+            return ["masks"] if all(name.startswith("masks/") for name in names) else names
         return [row["name"] for row in rows if has_file(row)]
 
     @property
@@ -106,6 +107,7 @@ class Files:
             return None
         data = self.files[name]
         signatures = {b"\x89PNG": "image/png", b"\x93NUM": "application/x-npy", b"<svg": "image/svg+xml"}
+        signatures[b"PK\3\4"] = signatures[b"PK\5\6"] = "application/zip"
         signatures.update({b"RIFF": "image/webp", b"II*\0": "image/tiff", b"\xff\xd8\xff\xe0": "image/jpeg"})
         if data[37:41] == b"acTL":
             return data, "image/apng"
@@ -151,6 +153,7 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
     picture["normals"], picture["position"]: (h, w, 3) float32
     picture["instanceId"], picture["faceId"]: (h, w) uint32, counted from 1
     picture["info"], picture["fragments"]: dicts
+    picture["masks"]: {1: {"amodal": (h, w) bool, "visible": ...}, ...} by instanceId; as json, a dict
     Several views: picture["front.color"], ...; picture["depth"]: (views, h, w); file("color"): the animation or the sheet
     Background pixels are inf in depth and distance, and 0 in normals, position and ids.
     dict(picture) has all of them. Arrays are copies; view() returns one without a copy.
@@ -227,10 +230,12 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
         return array
 
     def __getitem__(self, channel: str) -> Any:
-        array = self._made.array(channel) if channel not in ("info", "fragments") else None
+        array = self._made.array(channel) if channel not in ("info", "fragments", "masks") else None
         if array is not None:
             return array.copy()
         data, type_ = self._encode(channel)
+        if type_ == "application/zip":
+            return masks(data)
         if type_ != "application/json":
             raise self._missing(channel)
         values = json.loads(data)
@@ -291,7 +296,7 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
 
 def from_answer(data: bytes, type_: str, channel: str, look: str, warnings: List[str]) -> Picture:
     """Makes a picture of an answer of POST /v1/render. channel: the only one, unless the answer is a ZIP."""
-    files = unzip(data) if type_ == "application/zip" else {channel: data}
+    files = unzip(data) if type_ == "application/zip" and channel != "masks" else {channel: data}
     return Picture(Files((data, type_), files, look, warnings))
 
 

@@ -1,0 +1,181 @@
+"""Writes data sets in the format of COCO: pictures, and a file of their instances.
+
+>>> zraster.coco.write("cups", scene, orbit={"count": 1000}, categories={"cup": 1})
+
+makes cups/images/000000.png, ... and cups/annotations.json, with a box, an area and the visible mask of each instance.
+"""
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Dict, List, Mapping, Optional, Tuple
+
+from . import _stream
+from ._errors import OptionError
+
+__all__ = ["decode", "write"]
+
+
+def write(
+    folder: Any,
+    scene: Any,
+    *,
+    categories: Optional[Mapping[str, int]] = None,
+    segmentation: str = "rle",
+    **options: Any,
+) -> str:
+    """Draws views and writes their pictures and annotations, each as soon as it is drawn. Returns the path of the file.
+
+    scene: a scene as a dict, the path of a scene or a model, or an object with vertices and faces
+    categories: numbers by the names of nodes or meshes; others are drawn and not listed. Default: meshes, from 1 on
+    segmentation: "rle", the exact mask as compressed run lengths; or "polygons", its outlines along the edges of pixels,
+        without holes
+    options: one of views, orbit, turntable and animate, and others as for `render`, such as size=(640, 480)
+
+    Instances without a visible pixel are left out. bbox is x, y, width, height; area is the number of visible pixels.
+    """
+    if segmentation not in ("rle", "polygons"):
+        raise OptionError(f"segmentation: {segmentation!r}: rle or polygons")
+    place = os.fspath(folder)
+    path = os.path.join(place, "annotations.json")
+    os.makedirs(os.path.join(place, "images"), exist_ok=True)
+    numbers = _stream.Numbers("categories", categories)
+    images: List[Dict[str, Any]] = []
+    count = 0
+    with open(path, "w") as file:
+        file.write('{"annotations": [')
+        for view in _stream.draw(scene, [{"channel": "color", "encoding": "png"}], options, needs_pinhole=False):
+            images.append(_put_image(place, view))
+            for instance in view.instances:
+                number = numbers.of(instance) if instance["visiblePixels"] else None
+                if number is None:
+                    continue
+                count += 1
+                annotation = _annotation(view, instance, number, count, segmentation)
+                file.write(f"{',' if count > 1 else ''}\n{json.dumps(annotation)}")
+        listed = [{"id": number, "name": name, "supercategory": ""} for name, number in numbers.found.items()]
+        file.write(f'\n], "images": {json.dumps(images)}, "categories": {json.dumps(listed)}, "info": {{}}, "licenses": []}}\n')
+    return path
+
+
+def _put_image(place: str, view: _stream.View) -> Dict[str, Any]:
+    name = f"{view.number:06d}.png"
+    data = view.files["color.png"]
+    with open(os.path.join(place, "images", name), "wb") as file:
+        file.write(data)
+    width, height = (int.from_bytes(data[at : at + 4], "big") for at in (16, 20))
+    return {"id": view.number, "file_name": name, "width": width, "height": height}
+
+
+def _annotation(
+    view: _stream.View, instance: Mapping[str, Any], category: int, number: int, segmentation: str
+) -> Dict[str, Any]:
+    visible = instance["visible"]
+    return {
+        "id": number,
+        "image_id": view.number,
+        "category_id": category,
+        "iscrowd": 0,
+        "area": instance["visiblePixels"],
+        "bbox": _stream.size_of(instance["visibleBox"]),
+        "segmentation": visible if segmentation == "rle" else _polygons(visible),
+    }
+
+
+# ---- run lengths ----
+
+
+def _runs(text: str) -> List[int]:
+    """Returns the lengths of runs of 0 and 1 in turn."""
+    runs: List[int] = []
+    value = shift = 0
+    for character in text:
+        group = ord(character) - 48
+        value |= (group & 31) << shift
+        shift += 5
+        if group & 32:
+            continue
+        if group & 16:
+            value -= 1 << shift
+        runs.append(value + (runs[-2] if len(runs) > 2 else 0))
+        value = shift = 0
+    return runs
+
+
+def decode(mask: Mapping[str, Any]) -> Any:
+    """Returns the mask {"size", "counts"} as an array of booleans (h, w)."""
+    import numpy
+
+    height, width = mask["size"]
+    runs = _runs(mask["counts"])
+    return numpy.repeat(numpy.arange(len(runs)) % 2 == 1, runs).reshape(width, height).T
+
+
+# ---- polygons ----
+
+Point = Tuple[int, int]
+
+
+def _columns(mask: Mapping[str, Any]) -> Dict[int, List[Point]]:
+    """Returns the runs of 1 of each column: first and last row, the latter exclusive."""
+    height = mask["size"][0]
+    columns: Dict[int, List[Point]] = {}
+    at = 0
+    for number, run in enumerate(_runs(mask["counts"])):
+        begin, at = at, at + run
+        while number % 2 and begin < at:
+            column, row = divmod(begin, height)
+            end = min(at, (column + 1) * height)
+            columns.setdefault(column, []).append((row, row + end - begin))
+            begin = end
+    return columns
+
+
+def _rows_of(runs: List[Point]) -> List[int]:
+    return [row for begin, end in runs for row in range(begin, end)]
+
+
+def _edges(mask: Mapping[str, Any]) -> Dict[Point, List[Point]]:
+    """Returns the edges between pixels of 1 and 0, from corner to corner, with 1 at their right (y points down)."""
+    columns = _columns(mask)
+    edges: Dict[Point, List[Point]] = {}
+    for x, runs in columns.items():
+        for begin, end in runs:
+            edges.setdefault((x, begin), []).append((x + 1, begin))
+            edges.setdefault((x + 1, end), []).append((x, end))
+        rows = set(_rows_of(runs))
+        for y in rows.difference(_rows_of(columns.get(x - 1, []))):
+            edges.setdefault((x, y + 1), []).append((x, y))
+        for y in rows.difference(_rows_of(columns.get(x + 1, []))):
+            edges.setdefault((x + 1, y), []).append((x + 1, y + 1))
+    return edges
+
+
+def _next(edges: Dict[Point, List[Point]], before: Point, at: Point) -> Point:
+    """Takes an edge that begins at a corner: of two, the one to the right, so that pixels that meet at corners stay
+    apart."""
+    found = edges[at]
+    dx, dy = at[0] - before[0], at[1] - before[1]
+    right = (at[0] - dy, at[1] + dx)
+    return found.pop(found.index(right) if right in found else 0)
+
+
+def _polygons(mask: Mapping[str, Any]) -> List[List[int]]:
+    edges = _edges(mask)
+    polygons: List[List[int]] = []
+    for start in sorted(edges):
+        while edges[start]:
+            points = [start, edges[start].pop()]
+            while points[-1] != start:
+                points.append(_next(edges, points[-2], points[-1]))
+            corners = _corners(points[:-1])
+            pairs = zip(corners, corners[1:] + corners[:1])
+            if sum(a[0] * b[1] - b[0] * a[1] for a, b in pairs) > 0:  # others are holes
+                polygons.append([value for point in corners for value in point])
+    return polygons
+
+
+def _corners(points: List[Point]) -> List[Point]:
+    """Leaves out points on straight lines."""
+    around = zip(points[-1:] + points[:-1], points, points[1:] + points[:1])
+    return [b for a, b, c in around if (b[0] - a[0]) * (c[1] - b[1]) != (b[1] - a[1]) * (c[0] - b[0])]

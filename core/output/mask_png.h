@@ -1,0 +1,16 @@
+/* mask_png.h - output: writes a mask as a PNG of 8 bits, black and white.
+ *
+ * The time is that of the edges of the mask, not of its pixels: runs of equal pixels are written as they are, in one
+ * deflate block with codes made for them.
+ * Source: W3C, PNG (Third Edition), 5 and 11.2; RFC 1950; RFC 1951, 3.2.
+ */
+#ifndef ZR_MASK_PNG_H
+#define ZR_MASK_PNG_H
+
+#include "output/bit_mask.h"
+#include "output/buffer.h"
+
+/* Appends the file: 255 for bits of 1, else 0. Returns false once the arena has failed. */
+bool zr_mask_png_write(const struct zr_bit_mask *mask, struct zr_buffer *out);
+
+#endif

@@ -1,0 +1,19 @@
+/* instance_masks.h - render: pixels of each instance, drawn alone and as it is visible.
+ *
+ * All instances are drawn in one pass that keeps hidden fragments (raster/fragments.h). Instances and pixels are those
+ * of the channel instanceId: masked surfaces count where they pass their mask, blended ones never.
+ * Memory: three bits per pixel of an instance, in tiles and rows of 64 pixels.
+ */
+#ifndef ZR_INSTANCE_MASKS_H
+#define ZR_INSTANCE_MASKS_H
+
+#include "base/team.h"
+#include "shade/frame.h"
+
+/* Writes frame->masks, allocated in `arena`; the rest goes to `scratch`, which may be the same. The frame has its
+ * instanceId. Returns ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY or ZR_INTERNAL. */
+enum zr_status zr_instance_masks_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                                      const struct zr_scene *scene, const struct zr_cancel *cancel,
+                                      struct zr_frame *frame);
+
+#endif
