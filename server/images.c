@@ -43,10 +43,7 @@ struct kept *images_open(uint64_t max_bytes)
 static bool find(void *context, const void *bytes, size_t size, struct zr_file_hash *hash, struct zr_kept_image *kept)
 {
     struct images_use *use = context;
-    struct sha256_ctx sha256;
-    sha256_init(&sha256);
-    sha256_update(&sha256, size, bytes);
-    sha256_digest(&sha256, sizeof hash->bytes, hash->bytes);
+    texts_hash(use->texts, bytes, size, hash);
     if (kept_find(use->images, hash, &use->held, kept)) return true;
     kept_miss(use->images);
     return false;
