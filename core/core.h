@@ -89,6 +89,19 @@ struct zr_kept_images {
     void *context;
 };
 
+/* Long data: URIs, decoded, that the caller keeps between requests. No answer depends on them, and each request is
+ * charged for decoding. Only the thread that reads the scene calls these functions. */
+struct zr_kept_texts {
+    /* Finds the bytes of an equal text, which stay until the scene is freed. Returns false if there are none, or if
+     * cancelled; *hash is then for `keep`. NULL: nothing is kept. */
+    bool (*find)(void *context, const char *text, size_t size, const struct zr_cancel *cancel,
+                 struct zr_file_hash *hash, const void **bytes, size_t *byte_count);
+    /* Offers a text that `find` did not have, and its bytes. The caller may copy both. It keeps no pointer to them. */
+    void (*keep)(void *context, const struct zr_file_hash *hash, const char *text, size_t size, const void *bytes,
+                 size_t byte_count);
+    void *context;
+};
+
 struct zr_kept_mesh; /* input/kept_mesh.h */
 
 /* Model files that the caller keeps between requests, as read: meshes, materials and images. No answer depends on them,
@@ -127,6 +140,7 @@ struct zr_request {
     size_t asset_count;
     struct zr_stored stored; /* read may be NULL: no store */
     struct zr_kept_images images;
+    struct zr_kept_texts texts;
     struct zr_kept_meshes meshes;
     /* Parameters of the query (parameter_rows.h), as text; NULL: not given. */
 #define ZR_PARAMETER_FIELD(name, ...) const char *name;

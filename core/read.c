@@ -270,6 +270,7 @@ static enum zr_status keep(struct zr_arena *arena, struct zr_team *team, const s
     if (request->frames) first.meshes = (struct zr_kept_meshes){.hash = NULL}; /* each frame finds these images */
     const enum zr_status status = read_request(arena, team, &first, limits, &keeping, &made->scene, error);
     made->request.images = zr_image_record_lend(images);
+    made->request.texts = (struct zr_kept_texts){.find = NULL};
     made->request.meshes = (struct zr_kept_meshes){.hash = NULL};
     made->request.bytes = NULL;
     made->request.size = 0;

@@ -113,6 +113,7 @@ static void put_color(struct zr_json_writer *json)
     put(json, "/up", "\"z\"");
     put(json, "/edges", "false");
     put(json, "/groundShadow", "false");
+    put(json, "/samples", "4");
     put(json, DRAKE_AT_SCENE "/asset", "\"scene\"");
     put(json, "/outputs/0/channel", "\"color\"");
     put(json, "/outputs/0/encoding", "\"png32\"");

@@ -31,12 +31,13 @@ static void write_counts(struct kept *kept, char out[COUNTS_SIZE])
 
 bool health_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
-    char images[COUNTS_SIZE], meshes[COUNTS_SIZE], *text = NULL;
+    char images[COUNTS_SIZE], texts[COUNTS_SIZE], meshes[COUNTS_SIZE], *text = NULL;
     write_counts(service->images, images);
+    write_counts(texts_kept(service->texts), texts);
     write_counts(meshes_kept(service->meshes), meshes);
     (void)load;
     (void)request;
-    const int length = asprintf(&text, "{\"images\":%s,\"meshes\":%s,\"status\":\"ok\"}\n", images, meshes);
+    const int length = asprintf(&text, "{\"images\":%s,\"texts\":%s,\"meshes\":%s,\"status\":\"ok\"}\n", images, texts, meshes);
     answer_text(answer, text, length);
     return false;
 }

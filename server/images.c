@@ -12,7 +12,8 @@ _Static_assert(sizeof(struct zr_file_hash) == SHA256_DIGEST_SIZE, "the hash of i
 struct image {
     struct kept_value value;
     struct zr_kept_image kept;
-    unsigned char texels[];
+    struct zr_image_levels levels;
+    unsigned char texels[]; /* of the image, then room for its levels */
 };
 
 static void take(const struct kept_value *value, void *out)
@@ -43,10 +44,7 @@ struct kept *images_open(uint64_t max_bytes)
 static bool find(void *context, const void *bytes, size_t size, struct zr_file_hash *hash, struct zr_kept_image *kept)
 {
     struct images_use *use = context;
-    struct sha256_ctx sha256;
-    sha256_init(&sha256);
-    sha256_update(&sha256, size, bytes);
-    sha256_digest(&sha256, sizeof hash->bytes, hash->bytes);
+    texts_hash(use->texts, bytes, size, hash);
     if (kept_find(use->images, hash, &use->held, kept)) return true;
     kept_miss(use->images);
     return false;
@@ -55,10 +53,12 @@ static bool find(void *context, const void *bytes, size_t size, struct zr_file_h
 static void keep(void *context, const struct zr_file_hash *hash, const struct zr_kept_image *kept)
 {
     struct kept *images = ((struct images_use *)context)->images;
-    const size_t texels = zr_image_bytes(&kept->image);
-    struct image *made = texels <= kept_max_bytes(images) ? malloc(sizeof *made + texels) : NULL;
+    const size_t texels = zr_image_bytes(&kept->image), room = texels + zr_image_levels_bytes(&kept->image);
+    struct image *made = room <= kept_max_bytes(images) ? malloc(sizeof *made + room) : NULL;
     if (!made) return;
-    *made = (struct image){.value = {.hash = *hash, .bytes = sizeof *made + texels}, .kept = *kept};
+    *made = (struct image){.value = {.hash = *hash, .bytes = sizeof *made + room}, .kept = *kept};
+    made->levels.texels = made->texels + texels;
+    made->kept.image.levels = &made->levels;
     memcpy(made->texels, kept->image.texels, texels);
     made->kept.image.texels = made->texels;
     kept_add(images, &made->value, NULL);

@@ -10,6 +10,7 @@
 
 #include "core.h"
 #include "kept.h"
+#include "texts.h"
 
 /* Keeps up to `max_bytes`; 0: none. NULL without memory. Close it by kept_close. */
 struct kept *images_open(uint64_t max_bytes);
@@ -17,6 +18,7 @@ struct kept *images_open(uint64_t max_bytes);
 /* The images of one request. `images` may be NULL: none are kept. */
 struct images_use {
     struct kept *images;
+    const struct texts_use *texts; /* of the request; or NULL */
     struct kept_held *held;
 };
 

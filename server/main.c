@@ -84,13 +84,14 @@ static int serve(const struct config *config)
     }
     struct store *store = NULL;
     struct kept *images = images_open(config->keep_image_bytes);
+    struct texts *texts = texts_open(config->keep_text_bytes);
     struct meshes *meshes = meshes_open(config->keep_mesh_bytes);
     struct http *http = NULL;
     struct slowness slowness;
     slowness_start(&slowness, config_isa(config));
     if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
     if (store || !*config->assets_dir) {
-        service_init(&service, config, team, &slowness, store, images, meshes);
+        service_init(&service, config, team, &slowness, store, images, texts, meshes);
         http = http_start(config, &service, message, sizeof message);
     }
     if (!http) {
@@ -98,6 +99,7 @@ static int serve(const struct config *config)
         slowness_end(&slowness);
         store_close(store);
         kept_close(images);
+        texts_close(texts);
         meshes_close(meshes);
         zr_team_destroy(team);
         log_writer_stop();
@@ -116,6 +118,7 @@ static int serve(const struct config *config)
     slowness_end(&slowness);
     store_close(store);
     kept_close(images);
+    texts_close(texts);
     meshes_close(meshes);
     zr_team_destroy(team);
     log_event("info", "stopped", NULL);

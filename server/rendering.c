@@ -103,6 +103,7 @@ struct rendering {
     atomic_bool is_large;     /* gives up: small_only is set, and the request is large */
     struct zr_quick quick;    /* limits of a small request */
     struct images_use images;
+    struct texts_use texts;
     struct meshes_use meshes;
     struct zr_cost cost; /* predicted cost; all 0 before the prediction */
     struct answer *answer;
@@ -344,7 +345,8 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
                           .cancel = cancel,
                           .times = times,
                           .answer = answer,
-                          .images = {.images = service->images},
+                          .images = {.images = service->images, .texts = &r.texts},
+                          .texts = {.texts = service->texts},
                           .meshes = {.meshes = service->meshes}};
     struct zr_error error = {0};
     struct zr_answer result = {0};
@@ -371,6 +373,7 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
     unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, r.stored.look ? look_at_stored : NULL, &r,
                                          r.stored.advice};
     unpacked.images = images_lend(&r.images);
+    unpacked.texts = texts_lend(&r.texts);
     if (kind->keeps_meshes) unpacked.meshes = meshes_lend(&r.meshes);
     unpacked.cancel = reading;
     r.quick = (struct zr_quick){SMALL_IMAGE_PIXELS, SMALL_NODE_VISITS, SMALL_ARRAY_BYTES, false};
@@ -378,6 +381,7 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(&r, &unpacked, &result, &error);
     images_release(&r.images);
+    texts_release(&r.texts);
     meshes_release(&r.meshes);
     if (too_large(&r, r.quick.is_exceeded || (status == ZR_CANCELLED && zr_is_cancelled(cancel->parent))))
         return REQUEST_LARGE;

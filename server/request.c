@@ -12,11 +12,12 @@
 #include "text.h"
 
 void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
-                  struct store *store, struct kept *images, struct meshes *meshes)
+                  struct store *store, struct kept *images, struct texts *texts, struct meshes *meshes)
 {
     service->config = config;
     service->store = store;
     service->images = images;
+    service->texts = texts;
     service->meshes = meshes;
     service->slowness = slowness;
     service->limits = config_limits(config);
@@ -80,12 +81,14 @@ static bool memory_is_short(const char *folder)
 
 /* ---- load ---- */
 
-/* Drops all kept images and meshes that no request uses. False if there are none. */
+/* Drops all kept values that no request uses. False if there are none. */
 static bool drop_kept(const struct service *service)
 {
-    struct kept *meshes = meshes_kept(service->meshes);
-    const bool images_dropped = service->images && kept_drop(service->images);
-    return (meshes && kept_drop(meshes)) || images_dropped;
+    struct kept *const tables[] = {service->images, texts_kept(service->texts), meshes_kept(service->meshes)};
+    bool dropped = false;
+    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
+        if (tables[i] && kept_drop(tables[i])) dropped = true;
+    return dropped;
 }
 
 const char *load_busy_with(const struct load *load, const struct service *service, bool makes_answer)

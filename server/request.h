@@ -21,6 +21,7 @@
 #include "step_times.h"
 #include "store.h"
 #include "stream.h"
+#include "texts.h"
 
 enum { REQUEST_ID_SIZE = 129 };
 
@@ -32,14 +33,15 @@ struct service {
     struct zr_team *team;
     struct store *store;   /* NULL: no assets are stored */
     struct kept *images;   /* decoded images; NULL: none are kept */
+    struct texts *texts;   /* decoded data: URIs; NULL: none are kept */
     struct meshes *meshes; /* model files as read; NULL: none are kept */
     uint64_t id_base;      /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };
 
-/* `store`, `images` and `meshes` may be NULL. */
+/* `store`, `images`, `texts` and `meshes` may be NULL. */
 void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
-                  struct store *store, struct kept *images, struct meshes *meshes);
+                  struct store *store, struct kept *images, struct texts *texts, struct meshes *meshes);
 
 /* Load of the daemon at the beginning of a request. */
 struct load {

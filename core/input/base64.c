@@ -71,15 +71,15 @@ static bool ends_with(const char *text, size_t size, const char *end, size_t end
 }
 
 /* Returns the start of the base64 text; NULL with the reason. */
-static const char *find_payload(const char *text, struct zr_reason *reason)
+static const char *find_payload(const char *text, size_t size, struct zr_reason *reason)
 {
-    if (strncasecmp(text, SCHEME, sizeof SCHEME - 1) != 0) {
+    if (size < sizeof SCHEME - 1 || strncasecmp(text, SCHEME, sizeof SCHEME - 1) != 0) {
         zr_reason_give(reason, "%s is not a data: URI; nothing is fetched from elsewhere",
-                       zr_quote(text, strnlen(text, HEAD_MAX)).text);
+                       zr_quote(text, size < HEAD_MAX ? size : HEAD_MAX).text);
         return NULL;
     }
     const char *head = text + sizeof SCHEME - 1;
-    size_t length = strnlen(head, HEAD_MAX);
+    const size_t left = size - (sizeof SCHEME - 1), length = left < HEAD_MAX ? left : HEAD_MAX;
     const char *comma = memchr(head, ',', length);
     if (!comma || !ends_with(head, (size_t)(comma - head), BASE64, sizeof BASE64 - 1)) {
         zr_reason_give(reason, "a data: URI without ;base64, in front of its bytes");
@@ -88,12 +88,12 @@ static const char *find_payload(const char *text, struct zr_reason *reason)
     return comma + 1;
 }
 
-enum zr_status zr_data_uri_read(struct zr_arena *arena, const char *text, const void **bytes, size_t *size,
+enum zr_status zr_data_uri_read(struct zr_arena *arena, const char *text, size_t length, const void **bytes, size_t *size,
                                 struct zr_reason *reason)
 {
-    const char *payload = find_payload(text, reason);
+    const char *payload = find_payload(text, length, reason);
     if (!payload) return ZR_BAD_SCENE;
-    size_t length = strlen(payload);
+    length -= (size_t)(payload - text);
     unsigned char *out = zr_arena_alloc(arena, zr_base64_room(length), 1);
     if (!out) return ZR_NO_MEMORY;
     *bytes = out;

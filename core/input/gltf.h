@@ -12,6 +12,7 @@
 #include "input/far_scene.h"
 #include "input/file_scene.h"
 #include "input/json_scene.h"
+#include "input/json_uris.h"
 
 #define ZR_GLTF_NONE UINT32_MAX
 
@@ -40,9 +41,15 @@ enum zr_gltf_key {
 
 enum zr_gltf_state { ZR_GLTF_UNREAD, ZR_GLTF_READ, ZR_GLTF_REFUSED };
 
+/* A URI. A noted one (json_uris.h) lies in the text of the file; others are copies with a final zero. */
+struct zr_gltf_uri {
+    const char *text; /* NULL: none */
+    size_t size;
+};
+
 struct zr_gltf_buffer {
     uint32_t length;
-    const char *uri;
+    struct zr_gltf_uri uri;
     enum zr_gltf_state state;
     struct zr_parsed_bytes bytes; /* if READ: `length` bytes */
 };
@@ -140,7 +147,7 @@ struct zr_gltf_pose {
 };
 
 struct zr_gltf_image {
-    const char *uri;
+    struct zr_gltf_uri uri;
     uint32_t view; /* or NONE */
     enum zr_gltf_state state;
     uint32_t number;              /* if READ: number of the scene's image */
@@ -157,6 +164,7 @@ struct zr_gltf {
     struct zr_parsed_scene root; /* reader, builder, images and assets */
     const char *places[ZR_GLTF_KEYS];
     uint32_t counts[ZR_GLTF_KEYS]; /* items per list */
+    struct zr_json_uris uris;
     struct zr_parsed_bytes chunk;  /* binary chunk of a GLB; bytes NULL if none */
     size_t size;                   /* of the file */
     uint64_t bytes;                /* size of the request, parts included */
@@ -267,8 +275,11 @@ bool zr_gltf_find_view(struct zr_gltf *file, const struct zr_json_path *path, ui
 /* True if the request has the bytes of a view's buffer. */
 bool zr_gltf_has_view(struct zr_gltf *file, uint32_t number);
 
+/* Reads a struct zr_gltf_uri. */
+zr_json_read_fn zr_gltf_uri;
+
 /* Finds the bytes of a URI: a data: URI or a part of the request. `path` leads to the key with the URI. */
-bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const char *uri,
+bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_uri *uri,
                       struct zr_parsed_bytes *out);
 
 /* ---- gltf_accessor.c: accessors; gltf_values.c: their elements ---- */

@@ -4,7 +4,6 @@
 #include <string.h>
 #include <strings.h>
 
-#include "input/base64.h"
 #include "input/file_parts.h"
 #include "input/text.h"
 
@@ -14,7 +13,7 @@ enum { BUFFER_LENGTH, BUFFER_URI };
 #define AT(member) offsetof(struct zr_gltf_buffer, member)
 static const struct zr_json_field buffer_fields[] = {
     [BUFFER_LENGTH] = {"byteLength", zr_json_whole, AT(length), .required = true, .text = "bytes of the buffer"},
-    [BUFFER_URI] = {.key = "uri", .read = zr_json_string, .offset = AT(uri)},
+    [BUFFER_URI] = {.key = "uri", .read = zr_gltf_uri, .offset = AT(uri)},
     ZR_GLTF_NAME,
     ZR_GLTF_COMMON};
 #undef AT
@@ -80,18 +79,40 @@ static bool refuse_missing(struct zr_json *json, const struct zr_json_path *path
                          zr_quote(plain, length).text);
 }
 
-bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const char *uri,
+bool zr_gltf_uri(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    struct zr_gltf_uri *uri = out;
+    struct zr_json_text text;
+    (void)field;
+    if (zr_json_type(json) != ZR_JSON_STRING) return zr_json_expect(json, path, "a string");
+    if (!zr_json_take_string(json, &text)) return false;
+    const struct zr_json_uri *noted = json->uris ? zr_json_uri_at(json->uris, text.at) : NULL;
+    const char *copy = noted ? NULL : zr_json_decode(json, &text);
+    if (noted)
+        *uri = (struct zr_gltf_uri){noted->text, noted->size};
+    else if (copy)
+        *uri = (struct zr_gltf_uri){copy, strlen(copy)};
+    return noted || copy;
+}
+
+static bool is_data(const struct zr_gltf_uri *uri)
+{
+    return uri->size >= 5 && strncasecmp(uri->text, "data:", 5) == 0;
+}
+
+bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_uri *uri,
                       struct zr_parsed_bytes *out)
 {
     struct zr_json *json = &file->root.json;
-    if (strncasecmp(uri, "data:", 5) == 0) {
+    if (is_data(uri)) {
         struct zr_reason reason;
-        const enum zr_status status = zr_data_uri_read(json->arena, uri, &out->bytes, &out->size, &reason);
+        const enum zr_status status =
+            zr_json_uri_decode(json, uri->text, uri->size, &out->bytes, &out->size, &reason);
         return status == ZR_OK || (status == ZR_BAD_SCENE && zr_json_fault(json, path, "%s", reason.text));
     }
-    const struct zr_asset *part = zr_file_part_find(&file->root.assets, json->arena, uri);
+    const struct zr_asset *part = zr_file_part_find(&file->root.assets, json->arena, uri->text);
     if (!part && !zr_arena_ok(json->arena)) return false;
-    if (!part) return refuse_missing(json, path, uri);
+    if (!part) return refuse_missing(json, path, uri->text);
     if (part->array.type != ZR_BYTES)
         return zr_json_fault(json, path, "the part %s is an array; the bytes of a file are needed",
                              zr_quote(part->name, strlen(part->name)).text);
@@ -106,8 +127,8 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, ui
 {
     struct zr_gltf_buffer *buffer = &file->buffers[number];
     struct zr_json *json = &file->root.json;
-    if (buffer->uri) {
-        if (!zr_gltf_find_uri(file, ZR_JSON_KEY(path, buffer_fields[BUFFER_URI].key), buffer->uri, &buffer->bytes))
+    if (buffer->uri.text) {
+        if (!zr_gltf_find_uri(file, ZR_JSON_KEY(path, buffer_fields[BUFFER_URI].key), &buffer->uri, &buffer->bytes))
             return false;
     } else if (number == 0 && file->chunk.bytes) {
         buffer->bytes = file->chunk;
@@ -169,7 +190,7 @@ bool zr_gltf_has_view(struct zr_gltf *file, uint32_t number)
     if (number >= file->counts[ZR_GLTF_BUFFER_VIEWS]) return false;
     const uint32_t buffer = file->views[number].buffer;
     if (buffer >= file->counts[ZR_GLTF_BUFFERS]) return false;
-    const char *uri = file->buffers[buffer].uri;
-    if (!uri) return buffer == 0 && file->chunk.bytes;
-    return strncasecmp(uri, "data:", 5) == 0 || zr_file_part_find(&file->root.assets, file->root.json.arena, uri);
+    const struct zr_gltf_uri *uri = &file->buffers[buffer].uri;
+    if (!uri->text) return buffer == 0 && file->chunk.bytes;
+    return is_data(uri) || zr_file_part_find(&file->root.assets, file->root.json.arena, uri->text);
 }

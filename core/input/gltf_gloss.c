@@ -121,7 +121,7 @@ static void bake_rows(void *context, size_t begin, size_t end)
 
 static uint32_t add_image(struct zr_gltf *file, const struct baking *b, const uint8_t *texels)
 {
-    const struct zr_image image = {b->width, b->height, 8, texels};
+    const struct zr_image image = {b->width, b->height, 8, texels, NULL};
     return zr_scene_builder_image(file->root.builder, &image);
 }
 

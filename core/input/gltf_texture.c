@@ -57,7 +57,7 @@ static void read_sampler(struct zr_gltf *file, struct zr_json *json, const struc
 enum { IMAGE_URI, IMAGE_VIEW };
 #define AT(member) offsetof(struct zr_gltf_image, member)
 static const struct zr_json_field image_fields[] = {
-    [IMAGE_URI] = {.key = "uri", .read = zr_json_string, .offset = AT(uri)},
+    [IMAGE_URI] = {.key = "uri", .read = zr_gltf_uri, .offset = AT(uri)},
     [IMAGE_VIEW] = {.key = "bufferView", .read = zr_gltf_index, .offset = AT(view)},
     {.key = "mimeType", .read = zr_gltf_ignore},
     ZR_GLTF_NAME,
@@ -77,10 +77,11 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, st
 {
     struct zr_parsed_bytes found;
     if (image->bytes.bytes) return true;
-    if (!image->uri == (image->view == ZR_GLTF_NONE))
+    if (!image->uri.text == (image->view == ZR_GLTF_NONE))
         return zr_json_fault(&file->root.json, path, "%s of uri and bufferView is needed",
-                             image->uri ? "only one" : "one");
-    if (!(image->uri ? zr_gltf_find_uri(file, ZR_JSON_KEY(path, image_fields[IMAGE_URI].key), image->uri, &found)
+                             image->uri.text ? "only one" : "one");
+    if (!(image->uri.text
+              ? zr_gltf_find_uri(file, ZR_JSON_KEY(path, image_fields[IMAGE_URI].key), &image->uri, &found)
                      : zr_gltf_find_view(file, ZR_JSON_KEY(path, image_fields[IMAGE_VIEW].key), image->view, &found)))
         return false;
     image->bytes = found;
@@ -89,7 +90,7 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, st
 
 static bool decode(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_image *image)
 {
-    const struct zr_json_path *at = ZR_JSON_KEY(path, image_fields[image->uri ? IMAGE_URI : IMAGE_VIEW].key);
+    const struct zr_json_path *at = ZR_JSON_KEY(path, image_fields[image->uri.text ? IMAGE_URI : IMAGE_VIEW].key);
     return find_bytes(file, path, image) && zr_parsed_add_image(&file->root, at, &image->bytes, &image->number);
 }
 

@@ -15,7 +15,7 @@ static enum zr_status read_png(struct zr_arena *arena, struct zr_arena *scratch,
     const size_t texel_bytes = head->bits == 16 ? 8 : 4;
     void *rgba = zr_arena_alloc_beside(arena, scratch, (size_t)head->width * head->height, texel_bytes);
     if (!rgba) return ZR_NO_MEMORY;
-    *image = (struct zr_image){head->width, head->height, head->bits == 16 ? 16 : 8, rgba};
+    *image = (struct zr_image){head->width, head->height, head->bits == 16 ? 16 : 8, rgba, NULL};
     return zr_png_read_whole(scratch, bytes, size, head, rgba, reason);
 }
 
@@ -38,7 +38,7 @@ bool zr_image_head_read(const void *bytes, size_t size, uint64_t texels_max, str
     struct zr_reason reason;
     *head = (struct zr_image){.bits = 8};
     if (zr_png_head_read(bytes, size, &png))
-        *head = (struct zr_image){png.width, png.height, png.bits == 16 ? 16 : 8, NULL};
+        *head = (struct zr_image){png.width, png.height, png.bits == 16 ? 16 : 8, NULL, NULL};
     else if (!zr_jpeg_size_read(bytes, size, &head->width, &head->height))
         return false;
     return zr_image_fits(head->width, head->height, texels_max, &reason);

@@ -182,7 +182,7 @@ static void read_picture(struct reading *reading, uint64_t texels_max, struct zr
     const size_t texels = (size_t)jpeg->image_width * jpeg->image_height;
     uint8_t *rgba = zr_arena_alloc_beside(reading->arena, reading->scratch, texels, 4);
     if (!rgba) leave(reading, ZR_NO_MEMORY);
-    *image = (struct zr_image){jpeg->image_width, jpeg->image_height, 8, rgba};
+    *image = (struct zr_image){jpeg->image_width, jpeg->image_height, 8, rgba, NULL};
     set_output(jpeg);
     read_rows(reading, rgba);
 }

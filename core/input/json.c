@@ -6,6 +6,7 @@
 
 #include "base/cancel.h"
 #include "input/input.h"
+#include "input/json_uris.h"
 #include "input/number.h"
 #include "input/text.h"
 
@@ -110,7 +111,7 @@ static const char *pass_escape(struct zr_json *json, const char *at)
 }
 
 /* Returns the byte behind the closing quote, or NULL; `at` is behind the opening one. */
-static const char *pass_string(struct zr_json *json, const char *at, bool *has_escapes)
+static const char *pass_bytes(struct zr_json *json, const char *at, bool *has_escapes)
 {
     const char *end = json->end;
     *has_escapes = false;
@@ -142,6 +143,25 @@ static const char *pass_string(struct zr_json *json, const char *at, bool *has_e
         }
         at += length;
     }
+}
+
+/* Passes a string as pass_bytes does, and notes a long data: URI. */
+static const char *pass_uri(struct zr_json *json, const char *at, bool *has_escapes)
+{
+    struct zr_json_uri uri;
+    const struct zr_json_uri *noted = zr_json_uri_at(json->uris, at);
+    *has_escapes = false;
+    if (noted) return at + noted->size + 1;
+    if (zr_json_uri_find(json, at, &uri)) return at + uri.size + 1;
+    const char *behind = pass_bytes(json, at, has_escapes);
+    if (behind && uri.size > 0 && behind == at + uri.size + 1) zr_json_uri_note(json, &uri);
+    return behind;
+}
+
+static const char *pass_string(struct zr_json *json, const char *at, bool *has_escapes)
+{
+    const bool may_be_long = json->uris && json->end - at > ZR_JSON_URI_MIN && memcmp(at, "data:", 5) == 0;
+    return may_be_long ? pass_uri(json, at, has_escapes) : pass_bytes(json, at, has_escapes);
 }
 
 /* Reads a string without a check for cancellation at its start. */

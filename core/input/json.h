@@ -27,6 +27,7 @@ enum { ZR_JSON_DEPTH_MAX = 512 };
 
 struct zr_team; /* base/team.h */
 struct zr_parsed_assets;
+struct zr_json_uris;
 
 struct zr_json {
     const char *at; /* the next byte to read */
@@ -38,6 +39,7 @@ struct zr_json {
     const struct zr_limits *limits;
     struct zr_error *error;
     struct zr_parsed_assets *assets; /* json_scene.h; NULL: the text is no scene, and names none */
+    struct zr_json_uris *uris;       /* json_uris.h; NULL: long data: URIs are not noted */
     unsigned depth;                  /* open lists and objects around `at` */
     bool ended;    /* reading has ended: the text is malformed or too deep, or the request is cancelled */
     bool is_ahead; /* reads a part of a list in parallel: a fault ends the part without a report (json_list.h) */

@@ -16,7 +16,7 @@ const struct zr_json_object zr_json_object_bytes = ZR_JSON_OBJECT_OF("bytes", fi
 static bool read_uri(struct zr_json *json, const struct zr_json_path *path, const char *text, struct zr_asset *out)
 {
     struct zr_reason reason;
-    enum zr_status status = zr_data_uri_read(json->arena, text, &out->bytes, &out->size, &reason);
+    enum zr_status status = zr_data_uri_read(json->arena, text, strlen(text), &out->bytes, &out->size, &reason);
     if (status == ZR_BAD_SCENE) zr_json_fault(json, path, "%s", reason.text);
     return status == ZR_OK;
 }
@@ -83,6 +83,7 @@ struct zr_parsed_assets zr_parsed_assets_of(const struct zr_scene_builder *build
                                      .use = ZR_USED,
                                      .stored = request->stored,
                                      .images = request->images,
+                                     .texts = request->texts,
                                      .meshes = request->meshes,
                                      .quick = request->quick};
 }

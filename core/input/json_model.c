@@ -79,6 +79,7 @@ static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *p
                                  .asset_count = root->assets.count,
                                  .stored = root->assets.stored,
                                  .images = root->assets.images,
+                                 .texts = root->assets.texts,
                                  .meshes = root->assets.meshes,
                                  .cancel = json->cancel,
                                  .quick = root->assets.quick};

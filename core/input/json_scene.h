@@ -168,6 +168,7 @@ struct zr_parsed_assets {
     uint8_t use;                 /* sum for the part of the scene that is read now */
     struct zr_stored stored;
     struct zr_kept_images images;
+    struct zr_kept_texts texts;
     struct zr_kept_meshes meshes;
     struct zr_assets_hash hash; /* for model files of the scene */
     struct zr_quick *quick;     /* the request's; may be NULL */

@@ -274,7 +274,8 @@ static const struct zr_kept_mesh *read_kept(const struct zr_mesh_file *file, str
     struct zr_error error = {.count = 0};
     struct zr_kept_mesh *mesh = zr_arena_zero(arena, 1, sizeof *mesh);
     if (!mesh) return NULL;
-    request.images = (struct zr_kept_images){.find = NULL}; /* kept images stay for one request only */
+    request.images = (struct zr_kept_images){.find = NULL}; /* kept images and texts stay for one request only */
+    request.texts = (struct zr_kept_texts){.find = NULL};
     own.asset_folder = builder->asset_folder;
     arena->cancel = request.cancel;
     const size_t ceiling = arena->ceiling;

@@ -85,7 +85,7 @@ enum zr_status zr_webp_read(struct zr_arena *arena, struct zr_arena *scratch, co
     const size_t texels = (size_t)width * height, own = OWN_BYTES + 4 * texels + STRIP_BYTES * (size_t)width;
     uint8_t *rgba = zr_arena_alloc_beside(arena, scratch, texels, 4);
     if (!rgba || !zr_arena_charge(scratch, own)) return ZR_NO_MEMORY;
-    *image = (struct zr_image){width, height, 8, rgba};
+    *image = (struct zr_image){width, height, 8, rgba, NULL};
     const enum zr_status status = read_picture(bytes, size, &features, rgba, arena->cancel, reason);
     zr_arena_refund(scratch, own);
     if (status == ZR_NO_MEMORY) scratch->failed = true;

@@ -23,7 +23,7 @@ bool zr_hatch_add(struct zr_arena *arena, struct zr_scene *scene)
         images[i] = scene->images[i];
     for (uint32_t i = 0; i < scene->texture_count; i++)
         textures[i] = scene->textures[i];
-    images[scene->image_count] = (struct zr_image){PERIOD, 1, 8, texels};
+    images[scene->image_count] = (struct zr_image){PERIOD, 1, 8, texels, NULL};
     textures[scene->texture_count] = (struct zr_texture){.image = scene->image_count,
                                                          .magnify = ZR_FILTER_LINEAR,
                                                          .minify = ZR_FILTER_LINEAR_MIPMAP_LINEAR,

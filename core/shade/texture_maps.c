@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/srgb.h"
+#include "scene/image.h"
 
 /* Texels per range: some hundred microseconds. */
 enum { TEXELS_A_RANGE = 1 << 14 };
@@ -206,18 +207,13 @@ static void halve_rows(void *context, size_t begin, size_t end)
     }
 }
 
-static uint32_t half_of(uint32_t side)
-{
-    return side > 1 ? side / 2 : 1;
-}
-
 static bool make_levels(struct making *m, uint32_t bits, const struct decoding *decoding, struct chain *chain)
 {
     while (chain->level_count < ZR_TEXTURE_LEVELS_MAX) {
         const struct zr_texture_level *from = &chain->levels[chain->level_count - 1];
         struct zr_texture_level *to = &chain->levels[chain->level_count];
         if (from->width == 1 && from->height == 1) return true;
-        *to = (struct zr_texture_level){.width = half_of(from->width), .height = half_of(from->height)};
+        *to = (struct zr_texture_level){.width = zr_image_half(from->width), .height = zr_image_half(from->height)};
         void *texels = zr_arena_alloc(m->arena, (size_t)to->width * to->height, bits / 2);
         if (!texels) return false;
         to->texels = texels;
@@ -228,7 +224,66 @@ static bool make_levels(struct making *m, uint32_t bits, const struct decoding *
     return true;
 }
 
+/* ---- kept levels ---- */
+
+static enum zr_levels_state state_of(const struct decoding *decoding)
+{
+    return decoding ? ZR_LEVELS_LINEAR : ZR_LEVELS_PLAIN;
+}
+
+/* Takes the levels of a kept image. The arena counts them as if they were made. False if they are not there. */
+static bool take_levels(struct making *m, const struct zr_image *image, const struct decoding *decoding,
+                        struct chain *chain)
+{
+    struct zr_image_levels *kept = image->levels;
+    if (!kept || atomic_load_explicit(&kept->state, memory_order_acquire) != (int)state_of(decoding)) return false;
+    if (!zr_arena_alloc(m->arena, zr_image_levels_bytes(image), 1)) return false;
+    const unsigned char *at = kept->texels;
+    for (struct zr_image level = *image; level.width > 1 || level.height > 1; at += zr_image_bytes(&level)) {
+        level.width = zr_image_half(level.width);
+        level.height = zr_image_half(level.height);
+        chain->levels[chain->level_count++] = (struct zr_texture_level){level.width, level.height, at};
+    }
+    return true;
+}
+
+/* Copies the levels into the room of a kept image, unless another thread has filled it. */
+static void keep_levels(const struct making *m, const struct zr_image *image, const struct decoding *decoding,
+                        const struct chain *chain)
+{
+    struct zr_image_levels *kept = image->levels;
+    int empty = ZR_LEVELS_EMPTY;
+    if (!kept || zr_is_cancelled(m->cancel)) return; /* cancelled: not all rows are made */
+    if (!atomic_compare_exchange_strong(&kept->state, &empty, ZR_LEVELS_WRITTEN)) return;
+    unsigned char *at = kept->texels;
+    for (uint32_t i = 1; i < chain->level_count; i++) {
+        const size_t bytes = (size_t)chain->levels[i].width * chain->levels[i].height * (image->bits / 2);
+        memcpy(at, chain->levels[i].texels, bytes);
+        at += bytes;
+    }
+    atomic_store_explicit(&kept->state, (int)state_of(decoding), memory_order_release);
+}
+
+static bool find_levels(struct making *m, const struct zr_image *image, const struct decoding *decoding,
+                        struct chain *chain)
+{
+    if (take_levels(m, image, decoding, chain)) return true;
+    if (!make_levels(m, image->bits, decoding, chain)) return false;
+    keep_levels(m, image, decoding, chain);
+    return true;
+}
+
 /* ---- all ---- */
+
+/* Returns a flag for 1 + the number of each texture: a material has it. NULL without memory. */
+static const bool *find_used(struct zr_arena *arena, const struct zr_scene *scene)
+{
+    bool *used = zr_arena_zero(arena, 1 + (size_t)scene->texture_count, sizeof *used);
+    for (uint32_t i = 0; used && i < scene->material_count; i++)
+        for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
+            used[scene->materials[i].textures[slot]] = true;
+    return used;
+}
 
 static bool is_see_through(const struct zr_scene *scene, uint32_t texture)
 {
@@ -279,7 +334,7 @@ static bool make_map(struct making *m, const struct zr_texture *texture, struct 
         chain->level_count = 1;
     }
     const bool wants_levels = zr_filter_has_levels(texture->minify);
-    if (wants_levels && chain->level_count == 1 && !make_levels(m, image->bits, decoding, chain)) return false;
+    if (wants_levels && chain->level_count == 1 && !find_levels(m, image, decoding, chain)) return false;
     *map = (struct zr_texture_map){.texture = texture,
                                    .bits = image->bits,
                                    .decoded = decoding ? decoding->values : NULL,
@@ -298,8 +353,10 @@ enum zr_status zr_texture_maps_make(struct zr_arena *arena, struct zr_team *team
     struct zr_texture_map *of = zr_arena_zero(arena, scene->texture_count, sizeof *of);
     struct zr_texture_map *opacity = zr_arena_zero(arena, scene->texture_count, sizeof *opacity);
     m.chains = zr_arena_zero(arena, 2 * (size_t)scene->image_count, sizeof *m.chains);
+    const bool *used = find_used(arena, scene);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < scene->texture_count; i++) {
+        if (!used[1 + i]) continue;
         if (!make_map(&m, &scene->textures[i], &of[i])) return ZR_NO_MEMORY;
         if (is_see_through(scene, i) && !make_opacity(&m, &scene->textures[i], &opacity[i])) return ZR_NO_MEMORY;
         if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
@@ -312,7 +369,7 @@ struct zr_texture_maps_size zr_texture_maps_measure(const struct zr_scene *scene
 {
     struct zr_texture_maps_size sum = {0.0, 0.0};
     bool has_tables[2] = {false, false};
-    if (scene->texture_count > 0) sum.bytes += 2.0 * (double)scene->image_count * (double)sizeof(struct chain);
+    if (scene->texture_count > 0) sum.bytes += 2.0 * (double)scene->image_count * (double)sizeof(struct chain) + (double)scene->texture_count + 1.0;
     for (uint32_t i = 0; i < scene->texture_count; i++) {
         const struct zr_texture *texture = &scene->textures[i];
         const struct zr_image *image = &scene->images[texture->image];

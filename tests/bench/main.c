@@ -171,6 +171,7 @@ int main(int count, char **arguments)
     service_memory(&bench);
     service_with_kept_meshes(&bench);
     service_with_views(&bench);
+    service_for_drake(&bench);
     growth_of_work(&bench);
     if (!bench.check_only && !bench.list) {
         results_print_summary(&bench.results);

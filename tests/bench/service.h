@@ -34,6 +34,9 @@ void service_with_kept_meshes(struct bench *bench);
 /* Several views by one request, against a request for each (views_http.c). */
 void service_with_views(struct bench *bench);
 
+/* Frames of Drake's protocol, the first against later ones (drake_http.c). */
+void service_for_drake(struct bench *bench);
+
 /* Bytes a pixel and a triangle, in notes. */
 void service_memory(struct bench *bench);
 

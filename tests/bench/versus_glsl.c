@@ -88,7 +88,7 @@ static bool give_texture(struct lit *lit)
         texcoords[i].x = 2.0f * mesh->positions[i].x / (high - low);
         texcoords[i].y = 2.0f * (high - mesh->positions[i].y) / (high - low);
     }
-    lit->image = (struct zr_image){IMAGE_SIDE, IMAGE_SIDE, 8, texels_make(TEXELS_CLOUDS, IMAGE_SIDE)};
+    lit->image = (struct zr_image){IMAGE_SIDE, IMAGE_SIDE, 8, texels_make(TEXELS_CLOUDS, IMAGE_SIDE), NULL};
     lit->texture = (struct zr_texture){.magnify = ZR_FILTER_LINEAR,
                                        .minify = ZR_FILTER_LINEAR_MIPMAP_LINEAR,
                                        .is_color = true,

@@ -96,8 +96,8 @@ static enum zr_status read_uri(const char *text, const void **bytes, size_t *siz
 {
     static struct zr_arena arena;
     zr_arena_init(&arena, 1 << 20);
-    struct guarded guarded = guarded_copy(text, strlen(text) + 1);
-    enum zr_status status = zr_data_uri_read(&arena, guarded.bytes, bytes, size, reason);
+    struct guarded guarded = guarded_copy(text, strlen(text));
+    enum zr_status status = zr_data_uri_read(&arena, guarded.bytes, strlen(text), bytes, size, reason);
     static unsigned char kept[64];
     if (status == ZR_OK) {
         assert_true(*size <= sizeof kept);
@@ -159,7 +159,7 @@ TEST(data_uri_without_memory_fails_cleanly)
     const void *bytes;
     size_t size;
     zr_arena_init(&arena, 0);
-    assert_int_equal(zr_data_uri_read(&arena, "data:;base64,Zm9v", &bytes, &size, &reason), ZR_NO_MEMORY);
+    assert_int_equal(zr_data_uri_read(&arena, "data:;base64,Zm9v", 17, &bytes, &size, &reason), ZR_NO_MEMORY);
     zr_arena_free(&arena);
 }
 

@@ -20,7 +20,7 @@ struct test {
 
 static void make(struct test *test, uint32_t width, uint32_t height, uint32_t bits, const void *texels, bool decode)
 {
-    test->image = (struct zr_image){width, height, bits, texels};
+    test->image = (struct zr_image){width, height, bits, texels, NULL};
     test->texture.is_color = true;
     test->scene =
         (struct zr_scene){.image_count = 1, .images = &test->image, .texture_count = 1, .textures = &test->texture};
