@@ -181,11 +181,13 @@ static const struct {
 static void count_geometry(const struct zr_scene *scene, const struct passes *passes, double *counts)
 {
     const double times = passes->centres + passes->samples + passes->maps;
+    const bool finds_boxes = zr_view_space(&scene->views[0], ZR_CHANNEL_POSITION) == ZR_SPACE_NOCS;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         const double triangles = (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
         counts[ZR_COST_INSTANCE] += times;
         counts[ZR_COST_VERTEX] += times * (double)mesh->position_count;
+        if (finds_boxes) counts[ZR_COST_VERTEX] += (double)mesh->position_count;
         counts[ZR_COST_TRIANGLE] += times * (triangles + 2.0 * ((double)mesh->line_count + (double)mesh->point_count)) *
                                     TIMES[scene->algorithm].triangle;
         const enum zr_shading shading = scene->materials[mesh->material].shading;

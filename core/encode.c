@@ -60,17 +60,18 @@ static enum zr_status encode_color(const struct encoding *e, enum zr_encoding en
     return zr_png_write(&png, e->team, e->cancel, out);
 }
 
-/* Maps -1 .. 1 to 0 .. 255; uncovered pixels are black. */
-static enum zr_status encode_normals(const struct encoding *e, struct zr_buffer *out)
+/* Maps value * scale + offset, 0 .. 1, to 0 .. 255; uncovered pixels are black. */
+static enum zr_status encode_triples(const struct encoding *e, enum zr_channel channel, float scale, float offset,
+                                     struct zr_buffer *out)
 {
     const struct zr_frame *frame = e->frame;
     const size_t pixels = (size_t)frame->width * frame->height;
-    const float *n = frame->channels[ZR_CHANNEL_NORMALS];
+    const float *n = frame->channels[channel];
     uint32_t *colors = zr_arena_alloc(e->arena, pixels, sizeof *colors);
     if (!colors) return ZR_NO_MEMORY;
     for (size_t i = 0; i < pixels; i++, n += 3) {
         const bool uncovered = n[0] == 0.0f && n[1] == 0.0f && n[2] == 0.0f;
-        const zr_vec4 color = {n[0] * 0.5f + 0.5f, n[1] * 0.5f + 0.5f, n[2] * 0.5f + 0.5f, 1.0f};
+        const zr_vec4 color = {n[0] * scale + offset, n[1] * scale + offset, n[2] * scale + offset, 1.0f};
         colors[i] = zr_rgba_opaque(uncovered ? (zr_vec4){0, 0, 0, 1} : color);
     }
     const struct zr_png png = {.kind = ZR_PNG_RGB,
@@ -195,7 +196,9 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     const void *values;
     switch (output->encoding) {
     case ZR_ENCODING_PNG:
-        return output->channel == ZR_CHANNEL_NORMALS ? encode_normals(e, out) : encode_color(e, output->encoding, out);
+        if (output->channel == ZR_CHANNEL_NORMALS) return encode_triples(e, output->channel, 0.5f, 0.5f, out);
+        if (output->channel == ZR_CHANNEL_POSITION) return encode_triples(e, output->channel, 1.0f, 0.0f, out);
+        return encode_color(e, output->encoding, out);
     case ZR_ENCODING_PNG16:
         return encode_depth16(e, output, out);
     case ZR_ENCODING_PNG32:

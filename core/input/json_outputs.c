@@ -137,6 +137,16 @@ static void check_space(struct zr_json *json, const struct zr_json_path *path, c
         output->space = (enum zr_space)given->space;
 }
 
+/* Positions fit 8 bits in the space nocs only. A space that is reported may be right. */
+static void check_position(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
+                           const struct zr_output *output)
+{
+    const bool is_known = given->space == UNSET || given->space == (int)output->space;
+    if (output->channel == ZR_CHANNEL_POSITION && output->encoding == ZR_ENCODING_PNG &&
+        output->space != ZR_SPACE_NOCS && is_known)
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[ENCODING].key), "a png of positions needs the space nocs");
+}
+
 /* x and y are required by the channel fragments and refused by others. */
 static void check_pixel(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
                         const struct zr_output *output)
@@ -167,6 +177,7 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, s
     check_range(json, path, keys, &given, output);
     check_compression(json, path, keys, &given, output);
     check_space(json, path, &given, output);
+    check_position(json, path, &given, output);
     check_pixel(json, path, keys, output);
     return json->error->count == faults;
 }

@@ -7,7 +7,7 @@
 static const char *const channels[] = {ZR_CHANNEL_ROWS(NAME) "coverage", "overdraw"};
 static const char *const encodings[] = {"png",  "png16", "png32", "npy",  "json", "svg",
                                         "tiff", "apng",  "pfm",   "jpeg", "webp", "zip"};
-static const char *const spaces[] = {"camera", "world", "object"};
+static const char *const spaces[] = {"camera", "world", "object", "nocs"};
 
 const struct zr_names zr_channel_names = ZR_NAMES(ZR_CHANNEL_COUNT, channels);
 const struct zr_names zr_encoding_names = ZR_NAMES(ZR_ENCODING_COUNT, encodings);

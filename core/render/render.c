@@ -20,6 +20,7 @@
 #include "render/stage.h"
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
+#include "shade/nocs.h"
 
 /* Draws the data channels at pixel centres, and the colours if they need no passes of their own. */
 static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
@@ -32,8 +33,13 @@ static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team
                                       .base = frame->base};
     enum zr_status status = ZR_OK;
     struct zr_pass pass;
+    if (frame->channels[ZR_CHANNEL_POSITION] && zr_frame_space(frame, ZR_CHANNEL_POSITION) == ZR_SPACE_NOCS) {
+        frame->nocs = zr_nocs_make(arena, scene, cancel);
+        if (!frame->nocs) return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
+    }
     STAGE(zr_pass_make(arena, team, &desc, cancel, &pass));
     STAGE(zr_tiles_draw(arena, team, &pass.tiles, cancel, frame));
+    frame->nocs = NULL;
     if (status == ZR_OK) frame->counts = zr_pass_counts(&pass);
     return status;
 }

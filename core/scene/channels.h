@@ -45,7 +45,7 @@ enum zr_values {
 };
 
 /* Coordinate space of positions and normals. */
-enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT };
+enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS /* shade/nocs.h */, ZR_SPACE_COUNT };
 
 /* Clear value of a channel: the word of uncovered pixels, as bits. */
 #define ZR_CLEAR_ZERO     UINT32_C(0)
@@ -77,8 +77,9 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT
     ROW(FRONT_FACING, "frontFacing", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                       \
     /* weights of the corners of the triangle: as given, or (i - 1, i, 0) in the fan of a polygon */                   \
     ROW(BARYCENTRICS, "barycentrics", FLOAT32, 3, ZERO, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)   \
-    /* the visible point */                                                                                            \
-    ROW(POSITION, "position", FLOAT32, 3, ZERO, true, 3, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)           \
+    /* the visible point; PNG in the space nocs only */                                                                \
+    ROW(POSITION, "position", FLOAT32, 3, ZERO, true, 4, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF,           \
+        ZR_ENCODING_PNG)                                                                                               \
     /* shading normal of the visible side; unit length, 0 on lines */                                                  \
     ROW(NORMALS, "normals", FLOAT32, 3, ZERO, false, 2, ZR_ENCODING_NPY, ZR_ENCODING_PNG, ZR_ENCODING_PFM,             \
         ZR_ENCODING_TIFF)                                                                                              \

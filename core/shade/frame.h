@@ -64,6 +64,7 @@ struct zr_instance_masks {
 };
 
 struct zr_line_sheet; /* drawing/line_sheet.h */
+struct zr_nocs_list;  /* shade/nocs.h */
 
 struct zr_frame {
     const struct zr_view *view; /* view of the rendered scene; NULL: this is a depth map */
@@ -82,6 +83,7 @@ struct zr_frame {
     const struct zr_instance_masks *masks;  /* only if wanted */
     const struct zr_line_sheet *lines;      /* only if an SVG is wanted */
     const struct zr_sections_cut *sections; /* mesh/sections.h; NULL: the scene is not cut open */
+    const struct zr_nocs_list *nocs;        /* of the drawn scene; only while positions are drawn in that space */
     const struct zr_base *base;             /* background pixels, with window_depth filled in; NULL: none */
     struct zr_camera camera;
     struct zr_bounds bounds; /* bounds of the scene; invalid unless the view or the info needs them */

@@ -4,6 +4,7 @@
 
 #include "base/matrix.h"
 #include "geometry/geometry.h"
+#include "shade/nocs.h"
 
 /* Values that all samples of a primitive share. */
 struct shown {
@@ -201,9 +202,12 @@ static void put_position(struct points *points, const struct shown *shown, const
     const enum zr_space space = ZR_MUTANT(positions_of_the_camera, points->space, ZR_SPACE_CAMERA);
     double placed[4] = {eye[0], eye[1], eye[2], 1.0};
     if (space == ZR_SPACE_WORLD) zr_matrix_apply(&points->to_world, eye, placed);
-    if (space == ZR_SPACE_OBJECT) find_in_object(points, shown, eye, parts, placed);
-    for (int k = 0; k < 3; k++)
-        out[k] = (float)(placed[3] != 0.0 ? placed[k] / placed[3] : placed[k]);
+    if (space >= ZR_SPACE_OBJECT) find_in_object(points, shown, eye, parts, placed);
+    for (int k = 0; k < 3; k++) {
+        const double value = placed[3] != 0.0 ? placed[k] / placed[3] : placed[k];
+        const bool is_nocs = space == ZR_SPACE_NOCS && placed[3] != 0.0;
+        out[k] = (float)(is_nocs ? zr_nocs_of(points->frame->nocs, shown->instance->mesh, value, k) : value);
+    }
 }
 
 static double length_from(zr_vec4 eye, const double point[4])
@@ -297,7 +301,7 @@ void zr_visible_points_tile(const struct zr_geometry *geometry, const struct zr_
 {
     struct points points = points_of(geometry, kernel, position, frame);
     points.wants_shares =
-        frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD] || position == ZR_SPACE_OBJECT;
+        frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD] || position >= ZR_SPACE_OBJECT;
     for (int32_t y = 0; y < tile->height; y++) {
         const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
         const size_t first = (size_t)(frame->height - 1 - (uint32_t)(tile->y + y)) * frame->width + (size_t)tile->x;

@@ -101,6 +101,8 @@ static void ask_channel(const struct scene_file *file, enum zr_channel channel, 
         snprintf(what, sizeof what, "%s %s", row->name, encodings[row->encodings[e]]);
         snprintf(output, sizeof output, "\"channel\":\"%s\",\"encoding\":\"%s\"", row->name,
                  encodings[row->encodings[e]]);
+        if (channel == ZR_CHANNEL_POSITION && row->encodings[e] == ZR_ENCODING_PNG)
+            snprintf(output, sizeof output, "\"channel\":\"position\",\"encoding\":\"png\",\"space\":\"nocs\"");
         if (channel == ZR_CHANNEL_FRAGMENTS)
             snprintf(output, sizeof output, "\"channel\":\"%s\",\"x\":%d,\"y\":%d", row->name, file->window[0] / 2,
                      file->window[1] / 2);

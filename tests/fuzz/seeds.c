@@ -95,6 +95,9 @@ static void write_scenes(void)
         {"outputs", "{" WINDOW "," TRIANGLE ",\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"depth\",\"encoding\":"
                     "\"png16\",\"scale\":0.5},{\"channel\":\"windowDepth\"},{\"channel\":\"faceId\"},{\"channel\":"
                     "\"info\"}]}"},
+        {"nocs",
+         "{" WINDOW "," TRIANGLE ",\"outputs\":[{\"channel\":\"position\",\"space\":\"nocs\",\"encoding\":\"png\"},"
+         "{\"channel\":\"position\",\"space\":\"nocs\",\"encoding\":\"pfm\"}]}"},
         {"small-png", "{" WINDOW "," TRIANGLE ",\"background\":[0,0.5,1,0.25],\"ambient\":\"#20304050\",\"outline\":"
                       "\"#ff0000\",\"fill\":false}"},
         {"escapes", "{" WINDOW ",\"meshes\":[{\"name\":\"\\u00e9\\ud83d\\ude00\\n\",\"positions\":[[0,0,0],[1e0,0,-0.0]"
