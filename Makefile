@@ -358,6 +358,12 @@ bench-python: ## the Python package beside the same calls in C, and two threads 
 	@$(MAKE) -s -j$(JOBS) library $(BUILD)/tests/bench/alone/library_draw
 	@ROUNDS="$(or $(ROUNDS),31)" $(PYTHON) tests/bench/python/compare.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
 
+.PHONY: bench-datasets
+bench-datasets: ## data sets of BOP beside the library alone, which drops the same outputs: VIEWS=1000 FOLDER=
+	@.ci/need $(NEED_BUILD) $(PYTHON)=python3
+	@$(MAKE) -s -j$(JOBS) library
+	@VIEWS="$(or $(VIEWS),1000)" $(PYTHON) tests/bench/python/datasets.py $(BUILD) $(or $(FOLDER),$(BUILD)/datasets) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
+
 .PHONY: bench-rivals
 bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB), and loading of meshes: MESH=../shared/data/models/stanford-bunny.obj
 	@.ci/need $(NEED_BUILD) f3d=f3d xvfb-run=xvfb xauth=xauth /usr/share/doc/python3-vtk9=python3-vtk9 $(NEED_LOADERS)

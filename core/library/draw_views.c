@@ -29,7 +29,8 @@ static enum zr_status hand_on(void *context, const struct zr_drawn_view *view, s
         snprintf(names[i], NAME_SIZE, "%s.%s", view->name, entry->name);
         list[i] = (struct zraster_file){names[i], entry->bytes, entry->size, files->types[i]};
     }
-    const struct zraster_view made = {sizeof made, view->number, t->count, files->count, list, files->warnings.count, files->warnings.texts};
+    const struct zraster_view made = {sizeof made,           view->number,         t->count, files->count, list,
+                                      files->warnings.count, files->warnings.texts};
     const bool is_ended = t->take(t->context, &made) != 0;
     zr_arena_trim(t->arena, names, files->count, 0, sizeof *names);
     zr_arena_trim(t->arena, list, files->count, 0, sizeof *list);
@@ -45,8 +46,7 @@ static enum zr_status draw_all(zraster *renderer, struct zr_arena *arena, const 
     enum zr_status status = zr_request_take(arena, request, false, &taken, error);
     if (status == ZR_OK) status = zr_views_read(arena, team, &taken.request, &renderer->limits, &views, error);
     if (status != ZR_OK) return status;
-    if (!views.set)
-        return zr_error_add(error, ZR_BAD_SCENE, NULL, "one view; give views, turntable, orbit or animate");
+    if (!views.set) return zr_error_add(error, ZR_BAD_SCENE, NULL, "one view; give views, turntable, orbit or animate");
     if (views.scene->sheet.is_on)
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet", "one picture of all views, which are not drawn one by one");
     const struct zr_cancel *cancel = zr_cancel_flag(taken.cancel);

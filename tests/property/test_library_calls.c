@@ -65,6 +65,65 @@ TEST(channels_lie_in_the_picture)
     zraster_picture_free(picture);
 }
 
+/* ---- several views ---- */
+
+static const char turned[] = "{\"window\": {\"width\": 40, \"height\": 30}, \"orbit\": {\"count\": 5}, \"outputs\": "
+                             "[{\"channel\": \"color\"}, {\"channel\": \"depth\", \"encoding\": \"png16\"}], "
+                             "\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0.5]], \"doubleSided\": true}]}";
+
+struct taken {
+    zraster_picture *picture; /* of all views together */
+    uint32_t views, most;
+};
+
+/* Compares the files of a view with those of the picture. */
+static int take_view(void *context, const struct zraster_view *view)
+{
+    struct taken *taken = context;
+    assert_true(view->struct_size == sizeof *view && view->count == 5 && view->file_count == 2);
+    assert_int_equal(view->number, taken->views++);
+    assert_int_equal(view->warning_count, 0);
+    for (size_t i = 0; i < view->file_count; i++) {
+        const struct zraster_file *file = &view->files[i];
+        const struct zraster_bytes whole = bytes_of(taken->picture, file->name);
+        assert_string_equal(file->type, "image/png");
+        assert_int_equal(file->size, whole.size);
+        assert_memory_equal(file->data, whole.data, whole.size);
+    }
+    return taken->views == taken->most;
+}
+
+TEST(views_come_one_by_one)
+{
+    struct taken taken = {.picture = picture_of(renderer, turned), .most = 99};
+    struct zraster_request request = {.struct_size = sizeof request, .body = turned, .body_size = strlen(turned)};
+    zraster_error *error;
+    assert_int_equal(zraster_draw_views(renderer, &request, take_view, &taken, &error), ZRASTER_OK);
+    assert_null(error);
+    assert_int_equal(taken.views, 5);
+    taken.views = 0;
+    taken.most = 2;
+    assert_int_equal(zraster_draw_views(renderer, &request, take_view, &taken, NULL), ZRASTER_CANCELLED);
+    assert_int_equal(taken.views, 2);
+    zraster_picture_free(taken.picture);
+}
+
+TEST(one_view_and_sheets_do_not_come_one_by_one)
+{
+    static const struct {
+        const char *keys, *says;
+    } cases[] = {{"", "one view; give views"}, {"\"sheet\": \"balanced\", ", "/sheet: one picture of all views"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char scene[200];
+        zraster_error *error;
+        snprintf(scene, sizeof scene, "{%s\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}]}", cases[i].keys);
+        struct zraster_request request = {.struct_size = sizeof request, .body = scene, .body_size = strlen(scene)};
+        assert_int_equal(zraster_draw_views(renderer, &request, take_view, NULL, &error), ZRASTER_BAD_SCENE);
+        assert_non_null(strstr(zraster_error_text(error), cases[i].says));
+        zraster_error_free(error);
+    }
+}
+
 /* Drawing it takes 39 MB. */
 TEST(a_picture_holds_its_channels_and_not_its_drawing)
 {

@@ -1,14 +1,13 @@
 """Views of a request, one by one as they are drawn, and what data sets need of them."""
 from __future__ import annotations
 
-import io
 import json
 import os
 import queue
 import re
+import struct
 import threading
 import warnings
-import zipfile
 from collections.abc import Mapping as MappingClass
 from ctypes import byref, c_void_p, string_at
 from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Set, Tuple
@@ -21,6 +20,8 @@ from ._request import Call, Request, make
 from ._source import read
 
 Rows = List[List[float]]
+
+_LOCAL = struct.Struct("<22xIHH")  # of APPNOTE.TXT 4.3.7: sizes of the file, of its name and of further fields
 
 AHEAD = 4  # drawn views that wait for the caller
 
@@ -165,8 +166,15 @@ def _camera(number: int, camera: Mapping[str, Any]) -> Camera:
 
 
 def _unzip(data: bytes) -> Dict[str, bytes]:
-    with zipfile.ZipFile(io.BytesIO(data)) as archive:
-        return {name: archive.read(name) for name in archive.namelist()}
+    """Returns the files of a ZIP of the library, which stores them one after the other, much faster than zipfile."""
+    files: Dict[str, bytes] = {}
+    at = 0
+    while data[at : at + 4] == b"PK\3\4":
+        size, name_size, extra = _LOCAL.unpack_from(data, at)
+        begin = at + 30 + name_size + extra
+        files[data[at + 30 : at + 30 + name_size].decode()] = data[begin : begin + size]
+        at = begin + size
+    return files
 
 
 def draw(
