@@ -146,7 +146,8 @@ enum zr_status zr_lens_plan_make(struct zr_arena *arena, const struct zr_view *v
                                  const struct zr_lens_plan **out, struct zr_error *error)
 {
     struct zr_lens_plan *plan = zr_arena_zero(arena, 1, sizeof *plan);
-    struct border border = {{INFINITY, -INFINITY, INFINITY, -INFINITY}, true};
+    const double infinity = (double)INFINITY;
+    struct border border = {{infinity, -infinity, infinity, -infinity}, true};
     if (!plan) return ZR_NO_MEMORY;
     zr_lens_invert(&view->lens, &plan->inverse);
     plan->intrinsics = zr_view_intrinsics(view);

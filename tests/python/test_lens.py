@@ -140,6 +140,21 @@ class Lenses(unittest.TestCase):
         with self.assertRaisesRegex(zraster.SceneError, "beyond the fold"):
             zraster.render(scene, strict=True)
 
+    def test_color_bar(self):
+        """a colour bar over a picture through a lens has the place and the pixels that it has without one"""
+        heights = [[((x * 7 + y * 3) % 5) * 0.2 for x in range(9)] for y in range(9)]
+        view = {"eye": [4, 4, 14], "target": [4, 4, 0], "intrinsics": {"fx": 200}}
+        scene = {"window": {"width": 420, "height": 300}, "meshes": [{"heights": heights, "colormap": "viridis"}]}
+        pictures = {
+            (bar, distortion): zraster.render({**scene, "colorBar": bar, "view": {**view, "distortion": key}}).array
+            for bar in (False, True)
+            for distortion, key in (("none", []), ("barrel", [-0.2, 0.05, 0, 0]))
+        }
+        bars = {key: (pictures[False, key] != pictures[True, key]).any(-1) for key in ("none", "barrel")}
+        self.assertTrue((bars["none"] == bars["barrel"]).all() and bars["none"].any())
+        self.assertTrue((pictures[True, "none"][bars["none"]] == pictures[True, "barrel"][bars["none"]]).all())
+        self.assertTrue((pictures[False, "none"] != pictures[False, "barrel"]).any())
+
     @needs_cv2
     def test_cv2(self):
         """cv2 projects every position in world space to its own pixel"""
