@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "interruption.h"
-#include "job.h"
 #include "post.h"
 #include "query.h"
 #include "wording.h"
@@ -46,11 +45,6 @@ static void take_picture(struct answer *answer)
     snprintf(answer->look, sizeof answer->look, "%s", zraster_picture_look(answer->picture));
 }
 
-static void show_views(void *progress, uint32_t done, uint32_t total)
-{
-    progress_show_views(progress, done, total);
-}
-
 static void draw_here(const struct engine *engine, const struct input *input, const char *query, struct answer *answer)
 {
     struct zraster_part parts[INPUT_PARTS_MAX];
@@ -62,10 +56,9 @@ static void draw_here(const struct engine *engine, const struct input *input, co
                                             .parts = parts,
                                             .part_count = input_parts(input, parts),
                                             .cancel = engine->cancel,
-                                            .progress = engine->progress ? show_views : NULL,
-                                            .progress_context = engine->progress};
+                                            .progress = engine->progress,
+                                            .progress_context = engine->progress_context};
     zraster_error *error = NULL;
-    if (engine->progress) engine->progress->printed = job_clock();
     zraster_status status = zraster_draw(engine->renderer, &request, &answer->picture, &error);
     if (status == ZRASTER_OK) status = zraster_picture_encode(answer->picture, NULL, &answer->file, &error);
     if (status == ZRASTER_OK)
@@ -74,7 +67,6 @@ static void draw_here(const struct engine *engine, const struct input *input, co
         bytes_print(&answer->faults, "%s", zraster_error_text(error));
         answer_refuse(answer);
     }
-    if (engine->progress && engine->progress->done > 0) progress_hide(engine->progress);
     if (interrupted()) answer->status = STATUS_INTERRUPTED;
     zraster_error_free(error);
 }

@@ -6,7 +6,6 @@
 
 #include "answer.h"
 #include "input.h"
-#include "progress.h"
 #include "token.h"
 
 struct engine {
@@ -14,7 +13,8 @@ struct engine {
     zraster_cancel *cancel; /* raised by SIGINT and SIGTERM */
     const char *server;
     struct token token;
-    struct progress *progress; /* of views that this process draws; NULL: none */
+    void (*progress)(void *context, uint32_t done, uint32_t total); /* of views that this process draws; NULL: none */
+    void *progress_context;
 };
 
 /* Opens an engine for the options; `threads` share one picture (0: all processors). Returns 0, or the exit status of a

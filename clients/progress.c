@@ -45,6 +45,11 @@ void progress_show(struct progress *progress, bool is_last)
 void progress_show_views(struct progress *progress, size_t done, size_t total)
 {
     const double now = job_clock();
+    if (done == total) {
+        progress_hide(progress);
+        progress->done = 0;
+        return;
+    }
     if (!progress->is_shown || now - progress->printed < PERIOD_MS) return;
     progress->printed = now;
     progress->done = done;
@@ -54,5 +59,5 @@ void progress_show_views(struct progress *progress, size_t done, size_t total)
 
 void progress_hide(const struct progress *progress)
 {
-    if (progress->is_shown) fputs("\r\033[K", stderr);
+    if (progress->is_shown && progress->done > 0) fputs("\r\033[K", stderr);
 }

@@ -19,10 +19,11 @@ bool progress_is_wanted(const struct options *options);
 
 void progress_show(struct progress *progress, bool is_last);
 
-/* Shows "12 of 36 views". Nothing is shown for drawings of less than a tenth of a second. */
+/* Shows "12 of 36 views" until all are done. `progress->printed` is the beginning: nothing is shown for the first tenth
+ * of a second. */
 void progress_show_views(struct progress *progress, size_t done, size_t total);
 
-/* Clears the line. */
+/* Clears the line, if there is one. */
 void progress_hide(const struct progress *progress);
 
 #endif

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "help.h"
+#include "progress.h"
 #include "report.h"
 #include "show.h"
 #include "words.h"
@@ -49,6 +50,11 @@ static void report(const struct job *job)
     if (job->status == STATUS_DONE && (is_person || options->own[OPTION_VERBOSE])) job_print(stderr, job);
 }
 
+static void show_views(void *progress, uint32_t done, uint32_t total)
+{
+    progress_show_views(progress, done, total);
+}
+
 int render_draw(const struct engine *engine, const struct options *options)
 {
     struct job job = {.target = output_target(options->files[0], options->own[OPTION_OUTPUT]), .options = options};
@@ -56,6 +62,7 @@ int render_draw(const struct engine *engine, const struct options *options)
         show_run(engine, &job);
     else
         job_run(engine, &job);
+    if (engine->progress) progress_hide(engine->progress_context);
     report(&job);
     job_free(&job);
     return job.status;
@@ -72,8 +79,9 @@ int command_render(struct options *options)
     output_set_encoding(options);
     if (status == 0) status = engine_open(&engine, options, options_threads(options));
     if (status != 0) return status;
-    struct progress progress = {.is_shown = progress_is_wanted(options)};
-    engine.progress = &progress;
+    struct progress progress = {.is_shown = progress_is_wanted(options), .printed = job_clock()};
+    engine.progress = show_views;
+    engine.progress_context = &progress;
     status = render_draw(&engine, options);
     engine_close(&engine);
     return status;
