@@ -51,11 +51,13 @@ static struct passes passes_of(const struct zr_scene *scene, const struct zr_res
 {
     const struct zr_picture *picture = &scene->picture;
     const struct zr_view *view = &scene->views[0];
-    struct passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0 + zr_view_has_masks(view), .side = 1.0};
+    /* Masks, and the target of a flow. */
+    const double more = (double)zr_view_has_masks(view) + (double)zr_view_wants(view, ZR_CHANNEL_FLOW);
+    struct passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0 + more, .side = 1.0};
     if (!zr_view_has_pixels(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
     passes.samples = 1.0;
     passes.side = (double)picture->side;
-    passes.centres = wants_channels(view) + zr_view_has_masks(view);
+    passes.centres = wants_channels(view) + more;
     if (!picture->is_linear) return passes;
     const bool has_maps = zr_diagonal_of(&resolved->bounds) > 0.0f;
     const double ground = has_maps && picture->has_ground;
@@ -154,6 +156,7 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
     double sum = pixels * bytes_of_channels(view) + bytes_of_layers(scene, samples, kept);
     if (scene->is_undrawn) return 0.0;
     sum += bytes_of_masks(scene, pixels, fragments);
+    if (zr_view_wants(view, ZR_CHANNEL_FLOW)) sum += pixels * WORD_BYTES;
     if (zr_view_has_pixels(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* these keep a z-buffer of the whole window */
         sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
@@ -203,11 +206,9 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
 }
 
 /* Cost per pixel of a computed data channel, relative to POSITION. */
-static const double CHANNEL_TIMES[ZR_CHANNEL_COUNT] = {[ZR_CHANNEL_DISTANCE] = 1.0,
-                                                       [ZR_CHANNEL_POSITION] = 1.0,
-                                                       [ZR_CHANNEL_TEXCOORD] = 1.0,
-                                                       [ZR_CHANNEL_NORMALS] = 0.4,
-                                                       [ZR_CHANNEL_BARYCENTRICS] = 4.0};
+static const double CHANNEL_TIMES[ZR_CHANNEL_COUNT] = {
+    [ZR_CHANNEL_DISTANCE] = 1.0, [ZR_CHANNEL_POSITION] = 1.0,     [ZR_CHANNEL_TEXCOORD] = 1.0,
+    [ZR_CHANNEL_NORMALS] = 0.4,  [ZR_CHANNEL_BARYCENTRICS] = 4.0, [ZR_CHANNEL_FLOW] = 4.0};
 
 /* Trying qualities for a number of bytes makes up to ZR_LOSSY_TRIES files. */
 static void count_lossy(const struct zr_scene *scene, const struct zr_output *output, double pixels, double *counts)

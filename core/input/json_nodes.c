@@ -201,13 +201,9 @@ static const uint32_t *read_children(struct reader *reader, uint32_t *total)
 }
 
 /* Reads {"node": matrix}, which replace the nodes' own matrices. */
-static void read_poses(struct reader *reader, const struct zr_keeping *keeping)
+static void read_poses(struct reader *reader, struct zr_json *json, const struct zr_json_path *path)
 {
-    const struct zr_json_path *path = ZR_JSON_KEY(NULL, ZR_POSES);
-    if (!keeping || !keeping->poses) return;
-    struct zr_json there = *reader->json, *json = &there;
     struct zr_json_text key;
-    zr_json_open(json, keeping->poses, keeping->poses_size);
     if (zr_json_type(json) != ZR_JSON_OBJECT) {
         zr_json_expect(json, path, "an object");
         return;
@@ -221,6 +217,15 @@ static void read_poses(struct reader *reader, const struct zr_keeping *keeping)
         if (zr_json_affine(json, at, NULL, &matrix) && find_name(json, at, &reader->nodes, name, &number))
             reader->made[number].local = matrix;
     }
+}
+
+/* Reads the poses of a change. */
+static void read_changed_poses(struct reader *reader, const struct zr_keeping *keeping)
+{
+    if (!keeping || !keeping->poses) return;
+    struct zr_json there = *reader->json;
+    zr_json_open(&there, keeping->poses, keeping->poses_size);
+    read_poses(reader, &there, ZR_JSON_KEY(NULL, ZR_POSES));
 }
 
 /* Returns the animation that moves the nodes, or that has the scene as its set of views. */
@@ -265,7 +270,8 @@ static uint32_t count_unplaced(struct zr_arena *arena, const struct reader *read
 }
 
 struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                                         const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count)
+                                         const struct zr_parsed_poses *poses, const struct zr_mesh *meshes,
+                                         uint32_t mesh_count, uint32_t *count)
 {
     struct zr_json there = zr_json_at(&root->json, root->nodes), *json = &there;
     struct zr_arena *arena = json->arena;
@@ -290,8 +296,12 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
     reader.nodes.count = number;
     sort_names(&reader.nodes);
     struct zr_nodes hierarchy = {.count = reader.nodes.count, .nodes = reader.made};
-    read_poses(&reader, root->builder->keeping);
+    read_changed_poses(&reader, root->builder->keeping);
     animate(&reader, root->builder->keeping, animation);
+    if (poses) {
+        struct zr_json given = zr_json_at(&root->json, poses->place);
+        read_poses(&reader, &given, poses->path);
+    }
     hierarchy.children = read_children(&reader, &hierarchy.child_count);
     if (!zr_arena_ok(arena) || json->error->count > 0) return NULL;
     struct zr_quick *quick = root->assets.quick;

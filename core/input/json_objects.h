@@ -36,7 +36,8 @@
     ROW(material)                                                                                                      \
     ROW(texture)                                                                                                       \
     ROW(normalTexture)                                                                                                 \
-    ROW(occlusionTexture) ROW(sampler) ROW(mesh) ROW(heights) ROW(polygon) ROW(node) ROW(output) ROW(base) ROW(bytes)
+    ROW(occlusionTexture)                                                                                              \
+    ROW(sampler) ROW(mesh) ROW(heights) ROW(polygon) ROW(node) ROW(output) ROW(flow) ROW(base) ROW(bytes)
 
 #define ZR_JSON_OBJECT_DECLARED(name) extern const struct zr_json_object zr_json_object_##name;
 ZR_JSON_OBJECTS(ZR_JSON_OBJECT_DECLARED)

@@ -13,6 +13,7 @@ struct given_output {
     float scale, range[2];
     uint32_t x, y, quality, max_bytes;
     bool is_lossless;
+    struct zr_parsed_flow to;
 };
 
 /* int: any space; check_space refuses one that the channel lacks. */
@@ -48,7 +49,7 @@ static bool read_count(struct zr_json *json, const struct zr_json_path *path, co
     return true;
 }
 
-enum { CHANNEL, ENCODING, SPACE, SCALE, RANGE, X, Y, QUALITY, LOSSLESS, MAX_BYTES };
+enum { CHANNEL, ENCODING, SPACE, SCALE, RANGE, X, Y, QUALITY, LOSSLESS, MAX_BYTES, TO };
 #define AT(member) offsetof(struct given_output, member)
 static const struct zr_json_field fields[] = {
     [CHANNEL] = {"channel", zr_json_choice, AT(channel), .words = &zr_channel_names, .required = true,
@@ -69,7 +70,9 @@ static const struct zr_json_field fields[] = {
     [LOSSLESS] = {"lossless", zr_json_bool, AT(is_lossless), .otherwise = "false",
                   .text = "a webp with exactly the colours of the pixels"},
     [MAX_BYTES] = {"maxBytes", read_count, AT(max_bytes), 1, UINT32_MAX, .unit = "bytes", .otherwise = "any",
-                   .text = "most bytes of the file: a jpeg or webp gets the best quality that fits"}};
+                   .text = "most bytes of the file: a jpeg or webp gets the best quality that fits"},
+    [TO] = {"to", zr_read_flow, AT(to), .object = &zr_json_object_flow,
+            .text = "the other view, or the other poses of nodes, for the channel flow"}};
 const struct zr_json_object zr_json_object_output = ZR_JSON_OBJECT_OF("output", fields);
 
 static void check_encoding(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
@@ -159,7 +162,22 @@ static void check_pixel(struct zr_json *json, const struct zr_json_path *path, u
         zr_json_fault(json, path, "missing the key%s: fragments are of one pixel", missing[x ? 1 : 2 * y]);
 }
 
-static bool read_output(struct zr_json *json, const struct zr_json_path *path, struct zr_output *output)
+/* The channel flow needs a target, and others have none. A target that is reported is there. */
+static void check_flow(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
+                       const struct zr_parsed_scene *root, const struct zr_output *output)
+{
+    const struct zr_json_path *to = ZR_JSON_KEY(path, fields[TO].key);
+    const bool is_flow = output->channel == ZR_CHANNEL_FLOW;
+    if (!is_flow && zr_json_gives(keys, TO)) zr_json_fault(json, to, "only the channel flow has one");
+    if (is_flow && !zr_json_gives(keys, TO))
+        zr_json_fault(json, path, "missing the key to: the view or the poses that the flow leads to");
+    if (is_flow && root->is_bare) zr_json_fault(json, path, "a bare mesh has no flow; a scene in JSON has");
+    if (is_flow && (root->flow.view || root->flow.poses))
+        zr_json_fault(json, path, "a flow beside /outputs/%u; a request has one", root->flow.output);
+}
+
+static bool read_output(struct zr_json *json, const struct zr_json_path *path, struct zr_parsed_scene *root,
+                        uint32_t number, struct zr_output *output)
 {
     struct given_output given = {.channel = UNSET, .encoding = UNSET, .space = UNSET};
     const size_t faults = json->error->count;
@@ -179,7 +197,13 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, s
     check_space(json, path, &given, output);
     check_position(json, path, &given, output);
     check_pixel(json, path, keys, output);
-    return json->error->count == faults;
+    check_flow(json, path, keys, root, output);
+    if (json->error->count > faults) return false;
+    if (output->channel == ZR_CHANNEL_FLOW) {
+        root->flow = given.to;
+        root->flow.output = number;
+    }
+    return true;
 }
 
 /* True, and reported, if an output has the file name of an earlier one, or its channel in another space. So few outputs
@@ -214,7 +238,8 @@ bool zr_read_outputs(struct zr_json *json, const struct zr_json_path *path, cons
     for (zr_json_enter(json, '['); zr_json_item(json); number++) {
         const struct zr_json_path *at = ZR_JSON_ITEM(path, number);
         struct zr_output output;
-        if (read_output(json, at, &output) && !clashes(json, at, outputs, count, &output)) outputs[count++] = output;
+        if (read_output(json, at, root, (uint32_t)number, &output) && !clashes(json, at, outputs, count, &output))
+            outputs[count++] = output;
     }
     if (number == 0) return zr_json_fault(json, path, "an empty list; leave it out for a colour image");
     root->scene->views[0].outputs = outputs;

@@ -23,26 +23,36 @@ static void make_meshes(struct zr_parsed_scene *root)
 }
 
 /* Nodes place the meshes of the list; without nodes each has the identity. The polygons always have the identity. */
-static void place_meshes(struct zr_parsed_scene *root)
+struct zr_instance *zr_parsed_make_instances(struct zr_parsed_scene *root, const struct zr_parsed_poses *poses,
+                                             uint32_t *count)
 {
     struct zr_scene *scene = root->scene;
     const uint32_t listed = (uint32_t)root->meshes.count, end = listed + zr_parsed_has_polygons(root);
-    uint32_t count = 0, next = root->nodes ? listed : 0;
+    uint32_t next = root->nodes ? listed : 0;
+    *count = 0;
+    if (!root->nodes && poses) zr_json_fault(&root->json, poses->path, "the scene has no nodes");
+    struct zr_instance *instances =
+        root->nodes ? zr_parsed_read_nodes(root, ZR_SCENE_PATH(ZR_SCENE_NODES), poses, scene->meshes, listed, count)
+                    : zr_arena_alloc(root->json.arena, end, sizeof *instances);
+    if (!instances) return NULL;
+    for (; next < end; next++)
+        instances[(*count)++] = (struct zr_instance){.mesh = next, .object_to_world = zr_mat4_identity()};
+    if (root->camera && !poses)
+        zr_parsed_use_model_camera(root, ZR_JSON_KEY(ZR_SCENE_PATH(ZR_SCENE_VIEW), "camera"), instances, *count);
+    return zr_parsed_place_models(root, ZR_SCENE_PATH(root->nodes ? ZR_SCENE_NODES : ZR_SCENE_MESHES), instances,
+                                  count);
+}
+
+static void place_meshes(struct zr_parsed_scene *root)
+{
+    struct zr_scene *scene = root->scene;
+    uint32_t count;
     const struct zr_keeping *keeping = root->builder->keeping;
     if (!root->nodes && keeping && keeping->poses)
         zr_json_fault(&root->json, ZR_JSON_KEY(NULL, ZR_POSES), "the scene has no nodes");
     if (!root->nodes && scene->view_set && scene->view_set->animation)
         zr_json_fault(&root->json, ZR_JSON_KEY(ZR_SCENE_PATH(ZR_SCENE_ANIMATE), "nodes"), "the scene has no nodes");
-    struct zr_instance *instances =
-        root->nodes ? zr_parsed_read_nodes(root, ZR_SCENE_PATH(ZR_SCENE_NODES), scene->meshes, listed, &count)
-                    : zr_arena_alloc(root->json.arena, end, sizeof *instances);
-    if (!instances) return;
-    for (; next < end; next++)
-        instances[count++] = (struct zr_instance){.mesh = next, .object_to_world = zr_mat4_identity()};
-    if (root->camera && instances)
-        zr_parsed_use_model_camera(root, ZR_JSON_KEY(ZR_SCENE_PATH(ZR_SCENE_VIEW), "camera"), instances, count);
-    instances =
-        zr_parsed_place_models(root, ZR_SCENE_PATH(root->nodes ? ZR_SCENE_NODES : ZR_SCENE_MESHES), instances, &count);
+    const struct zr_instance *instances = zr_parsed_make_instances(root, NULL, &count);
     if (instances) zr_scene_builder_place(root->builder, instances, count);
 }
 
@@ -68,6 +78,8 @@ static void build(struct zr_parsed_scene *root)
     zr_parsed_check_light(root);
     if (root->model_firsts) zr_parsed_drop_maps(root);
     place_meshes(root);
+    if ((root->flow.view || root->flow.poses) && !zr_json_stops(json) && json->error->count == 0)
+        zr_parsed_find_flow(root);
     if (root->base) zr_parsed_read_base(root, ZR_SCENE_PATH(ZR_SCENE_BASE));
     if (root->fit_mesh && zr_arena_ok(json->arena)) zr_parsed_find_fit_mesh(root, ZR_SCENE_PATH(ZR_SCENE_VIEW));
     if (root->color_bar_mesh && zr_arena_ok(json->arena))

@@ -192,6 +192,18 @@ struct zr_parsed_ahead {
     struct zr_image_file *files;
 };
 
+/* The target of the channel flow: places in the text, or NULL. */
+struct zr_parsed_flow {
+    const char *view, *poses;
+    uint32_t output; /* number of the output */
+};
+
+/* Matrices by names of nodes that override those of the scene. */
+struct zr_parsed_poses {
+    const char *place; /* in the text */
+    const struct zr_json_path *path;
+};
+
 /* A JSON scene while it is read. */
 struct zr_parsed_scene {
     struct zr_json json;
@@ -215,6 +227,7 @@ struct zr_parsed_scene {
     uint64_t camera_keys;       /* keys of the view that override the camera's projection and planes (json_view.h) */
     const char *color_bar_mesh; /* name of the mesh whose scale the colour bar shows, or NULL */
     const char *nodes, *base;   /* places in the text, or NULL */
+    struct zr_parsed_flow flow; /* of the output flow */
 
     size_t material_count;
     struct zr_parsed_material *materials;  /* sorted by name */
@@ -349,9 +362,18 @@ bool zr_kept_save(struct zr_kept *kept, struct zr_parsed_scene *root);
 bool zr_kept_load(const struct zr_kept *kept, struct zr_parsed_scene *root);
 
 /* json_nodes.c: returns the instances that nodes place, *count of them, with room for one more. Each mesh is one of
- * meshes[0..mesh_count-1]. NULL after a fault, here or before. */
+ * meshes[0..mesh_count-1]. `poses`: NULL, or read last. NULL after a fault, here or before. */
 struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                                         const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
+                                         const struct zr_parsed_poses *poses, const struct zr_mesh *meshes,
+                                         uint32_t mesh_count, uint32_t *count);
+
+/* json_scene.c: returns the instances of the scene with other poses, in the same order. NULL after a fault. */
+struct zr_instance *zr_parsed_make_instances(struct zr_parsed_scene *root, const struct zr_parsed_poses *poses,
+                                             uint32_t *count);
+
+/* json_flow.c: reads the key `to` of an output, a struct zr_parsed_flow; finds the target once there are instances. */
+zr_json_read_fn zr_read_flow;
+void zr_parsed_find_flow(struct zr_parsed_scene *root);
 
 /* json_mesh.c: finds the number of the mesh with this name, once there are meshes. False, and a fault at `path`, if
  * none or several have it. */

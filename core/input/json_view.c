@@ -95,7 +95,7 @@ static void find_planes(struct zr_parsed_view *given)
 }
 
 /* A camera of a model file has a pose, a projection and planes. Keys of the last two override it. */
-static bool use_camera(struct zr_parsed_scene *root, struct zr_parsed_view *given)
+static bool find_camera(struct zr_parsed_view *given)
 {
     for (int key = 0; key < ZR_VIEW_KEYS; key++)
         if (!(ZR_VIEW_BIT(key) &
@@ -108,34 +108,44 @@ static bool use_camera(struct zr_parsed_scene *root, struct zr_parsed_view *give
     if (given->has_faults) return false;
     if (!(given->keys & ZR_VIEW_PROJECTIONS)) given->view.projection = ZR_PROJECTION_PERSPECTIVE; /* for the planes */
     find_planes(given);
-    root->camera = given->camera;
-    root->camera_keys = given->keys;
-    root->scene->views[0] = given->view;
+    return true;
+}
+
+bool zr_view_read(struct zr_json *json, const struct zr_json_path *path, const struct zr_view *defaults,
+                  struct zr_parsed_view *given)
+{
+    *given = (struct zr_parsed_view){.json = json,
+                                     .path = path,
+                                     .view = *defaults,
+                                     .preset = (int)defaults->preset,
+                                     .convention = -1,
+                                     .pixel_center = 0.5};
+    const size_t faults = json->error->count;
+    if (!zr_json_fields(json, path, &zr_json_object_view, given, &given->keys)) return false;
+    given->has_faults = json->error->count > faults;
+    if (zr_view_gives(given, ZR_VIEW_CAMERA)) return find_camera(given);
+    zr_view_find_pose(given);
+    find_projection(given);
+    if (given->has_faults) return false;
+    find_planes(given);
+    if (zr_view_gives(given, ZR_VIEW_AZIMUTH_DEGREES) || zr_view_gives(given, ZR_VIEW_ELEVATION_DEGREES))
+        given->view.suits_extent = false;
     return true;
 }
 
 bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
     struct zr_parsed_scene *root = out;
-    struct zr_parsed_view given = {.json = json,
-                                   .path = path,
-                                   .view = root->scene->views[0],
-                                   .preset = (int)root->scene->views[0].preset,
-                                   .convention = -1,
-                                   .pixel_center = 0.5};
-    const size_t faults = json->error->count;
+    struct zr_parsed_view given;
     (void)field;
-    if (!zr_json_fields(json, path, &zr_json_object_view, &given, &given.keys)) return false;
-    given.has_faults = json->error->count > faults;
-    if (zr_view_gives(&given, ZR_VIEW_CAMERA)) return use_camera(root, &given);
-    zr_view_find_pose(&given);
-    find_projection(&given);
-    if (given.has_faults) return false;
-    find_planes(&given);
-    root->fit_mesh = given.fit_mesh;
-    if (zr_view_gives(&given, ZR_VIEW_AZIMUTH_DEGREES) || zr_view_gives(&given, ZR_VIEW_ELEVATION_DEGREES))
-        given.view.suits_extent = false;
-    root->view_has_up = zr_view_gives(&given, ZR_VIEW_UP);
+    if (!zr_view_read(json, path, &root->scene->views[0], &given)) return false;
     root->scene->views[0] = given.view;
+    if (zr_view_gives(&given, ZR_VIEW_CAMERA)) {
+        root->camera = given.camera;
+        root->camera_keys = given.keys;
+        return true;
+    }
+    root->fit_mesh = given.fit_mesh;
+    root->view_has_up = zr_view_gives(&given, ZR_VIEW_UP);
     return true;
 }

@@ -74,6 +74,11 @@ static inline bool zr_view_gives(const struct zr_parsed_view *given, enum zr_vie
 /* The path of a key of the view. */
 #define ZR_VIEW_PATH(given, which) ZR_JSON_KEY((given)->path, zr_view_fields[which].key)
 
+/* json_view.c: reads a view over `defaults`, and checks its keys against each other. A view with the key `camera` has
+ * a projection and planes only. `given` is used even after a fault, which returns false. */
+bool zr_view_read(struct zr_json *json, const struct zr_json_path *path, const struct zr_view *defaults,
+                  struct zr_parsed_view *given);
+
 /* json_pose.c: finds the pose from the keys, in OpenGL's axes. */
 void zr_view_find_pose(struct zr_parsed_view *given);
 

@@ -7,6 +7,7 @@
 #include "base/cancel.h"
 #include "overlay/color_bar.h"
 #include "raster/textbook/algorithms.h"
+#include "render/flow.h"
 #include "render/frame_parts.h"
 #include "render/instance_masks.h"
 #include "render/layer_channels.h"
@@ -37,9 +38,11 @@ static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team
         frame->nocs = zr_nocs_make(arena, scene, cancel);
         if (!frame->nocs) return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
     }
+    if (frame->channels[ZR_CHANNEL_FLOW]) STAGE(zr_flow_target_draw(arena, team, scene, cancel, frame));
     STAGE(zr_pass_make(arena, team, &desc, cancel, &pass));
     STAGE(zr_tiles_draw(arena, team, &pass.tiles, cancel, frame));
     frame->nocs = NULL;
+    frame->flow = NULL;
     if (status == ZR_OK) frame->counts = zr_pass_counts(&pass);
     return status;
 }

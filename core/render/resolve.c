@@ -93,6 +93,14 @@ static void fill_all(const struct zr_paint *paint, const struct zr_frame *frame,
     }
 }
 
+static void copy_owners(const struct zr_tile *tile, const struct zr_frame *frame)
+{
+    uint32_t *out = frame->owners + lowest_pixel_of(frame, tile);
+    for (int32_t y = 0; y < tile->height; y++)
+        memcpy(out - (ptrdiff_t)y * (ptrdiff_t)frame->width, tile->owner + (ptrdiff_t)y * ZR_TILE_STRIDE,
+               (size_t)tile->width * sizeof *out);
+}
+
 static float resolve_depth(const struct zr_geometry *geometry, enum zr_isa isa, struct zr_tile *tile,
                            const struct zr_frame *frame)
 {
@@ -153,7 +161,8 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
         paint->depths(tile, &rows);
     }
     const bool points = zr_visible_points_are_wanted(frame);
-    if (frame->depth || points) zr_halfspace_of(isa)->flush(tile); /* both read every sample */
+    if (frame->depth || frame->owners || points) zr_halfspace_of(isa)->flush(tile); /* these read every sample */
+    if (frame->owners) copy_owners(tile, frame);
     if (points)
         zr_visible_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_frame_space(frame, ZR_CHANNEL_POSITION),
                                tile, frame);

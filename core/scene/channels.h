@@ -51,6 +51,7 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS 
 #define ZR_CLEAR_ZERO     UINT32_C(0)
 #define ZR_CLEAR_ONE      UINT32_C(0x3f800000) /* as a float */
 #define ZR_CLEAR_INFINITY UINT32_C(0x7f800000)
+#define ZR_CLEAR_NAN      UINT32_C(0x7fc00000)
 
 /* ROW(ID, name, values, words per pixel, clear value, computed from visible points (shade/visible_points.h),
  *     number of spaces to choose from, the first ones of enum zr_space,
@@ -93,7 +94,8 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS 
     /* JSON: all fragments of one pixel, nearest first */                                                              \
     ROW(FRAGMENTS, "fragments", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)                                             \
     /* pixels of each instance, drawn alone and visible, as PNG or JSON */                                             \
-    ROW(MASKS, "masks", NONE, 0, ZERO, false, 0, ZR_ENCODING_ZIP, ZR_ENCODING_JSON)
+    /* way of the visible point to the other view, in pixels: x, y, and whether it is visible there (scene/flow.h) */  \
+    ROW(FLOW, "flow", FLOAT32, 3, NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)
 
 enum zr_channel {
 #define ZR_CHANNEL_ENUM(ID, ...) ZR_CHANNEL_##ID,

@@ -6,6 +6,7 @@
 #include "base/cancel.h"
 #include "scene/camera_parts.h"
 #include "scene/extent_view.h"
+#include "scene/flow.h"
 #include "scene/lens_plan.h"
 
 static enum zr_status check_range(const struct zr_camera *camera, struct zr_error *error)
@@ -99,9 +100,10 @@ enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *tea
                                           : zr_bounds_of(scene, team, cancel);
     const enum zr_status status =
         zr_camera_resolve(scene, view, &resolved->bounds, team, cancel, &resolved->camera, error);
-    return status == ZR_OK && view->lens.model != ZR_LENS_NONE
-               ? zr_lens_plan_make(arena, view, cancel, &resolved->lens, error)
-               : status;
+    if (status != ZR_OK) return status;
+    if (view->lens.model != ZR_LENS_NONE) return zr_lens_plan_make(arena, view, cancel, &resolved->lens, error);
+    if (!zr_view_wants(view, ZR_CHANNEL_FLOW)) return ZR_OK;
+    return zr_flow_camera_find(arena, team, scene, &resolved->camera, cancel, &resolved->flow_camera, error);
 }
 
 enum { PIXELS_A_CANCEL_CHECK = 1 << 16 };

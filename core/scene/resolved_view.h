@@ -19,6 +19,7 @@ struct zr_resolved_view {
         bounds; /* of the geometry; not valid if neither the view, the picture, a section nor an output needs them */
     struct zr_camera camera;         /* of the view, without its lens */
     const struct zr_lens_plan *lens; /* scene/lens_plan.h; NULL: none */
+    struct zr_camera flow_camera;    /* of the target of the channel flow, if that is an output */
 };
 
 /* Computes the camera of a view. `bounds` are used only if zr_view_needs_bounds. ZR_BAD_SCENE if the view has no

@@ -367,6 +367,7 @@ struct zr_color_bar {
 
 struct zr_look;        /* scene/looks.h */
 struct zr_view_set;    /* scene/view_set.h */
+struct zr_flow;        /* scene/flow.h */
 struct zr_mesh_tables; /* mesh/mesh_tables.h */
 
 /* Counts of input that readers left out or replaced. */
@@ -409,6 +410,7 @@ struct zr_scene {
     struct zr_view views[ZR_VIEWS_MOST];
     struct zr_sheet sheet;               /* one picture of all views */
     const struct zr_view_set *view_set;  /* several views, made from this scene by views/; NULL: one */
+    const struct zr_flow *flow;          /* target of the channel flow; NULL: the scene's own view */
     const struct zr_mesh_tables *tables; /* shared by several views; NULL: none */
     bool has_box; /* box_min and box_max are the result of zr_bounds_of (scene/camera.h), which a reader needed */
     zr_vec3 box_min, box_max;

@@ -3,6 +3,8 @@
 #include <inttypes.h>
 #include <stdio.h>
 
+#include "scene/flow.h"
+
 static void check_side(const char *pointer, uint32_t side, const struct zr_limits *limits, struct zr_error *error)
 {
     if (side < 1 || side > limits->window_side_max)
@@ -118,6 +120,21 @@ static void check_visibility(const struct zr_scene *scene, const struct zr_view 
     if (scene->algorithm == ZR_ALGORITHM_PAINTER)
         zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
                      "painter keeps no fragments, which %s needs; the other algorithms do", what);
+}
+
+/* Moved parts and cut ones have no matrices of their own. */
+static void check_flow(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    char pointer[48];
+    const struct zr_flow *flow = scene->flow;
+    if (!flow || !zr_view_wants(view, ZR_CHANNEL_FLOW)) return;
+    snprintf(pointer, sizeof pointer, "/outputs/%" PRIu32 "%s", flow->output, flow->matrices ? "/to/poses" : "");
+    if (flow->matrices && scene->parts.explode > 0.0)
+        zr_error_add(error, ZR_BAD_SCENE, pointer, "poses of a flow do not go with explode");
+    if (flow->matrices && scene->sections.count > 0)
+        zr_error_add(error, ZR_BAD_SCENE, pointer, "poses of a flow do not go with sections");
+    if (view->lens.model != ZR_LENS_NONE || (flow->has_view && flow->view.lens.model != ZR_LENS_NONE))
+        zr_error_add(error, ZR_BAD_SCENE, pointer, "a flow is that of pictures without a lens");
 }
 
 static bool has_faces(const struct zr_scene *scene)
@@ -246,6 +263,7 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     check_layers(scene, view, error);
     check_visibility(scene, view, error);
     check_pixels(view, error);
+    check_flow(scene, view, error);
     check_svg(scene, view, error);
     check_lens(scene, view, error);
     check_formats(scene, view, error);

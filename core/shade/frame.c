@@ -11,6 +11,7 @@ void zr_frame_open(const struct zr_resolved_view *resolved, struct zr_frame *fra
     frame->height = view->height;
     frame->bounds = resolved->bounds;
     frame->camera = resolved->camera;
+    frame->flow_camera = resolved->flow_camera;
 }
 
 enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_view *resolved, struct zr_frame *frame)

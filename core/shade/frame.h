@@ -65,6 +65,14 @@ struct zr_instance_masks {
 
 struct zr_line_sheet; /* drawing/line_sheet.h */
 struct zr_nocs_list;  /* shade/nocs.h */
+struct zr_geometry;
+struct zr_frame;
+
+/* The picture that the channel flow leads to. */
+struct zr_flow_target {
+    const struct zr_geometry *geometry; /* with the instances of the frame's scene */
+    const struct zr_frame *frame;       /* has `owners` */
+};
 
 struct zr_frame {
     const struct zr_view *view; /* view of the rendered scene; NULL: this is a depth map */
@@ -83,10 +91,12 @@ struct zr_frame {
     const struct zr_instance_masks *masks;  /* only if wanted */
     const struct zr_line_sheet *lines;      /* only if an SVG is wanted */
     const struct zr_sections_cut *sections; /* mesh/sections.h; NULL: the scene is not cut open */
+    uint32_t *owners;                       /* per pixel: 1 + number of the visible primitive; NULL: not wanted */
+    const struct zr_flow_target *flow;      /* render/flow.h; only while the channel flow is drawn */
     const struct zr_nocs_list *nocs;        /* of the drawn scene; only while positions are drawn in that space */
     const struct zr_base *base;             /* background pixels, with window_depth filled in; NULL: none */
-    struct zr_camera camera;
-    struct zr_bounds bounds; /* bounds of the scene; invalid unless the view or the info needs them */
+    struct zr_camera camera, flow_camera;   /* flow_camera: see struct zr_resolved_view */
+    struct zr_bounds bounds;                /* bounds of the scene; invalid unless the view or the info needs them */
     struct zr_counts counts;
     uint64_t covered_pixels;  /* pixels that a primitive covers, not the base; 0 if only `color` is drawn, in passes of
                                * its own */

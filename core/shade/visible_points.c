@@ -12,6 +12,7 @@ struct shown {
     struct zr_eye_depth depth;
     const struct zr_source_instance *instance;
     const zr_vec4 *corners[3];         /* as given; NULL: a line, or not needed */
+    struct zr_eye_depth there;         /* depth of the whole triangle in the target of the flow */
     struct zr_eye_plane parts[2], one; /* shares of corners 1 and 2, and 1, all times one common factor; 0 for lines */
     double w[3];                       /* eye-space w of the corners */
 };
@@ -30,6 +31,7 @@ struct points {
     struct zr_matrix projection, to_world;
     const struct zr_source_instance *last; /* instance of to_object */
     struct zr_matrix to_object;
+    struct points *target; /* of the channel flow; NULL: not wanted */
     struct shown shown[REMEMBERED];
 };
 
@@ -95,6 +97,22 @@ static struct zr_eye_depth depth_of(const struct points *points, const struct zr
     return out[0];
 }
 
+/* Returns the instance in the target of the flow. */
+static const struct zr_source_instance *moved_instance(const struct points *points, const struct shown *shown)
+{
+    return &points->target->geometry->instances[shown->instance - points->geometry->instances];
+}
+
+static struct zr_eye_depth depth_there(const struct points *points, const struct shown *shown)
+{
+    const struct zr_frame *frame = points->target->frame;
+    const zr_vec4 *corners[1 + ZR_EYE_ROOM][3];
+    struct zr_eye_depth out[1 + ZR_EYE_ROOM];
+    memcpy(corners[0], shown->corners, sizeof corners[0]);
+    (void)points->kernel->make(moved_instance(points, shown), corners, 1, frame->width, frame->height, out);
+    return out[0];
+}
+
 static struct shown shown_make(struct points *points, uint32_t owner)
 {
     const struct zr_geometry *geometry = points->geometry;
@@ -116,6 +134,7 @@ static struct shown shown_make(struct points *points, uint32_t owner)
     }
     memcpy(shown.corners, given.corners, sizeof shown.corners);
     find_planes(points, &given, &shown);
+    if (points->target) shown.there = depth_there(points, &shown);
     return shown;
 }
 
@@ -236,12 +255,94 @@ static double depth_at(const struct shown *shown, double x, double y)
     return kept_within(plane_at(&d->depth, x, y) / plane_at(&d->one, x, y), d->min, d->max);
 }
 
+/* ---- flow ---- */
+
+/* A point of the target of the flow. */
+struct arrival {
+    double x, y;         /* of its sample, from the lower left */
+    int32_t column, row; /* of the pixel that holds it */
+    double depth, pixel; /* eye-space depth, and length of a pixel there */
+};
+
+/* Surfaces are followed for this many lengths of a pixel within one: up to 86 degrees of slope. */
+#define STEEPEST 16.0
+
+/* Tolerance of depths, relative. */
+#define FLOW_TOLERANCE 1e-5
+
+/* True if the pixel or one around it shows the instance. */
+static bool is_around(struct points *target, const struct arrival *at, ptrdiff_t instance)
+{
+    const struct zr_frame *frame = target->frame;
+    for (int32_t row = at->row - 1; row <= at->row + 1; row++)
+        for (int32_t column = at->column - 1; column <= at->column + 1; column++) {
+            if (row < 0 || column < 0 || row >= (int32_t)frame->height || column >= (int32_t)frame->width) continue;
+            const uint32_t owner = frame->owners[(size_t)row * frame->width + (size_t)column];
+            if (owner > 0 && shown_of(target, owner)->instance - target->geometry->instances == instance) return true;
+        }
+    return false;
+}
+
+/* Returns the depth of a plane, at most `reach` from `middle`. */
+static double depth_near(const struct zr_eye_depth *plane, double x, double y, double middle, double reach)
+{
+    return kept_within(plane_at(&plane->depth, x, y) / plane_at(&plane->one, x, y), middle - reach, middle + reach);
+}
+
+/* Compares the surface of the pixel with that of the point, at the point and at the pixel's centre. A surface that
+ * hides the point is in front at both. Neighbours on one body cross between them. */
+static bool is_seen(const struct points *points, const struct shown *shown, const struct arrival *at)
+{
+    struct points *target = points->target;
+    const struct zr_frame *frame = target->frame;
+    const uint32_t owner = frame->owners[(size_t)at->row * frame->width + (size_t)at->column];
+    if (owner == 0) return is_around(target, at, shown->instance - points->geometry->instances);
+    const struct shown *front = shown_of(target, owner);
+    const double x = (double)at->column, y = (double)((int32_t)frame->height - 1 - at->row);
+    const double reach = STEEPEST * at->pixel, middle = depth_at(front, x, y);
+    const double here = depth_near(&front->depth, at->x, at->y, middle, reach);
+    const double own = shown->corners[0] ? depth_near(&shown->there, x, y, at->depth, reach) : at->depth;
+    const double tolerance = FLOW_TOLERANCE * (fabs(at->depth) + fabs(middle));
+    return !(here < at->depth - tolerance && middle < own - tolerance);
+}
+
+/* Writes the way of the point to the target, x to the right and y down, and 1: visible, 0: behind another surface, -1:
+ * outside of the target's view. NaN if it is not in front of the target's camera. */
+static void put_flow(struct points *points, const struct shown *shown, const double eye[4], const double parts[3],
+                     double x, double y, float *out)
+{
+    const struct zr_frame *frame = points->target->frame;
+    const double width = (double)frame->width, height = (double)frame->height;
+    double object[4], there[4], clip[4];
+    out[0] = out[1] = out[2] = NAN;
+    find_in_object(points, shown, eye, parts, object);
+    if (object[3] == 0.0) return; /* a line of a flattened mesh */
+    zr_matrix_apply(&moved_instance(points, shown)->object_to_eye, object, there);
+    for (int k = 0; k < 3; k++)
+        there[k] /= there[3];
+    there[3] = 1.0;
+    zr_matrix_apply(&points->target->projection, there, clip);
+    const double u = 0.5 * (clip[0] / clip[3] + 1.0) * width, v = 0.5 * (clip[1] / clip[3] + 1.0) * height;
+    if (!(clip[3] > 0.0) || !isfinite(u) || !isfinite(v)) return;
+    out[0] = (float)(u - (x + 0.5));
+    out[1] = (float)((y + 0.5) - v);
+    out[2] = -1.0f;
+    if (!(u >= 0.0 && u < width && v > 0.0 && v <= height)) return;
+    if (fabs(clip[2]) > (1.0 + FLOW_TOLERANCE) * clip[3]) return;
+    const double pixel = clip[3] / (0.5 * height * fabs(points->target->projection.m[5]));
+    const struct arrival at = {u - 0.5, v - 0.5, (int32_t)u, (int32_t)(height - v), -there[2], pixel};
+    out[2] = is_seen(points, shown, &at) ? 1.0f : 0.0f;
+}
+
+/* ---- all channels ---- */
+
 static void put_sample(struct points *points, const struct shown *shown, double x, double y, size_t pixel)
 {
     float *distance = points->frame->channels[ZR_CHANNEL_DISTANCE];
     float *position = points->frame->channels[ZR_CHANNEL_POSITION];
     float *shares = points->frame->channels[ZR_CHANNEL_BARYCENTRICS];
     float *texcoord = points->frame->channels[ZR_CHANNEL_TEXCOORD];
+    float *flow = points->frame->channels[ZR_CHANNEL_FLOW];
     double eye[4], parts[3] = {0, 0, 0};
     const double depth = depth_at(shown, x, y);
     eye_point(points, x, y, depth, eye);
@@ -251,6 +352,7 @@ static void put_sample(struct points *points, const struct shown *shown, double 
     if (position) put_position(points, shown, eye, parts, position + 3 * pixel);
     if (shares) put_shares(shown, parts, shares + 3 * pixel);
     if (texcoord) put_texcoord(shown, parts, texcoord + 2 * pixel);
+    if (flow) put_flow(points, shown, eye, parts, x, y, flow + 3 * pixel);
 }
 
 static void put_clear_values(const struct zr_frame *frame, size_t pixel)
@@ -299,9 +401,13 @@ void zr_visible_points_tile(const struct zr_geometry *geometry, const struct zr_
                             uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
                             const struct zr_tile *tile, const struct zr_frame *frame)
 {
-    struct points points = points_of(geometry, kernel, position, frame);
-    points.wants_shares =
-        frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD] || position >= ZR_SPACE_OBJECT;
+    struct points points = points_of(geometry, kernel, position, frame), target;
+    if (frame->flow) {
+        target = points_of(frame->flow->geometry, kernel, ZR_SPACE_WORLD, frame->flow->frame);
+        points.target = &target;
+    }
+    points.wants_shares = frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD] ||
+                          position >= ZR_SPACE_OBJECT || frame->flow;
     for (int32_t y = 0; y < tile->height; y++) {
         const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
         const size_t first = (size_t)(frame->height - 1 - (uint32_t)(tile->y + y)) * frame->width + (size_t)tile->x;

@@ -103,6 +103,10 @@ static void ask_channel(const struct scene_file *file, enum zr_channel channel, 
                  encodings[row->encodings[e]]);
         if (channel == ZR_CHANNEL_POSITION && row->encodings[e] == ZR_ENCODING_PNG)
             snprintf(output, sizeof output, "\"channel\":\"position\",\"encoding\":\"png\",\"space\":\"nocs\"");
+        if (channel == ZR_CHANNEL_FLOW)
+            snprintf(output, sizeof output,
+                     "\"channel\":\"flow\",\"encoding\":\"%s\",\"to\":{\"view\":{\"preset\":\"front\"}}",
+                     encodings[row->encodings[e]]);
         if (channel == ZR_CHANNEL_FRAGMENTS)
             snprintf(output, sizeof output, "\"channel\":\"%s\",\"x\":%d,\"y\":%d", row->name, file->window[0] / 2,
                      file->window[1] / 2);

@@ -95,6 +95,11 @@ static void write_scenes(void)
         {"outputs", "{" WINDOW "," TRIANGLE ",\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"depth\",\"encoding\":"
                     "\"png16\",\"scale\":0.5},{\"channel\":\"windowDepth\"},{\"channel\":\"faceId\"},{\"channel\":"
                     "\"info\"}]}"},
+        {"flow",
+         "{" WINDOW "," TETRAHEDRA
+         "\"nodes\":[{\"name\":\"n\",\"mesh\":\"a\"},{\"mesh\":\"b\"}],\"outputs\":[{\"channel\":\"flow\",\"to\":{"
+         "\"view\":{\"azimuthDegrees\":30,\"elevationDegrees\":20},\"poses\":{\"n\":[1,0,0,0,0,1,0,0,0,0,1,0,0.5,0,0,1]"
+         "}}}]}"},
         {"nocs",
          "{" WINDOW "," TRIANGLE ",\"outputs\":[{\"channel\":\"position\",\"space\":\"nocs\",\"encoding\":\"png\"},"
          "{\"channel\":\"position\",\"space\":\"nocs\",\"encoding\":\"pfm\"}]}"},
