@@ -373,6 +373,13 @@ bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600
 	@/usr/bin/python3 tests/bench/rivals/sections.py $(BUILD) $(addprefix $(DATA)/models/,parts/housing.obj fandisk.obj spot.obj)
 	@xvfb-run -a /usr/bin/python3 tests/bench/rivals/loading.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
 
+.PHONY: bench-views
+bench-views: ## 36 views in one request, beside VTK and three in Chromium, which it installs: MESH=../shared/data/models/stanford-bunny.obj, ROUNDS=9
+	@.ci/need $(NEED_BUILD) $(NEED_NODE) chromium=chromium xvfb-run=xvfb xauth=xauth /usr/share/doc/python3-vtk9=python3-vtk9
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@$(npm_install) $(LOADER_PACKAGES)
+	@ROUNDS="$(or $(ROUNDS),9)" xvfb-run -a /usr/bin/python3 tests/bench/rivals/views.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
+
 .PHONY: fuzz
 fuzz: ## clang's libFuzzer on all that reads strangers' bytes, FUZZ_SECONDS=20 for each; what it finds lands in build/fuzz/found
 	@.ci/need $(NEED_BUILD)
@@ -560,11 +567,11 @@ $(BUILD)/tests/unit/test_framing: $(BUILD)/server/framing.o
 $(BUILD)/tests/unit/test_accept: $(BUILD)/server/accept.o
 $(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o
 $(BUILD)/tests/unit/test_queue: $(BUILD)/server/queue.o
-$(BUILD)/tests/unit/test_images: $(BUILD)/server/images.o $(BUILD)/server/kept.o
+$(BUILD)/tests/unit/test_images: $(addprefix $(BUILD)/server/,images.o kept.o texts.o)
 $(BUILD)/tests/unit/test_images: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/test_kept: $(BUILD)/server/kept.o
 $(BUILD)/tests/unit/test_kept: TEST_LIBS += -lnettle
-$(BUILD)/tests/unit/test_meshes: $(addprefix $(BUILD)/server/,images.o kept.o meshes.o)
+$(BUILD)/tests/unit/test_meshes: $(addprefix $(BUILD)/server/,images.o kept.o meshes.o texts.o)
 $(BUILD)/tests/unit/test_meshes: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/test_rendering: $(filter-out %/main.o,$(server)) $(server_support)
 $(BUILD)/tests/unit/test_rendering: TEST_LIBS += $(SERVER_LIBS)

@@ -169,15 +169,15 @@ static bool make_scene(const struct drake_form *form, bool is_tiff, struct zr_ar
 }
 
 /* Makes the form a scene that names its file. */
-static enum body_status unpack(const struct request *request, size_t max, struct zr_arena *arena,
+static enum body_status unpack(const struct service *service, const struct request *request, struct zr_arena *arena,
                                const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
 {
     struct multipart *parts;
     struct drake_form form;
     struct zr_error error = {0};
-    enum body_status status = body_split(request, max, arena, cancel, render, &parts, answer);
+    enum body_status status = body_split(request, (size_t)service->config->body_max_bytes, arena, cancel, render, &parts, answer);
     if (status != BODY_READY) return status;
-    if (!drake_form_read(parts, &form, &error)) {
+    if (!drake_form_read(parts, service->limits.window_side_max, &form, &error)) {
         problem_answer_error(answer, 400, &error);
         return BODY_REFUSED;
     }

@@ -1,5 +1,6 @@
 #include "drake_form.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,19 +9,20 @@
 
 /* ---- the fields ---- */
 
-enum kind { FILE_PART, TEXT, IMAGE_TYPE, WHOLE, POSITIVE, NOT_NEGATIVE, NUMBER };
+enum kind { FILE_PART, TEXT, IMAGE_TYPE, SIDE, FOCAL, POSITIVE, NOT_NEGATIVE, NUMBER };
 enum need { ALWAYS, NEVER, OF_DEPTH };
 
 static const char *const expected[] = {[FILE_PART] = "a glTF file",
                                        [TEXT] = "a text",
                                        [IMAGE_TYPE] = "color, depth or label",
-                                       [WHOLE] = "a whole number from 1 on",
-                                       [POSITIVE] = "a number greater than 0",
-                                       [NOT_NEGATIVE] = "a number of 0 or more",
-                                       [NUMBER] = "a number"};
+                                       [FOCAL] = "a number from 1e-6 to 1e9",
+                                       [POSITIVE] = "a number greater than 0, at most 1e9,",
+                                       [NOT_NEGATIVE] = "a number from 0 to 1e9",
+                                       [NUMBER] = "a number from -1e9 to 1e9"};
 
-/* Larger numbers are mistakes, and float32 holds their squares. */
+/* Larger numbers are mistakes, and float32 holds their squares. Shorter focal lengths are refused by all scenes. */
 #define NUMBER_MAX 1e9
+#define FOCAL_MIN 1e-6
 
 #define AT(member) (int)offsetof(struct drake_form, member)
 static const struct field {
@@ -34,12 +36,12 @@ static const struct field {
               {"image_type", IMAGE_TYPE, ALWAYS, -1, ""},
               {"min_depth", NOT_NEGATIVE, OF_DEPTH, AT(min_depth), ""},
               {"max_depth", POSITIVE, OF_DEPTH, AT(max_depth), DRAKE_AT_RANGE},
-              {"width", WHOLE, ALWAYS, AT(width), DRAKE_AT_WIDTH},
-              {"height", WHOLE, ALWAYS, AT(height), DRAKE_AT_HEIGHT},
+              {"width", SIDE, ALWAYS, AT(width), DRAKE_AT_WIDTH},
+              {"height", SIDE, ALWAYS, AT(height), DRAKE_AT_HEIGHT},
               {"near", POSITIVE, ALWAYS, AT(near), DRAKE_AT_NEAR},
               {"far", POSITIVE, ALWAYS, AT(far), DRAKE_AT_FAR},
-              {"focal_x", POSITIVE, ALWAYS, AT(focal_x), DRAKE_AT_FOCAL_X},
-              {"focal_y", POSITIVE, ALWAYS, AT(focal_y), DRAKE_AT_FOCAL_Y},
+              {"focal_x", FOCAL, ALWAYS, AT(focal_x), DRAKE_AT_FOCAL_X},
+              {"focal_y", FOCAL, ALWAYS, AT(focal_y), DRAKE_AT_FOCAL_Y},
               {"center_x", NUMBER, ALWAYS, AT(center_x), DRAKE_AT_CENTER_X},
               {"center_y", NUMBER, ALWAYS, AT(center_y), DRAKE_AT_CENTER_Y},
               {"fov_x", POSITIVE, NEVER, -1, ""},
@@ -72,6 +74,21 @@ static void refuse(const struct multipart_part *part, const char *wanted, struct
                  value_of(part).text, wanted);
 }
 
+/* Values that are allowed, in words. */
+struct wanted {
+    char text[64];
+};
+
+static struct wanted wanted_of(enum kind kind, uint32_t side_max)
+{
+    struct wanted wanted;
+    if (kind == SIDE)
+        snprintf(wanted.text, sizeof wanted.text, "a whole number from 1 to %" PRIu32, side_max);
+    else
+        snprintf(wanted.text, sizeof wanted.text, "%s", expected[kind]);
+    return wanted;
+}
+
 static void refuse_unknown(const struct multipart_part *part, struct zr_error *error)
 {
     char names[240] = "";
@@ -88,14 +105,16 @@ static bool is_text(const struct multipart_part *part, const char *text)
     return part->size == strlen(text) && memcmp(part->bytes, text, part->size) == 0;
 }
 
-static bool read_number(const struct multipart_part *part, enum kind kind, double *value)
+static bool read_number(const struct multipart_part *part, enum kind kind, uint32_t side_max, double *value)
 {
     const char *end = part->bytes + part->size;
     if (part->size == 0 || zr_number_read(part->bytes, end, value) != end || !(fabs(*value) <= NUMBER_MAX))
         return false;
     switch (kind) {
-    case WHOLE:
-        return *value >= 1.0 && *value == floor(*value);
+    case SIDE:
+        return *value >= 1.0 && *value <= (double)side_max && *value == floor(*value);
+    case FOCAL:
+        return *value >= FOCAL_MIN;
     case POSITIVE:
         return *value > 0.0;
     case NOT_NEGATIVE:
@@ -115,27 +134,27 @@ static void read_image(const struct multipart_part *part, struct drake_form *for
     refuse(part, expected[IMAGE_TYPE], error);
 }
 
-static void read_field(const struct field *field, const struct multipart_part *part, struct drake_form *form,
-                       struct zr_error *error)
+static void read_field(const struct field *field, const struct multipart_part *part, uint32_t side_max,
+                       struct drake_form *form, struct zr_error *error)
 {
     double value;
     if (field->kind == FILE_PART) form->scene = part;
     if (field->kind == IMAGE_TYPE) read_image(part, form, error);
-    if (field->kind < WHOLE) return;
-    if (!read_number(part, field->kind, &value))
-        refuse(part, expected[field->kind], error);
+    if (field->kind < SIDE) return;
+    if (!read_number(part, field->kind, side_max, &value))
+        refuse(part, wanted_of(field->kind, side_max).text, error);
     else if (field->offset >= 0)
         memcpy((char *)form + field->offset, &value, sizeof value);
 }
 
 /* Fields of depth images belong to no other image. */
-static void check_need(const struct field *field, const struct multipart_part *part, const struct drake_form *form,
-                       struct zr_error *error)
+static void check_need(const struct field *field, const struct multipart_part *part, uint32_t side_max,
+                       const struct drake_form *form, struct zr_error *error)
 {
     const bool is_wanted = field->need == ALWAYS || (field->need == OF_DEPTH && form->image == DRAKE_DEPTH);
     if (!part && is_wanted)
         zr_error_add(error, ZR_BAD_REQUEST, NULL, "field '%s' is missing; %s is expected", field->name,
-                     expected[field->kind]);
+                     wanted_of(field->kind, side_max).text);
     else if (part && field->need == OF_DEPTH && !is_wanted)
         zr_error_add(error, ZR_BAD_REQUEST, NULL,
                      "field '%s' has the value %s; it is expected with the image_type depth only", field->name,
@@ -147,11 +166,11 @@ static void check_order(const struct multipart *parts, const char *low_name, dou
 {
     char wanted[80];
     if (low < high) return;
-    snprintf(wanted, sizeof wanted, "more than %s, %g,", low_name, low);
+    snprintf(wanted, sizeof wanted, "a number greater than %s, %g, at most 1e9,", low_name, low);
     refuse(multipart_find(parts, high_name), wanted, error);
 }
 
-bool drake_form_read(const struct multipart *parts, struct drake_form *form, struct zr_error *error)
+bool drake_form_read(const struct multipart *parts, uint32_t side_max, struct drake_form *form, struct zr_error *error)
 {
     *form = (struct drake_form){.scene = NULL};
     for (size_t i = 0; i < parts->count; i++) {
@@ -162,10 +181,10 @@ bool drake_form_read(const struct multipart *parts, struct drake_form *form, str
     }
     for (int i = 0; i < FIELDS; i++) {
         const struct multipart_part *part = multipart_find(parts, fields[i].name);
-        if (part) read_field(&fields[i], part, form, error);
+        if (part) read_field(&fields[i], part, side_max, form, error);
     }
     for (int i = 0; i < FIELDS; i++)
-        check_need(&fields[i], multipart_find(parts, fields[i].name), form, error);
+        check_need(&fields[i], multipart_find(parts, fields[i].name), side_max, form, error);
     form->hash = multipart_find(parts, "scene_sha256");
     if (error->count > 0) return false;
     check_order(parts, "near", form->near, "far", form->far, error);

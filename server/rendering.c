@@ -355,7 +355,7 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
     /* A small request is read to its end even after its time: only then is it known whether to hand it on. It has at
      * most REQUEST_SMALL_BYTES. */
     const struct zr_cancel *reading = request->small_only ? cancel->parent : cancel;
-    switch (kind->unpack(request, (size_t)service->config->body_max_bytes, arena, reading, &unpacked, answer)) {
+    switch (kind->unpack(service, request, arena, reading, &unpacked, answer)) {
     case BODY_READY:
         break;
     case BODY_REFUSED:
@@ -401,6 +401,12 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
     return REQUEST_ANSWERED;
 }
 
+static enum body_status unpack(const struct service *service, const struct request *request, struct zr_arena *arena,
+                               const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
+{
+    return body_unpack(request, (size_t)service->config->body_max_bytes, arena, cancel, render, answer);
+}
+
 static void report(struct answer *answer, enum zr_status status, const struct zr_error *error)
 {
     if (status == ZR_BAD_TYPE) add_accepted_types(answer);
@@ -410,6 +416,6 @@ static void report(struct answer *answer, enum zr_status status, const struct zr
 enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
                                  const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
 {
-    static const struct rendering_kind kind = {body_unpack, report, true};
+    static const struct rendering_kind kind = {unpack, report, true};
     return rendering_run(&kind, service, request, arena, cancel, times, answer);
 }

@@ -16,7 +16,7 @@ enum request_next rendering_work(const struct service *service, const struct req
 /* A kind of render: how a body becomes the renderer's input, how faults of the input are reported, and whether model
  * files are kept as read. */
 struct rendering_kind {
-    enum body_status (*unpack)(const struct request *request, size_t max, struct zr_arena *arena,
+    enum body_status (*unpack)(const struct service *service, const struct request *request, struct zr_arena *arena,
                                const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer);
     void (*report)(struct answer *answer, enum zr_status status, const struct zr_error *error);
     bool keeps_meshes;

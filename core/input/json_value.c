@@ -1,5 +1,6 @@
 #include "input/json_value.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -244,9 +245,11 @@ bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, con
 
 bool zr_json_whole(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
+    const bool has_range = field && field->high > field->low; /* its caller checks the range of other numbers */
     double value;
-    (void)field;
-    if (!zr_json_number_in(json, path, 0, UINT32_MAX, &value)) return false;
+    if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &value)) return false;
+    if (!(value >= 0 && value <= UINT32_MAX))
+        return zr_json_check_range(json, path, has_range ? field->low : 0, has_range ? field->high : UINT32_MAX, value);
     if ((double)(uint32_t)value != value) return zr_json_fault(json, path, "%.9g is not a whole number", value);
     *(uint32_t *)out = (uint32_t)value;
     return true;

@@ -1,11 +1,28 @@
 /* The window: the size of the picture. */
+#include <float.h>
+
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 
+/* Reads a side, of which zr_validate checks the range. */
+static bool read_side(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    double value;
+    if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &value)) return false;
+    if (value >= 0 && value <= UINT32_MAX && (double)(uint32_t)value == value) {
+        *(uint32_t *)out = (uint32_t)value;
+        return true;
+    }
+    (void)field;
+    return zr_json_fault(json, path, "%.9g pixels; 1 to %u are allowed, in whole pixels", value,
+                         json->limits->window_side_max);
+}
+
 static const struct zr_json_field window_fields[] = {
-    {"width", zr_json_whole, offsetof(struct zr_view, width), .unit = "pixels", .otherwise = "640",
+    {"width", read_side, offsetof(struct zr_view, width), .unit = "pixels", .otherwise = "640",
      .text = "width of the picture"},
-    {"height", zr_json_whole, offsetof(struct zr_view, height), .unit = "pixels", .otherwise = "480",
+    {"height", read_side, offsetof(struct zr_view, height), .unit = "pixels", .otherwise = "480",
      .text = "height of the picture"}};
 const struct zr_json_object zr_json_object_window = ZR_JSON_OBJECT_OF("window", window_fields);
 

@@ -231,20 +231,21 @@ static enum zr_levels_state state_of(const struct decoding *decoding)
     return decoding ? ZR_LEVELS_LINEAR : ZR_LEVELS_PLAIN;
 }
 
-/* Takes the levels of a kept image. The arena counts them as if they were made. False if they are not there. */
+/* Takes the levels of a kept image. The arena counts them as if they were made. False if they are not there, or
+ * without memory. */
 static bool take_levels(struct making *m, const struct zr_image *image, const struct decoding *decoding,
                         struct chain *chain)
 {
     struct zr_image_levels *kept = image->levels;
     if (!kept || atomic_load_explicit(&kept->state, memory_order_acquire) != (int)state_of(decoding)) return false;
-    if (!zr_arena_alloc(m->arena, zr_image_levels_bytes(image), 1)) return false;
     const unsigned char *at = kept->texels;
     for (struct zr_image level = *image; level.width > 1 || level.height > 1; at += zr_image_bytes(&level)) {
         level.width = zr_image_half(level.width);
         level.height = zr_image_half(level.height);
+        zr_arena_alloc(m->arena, zr_image_bytes(&level), 1);
         chain->levels[chain->level_count++] = (struct zr_texture_level){level.width, level.height, at};
     }
-    return true;
+    return zr_arena_ok(m->arena);
 }
 
 /* Copies the levels into the room of a kept image, unless another thread has filled it. */
@@ -268,6 +269,7 @@ static bool find_levels(struct making *m, const struct zr_image *image, const st
                         struct chain *chain)
 {
     if (take_levels(m, image, decoding, chain)) return true;
+    if (!zr_arena_ok(m->arena)) return false;
     if (!make_levels(m, image->bits, decoding, chain)) return false;
     keep_levels(m, image, decoding, chain);
     return true;

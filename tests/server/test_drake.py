@@ -247,7 +247,7 @@ class Drake(unittest.TestCase):
         for name, gltf, camera, intrinsics in SCENES:
             with self.subTest(name):
                 kind, got = read_png(self.ask(gltf, "color", intrinsics))
-                look = {"look": "studio", "up": "z", "edges": False, "groundShadow": False}
+                look = {"look": "studio", "up": "z", "edges": False, "groundShadow": False, "samples": 4}
                 _, wanted = read_png(self.daemon.scene(gltf, {**view(camera, intrinsics), **look}))
                 self.assertEqual(kind, 6)
                 self.assertTrue((got[..., 3] == 255).all() and (got[..., :3] == wanted[..., :3]).all())
@@ -322,6 +322,39 @@ class Drake(unittest.TestCase):
         status, type_, data = self.daemon.post("/render", form(gltf, "label", intrinsics, scene_sha256="0" * 64))
         self.assertEqual((status, type_), (400, "text/plain; charset=utf-8"))
         self.assertIn(right, data.decode())
+
+    def test_loop(self):
+        """frames that differ in matrices only equal those of a daemon that keeps nothing, and so do changed URIs"""
+        pixels = numpy.random.default_rng(7).integers(0, 256, (120, 128, 3), "u1")
+        noise, other = (uri("image/png", png(shifted)) for shifted in (pixels, numpy.roll(pixels, 1, 0)))
+        self.assertEqual(len(noise), len(other))
+        self.assertGreater(len(noise), 1 << 15)
+        changed = noise[:-200] + ("A" if noise[-200] != "A" else "B") + noise[-199:]  # its PNG has a wrong checksum
+        daemons = Daemon(), Daemon("--keep-text-bytes=0", "--keep-image-bytes=0", "--keep-mesh-bytes=0")
+        for daemon in daemons:
+            self.addCleanup(daemon.stop)
+
+        def frame(number, image, kind):
+            eye = (0.3 + 0.05 * number, -4, 1.4)
+            gltf = boxes(PLACES, looking(eye, (0, 0, 0.1)), images=[{"uri": "IMAGE"}]).replace(b"IMAGE", image.encode())
+            return form(gltf, kind, SCENES[0][3])
+
+        sent = 0
+        escaped = noise.replace("/", "\\/")
+        for number, image in enumerate((noise, noise, noise, other, noise, other, changed, other, escaped, changed, changed)):
+            for kind in ("color", "depth", "label"):
+                with self.subTest(number=number, kind=kind):
+                    got, wanted = (daemon.post("/render", frame(number, image, kind)) for daemon in daemons)
+                    self.assertEqual(got, wanted)
+                    self.assertEqual(got[0], 400 if image is changed else 200)
+                    sent += 1
+        counts = [json.loads(daemon.send("/healthz")[2])["texts"] for daemon in daemons]
+        self.assertEqual(counts[0]["count"], 3)  # that of the refused image, too
+        self.assertGreater(counts[0]["hits"], 10)
+        self.assertGreater(counts[0]["bytes"], 3 * len(noise))
+        self.assertEqual([counts[1][name] for name in ("count", "hits", "misses")], [0, 0, 0])
+        again = [daemons[0].post("/render", frame(1, noise, "color")) for _ in range(2)]
+        self.assertEqual(again[0], again[1])
 
     def test_wrong_fields(self):
         """wrong fields are refused in plain text, with name, value and what is expected"""

@@ -17,8 +17,8 @@
 
 TEST_ARENA((size_t)1 << 28)
 
-/* ENTRY_BYTES: 64 x 64 x 4 bytes and the header of an entry, in whole blocks. */
-enum { SIDE = STRIPED_SIDE, FILES = 4, TEXELS_MAX = 1 << 20, ENTRY_BYTES = 5 * 4096 };
+/* ENTRY_BYTES: 64 x 64 x 4 bytes, a third of it for levels, and the header of an entry, in whole blocks. */
+enum { SIDE = STRIPED_SIDE, FILES = 4, TEXELS_MAX = 1 << 20, ENTRY_BYTES = 6 * 4096 };
 
 static uint8_t *files[FILES];
 static size_t sizes[FILES];
@@ -40,7 +40,7 @@ static int free_files(void **state)
 static struct zr_image read_file(struct images_use *use, struct zr_arena *in, int number)
 {
     const struct zr_kept_images lent = images_lend(use);
-    struct zr_image image = {0, 0, 0, NULL};
+    struct zr_image image = {.texels = NULL};
     struct zr_reason reason;
     assert_int_equal(zr_image_read_kept(in, &lent, files[number], sizes[number], TEXELS_MAX, &image, &reason), ZR_OK);
     return image;
@@ -49,7 +49,7 @@ static struct zr_image read_file(struct images_use *use, struct zr_arena *in, in
 /* A request with one image. */
 static void ask(struct kept *images, int number)
 {
-    struct images_use use = {images, NULL};
+    struct images_use use = {images, NULL, NULL};
     zr_arena_reset(&arena, SIZE_MAX);
     read_file(&use, &arena, number);
     images_release(&use);
@@ -102,14 +102,14 @@ TEST(the_image_used_longest_ago_is_dropped_first)
 TEST(an_image_in_use_stays_whatever_others_send)
 {
     struct kept *images = open_images(ENTRY_BYTES);
-    struct images_use use = {images, NULL};
+    struct images_use use = {images, NULL, NULL};
     ask(images, 0);
     zr_arena_reset(&arena, SIZE_MAX);
     const struct zr_image held = read_file(&use, &arena, 0), again = read_file(&use, &arena, 0);
     assert_ptr_equal(held.texels, again.texels);
     struct zr_arena other;
     zr_arena_init(&other, (size_t)1 << 28);
-    struct images_use others = {images, NULL};
+    struct images_use others = {images, NULL, NULL};
     read_file(&others, &other, 1); /* does not fit */
     images_release(&others);
     assert_false(kept_drop(images));
@@ -160,7 +160,7 @@ TEST(limits_and_memory_hold_for_kept_images)
     struct zr_image image;
     struct zr_reason reasons[2], other;
     for (int i = 0; i < 2; i++) {
-        struct images_use use = {images, NULL};
+        struct images_use use = {images, NULL, NULL};
         const struct zr_kept_images lent = images_lend(&use);
         zr_arena_reset(&arena, SIZE_MAX);
         assert_int_equal(zr_image_read_kept(&arena, &lent, files[0], sizes[0], SIDE * SIDE - 1, &image, &reasons[i]),
@@ -180,7 +180,7 @@ TEST(limits_and_memory_hold_for_kept_images)
 TEST(a_changed_file_is_another_one)
 {
     struct kept *images = open_images(1 << 20);
-    struct images_use use = {images, NULL};
+    struct images_use use = {images, NULL, NULL};
     const struct zr_kept_images lent = images_lend(&use);
     struct zr_image image;
     struct zr_reason reason;
@@ -213,7 +213,7 @@ static void *ask_often(void *context)
     struct zr_arena own;
     zr_arena_init(&own, (size_t)1 << 28);
     for (int i = 0; i < ROUNDS; i++) {
-        struct images_use use = {images, NULL};
+        struct images_use use = {images, NULL, NULL};
         zr_arena_reset(&own, SIZE_MAX);
         const int first = i % FILES, second = (i * 7 + 1) % FILES;
         const struct zr_image a = read_file(&use, &own, first), b = read_file(&use, &own, second);
@@ -273,10 +273,10 @@ static void draw_file(const char *path, void *context)
         size_t used = 0;
         zr_arena_init(&plain, (size_t)1 << 30);
         zr_arena_init(&kept, (size_t)1 << 30);
-        const struct zr_answer want = draw(&plain, NULL, &(struct images_use){NULL, NULL}, bytes, size);
+        const struct zr_answer want = draw(&plain, NULL, &(struct images_use){NULL, NULL, NULL}, bytes, size);
         struct kept *const all[] = {NULL, drawn->many, drawn->many, drawn->few, drawn->few};
         for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-            struct images_use use = {all[i], NULL};
+            struct images_use use = {all[i], NULL, NULL};
             zr_arena_reset(&kept, SIZE_MAX);
             const struct zr_answer got = draw(&kept, drawn->team, &use, bytes, size);
             if (got.size != want.size || memcmp(got.bytes, want.bytes, got.size) != 0)

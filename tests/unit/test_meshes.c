@@ -128,7 +128,7 @@ static struct kept *images; /* for requests that keep meshes */
 static struct answered ask_within(struct zr_arena *arena, struct meshes *meshes, const struct row *row)
 {
     struct meshes_use use = {meshes, NULL};
-    struct images_use images_use = {meshes ? images : NULL, NULL};
+    struct images_use images_use = {meshes ? images : NULL, NULL, NULL};
     struct zr_asset assets[4];
     struct zr_request request = request_of(row, assets, &use);
     request.images = images_lend(&images_use);

@@ -138,4 +138,5 @@ def main():
         compare_facts(files)
 
 
-main()
+if __name__ == "__main__":
+    main()
