@@ -113,7 +113,7 @@ $(core): OURS += $(core_flags)
 renderer_rooms := base scene geometry mesh raster shade drawing effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects)
-server := $(call objects,server/*.c)
+server := $(call objects,server/*.c) $(BUILD)/server/site_files.o
 client := $(call objects,clients/*.c)
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
 support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
@@ -483,6 +483,14 @@ $(BUILD)/%.a:
 
 $(BUILD)/zrasterd: $(server) $(BUILD)/libcore.a
 	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
+
+# The page and the examples as an array (server/site.h).
+$(BUILD)/server/site_files.c: server/page/build.sh $(wildcard server/page/*.* server/page/examples/*.* clients/examples/*.json)
+	@mkdir -p $(@D)
+	$(Q)server/page/build.sh $@
+
+$(BUILD)/server/site_files.o: $(BUILD)/server/site_files.c $(BUILD)/flags
+	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
 # libcurl is loaded once a server is named (clients/curl_rows.h).
 $(BUILD)/zraster: $(client) $(BUILD)/libzraster.a

@@ -282,6 +282,9 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.if_none_match = header(exchange, "If-None-Match");
     struct accept accept = {0};
     exchange->request.accept = header(exchange, "Accept");
+    exchange->request.accept_encoding = header(exchange, "Accept-Encoding");
+    exchange->request.origin = header(exchange, "Origin");
+    exchange->request.fetch_site = header(exchange, "Sec-Fetch-Site");
     MHD_get_connection_values(exchange->mhd, MHD_HEADER_KIND, read_accept, &accept);
     exchange->request.accepts_stream = accept_wants_stream(&accept);
     const char *trace = header(exchange, "traceparent");
