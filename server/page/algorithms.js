@@ -17,9 +17,11 @@ onRest(async (signal) => {
   const rows = [], body = byId('algorithm-rows');
   byId('algorithms-verdict').textContent = 'Drawing…';
   for (const [algorithm, title] of ALGORITHMS) {
-    const changes = { ...smallKeys(320, 240), samples: 1, algorithm };
+    const changes = { ...smallKeys(320, 240), samples: 1, algorithm, occlusion: false, groundShadow: false, edges: false };
     try {
-      const answer = await render(state.text, changes, '?channel=color', signal);
+      let answer = await render(state.text, changes, '?channel=color', signal);
+      const again = await render(state.text, changes, '?channel=color', signal);
+      if (again.drawn < answer.drawn) answer = again;
       rows.push({ algorithm, title, ms: answer.drawn, bytes: new Uint8Array(await answer.blob.arrayBuffer()) });
     } catch (error) {
       if (error.name === 'AbortError') throw error;

@@ -42,15 +42,13 @@ function showText() {
   mark();
 }
 
-// The place of a fault: its value, or that of the nearest thing around it; in broken JSON, the place that the message names.
+// The place of a fault: its value, or that of the nearest thing around it; in broken JSON, the byte that the daemon names.
 function placeOf({ pointer, detail, offset }) {
   const text = state.text;
   if (!state.isValid) {
-    const match = /line (\d+), column (\d+)/.exec(detail);
-    if (!match && offset === undefined) return null;
-    let from = 0;
-    for (let line = 1; match && line < Number(match[1]); line++) from = text.indexOf('\n', from) + 1;
-    from = Math.min(from + (match ? Number(match[2]) - 1 : offset), Math.max(0, text.length - 1));
+    if (offset === undefined) return null;
+    const before = new TextDecoder().decode(new TextEncoder().encode(text).slice(0, offset));
+    const from = Math.min(before.length, Math.max(0, text.length - 1));
     return { from, to: from + 1 };
   }
   const places = placesOf(text);
@@ -80,15 +78,20 @@ function follow() {
   byId('ink').scrollLeft = byId('text').scrollLeft;
 }
 
+// Lists of allowed words are in the title.
+const withoutList = (detail) => detail.replace(/; (allowed|known here): .*/s, '');
+
 // Shows the faults of a refusal, or none, with the warnings of a picture.
 function showErrors(refusal, warnings = '') {
+  state.isRefused = Boolean(refusal);
   faults = refusal ? (refusal.errors || [{ pointer: '', detail: refusal.message }]) : [];
   if (warnings) faults = warnings.split('; ').map((detail) => ({ pointer: '', detail, isWarning: true }));
   byId('faults').replaceChildren(...faults.map((fault) => {
     const place = fault.isWarning ? null : placeOf(fault);
     const row = el(place ? 'button' : 'p', { className: fault.isWarning ? 'warning' : 'error' });
     if (fault.pointer) row.append(el('code', {}, fault.pointer), ' ');
-    row.append(fault.isWarning ? 'Warning: ' + fault.detail : fault.detail);
+    row.append(fault.isWarning ? 'Warning: ' + fault.detail : withoutList(fault.detail));
+    row.title = fault.detail;
     if (place) {
       row.type = 'button';
       row.onclick = () => {
@@ -105,7 +108,7 @@ function showErrors(refusal, warnings = '') {
   byId('text').setAttribute('aria-invalid', String(Boolean(refusal)));
   if (refusal) {
     const [first] = faults, more = faults.length - 1;
-    say((first.pointer ? first.pointer + ': ' : '') + first.detail + (more > 0 ? `, and ${more} more` : ''), true);
+    say((first.pointer ? first.pointer + ': ' : '') + withoutList(first.detail) + (more > 0 ? `, and ${more} more` : ''), true);
   } else {
     say('');
   }

@@ -52,7 +52,7 @@ async function openExample(name) {
     state.channel = 'color';
     state.pin = null;
     setText(text);
-    refresh();
+    refresh(isFirst && !isSeveral());
   } catch (error) {
     showErrors(error);
   }

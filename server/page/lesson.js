@@ -6,14 +6,14 @@ const CODE = [
   'for each polygon',
   '  for each edge',
   '    for each row whose middle it crosses',
-  '      add the x of the crossing to the list of that row',
+  '      put the x of the crossing into its list',
   '  for each row with a list',
   '    sort the list',
-  '    for each pixel between the 1st and 2nd x, the 3rd and 4th, …',
-  '      z = depth of the polygon at the middle of the pixel',
+  '    for each pixel between two x, pair by pair',
+  '      z = depth of the polygon there',
   '      if z is less than depths[row][pixel]',
   '        depths[row][pixel] = z',
-  '        picture[row][pixel] = colour of the polygon',
+  '        picture[row][pixel] = its colour',
 ];
 const lesson = { steps: [], at: 0, states: [], corners: [], key: '', playing: 0 };
 
@@ -223,4 +223,5 @@ function showStage() {
   const is = chosen === 'lesson' && lesson.key === state.text && isLessonScene(state.scene);
   byId('lesson-grid').hidden = !is;
   byId('frame').hidden = is;
+  byId('facts').hidden = is;
 }

@@ -37,7 +37,7 @@ async function start() {
     await first;
     if (text !== null) {
       setText(text);
-      refresh();
+      refresh(!isSeveral());
     }
     showControls();
     if (!isPumping) rest();

@@ -9,6 +9,7 @@ const STEPS = [
   { samples: 1, scale: 0.5, plain: true },
 ];
 const motion = { is: false, step: 1, mean: 30, timer: 0, waiting: false, frames: 0 };
+let isFirst = true; // the first picture is a rough one, which is there sooner
 let pending = null, isPumping = false, whole = null, idle = new AbortController();
 
 // Pixels of the window: the scene's, or those of the screen, up to 1600 wide.
@@ -84,7 +85,12 @@ async function pump() {
   }
   isPumping = false;
   byId('stage').classList.remove('busy');
-  if (!motion.is && !pending) rest();
+  if (isFirst) {
+    isFirst = false;
+    refresh();
+    return;
+  }
+  if (!motion.is && !pending && !state.isRefused) rest();
 }
 
 async function drawOnce({ isRough }) {
@@ -104,6 +110,7 @@ async function drawOnce({ isRough }) {
     if (version !== state.version) return;
     await show(answer.blob);
     motion.frames++;
+    document.documentElement.dataset.drawn = String(motion.frames);
     if (isRough) {
       adapt(answer);
     } else {

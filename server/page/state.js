@@ -4,6 +4,7 @@ const state = {
   text: '{}',
   scene: {}, // the text, parsed; the last valid one
   isValid: true,
+  isRefused: false,
   version: 0, // rises with each change of the text that changes the picture
   camera: null, // while it was moved since the text was last read
   info: null, // of `version`, without pixels
