@@ -35,24 +35,39 @@ static bool is_read_only(const char *method)
     return strcmp(method, "GET") == 0 || strcmp(method, "HEAD") == 0 || strcmp(method, "OPTIONS") == 0;
 }
 
-bool origin_check(const struct config *config, const struct request *request, const struct route *route,
-                  struct answer *answer)
+static bool is_allowed(const struct config *config, const struct request *request)
 {
-    if (request->origin && is_among(config->origins, request->origin)) {
-        answer_header(answer, "Access-Control-Allow-Origin", "%s", request->origin);
-        answer_header(answer, "Access-Control-Expose-Headers", EXPOSED);
-        answer_header(answer, "Vary", "Origin");
-        if (strcmp(request->method, "OPTIONS") != 0 || !route) return true;
-        answer_header(answer, "Access-Control-Allow-Methods", "%s", route->methods);
-        answer_header(answer, "Access-Control-Allow-Headers", TAKEN);
-        answer_header(answer, "Access-Control-Max-Age", "7200");
-        answer->status = 204;
-        return false;
+    return request->origin && is_among(config->origins, request->origin);
+}
+
+static bool is_preflight(const struct request *request)
+{
+    return request->method && strcmp(request->method, "OPTIONS") == 0 && request->route;
+}
+
+bool origin_check(const struct config *config, const struct request *request, struct answer *answer)
+{
+    if (is_allowed(config, request)) {
+        if (is_preflight(request)) answer->status = 204;
+        return answer->status == 0;
     }
     if (is_read_only(request->method) ||
         !(is_text(request->fetch_site, "cross-site") || is_text(request->fetch_site, "same-site")))
         return true;
-    problem_answer(answer, 403, "a page of another origin, %.100s, sent this request; start zrasterd with --origins for it",
+    problem_answer(answer, 403,
+                   "a page of another origin, %.100s, sent this request; start zrasterd with --origins for it",
                    request->origin ? request->origin : "unnamed");
     return false;
+}
+
+void origin_finish(const struct config *config, const struct request *request, struct answer *answer)
+{
+    if (!is_allowed(config, request)) return;
+    answer_header(answer, "Access-Control-Allow-Origin", "%s", request->origin);
+    answer_header(answer, "Access-Control-Expose-Headers", EXPOSED);
+    answer_header(answer, "Vary", "Origin");
+    if (!is_preflight(request)) return;
+    answer_header(answer, "Access-Control-Allow-Methods", "%s", request->route->methods);
+    answer_header(answer, "Access-Control-Allow-Headers", TAKEN);
+    answer_header(answer, "Access-Control-Max-Age", "7200");
 }

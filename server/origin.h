@@ -7,10 +7,11 @@
 
 #include "request.h"
 
-/* Adds the headers of CORS if the request's Origin is among --origins. Returns false if the answer is ready: 204 to a
- * preflight, or 403 to a request that changes or draws something, from a page of another origin that is not among
- * them. `route` may be NULL. */
-bool origin_check(const struct config *config, const struct request *request, const struct route *route,
-                  struct answer *answer);
+/* Returns false if the answer is ready: 204 to a preflight of an origin among --origins, or 403 to a request that draws
+ * or stores something, from a page of another origin that is not among them. Needs request->route, which may be NULL. */
+bool origin_check(const struct config *config, const struct request *request, struct answer *answer);
+
+/* Adds the headers of CORS to an answer for an origin among --origins. */
+void origin_finish(const struct config *config, const struct request *request, struct answer *answer);
 
 #endif

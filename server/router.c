@@ -115,7 +115,7 @@ enum request_next router_open(const struct service *service, const struct load *
     const struct route *route = request->route = find_route(request->path);
     const char *token = service->config->token;
     answer->is_plain = route && route->has_plain_errors;
-    if (!origin_check(service->config, request, route, answer)) return REQUEST_ANSWERED;
+    if (!origin_check(service->config, request, answer)) return REQUEST_ANSWERED;
     if (*token && !(route && route->open_to_all) && !token_matches(token, request->authorization)) {
         answer_header(answer, "WWW-Authenticate", "Bearer realm=\"zraster\"");
         problem_answer(answer, 401, "Authorization: Bearer with the right token is asked for");
@@ -138,8 +138,9 @@ enum request_next router_work(const struct service *service, const struct reques
     return request->route->work(service, request, arena, cancel, times, answer);
 }
 
-void router_finish(struct answer *answer, const char *request_id)
+void router_finish(struct answer *answer, const struct service *service, const struct request *request)
 {
-    answer_header(answer, "X-Request-Id", "%s", request_id);
+    origin_finish(service->config, request, answer);
+    answer_header(answer, "X-Request-Id", "%s", request->id);
     answer_header(answer, "Zraster-Version", ZR_VERSION);
 }
