@@ -22,6 +22,14 @@ function cameraOf(info) {
   const eyeSpace = [0, 1, 2].map((row) => at4(w, row, 0) * middle[0] + at4(w, row, 1) * middle[1] + at4(w, row, 2) * middle[2] + at4(w, row, 3));
   const isPerspective = at4(p, 3, 2) !== 0;
   const camera = { azimuth: azimuthDegrees, elevation: elevationDegrees, up, isPerspective };
+  const given = (state.scene.view || {}).up;
+  if (up !== 'z' && Array.isArray(given) && given[0] === 0 && given[1] === 0 && given[2] > 0) {
+    // A view of its own upward axis, z: its angles are about that axis.
+    camera.up = 'z';
+    camera.viewUp = [0, 0, 1];
+    camera.elevation = Math.asin(Math.max(-1, Math.min(1, at4(w, 2, 2)))) * 180 / Math.PI;
+    camera.azimuth = Math.atan2(at4(w, 2, 0), -at4(w, 2, 1)) * 180 / Math.PI;
+  }
   // The target is the point of the optical axis beside the middle of the scene.
   let shift = [eyeSpace[0], eyeSpace[1]];
   if (isPerspective) {
@@ -43,6 +51,7 @@ function viewOf(camera) {
     elevationDegrees: round(camera.elevation, 6),
     target: camera.target.map((value) => Math.abs(value) < 1e-9 ? 0 : round(value)),
   };
+  if (camera.viewUp) view.up = camera.viewUp;
   if (camera.isPerspective) {
     view.distance = round(camera.distance);
     view.perspective = { yfovDegrees: round(camera.yfov) };

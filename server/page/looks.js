@@ -47,6 +47,7 @@ onRest(async (signal) => {
   for (const look of looks) {
     const changes = { ...smallKeys(160, 120), look: look.name };
     if (!(state.scene.samples <= 4)) changes.samples = 4;
+    if (state.scene.fog && look.name !== 'textbook') changes.fog = undefined; // which linear light refuses
     const canvas = byId('look-' + look.name).nextElementSibling;
     try {
       await paint(canvas, (await render(state.text, changes, '?channel=color', signal)).blob);

@@ -80,7 +80,7 @@ function run(name, text, kind = 'sh') {
   };
   const command = kind === 'sh' ? ['sh', ['-c', text]] : [process.env.PYTHON || '/usr/bin/python3', ['-c', text]];
   const result = spawnSync(command[0], command[1], { cwd: folder, env, encoding: 'utf8' });
-  const file = path.join(folder, 'picture.png');
+  const file = path.join(folder, fs.existsSync(path.join(folder, 'picture.apng')) ? 'picture.apng' : 'picture.png');
   return { bytes: fs.existsSync(file) ? fs.readFileSync(file) : Buffer.alloc(0), error: result.stderr };
 }
 
