@@ -33,7 +33,7 @@ const COPIES = {
     const names = copiedNames(), examples = names.filter((name) => (files.get(name) || {}).isExample);
     const fetches = examples.length ? `import urllib.request\n` : '';
     const lines = examples.map((name) => `urllib.request.urlretrieve(${JSON.stringify(new URL('v1/examples/' + encodeURIComponent(name), location.href).href)}, ${JSON.stringify(name)})\n`).join('');
-    const options = isMovie() ? ', "color", encoding="apng"' : state.scene.outputs ? ', "color"' : '';
+    const options = isMovie() ? ', encoding="apng"' : state.scene.outputs ? ', "color"' : '';
     return `import pathlib\n${fetches}\nimport zraster\n\n${lines}pathlib.Path("scene.json").write_text(r"""\n${copiedScene()}""")\nzraster.render("scene.json"${options}).save("picture.${isMovie() ? 'apng' : 'png'}")\n`;
   },
   json: () => copiedScene(),

@@ -40,6 +40,7 @@ function setText(text, isOwn = false) {
     state.version++;
     state.camera = null;
     state.info = null;
+    for (const canvas of byId('looks').querySelectorAll('canvas')) canvas.classList.add('failed');
   }
   showText();
   showControls();

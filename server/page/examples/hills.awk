@@ -11,7 +11,9 @@ BEGIN {
             y = 8 * j / (side - 1) - 4
             z = 1.7 * exp(-((x - .8) ^ 2 + (y + .6) ^ 2) / 1.6) + 1.1 * exp(-((x + 1.7) ^ 2 + (y - 1.5) ^ 2) / 1.2)
             z += -1.1 * exp(-((x - 1.9) ^ 2 + (y - 2) ^ 2) / 1.4) + .12 * sin(1.7 * x) * cos(1.3 * y)
-            line = line sprintf("%s%.2f", i ? ", " : "", z)
+            value = sprintf("%.2f", z)
+            sub(/^-0.00$/, "0.00", value)
+            line = line (i ? ", " : "") value
         }
         print line (j < side - 1 ? "]," : "]")
     }
