@@ -497,7 +497,7 @@ $(BUILD)/server/site_files.c: server/page/build.sh $(wildcard server/page/*.* se
 	@mkdir -p $(@D)
 	$(Q)server/page/build.sh $@
 
-$(BUILD)/server/site_files.o: $(BUILD)/server/site_files.c $(BUILD)/flags
+$(BUILD)/server/site_files.o: $(BUILD)/server/site_files.c server/site.h $(BUILD)/flags | $(missing_compiler)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
 # libcurl is loaded once a server is named (clients/curl_rows.h).

@@ -1,6 +1,6 @@
 // The text of the scene, with its faults marked in it and listed below it.
 
-let faults = [], editTimer = 0;
+let faults = [], editTimer = 0, typed = null;
 
 const PARTS = /("(?:[^"\\\n]|\\.)*")(\s*:)?|(-?\d[\d.eE+-]*)|\b(true|false|null)\b/g;
 
@@ -121,6 +121,7 @@ function listenToText() {
     clearTimeout(editTimer);
     faults = [];
     state.example = '';
+    typed = area.value;
     setText(area.value);
     editTimer = setTimeout(() => {
       if (state.isValid) refresh();

@@ -74,6 +74,13 @@ function preset(name) {
 }
 
 function listenToKeys() {
+  addEventListener('keydown', (event) => {
+    // In the text, the browser undoes typing as long as the last change was typed.
+    const isTyped = event.target.id === 'text' && typed === state.text;
+    if (!(event.ctrlKey || event.metaKey) || event.shiftKey || event.key !== 'z' || isTyped || event.target.tagName === 'INPUT') return;
+    event.preventDefault();
+    undo();
+  });
   byId('frame').addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey) return;
     const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];

@@ -10,23 +10,23 @@ class Refusal extends Error {
 
 // Files by the names that the text has: {blob, sha256, together}. `together`: one of several that refer to each other.
 const files = new Map();
-const server = { token: '', keepsAssets: true, refused: null };
+const server = { token: '', keepsAssets: true, asking: null };
 
 function askForToken() {
   const dialog = byId('token');
-  if (!server.refused) {
-    server.refused = new Promise((done) => {
+  if (!server.asking) {
+    server.asking = new Promise((done) => {
       byId('token-form').onsubmit = (event) => {
         event.preventDefault();
         server.token = byId('token-value').value;
-        server.refused = null;
+        server.asking = null;
         dialog.close();
         done();
       };
     });
     dialog.showModal();
   }
-  return server.refused;
+  return server.asking;
 }
 
 async function reason(response) {

@@ -1,7 +1,7 @@
 // What the page knows. The text is the state; the rest is where the eye stands and what was drawn of it.
 
 const state = {
-  text: '{}',
+  text: '',
   scene: {}, // the text, parsed; the last valid one
   isValid: true,
   isRefused: false,
@@ -30,8 +30,20 @@ function say(text, isBad = false) {
   note.classList.toggle('bad', isBad);
 }
 
+// Texts before changes by controls; the browser undoes what was typed.
+const past = [];
+
+function undo() {
+  if (!past.length) return;
+  state.text = '';
+  setText(past.pop());
+  refresh();
+}
+
 // Takes a new text. `isOwn`: the page wrote it, and the camera stays.
 function setText(text, isOwn = false) {
+  if (state.text && state.text !== text && byId('text').value !== text) past.push(state.text);
+  if (past.length > 100) past.shift();
   state.text = text;
   const scene = parsed(text);
   state.isValid = scene !== null;
@@ -52,7 +64,8 @@ function setKeys(changes) {
     say('The text is not JSON; mend it first.', true);
     return;
   }
-  setText(withKeys(state.text, changes));
+  const moved = state.camera && motion.is ? { view: viewOf(state.camera) } : {};
+  setText(withKeys(state.text, { ...moved, ...changes }));
   refresh();
 }
 

@@ -97,7 +97,7 @@ function parsed(text) {
   }
 }
 
-// Escapes of the elements: el('p', {className: 'soft'}, 'text', child).
+// Makes an element: el('p', {className: 'soft'}, 'text', child).
 function el(name, properties = {}, ...children) {
   const node = document.createElement(name);
   for (const [key, value] of Object.entries(properties)) {

@@ -79,6 +79,20 @@ const tests = {
     check('moves: nothing in the console', page.faults.length === 0, page.faults);
   },
 
+  async lookWhileMoving(browser) {
+    const page = await open(browser, address);
+    await drawn(page);
+    await page.mouse.move(400, 300);
+    await page.mouse.down();
+    await page.mouse.move(440, 300, { steps: 10 });
+    await page.waitForFunction(() => state.camera && motion.is);
+    await redrawn(page, () => page.evaluate(() => setKeys({ look: 'clay' })));
+    await page.mouse.up();
+    await quiet(page);
+    const scene = await sceneOf(page), width = await page.evaluate(() => [byId('picture').width, pictureSize().width]);
+    check('a look chosen while it moves keeps the view, and the picture is whole', scene.look === 'clay' && Boolean(scene.view) && width[0] === width[1], [scene.view, width]);
+  },
+
   async noJump(browser) {
     const page = await open(browser, address);
     await drawn(page);
@@ -265,6 +279,10 @@ const tests = {
     check('] is the next look', (await sceneOf(page)).look === 'technical');
     await press('[');
     check('[ is the look before', (await sceneOf(page)).look === 'studio');
+    const looked = await textOf(page);
+    await press('7');
+    await press('Control+z');
+    check('Ctrl and z undo', await textOf(page) === looked);
     await page.keyboard.press('c');
     await page.waitForFunction(() => /depth/.test(byId('time').textContent));
     check('c shows the next channel', await page.evaluate(() => state.channel) === 'depth');
