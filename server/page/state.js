@@ -21,7 +21,7 @@ const onRest = (listener) => listeners.push(listener);
 const SEVERAL = ['views', 'turntable', 'orbit', 'animate', 'sheet'];
 const isSeveral = () => SEVERAL.some((key) => state.scene[key] !== undefined);
 const isMovie = () => isSeveral() && state.scene.sheet === undefined;
-const canMove = () => !isSeveral() && state.channel === 'color';
+const canMove = () => !isSeveral();
 
 function say(text, isBad = false) {
   const note = byId('note');
