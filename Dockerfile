@@ -8,6 +8,7 @@ WORKDIR /src
 COPY Makefile ./
 COPY core core
 COPY server server
+COPY clients/examples clients/examples
 RUN make -j"$(nproc)" CFLAGS=-O3 LDFLAGS=-s build/zrasterd
 # The daemon, and each library that it needs at the path where it looks for it.
 RUN mkdir -p /image && cp build/zrasterd /image/zrasterd \

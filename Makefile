@@ -113,7 +113,7 @@ $(core): OURS += $(core_flags)
 renderer_rooms := base scene geometry mesh raster shade drawing effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects)
-server := $(call objects,server/*.c)
+server := $(call objects,server/*.c) $(BUILD)/server/site_files.o
 client := $(call objects,clients/*.c)
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
 support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
@@ -246,6 +246,14 @@ gltf-variants: ## models beside their sparse, meshopt, quantized, WebP and Draco
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@$(npm_install) @gltf-transform/cli@4.5.1
 	@$(PYTHON) tests/reference/loaders/variants.py $(BUILD) $(or $(FILES),$(DATA)/gltf/asset-generator)
+
+PAGE_PACKAGES := playwright-core@1.65.1 axe-core@4.14.1
+.PHONY: page-test
+page-test: ## the page at / in chromium (apt, npm): every control, copied commands byte for byte, axe, pictures in build/page-test/shots; ONLY="keys touch"
+	@.ci/need $(NEED_BUILD) $(NEED_NODE) chromium=chromium curl=curl $(PYTHON)=python3
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster library
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/page-test $(PAGE_PACKAGES)
+	@PYTHON="$(PYTHON)" node tests/page/test_page.js $(BUILD) $(ONLY)
 
 .PHONY: mutants
 mutants:
@@ -496,6 +504,14 @@ $(BUILD)/%.a:
 
 $(BUILD)/zrasterd: $(server) $(BUILD)/libcore.a
 	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
+
+# The page and the examples as an array (server/site.h).
+$(BUILD)/server/site_files.c: server/page/build.sh $(wildcard server/page/*.* server/page/examples/*.* clients/examples/*.json)
+	@mkdir -p $(@D)
+	$(Q)server/page/build.sh $@
+
+$(BUILD)/server/site_files.o: $(BUILD)/server/site_files.c server/site.h $(BUILD)/flags | $(missing_compiler)
+	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
 # libcurl is loaded once a server is named (clients/curl_rows.h).
 $(BUILD)/zraster: $(client) $(BUILD)/libzraster.a

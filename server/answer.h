@@ -11,7 +11,7 @@
 #include "base/status.h"
 
 /* A detail: one of the core, and what is before it. */
-enum { ANSWER_HEADERS_MAX = 12, ANSWER_DETAIL_SIZE = ZR_DETAIL_SIZE + 160 };
+enum { ANSWER_HEADERS_MAX = 16, ANSWER_DETAIL_SIZE = ZR_DETAIL_SIZE + 160 };
 
 struct answer_header {
     const char *name; /* static lifetime */

@@ -10,7 +10,7 @@
 
 #include <cjson/cJSON.h>
 
-enum kind { TEXT, ADDRESS, ISA, NUMBER };
+enum kind { TEXT, ADDRESS, ISA, SWITCH, NUMBER };
 
 enum { NAME_SIZE = 64, QUEUE_PER_WORKER = 256 };
 
@@ -36,6 +36,10 @@ static const struct setting SETTINGS[] = {
     {"port", NUMBER, AT(port), false, 8080, 0, 65535, NULL, "", "port to listen on; 0: any free port"},
     {"token", TEXT, AT(token), false, 0, 0, 0, "", "",
      "bearer token that clients must send; empty: none; prefer its variable, which ps does not show"},
+    {"page", SWITCH, AT(page), false, 0, 0, 0, "on", "", "on or off: the page at / for browsers"},
+    {"origins", TEXT, AT(origins), false, 0, 0, 0, "", "",
+     "origins whose web pages may use the daemon (CORS), such as https://example.org, with spaces or commas between "
+     "them; *: all; empty: only its own page"},
     {"workers", NUMBER, AT(workers), true, 0, 0, 256, NULL, "",
      "requests processed at once, besides one small request; 0: one per core"},
     {"threads", NUMBER, AT(threads), true, 0, 0, ZR_TEAM_MAX, NULL, "",
@@ -166,7 +170,7 @@ static bool parse_number(const char *text, uint64_t *out)
     return *text != '\0';
 }
 
-/* Sets an address, a text or an instruction set. `name`: the flag or variable as the user wrote it. */
+/* Sets an address, a text, a switch or an instruction set. `name`: the flag or variable as the user wrote it. */
 static bool set_text(struct config *config, const struct setting *s, const char *name, const char *value, char *message,
                      size_t message_size)
 {
@@ -176,6 +180,10 @@ static bool set_text(struct config *config, const struct setting *s, const char 
     }
     if (s->kind == ADDRESS && !is_address(value)) {
         snprintf(message, message_size, "%s: '%.100s' is not a numeric IPv4 or IPv6 address", name, value);
+        return false;
+    }
+    if (s->kind == SWITCH && strcmp(value, "on") != 0 && strcmp(value, "off") != 0) {
+        snprintf(message, message_size, "%s: '%.100s' is neither on nor off", name, value);
         return false;
     }
     enum zr_isa isa;

@@ -24,6 +24,8 @@ struct config {
     char cgroup[CONFIG_TEXT_SIZE];     /* folder of the control group */
     char assets_dir[CONFIG_TEXT_SIZE]; /* "": no assets are stored */
     char isa[CONFIG_TEXT_SIZE];        /* "auto", or an instruction set of this machine */
+    char page[CONFIG_TEXT_SIZE];       /* "on" or "off" */
+    char origins[CONFIG_TEXT_SIZE];    /* list with spaces or commas between its items; "*": all */
     uint64_t port;                     /* 0: any free port */
 
     uint64_t workers, threads, queue, max_per_client, max_per_private_client, max_connections, max_streams;

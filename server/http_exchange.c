@@ -75,7 +75,7 @@ static void send_past_library(struct http *http, struct connection *connection, 
 static void reply_past_library(struct exchange *exchange)
 {
     struct answer *answer = &exchange->answer;
-    router_finish(answer, exchange->request.id);
+    router_finish(answer, exchange->http->service, &exchange->request);
     if (answer->is_broken) answer_to_no_memory(answer);
     answer->close = exchange->replied = true;
     exchange->step = STEP_REFUSED;
@@ -101,7 +101,7 @@ void http_refuse(struct http *http, struct connection *connection, int status, c
     if (exchange) exchange->logged = true; /* an incomplete header: logged below */
     request_take_id(&nameless, http->service, NULL);
     problem_answer(&answer, status, "%s", detail);
-    router_finish(&answer, nameless.id);
+    router_finish(&answer, http->service, &nameless);
     log_without_exchange(http, connection, nameless.id, status, answer.size, detail);
     send_past_library(http, connection, &answer);
     answer_free(&answer);
@@ -208,7 +208,7 @@ static enum MHD_Result reply(struct exchange *exchange)
     if (exchange->connection->phase == PHASE_REFUSED) return MHD_NO;
     if (exchange->connection->phase != PHASE_WRITE) /* answers of workers have entered it already */
         connections_enter(&http->connections, exchange->connection, PHASE_WRITE);
-    router_finish(answer, exchange->request.id);
+    router_finish(answer, exchange->http->service, &exchange->request);
     answer->close |= atomic_load(&http->draining);
     exchange->file = answer->file;
     struct MHD_Response *response = answer->is_broken ? NULL : create_response(exchange);
@@ -282,6 +282,9 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.if_none_match = header(exchange, "If-None-Match");
     struct accept accept = {0};
     exchange->request.accept = header(exchange, "Accept");
+    exchange->request.accept_encoding = header(exchange, "Accept-Encoding");
+    exchange->request.origin = header(exchange, "Origin");
+    exchange->request.fetch_site = header(exchange, "Sec-Fetch-Site");
     MHD_get_connection_values(exchange->mhd, MHD_HEADER_KIND, read_accept, &accept);
     exchange->request.accepts_stream = accept_wants_stream(&accept);
     const char *trace = header(exchange, "traceparent");

@@ -48,14 +48,16 @@ static cJSON *new_problem(struct answer *answer, int http_status, const char *de
     return NULL;
 }
 
-static bool add_error(cJSON *errors, const char *pointer, const char *detail)
+static bool add_error(cJSON *errors, const struct zr_error_item *fault)
 {
     char text[ZR_DETAIL_SIZE * 3];
     cJSON *item = cJSON_CreateObject();
-    text_to_utf8(text, sizeof text, pointer);
+    text_to_utf8(text, sizeof text, fault->pointer);
     bool added = cJSON_AddStringToObject(item, "pointer", text);
-    text_to_utf8(text, sizeof text, detail);
-    added = added && cJSON_AddStringToObject(item, "detail", text) && cJSON_AddItemToArray(errors, item);
+    text_to_utf8(text, sizeof text, fault->detail);
+    added = added && cJSON_AddStringToObject(item, "detail", text) &&
+            (fault->place == 0 || cJSON_AddNumberToObject(item, "offset", (double)(fault->place - 1))) &&
+            cJSON_AddItemToArray(errors, item);
     if (!added) cJSON_Delete(item);
     return added;
 }
@@ -65,7 +67,7 @@ static bool add_errors(cJSON *root, const struct zr_error *error, size_t held)
     cJSON *errors = cJSON_AddArrayToObject(root, "errors");
     bool added = errors;
     for (size_t i = 0; i < held && added; i++)
-        added = add_error(errors, error->items[i].pointer, error->items[i].detail);
+        added = add_error(errors, &error->items[i]);
     return added &&
            (held < ZR_ERROR_ITEMS || cJSON_AddTrueToObject(root, "truncated")); /* readers stop at so many errors */
 }

@@ -61,7 +61,8 @@ struct request {
     const char *method, *path;
     const char *query;                                           /* behind the '?', or NULL */
     const char *content_type, *content_encoding, *authorization; /* NULL if not sent */
-    const char *if_none_match, *accept;                          /* NULL if not sent */
+    const char *if_none_match, *accept, *accept_encoding;        /* NULL if not sent */
+    const char *origin, *fetch_site;                             /* of browsers; NULL if not sent */
     bool accepts_stream;                                         /* Accept names the type of streams */
     struct stream *stream;                                       /* for such a request, on a worker; else NULL */
     const struct route *route;                                   /* set by router_open */

@@ -7,13 +7,19 @@
 #include "assets.h"
 #include "drake.h"
 #include "health.h"
+#include "origin.h"
 #include "problem.h"
 #include "rendering.h"
+#include "site.h"
 #include "text.h"
 
 static const struct route ROUTES[] = {
     {"/v1/render", "POST", false, rendering_open, rendering_work, true, false},
     {"/v1/assets", "POST", false, assets_open, assets_work, false, false},
+    {"/", "GET, HEAD", true, site_open, NULL, false, false},
+    {"/v1/examples", "GET, HEAD", false, examples_open, NULL, false, false},
+    {EXAMPLES_PATH, "GET, HEAD", false, examples_open, NULL, false, false},
+    {"/v1/looks", "GET, HEAD", false, looks_open, NULL, false, false},
     {"/v1/limits", "GET, HEAD", false, limits_open, NULL, false, false},
     {DRAKE_PATH, "POST", false, drake_open, drake_work, true, true},
     {"/healthz", "GET, HEAD", true, health_open, NULL, false, false},
@@ -25,7 +31,8 @@ enum { ROUTE_COUNT = sizeof ROUTES / sizeof ROUTES[0] };
 
 static bool is_for_all_below(const struct route *route)
 {
-    return route->path[strlen(route->path) - 1] == '/';
+    const size_t length = strlen(route->path);
+    return length > 1 && route->path[length - 1] == '/';
 }
 
 static const struct route *find_route(const char *path)
@@ -108,6 +115,7 @@ enum request_next router_open(const struct service *service, const struct load *
     const struct route *route = request->route = find_route(request->path);
     const char *token = service->config->token;
     answer->is_plain = route && route->has_plain_errors;
+    if (!origin_check(service->config, request, answer)) return REQUEST_ANSWERED;
     if (*token && !(route && route->open_to_all) && !token_matches(token, request->authorization)) {
         answer_header(answer, "WWW-Authenticate", "Bearer realm=\"zraster\"");
         problem_answer(answer, 401, "Authorization: Bearer with the right token is asked for");
@@ -130,8 +138,9 @@ enum request_next router_work(const struct service *service, const struct reques
     return request->route->work(service, request, arena, cancel, times, answer);
 }
 
-void router_finish(struct answer *answer, const char *request_id)
+void router_finish(struct answer *answer, const struct service *service, const struct request *request)
 {
-    answer_header(answer, "X-Request-Id", "%s", request_id);
+    origin_finish(service->config, request, answer);
+    answer_header(answer, "X-Request-Id", "%s", request->id);
     answer_header(answer, "Zraster-Version", ZR_VERSION);
 }

@@ -14,7 +14,7 @@ enum request_next router_open(const struct service *service, const struct load *
 enum request_next router_work(const struct service *service, const struct request *request, struct zr_arena *arena,
                               const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
 
-/* Adds the headers of all answers. Call once, last. */
-void router_finish(struct answer *answer, const char *request_id);
+/* Adds the headers of all answers. Call once, last. A refused request may lack all but its id. */
+void router_finish(struct answer *answer, const struct service *service, const struct request *request);
 
 #endif

@@ -23,6 +23,7 @@ enum { ZR_ERROR_ITEMS = 20, ZR_POINTER_SIZE = 160, ZR_DETAIL_SIZE = 1100 };
 struct zr_error_item {
     char pointer[ZR_POINTER_SIZE]; /* JSON Pointer, or "" */
     char detail[ZR_DETAIL_SIZE];
+    size_t place; /* 1 + byte of the text at which JSON is broken; 0: none */
 };
 
 /* Keeps the first reported status, and up to ZR_ERROR_ITEMS items; counts further ones. Zero-initialize before use. */

@@ -39,6 +39,7 @@ static bool fail(struct zr_json *json, const char *at, const char *what)
                  at == json->end ? "the end of the text"
                  : mark          ? "a byte order mark"
                                  : zr_quote(at, length ? length : 1).text);
+    json->error->items[0].place = 1 + (size_t)(at - json->bytes);
     return false;
 }
 

@@ -23,6 +23,7 @@ struct zr_look_view {
 struct zr_look {
     const char *name;
     uint32_t version;
+    const char *text; /* purpose, for people; of the first version of a name, else NULL */
     struct zr_picture picture;
     zr_vec4 background; /* opaque; unused if the picture has a gradient */
 

@@ -1,0 +1,73 @@
+#include "origin.h"
+
+#include <string.h>
+#include <strings.h>
+
+#include "problem.h"
+#include "text.h"
+
+#define EXPOSED                                                                                                        \
+    "Location, Retry-After, Server-Timing, X-Request-Id, Zraster-Encoder, Zraster-Look, Zraster-Version, "             \
+    "Zraster-Warnings"
+#define TAKEN "Authorization, Content-Encoding, Content-Type, If-None-Match, X-Request-Id"
+
+static bool is_text(const char *value, const char *text)
+{
+    return value && text_trimmed_length(value) == strlen(text) && strncasecmp(value, text, strlen(text)) == 0;
+}
+
+/* Searches an origin in a list with spaces or commas between its items. */
+static bool is_among(const char *list, const char *origin)
+{
+    static const char BETWEEN[] = " ,";
+    const size_t wanted = text_trimmed_length(origin);
+    for (const char *p = list + strspn(list, BETWEEN); *p; p += strspn(p, BETWEEN)) {
+        const size_t length = strcspn(p, BETWEEN);
+        if (length == 1 && *p == '*') return true;
+        if (length == wanted && strncasecmp(p, origin, length) == 0) return true;
+        p += length;
+    }
+    return false;
+}
+
+static bool is_read_only(const char *method)
+{
+    return strcmp(method, "GET") == 0 || strcmp(method, "HEAD") == 0 || strcmp(method, "OPTIONS") == 0;
+}
+
+static bool is_allowed(const struct config *config, const struct request *request)
+{
+    return request->origin && is_among(config->origins, request->origin);
+}
+
+static bool is_preflight(const struct request *request)
+{
+    return request->method && strcmp(request->method, "OPTIONS") == 0 && request->route;
+}
+
+bool origin_check(const struct config *config, const struct request *request, struct answer *answer)
+{
+    if (is_allowed(config, request)) {
+        if (is_preflight(request)) answer->status = 204;
+        return answer->status == 0;
+    }
+    if (is_read_only(request->method) ||
+        !(is_text(request->fetch_site, "cross-site") || is_text(request->fetch_site, "same-site")))
+        return true;
+    problem_answer(answer, 403,
+                   "a page of another origin, %.100s, sent this request; start zrasterd with --origins for it",
+                   request->origin ? request->origin : "unnamed");
+    return false;
+}
+
+void origin_finish(const struct config *config, const struct request *request, struct answer *answer)
+{
+    if (!is_allowed(config, request)) return;
+    answer_header(answer, "Access-Control-Allow-Origin", "%s", request->origin);
+    answer_header(answer, "Access-Control-Expose-Headers", EXPOSED);
+    answer_header(answer, "Vary", "Origin");
+    if (!is_preflight(request)) return;
+    answer_header(answer, "Access-Control-Allow-Methods", "%s", request->route->methods);
+    answer_header(answer, "Access-Control-Allow-Headers", TAKEN);
+    answer_header(answer, "Access-Control-Max-Age", "7200");
+}

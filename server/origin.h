@@ -1,0 +1,17 @@
+/* origin.h - requests that browsers send from pages of other sites.
+ *
+ * A browser says in Sec-Fetch-Site where a request comes from. It does so for https and for this machine's own
+ * addresses. Other clients send no such header. */
+#ifndef ZRASTERD_ORIGIN_H
+#define ZRASTERD_ORIGIN_H
+
+#include "request.h"
+
+/* Returns false if the answer is ready: 204 to a preflight of an origin among --origins, or 403 to a request that draws
+ * or stores something, from a page of another origin that is not among them. Needs request->route, which may be NULL. */
+bool origin_check(const struct config *config, const struct request *request, struct answer *answer);
+
+/* Adds the headers of CORS to an answer for an origin among --origins. */
+void origin_finish(const struct config *config, const struct request *request, struct answer *answer);
+
+#endif

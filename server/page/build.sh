@@ -1,0 +1,85 @@
+#!/bin/sh
+# build.sh OUT: joins the page of server/page/, hashes its script and style for the policy, makes the files of the
+# examples, compresses all, and writes them as the table of server/site.h. Runs in the root of the repository.
+set -eu
+out=$1
+work=$out.parts
+page=server/page
+examples=$page/examples
+rm -rf "$work"
+mkdir -p "$work"
+
+# The hash as a policy names it: base64 of the 32 bytes.
+policy_hash() { # FILE
+    sha256sum <"$1" | awk '
+        function digit(c) { return index("0123456789abcdef", c) - 1 }
+        {
+            letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
+            hex = substr($1, 1, 64) "00"
+            for (i = 1; i <= 66; i += 3) {
+                bits = digit(substr(hex, i, 1)) * 256 + digit(substr(hex, i + 1, 1)) * 16 + digit(substr(hex, i + 2, 1))
+                text = text substr(letters, int(bits / 64) + 1, 1) substr(letters, bits % 64 + 1, 1)
+            }
+            print substr(text, 1, 43) "="
+        }'
+}
+
+# The text between the tags is what a policy hashes, line ends included.
+{ echo "'use strict';" && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt); } >"$work/script"
+sed 's/^ *//' $page/page.css >"$work/style"
+awk -v script="$work/script" -v style="$work/style" '
+    function put(tag, file, line) {
+        printf "<%s>", tag
+        while ((getline line <file) > 0) print line
+        printf "</%s>\n", tag
+    }
+    /<!-- style -->/ { put("style", style); next }
+    /<!-- script -->/ { put("script", script); next }
+    { sub(/^ */, ""); print }' $page/index.html >"$work/page"
+
+count=0
+table=
+exec 3>"$out.new"
+echo '#include "site.h"' >&3
+echo >&3
+add() { # NAME TITLE FILES TYPE PATH
+    gzip -9nc "$5" >"$work/file.gz"
+    size=$(($(wc -c <"$work/file.gz")))
+    echo "static const unsigned char bytes_$count[$size] = {" >&3
+    od -An -v -tu1 "$work/file.gz" | sed 's/^ *//; s/  */,/g; s/$/,/' >&3
+    echo "};" >&3
+    tag=$(sha256sum <"$work/file.gz" | cut -c 1-24)
+    table="$table    {\"$1\", $2, $3, \"$4\", \"$tag\", bytes_$count, $size, $(($(wc -c <"$5")))},
+"
+    count=$((count + 1))
+}
+add "" NULL NULL "text/html; charset=utf-8" "$work/page"
+while IFS='|' read -r name title files; do
+    scene=$examples/$name.json
+    [ -e "$scene" ] || scene=clients/examples/$name.json
+    if [ -e "$examples/$name.awk" ]; then
+        scene=$work/$name.json
+        LC_ALL=C awk -f "$examples/$name.awk" >"$scene"
+    fi
+    list=
+    for file in $files; do list="$list${list:+, }\\\"$file\\\""; done
+    add "$name" "\"$title\"" "\"[$list]\"" application/json "$scene"
+done <$examples/list.txt
+for profile in "$examples"/*.profile; do
+    name=$(basename "$profile" .profile).obj
+    LC_ALL=C awk -f $examples/lathe.awk "$profile" >"$work/$name"
+    add "$name" NULL NULL model/obj "$work/$name"
+done
+{
+    echo
+    printf 'const struct site_file site_files[] = {\n%s};\n\n' "$table"
+    echo "const size_t site_file_count = $count;"
+    echo
+    echo "const char site_policy[] = \"default-src 'none'; script-src 'sha256-$(policy_hash "$work/script")'; \""
+    echo "                           \"style-src 'sha256-$(policy_hash "$work/style")'; \""
+    echo "                           \"img-src data: blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; \""
+    echo "                           \"frame-ancestors 'none'; require-trusted-types-for 'script'\";"
+} >&3
+exec 3>&-
+rm -rf "$work"
+mv "$out.new" "$out"

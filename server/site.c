@@ -1,0 +1,171 @@
+#include "site.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include <cjson/cJSON.h>
+#include <zlib.h>
+
+#include "problem.h"
+#include "scene/looks.h"
+
+/* ---- files ---- */
+
+/* True if Accept-Encoding names gzip, or anything, with a weight above 0 (RFC 9110, 12.5.3). */
+static bool takes_gzip(const char *accepted)
+{
+    for (const char *p = accepted; p && *p; p += strcspn(p, ","), p += *p == ',') {
+        p += strspn(p, " \t");
+        const size_t length = strcspn(p, " \t;,");
+        if (!(length == 4 && strncasecmp(p, "gzip", 4) == 0) && !(length == 1 && *p == '*')) continue;
+        const char *weight = p + length + strspn(p + length, " \t;");
+        return strncasecmp(weight, "q=", 2) != 0 || strtod(weight + 2, NULL) > 0;
+    }
+    return false;
+}
+
+/* Returns the file's bytes, decompressed; NULL: out of memory. */
+static char *decompress(const struct site_file *file)
+{
+    char *out = malloc(file->plain_size ? file->plain_size : 1);
+    z_stream stream = {.next_in = (z_const Bytef *)(uintptr_t)file->bytes,
+                       .avail_in = (uInt)file->size,
+                       .next_out = (Bytef *)out,
+                       .avail_out = (uInt)file->plain_size};
+    enum { GZIP = 16 };
+    if (!out || inflateInit2(&stream, MAX_WBITS + GZIP) != Z_OK) {
+        free(out);
+        return NULL;
+    }
+    const bool is_whole = inflate(&stream, Z_FINISH) == Z_STREAM_END;
+    inflateEnd(&stream);
+    if (is_whole) return out;
+    free(out);
+    return NULL;
+}
+
+static void answer_site_file(const struct request *request, const struct site_file *file, struct answer *answer)
+{
+    const bool is_gzip = takes_gzip(request->accept_encoding);
+    char tag[64];
+    snprintf(tag, sizeof tag, "\"%s%s\"", file->tag, is_gzip ? "" : "-plain");
+    const bool has_file = request->if_none_match && strstr(request->if_none_match, tag);
+    if (has_file) {
+        answer->status = 304;
+        answer->size = is_gzip ? file->size : file->plain_size;
+    } else if (is_gzip) {
+        answer_copy(answer, file->type, file->bytes, file->size);
+    } else {
+        char *bytes = decompress(file);
+        if (!bytes) {
+            problem_busy(answer, 1, "out of memory");
+            return;
+        }
+        answer->status = 200;
+        answer_body(answer, file->type, bytes, file->plain_size);
+    }
+    if (is_gzip && !has_file) answer_header(answer, "Content-Encoding", "gzip");
+    answer_header(answer, "ETag", "%s", tag);
+    answer_header(answer, "Cache-Control", "no-cache");
+    answer_header(answer, "Vary", "Accept-Encoding");
+    answer_header(answer, "X-Content-Type-Options", "nosniff");
+}
+
+bool site_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+{
+    (void)load;
+    if (strcmp(service->config->page, "off") == 0) {
+        problem_answer(answer, 404, "the page is off; start zrasterd with --page=on for it");
+        return false;
+    }
+    answer_site_file(request, &site_files[0], answer);
+    answer_header(answer, "Content-Security-Policy", "%s", site_policy);
+    answer_header(answer, "Referrer-Policy", "no-referrer");
+    answer_header(answer, "Cross-Origin-Opener-Policy", "same-origin");
+    answer_header(answer, "Cross-Origin-Resource-Policy", "same-origin");
+    return false;
+}
+
+/* ---- lists ---- */
+
+/* Answers a list as JSON and frees it. */
+static void answer_list(struct answer *answer, cJSON *root, bool is_whole)
+{
+    char *text = is_whole ? cJSON_Print(root) : NULL;
+    cJSON_Delete(root);
+    answer->status = 200;
+    answer->is_broken |= !text;
+    if (text) answer_body(answer, "application/json", text, strlen(text));
+}
+
+static cJSON *add_item(cJSON *list)
+{
+    cJSON *item = cJSON_CreateObject();
+    if (cJSON_AddItemToArray(list, item)) return item;
+    cJSON_Delete(item);
+    return NULL;
+}
+
+static void list_examples(struct answer *answer)
+{
+    cJSON *root = cJSON_CreateObject(), *list = cJSON_AddArrayToObject(root, "examples");
+    bool is_whole = list;
+    for (const struct site_file *file = site_files; file < site_files + site_file_count && is_whole; file++) {
+        if (!file->files) continue;
+        cJSON *item = add_item(list), *files = cJSON_Parse(file->files);
+        is_whole = cJSON_AddStringToObject(item, "name", file->name) &&
+                   cJSON_AddStringToObject(item, "title", file->title) && files &&
+                   cJSON_AddItemToObject(item, "files", files);
+        if (!is_whole) cJSON_Delete(files);
+    }
+    answer_list(answer, root, is_whole);
+}
+
+bool examples_open(const struct service *service, const struct load *load, struct request *request,
+                   struct answer *answer)
+{
+    (void)service;
+    (void)load;
+    if (strcmp(request->path, "/v1/examples") == 0) {
+        list_examples(answer);
+        return false;
+    }
+    const char *name = request->path + sizeof EXAMPLES_PATH - 1;
+    for (const struct site_file *file = site_files; file < site_files + site_file_count; file++)
+        if (*file->name && strcmp(file->name, name) == 0) {
+            answer_site_file(request, file, answer);
+            return false;
+        }
+    problem_answer(answer, 404, "there is no example '%.100s'; /v1/examples lists them", name);
+    return false;
+}
+
+static bool add_look(cJSON *list, int first)
+{
+    const struct zr_look *look = &zr_looks[first];
+    cJSON *item = add_item(list), *versions = NULL;
+    bool is_whole = cJSON_AddStringToObject(item, "name", look->name) &&
+                    cJSON_AddStringToObject(item, "text", look->text) &&
+                    (versions = cJSON_AddArrayToObject(item, "versions"));
+    for (int i = first; is_whole && i < zr_look_count && strcmp(zr_looks[i].name, look->name) == 0; i++) {
+        cJSON *version = cJSON_CreateNumber(zr_looks[i].version);
+        is_whole = cJSON_AddItemToArray(versions, version);
+        if (!is_whole) cJSON_Delete(version);
+    }
+    return is_whole;
+}
+
+bool looks_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+{
+    (void)service;
+    (void)load;
+    (void)request;
+    cJSON *root = cJSON_CreateObject(), *list = cJSON_AddArrayToObject(root, "looks");
+    bool is_whole = list;
+    for (int i = 0; i < zr_look_count && is_whole; i++)
+        if (i == 0 || strcmp(zr_looks[i - 1].name, zr_looks[i].name) != 0) is_whole = add_look(list, i);
+    answer_list(answer, root, is_whole);
+    return false;
+}

@@ -1,0 +1,38 @@
+/* site.h - files compiled into the daemon: the page at "/", and examples of scenes.
+ *
+ * The build makes the table from server/page/ (server/page/build.sh). All bytes are compressed by gzip. */
+#ifndef ZRASTERD_SITE_H
+#define ZRASTERD_SITE_H
+
+#include <stddef.h>
+
+#include "request.h"
+
+struct site_file {
+    const char *name; /* "": the page */
+    const char *title, *files; /* of a scene: name for people; names of its files, as items of JSON; NULL: no scene */
+    const char *type;
+    const char *tag; /* hash of the bytes, hexadecimal */
+    const unsigned char *bytes;
+    size_t size, plain_size; /* compressed, decompressed */
+};
+
+/* Made by the build. The page is the first file. */
+extern const struct site_file site_files[];
+extern const size_t site_file_count;
+extern const char site_policy[]; /* Content-Security-Policy of the page */
+
+#define EXAMPLES_PATH "/v1/examples/"
+
+/* GET /: the page. 404 with --page=off. */
+bool site_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer);
+
+/* GET /v1/examples: names, titles and files of the scenes. GET /v1/examples/NAME: a scene or a file. */
+bool examples_open(const struct service *service, const struct load *load, struct request *request,
+                   struct answer *answer);
+
+/* GET /v1/looks: names, versions and texts of all looks. */
+bool looks_open(const struct service *service, const struct load *load, struct request *request,
+                struct answer *answer);
+
+#endif

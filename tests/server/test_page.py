@@ -1,0 +1,233 @@
+"""GET /, /v1/looks, /v1/examples, and requests from pages of other origins."""
+import base64
+import gzip
+import hashlib
+import json
+import os
+import re
+import subprocess
+import unittest
+import urllib.error
+import urllib.request
+
+build = os.environ["ZRASTER_BUILD"]
+TRIANGLE = b'{"polygons": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]}'
+PAGE_MOST = 60000
+SHOWN = ["studio", "technical", "clay", "dark", "metal", "outdoor", "blueprint", "xray", "textbook"]
+
+
+class Daemon:
+    def __init__(self, *flags):
+        command = [os.path.join(build, "zrasterd"), "--port", "0", *flags]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
+
+    def stop(self):
+        self.process.terminate()
+        self.process.wait()
+        self.process.stdout.close()
+
+    def send(self, path, body=None, method=None, **headers):
+        """Returns status, headers and bytes."""
+        headers = {name.replace("_", "-"): value for name, value in headers.items()}
+        request = urllib.request.Request(self.address + path, body, headers, method=method)
+        try:
+            with urllib.request.urlopen(request) as answer:
+                return answer.status, answer.headers, answer.read()
+        except urllib.error.HTTPError as error:
+            with error:
+                return error.code, error.headers, error.read()
+
+    def render(self, scene, files):
+        """Posts a scene and files, {name: bytes}."""
+        boundary = b"a1b2c3boundary"
+        body = b""
+        for name, value in [("scene", scene), *files.items()]:
+            body += b'--%s\r\nContent-Disposition: form-data; name="%s"\r\n\r\n%s\r\n' % (boundary, name.encode(), value)
+        body += b"--%s--\r\n" % boundary
+        return self.send("/v1/render", body, Content_Type=f"multipart/form-data; boundary={boundary.decode()}")
+
+
+class Case(unittest.TestCase):
+    flags = []
+
+    @classmethod
+    def setUpClass(cls):
+        cls.daemon = Daemon(*cls.flags)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.daemon.stop()
+
+
+class Page(Case):
+    def test_bytes(self):
+        """the page comes compressed and whole, in at most 60 kB"""
+        status, headers, data = self.daemon.send("/", Accept_Encoding="br, gzip")
+        self.assertEqual((status, headers["Content-Type"]), (200, "text/html; charset=utf-8"))
+        self.assertEqual(headers["Content-Encoding"], "gzip")
+        self.assertLessEqual(len(data), PAGE_MOST)
+        plain_status, plain_headers, plain = self.daemon.send("/", Accept_Encoding="gzip;q=0, identity")
+        self.assertEqual((plain_status, plain_headers["Content-Encoding"]), (200, None))
+        self.assertEqual(gzip.decompress(data), plain)
+        self.assertIn(b"</html>", plain)
+
+    def test_policy(self):
+        """the policy has the hashes of the page's script and style, and nothing of the page breaks it"""
+        _, headers, data = self.daemon.send("/")
+        policy = headers["Content-Security-Policy"]
+        self.assertTrue(policy.startswith("default-src 'none'; "))
+        for tag, directive in (("script", "script-src"), ("style", "style-src")):
+            (text,) = re.findall(rb"<%s>(.*?)</%s>" % (tag.encode(), tag.encode()), data, re.S)
+            digest = base64.b64encode(hashlib.sha256(text).digest()).decode()
+            self.assertIn(f"{directive} 'sha256-{digest}';", policy)
+        self.assertIsNone(re.search(rb"innerHTML|\bon[a-z]+=[\"']|style=|(src|href)=\"https?:|\beval\(", data))
+        for name, value in (("X-Content-Type-Options", "nosniff"), ("Referrer-Policy", "no-referrer"),
+                            ("Cross-Origin-Opener-Policy", "same-origin"), ("Cross-Origin-Resource-Policy", "same-origin")):
+            self.assertEqual(headers[name], value)
+
+    def test_tag(self):
+        """each form of the page has a strong entity tag of its own, which gives 304"""
+        tags = []
+        for encoding in ("gzip", "identity"):
+            _, headers, _ = self.daemon.send("/", Accept_Encoding=encoding)
+            tags.append(headers["ETag"])
+            self.assertRegex(tags[-1], '^"[^"]+"$')
+            status, again, data = self.daemon.send("/", Accept_Encoding=encoding, If_None_Match=tags[-1])
+            self.assertEqual((status, again["ETag"], data), (304, tags[-1], b""))
+            self.assertEqual(self.daemon.send("/", Accept_Encoding=encoding, If_None_Match='"other"')[0], 200)
+        self.assertNotEqual(*tags)
+
+    def test_head(self):
+        """HEAD has the headers of GET, other methods are refused, and the page is not below other paths"""
+        status, headers, data = self.daemon.send("/", method="HEAD", Accept_Encoding="gzip")
+        self.assertEqual((status, data), (200, b""))
+        self.assertEqual(int(headers["Content-Length"]), len(self.daemon.send("/", Accept_Encoding="gzip")[2]))
+        self.assertEqual(self.daemon.send("/", b"", "POST")[0], 405)
+        self.assertEqual(self.daemon.send("/index.html")[0], 404)
+
+
+class Off(Case):
+    flags = ["--page=off", "--token=secret"]
+
+    def test_off(self):
+        """with --page=off there is no page, and the rest stays"""
+        status, headers, data = self.daemon.send("/")
+        self.assertEqual((status, headers["Content-Type"]), (404, "application/problem+json"))
+        self.assertIn("--page=on", json.loads(data)["detail"])
+        self.assertEqual(self.daemon.send("/v1/looks", Authorization="Bearer secret")[0], 200)
+
+    def test_wrong(self):
+        """--page takes on and off alone"""
+        done = subprocess.run([os.path.join(build, "zrasterd"), "--page=yes"], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (2, "zrasterd: --page: 'yes' is neither on nor off\n"))
+
+
+class Token(Case):
+    flags = ["--token=secret"]
+
+    def test_open(self):
+        """the page needs no token, which it asks for; the lists do"""
+        self.assertEqual(self.daemon.send("/")[0], 200)
+        self.assertEqual(self.daemon.send("/v1/looks")[0], 401)
+        self.assertEqual(self.daemon.send("/v1/examples/pawns")[0], 401)
+
+
+class Lists(Case):
+    def test_looks(self):
+        """all looks are listed in their order, with versions that can be drawn, and texts"""
+        looks = json.loads(self.daemon.send("/v1/looks")[2])["looks"]
+        self.assertEqual([look["name"] for look in looks], SHOWN)
+        for look in looks:
+            self.assertGreater(len(look["text"]), 10)
+            for version in look["versions"]:
+                scene = json.loads(TRIANGLE) | {"look": f"{look['name']}@{version}"}
+                self.assertEqual(self.daemon.send("/v1/render", json.dumps(scene).encode())[0], 200)
+            scene["look"] = f"{look['name']}@{look['versions'][-1] + 1}"
+            self.assertEqual(self.daemon.send("/v1/render", json.dumps(scene).encode())[0], 422)
+
+    def test_examples(self):
+        """each example is drawn with its files, without a warning"""
+        examples = json.loads(self.daemon.send("/v1/examples")[2])["examples"]
+        self.assertEqual(examples[0]["name"], "pawns")
+        self.assertGreaterEqual(len(examples), 12)
+        for example in examples:
+            with self.subTest(example["name"]):
+                files = {name: self.daemon.send("/v1/examples/" + name)[2] for name in example["files"]}
+                status, headers, scene = self.daemon.send("/v1/examples/" + example["name"])
+                self.assertEqual((status, headers["Content-Type"]), (200, "application/json"))
+                status, headers, data = self.daemon.render(scene, files)
+                self.assertEqual((status, headers["Zraster-Warnings"]), (200, None), data[:300])
+
+    def test_no_example(self):
+        """a name that is no example's is 404"""
+        for name in ("", "pawn", "pawns/", "../looks"):
+            self.assertEqual(self.daemon.send("/v1/examples/" + name)[0], 404)
+
+    def test_shells_are_closed(self):
+        """the models of the examples are closed, and no face of them is degenerate"""
+        for name in ("pawn.obj", "ball.obj", "egg.obj"):
+            mesh = self.daemon.send("/v1/examples/" + name)[2]
+            info = json.loads(self.daemon.send("/v1/render?channel=info&render=false", mesh)[2])
+            self.assertTrue(info["parts"][0]["closed"], name)
+            self.assertGreater(info["parts"][0]["volume"], 0)
+            self.assertEqual(info["warnings"], [])
+
+    def test_offset(self):
+        """broken JSON has the byte at which it breaks, other faults have none"""
+        for text, offset in ((b'{"a": x}', 6), ('{"look": "é", '.encode(), 15), (b"{\n\n 1}", 4)):
+            error = json.loads(self.daemon.send("/v1/render", text, Content_Type="application/json")[2])["errors"][0]
+            self.assertEqual(error["offset"], offset)
+        error = json.loads(self.daemon.send("/v1/render", b'{"a": 1}')[2])["errors"][0]
+        self.assertNotIn("offset", error)
+
+
+class Sites(Case):
+    flags = ["--origins=https://one.example, http://127.0.0.1:3000"]
+
+    def test_refused(self):
+        """a page of another origin draws and stores nothing"""
+        for site in ("cross-site", "same-site"):
+            for path, method in (("/v1/render", "POST"), ("/v1/assets", "POST"), ("/v1/assets/" + "0" * 64, "PUT")):
+                status, headers, data = self.daemon.send(path, TRIANGLE, method, Sec_Fetch_Site=site, Origin="https://two.example")
+                self.assertEqual((status, headers["Content-Type"]), (403, "application/problem+json"))
+                self.assertIn("https://two.example", json.loads(data)["detail"])
+                self.assertIsNone(headers["Access-Control-Allow-Origin"])
+        status, headers, _ = self.daemon.send("/render", b"", "POST", Sec_Fetch_Site="cross-site")
+        self.assertEqual((status, headers["Content-Type"]), (403, "text/plain; charset=utf-8"))
+
+    def test_taken(self):
+        """the daemon's own page, a person's own request and other clients are answered"""
+        for site in ("same-origin", "none"):
+            self.assertEqual(self.daemon.send("/v1/render", TRIANGLE, Sec_Fetch_Site=site)[0], 200)
+        self.assertEqual(self.daemon.send("/v1/render", TRIANGLE)[0], 200)
+        self.assertEqual(self.daemon.send("/v1/limits", Sec_Fetch_Site="cross-site")[0], 200)
+
+    def test_cors(self):
+        """an origin of --origins is answered, and its browser may read the answer"""
+        for origin in ("https://one.example", "http://127.0.0.1:3000"):
+            status, headers, _ = self.daemon.send("/v1/render", TRIANGLE, Sec_Fetch_Site="cross-site", Origin=origin)
+            self.assertEqual((status, headers["Access-Control-Allow-Origin"]), (200, origin))
+            self.assertIn("Origin", headers.get_all("Vary"))
+            self.assertIn("Server-Timing", headers["Access-Control-Expose-Headers"])
+        for origin in ("https://one.example.org", "https://one", "http://one.example", "null"):
+            status, headers, _ = self.daemon.send("/v1/render", TRIANGLE, Sec_Fetch_Site="cross-site", Origin=origin)
+            self.assertEqual((status, headers["Access-Control-Allow-Origin"]), (403, None))
+
+    def test_preflight(self):
+        """a preflight of such an origin is answered without a token; others get 405"""
+        status, headers, data = self.daemon.send("/v1/render", None, "OPTIONS", Origin="https://one.example", Access_Control_Request_Method="POST")
+        self.assertEqual((status, headers["Access-Control-Allow-Methods"], data), (204, "POST", b""))
+        self.assertIn("Authorization", headers["Access-Control-Allow-Headers"])
+        self.assertEqual(self.daemon.send("/v1/render", None, "OPTIONS", Origin="https://two.example")[0], 405)
+
+
+class AnySite(Case):
+    flags = ["--origins=*", "--token=secret"]
+
+    def test_any(self):
+        """with * any page may ask, if it has the token"""
+        ask = {"Sec_Fetch_Site": "cross-site", "Origin": "https://two.example"}
+        self.assertEqual(self.daemon.send("/v1/render", TRIANGLE, **ask)[0], 401)
+        self.assertEqual(self.daemon.send("/v1/render", TRIANGLE, Authorization="Bearer secret", **ask)[0], 200)
+        self.assertEqual(self.daemon.send("/v1/render", None, "OPTIONS", Origin="https://two.example")[0], 204)
