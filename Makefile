@@ -113,7 +113,8 @@ $(core): OURS += $(core_flags)
 renderer_rooms := base scene geometry mesh raster shade drawing effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects)
-server := $(call objects,server/*.c)
+mcp := $(call objects,server/mcp/*.c)
+server := $(call objects,server/*.c) $(mcp)
 client := $(call objects,clients/*.c)
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
 support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
@@ -485,7 +486,7 @@ $(BUILD)/zrasterd: $(server) $(BUILD)/libcore.a
 	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
 
 # libcurl is loaded once a server is named (clients/curl_rows.h).
-$(BUILD)/zraster: $(client) $(BUILD)/libzraster.a
+$(BUILD)/zraster: $(client) $(mcp) $(BUILD)/libzraster.a
 	$(LINK) $(CLIENT_LIBS) $(CORE_LIBS)
 
 $(manuals) &: clients/man.sh $(BUILD)/zraster $(BUILD)/zrasterd $(library_header)
@@ -570,7 +571,7 @@ $(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/support/
 
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
-$(BUILD)/tests/server/test_streams: $(BUILD)/clients/unzip.o
+$(BUILD)/tests/server/test_streams: $(BUILD)/server/mcp/unzip.o
 
 # Where there is no compiler, it is said so once, and what brings one.
 missing_compiler := $(if $(macros),,compiler)

@@ -137,9 +137,11 @@ static bool take_field(struct framing *f, char c)
 /* Returns true if the header's value passes: http_exchange.c or libmicrohttpd reads it. */
 static bool is_read_here(const struct framing *f)
 {
-    static const char *const NAMES[] = {"host",          "connection",   "content-length",   "transfer-encoding",
-                                        "expect",        "content-type", "content-encoding", "authorization",
-                                        "if-none-match", "x-request-id", "traceparent",      "accept"};
+    static const char *const NAMES[] = {
+        "host",          "connection",           "content-length",   "transfer-encoding",
+        "expect",        "content-type",         "content-encoding", "authorization",
+        "if-none-match", "x-request-id",         "traceparent",      "accept",
+        "origin",        "mcp-protocol-version", "mcp-method",       "mcp-name"};
     for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++)
         if (equals(f->name, f->name_length, NAMES[i])) return true;
     return false;

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "agents.h"
 #include "assets.h"
 #include "drake.h"
 #include "health.h"
@@ -15,6 +16,7 @@ static const struct route ROUTES[] = {
     {"/v1/render", "POST", false, rendering_open, rendering_work, true, false},
     {"/v1/assets", "POST", false, assets_open, assets_work, false, false},
     {"/v1/limits", "GET, HEAD", false, limits_open, NULL, false, false},
+    {AGENTS_PATH, "POST", false, agents_open, agents_work, true, false},
     {DRAKE_PATH, "POST", false, drake_open, drake_work, true, true},
     {"/healthz", "GET, HEAD", true, health_open, NULL, false, false},
     {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false, false},
