@@ -1,6 +1,8 @@
 #include "facts.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { PARTS_MAX = 50, PARTS_TOLD = 12 };
@@ -22,6 +24,14 @@ static double number_of(const cJSON *object, const char *name)
     return item ? item->valuedouble : 0;
 }
 
+/* Returns a number of a float's digits. */
+static cJSON *make_number(double value)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.7g", value);
+    return cJSON_CreateNumber(strtod(text, NULL));
+}
+
 static void copy(cJSON *to, const cJSON *from, const char *name)
 {
     const cJSON *item = get(from, name);
@@ -37,12 +47,12 @@ static cJSON *make_box(const cJSON *bounds)
     if (!min || !max) return cJSON_CreateNull();
     cJSON *box = cJSON_CreateObject();
     for (int i = 0; i < 3; i++)
-        size[i] = (double)((float)number_at(max, i) - (float)number_at(min, i));
+        size[i] = number_at(max, i) - number_at(min, i);
     cJSON_AddItemToObject(box, "min", cJSON_Duplicate(min, true));
     cJSON_AddItemToObject(box, "max", cJSON_Duplicate(max, true));
     cJSON *list = cJSON_AddArrayToObject(box, "size");
     for (int i = 0; i < 3; i++)
-        cJSON_AddItemToArray(list, cJSON_CreateNumber((double)(float)(round(size[i] * 1e6) / 1e6)));
+        cJSON_AddItemToArray(list, make_number(size[i]));
     return box;
 }
 
@@ -114,8 +124,7 @@ static void add_view(cJSON *views, const cJSON *camera, const char *name, unsign
                           make_vector(-number_at(pose, 2), -number_at(pose, 6), -number_at(pose, 10)));
     cJSON_AddStringToObject(view, "projection", is_parallel ? "orthographic" : "perspective");
     cJSON_AddItemToObject(view, "unitsPerPixel",
-                          is_parallel ? cJSON_CreateNumber((double)(float)(2 / fabs(number_at(projection, 0) * pixels)))
-                                      : cJSON_CreateNull());
+                          is_parallel ? make_number(2 / fabs(number_at(projection, 0) * pixels)) : cJSON_CreateNull());
     copy(view, camera, "eye");
     cJSON_AddItemToArray(views, view);
 }
@@ -204,7 +213,7 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
     const int count = cJSON_GetArraySize(parts) + (int)number_of(content, "partsOmitted");
     mcp_text_print(text, "; %d part%s", count, count == 1 ? "" : "s");
     if (strcmp(unit, "units") == 0) mcp_text_put(text, "; the format names no unit");
-    cJSON_ArrayForEach(part, parts) if (told++ < PARTS_TOLD) describe_part(text, part, unit);
+    cJSON_ArrayForEach(part, parts) if (count > 1 && told++ < PARTS_TOLD) describe_part(text, part, unit);
     if (count > PARTS_TOLD) mcp_text_print(text, "\n- and %d more parts", count - PARTS_TOLD);
     cJSON_ArrayForEach(warning, get(content, "warnings"))
         mcp_text_print(text, "\nwarning: %.1000s", warning->valuestring);
