@@ -543,14 +543,16 @@ $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libcore.a
 # With libFuzzer's main, or with one that hands over files.
 fuzz_main := $(if $(FUZZ),,$(BUILD)/tests/fuzz/replay.o)
 $(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
-	$(LINK) $(if $(FUZZ),-fsanitize=fuzzer) $(CORE_LIBS) -lz
+	$(LINK) $(if $(FUZZ),-fsanitize=fuzzer) $(CORE_LIBS) -lz -lcjson
 $(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/gunzip.o
 $(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/multipart.o
+$(BUILD)/tests/fuzz/fuzz_mcp: $(mcp)
 $(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) -lcmocka -lpng -ljpeg -lwebp -lz
 
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
+$(BUILD)/tests/unit/test_mcp: $(mcp)
 $(BUILD)/tests/unit/test_framing: $(BUILD)/server/framing.o
 $(BUILD)/tests/unit/test_accept: $(BUILD)/server/accept.o
 $(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o
