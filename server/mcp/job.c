@@ -7,8 +7,8 @@
 #include "faults.h"
 
 /* Arguments of each tool. */
-#define OF_ALL      "model", "scene"
-#define OF_PICTURES OF_ALL, "views", "sheet", "look", "up", "parts", "sections", "annotate", "width", "height"
+#define OF_ALL      "model", "scene", "up"
+#define OF_PICTURES OF_ALL, "views", "sheet", "look", "parts", "sections", "annotate", "width", "height"
 static const char *const ARGUMENTS[MCP_TOOLS][16] = {
     [MCP_RENDER] = {OF_PICTURES, "format"}, [MCP_FACTS] = {OF_ALL}, [MCP_PICK] = {OF_PICTURES, "image", "x", "y"}};
 static const char *const PARTS[] = {"hide", "isolate", "ghost", "highlight", "explode", "colors", NULL};
@@ -369,6 +369,7 @@ bool mcp_job_compose(const struct mcp_job *job, const struct mcp_picture *pictur
         put_picture(job, picture, &head);
     } else {
         put(&head, "render", "false");
+        put_item(&head, "up", mcp_job_argument(job, "up"));
         drop_views(&head);
     }
     const size_t own_size = own.at ? (size_t)(own.end - own.at) : 0;

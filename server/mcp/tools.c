@@ -25,7 +25,10 @@ static const char model_of_assets[] =
 static const char scene[] =
     "\"scene\":{\"type\":\"object\",\"description\":\"A scene instead of a model, as POST /v1/render takes it, such as "
     "{'polygons': [{'vertices': [[0,0,0],[1,0,0],[0,1,0]]}]}. With a model, the scene names it by "
-    "{'meshes': [{'asset': 'model'}]}; a model given by its path has its file's name.\"}";
+    "{'meshes': [{'asset': 'model'}]}; a model given by its path has its file's name.\"}"
+    ","
+    "\"up\":{\"type\":\"string\",\"enum\":[\"y\",\"z\"],\"description\":\"Axis of the file that points up. Default: z "
+    "for STL and 3MF, else y. It changes the names of sides, no coordinates. For CAD models with z up, say z.\"}";
 
 #define SIDE "\"type\":\"integer\",\"minimum\":16,\"maximum\":1568"
 static const char pictures[] =
@@ -39,8 +42,6 @@ static const char pictures[] =
     "show all sides. threeView: front, top, right and isometric. views: those of the argument.\"},"
     "\"look\":{\"type\":\"string\",\"description\":\"studio (default), technical (lines on white), clay, dark, metal, "
     "outdoor, blueprint, xray (see-through) or textbook; NAME@VERSION pins its pixels.\"},"
-    "\"up\":{\"type\":\"string\",\"enum\":[\"y\",\"z\"],\"description\":\"Axis of the file that points up. Default: z "
-    "for STL and 3MF, else y. It changes the names of sides, no coordinates. For CAD models with z up, say z.\"},"
     "\"parts\":{\"type\":\"object\",\"properties\":{\"hide\":{},\"isolate\":{},\"ghost\":{},\"highlight\":{},"
     "\"explode\":{},\"colors\":{\"type\":\"string\",\"enum\":[\"own\",\"parts\",\"materials\"]}},\"description\":"
     "\"hide, "

@@ -6,6 +6,7 @@ import random
 import re
 import struct
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -475,6 +476,7 @@ class Http(unittest.TestCase):
             ("render", ["give a model"], {}),
             ("render", ["/modle", "did you mean model?"], {"modle": box}),
             ("facts", ["/views", "unknown"], {"model": box, "views": ["front"]}),
+            ("facts", ["/up"], {"model": box, "up": "x"}),
             ("render", ["/model/txt", "did you mean text?"], {"model": {"txt": BOX}}),
             ("render", ["/model", "give one of"], {"model": {}}),
             ("render", ["/model/base64", "given, too"], {"model": {"text": BOX, "base64": "AAAA"}}),
@@ -576,6 +578,14 @@ class Stdio(unittest.TestCase):
         self.pipe.write({"jsonrpc": "2.0", "id": 3, "method": "ping"})
         rest, _, status = self.pipe.stop()
         self.assertEqual(([json.loads(line)["id"] for line in rest.splitlines()], status), ([3], 0))
+
+    def test_agent_loop(self):
+        """The example of an agent's loop finds its error by looking"""
+        script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../clients/examples/agent_loop.py")
+        ran = subprocess.run([sys.executable, script, os.path.join(build, "zraster")], capture_output=True, text=True)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        self.assertIn("sees 3 holes", ran.stdout)
+        self.assertIn("sees 4 holes: done after 2 attempts", ran.stdout)
 
     def test_usage(self):
         """The command says what it needs"""
