@@ -251,6 +251,13 @@ static void add(struct bytes *line, const char *bytes, size_t size, bool *is_too
     bytes_add(line, "]", 1);
 }
 
+static bool is_blank(const struct bytes *line)
+{
+    for (size_t i = 0; i < line->size; i++)
+        if (!memchr(" \t\r", line->data[i], 3)) return false;
+    return true;
+}
+
 static void read_lines(struct serving *serving)
 {
     static char block[64 << 10];
@@ -261,7 +268,7 @@ static void read_lines(struct serving *serving)
         const char *at = block, *const end = block + count, *stop;
         while ((stop = memchr(at, '\n', (size_t)(end - at))) != NULL) {
             add(&line, at, (size_t)(stop - at), &is_too_long);
-            if (line.size > strspn(bytes_text(&line), " \t\r")) hand_over(serving, &line);
+            if (!is_blank(&line)) hand_over(serving, &line);
             bytes_free(&line);
             line = (struct bytes){NULL, 0, 0};
             is_too_long = false;
