@@ -30,21 +30,13 @@ struct mcp_job {
 bool mcp_job_read(struct mcp_job *job, const struct mcp_host *host, const struct mcp_message *message,
                   enum mcp_tool tool);
 
-/* What to make of a scene. */
-struct mcp_picture {
-    const char *outputs;    /* JSON */
-    unsigned width, height; /* 0: no picture */
-    const char *view;       /* JSON of one view that replaces all; NULL: those of the job */
-    int only;               /* number of the job's only view to draw; -1: all */
-};
-
-/* Makes the scene in memory of the host. False: no memory. */
-bool mcp_job_compose(const struct mcp_job *job, const struct mcp_picture *picture, struct mcp_draw *draw);
-
 /* Turns a pointer into the scene to one into the arguments, in place. */
 void mcp_job_point(const struct mcp_job *job, char pointer[MCP_POINTER_SIZE]);
 
 /* Returns the argument of this name, or NULL. */
 const cJSON *mcp_job_argument(const struct mcp_job *job, const char *name);
+
+/* Returns a member of the scene that was given; NULL spans: it has none. */
+struct mcp_span mcp_job_own(const struct mcp_job *job, const char *name);
 
 #endif

@@ -80,7 +80,7 @@ enum mcp_draw_status mcp_shots_draw_once(struct mcp_job *job, const struct mcp_p
     mcp_shots_free(host, shots);
     shots->drawn = (struct mcp_drawn){.bytes = NULL};
     job->faults.count = 0;
-    if (!mcp_job_compose(job, picture, &draw)) {
+    if (!mcp_compose(job, picture, &draw)) {
         if (mcp_host_is_cancelled(host)) return MCP_CANCELLED;
         mcp_fault(&job->faults, "", "there is no memory for the scene");
         return MCP_REFUSED;

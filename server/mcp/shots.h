@@ -2,6 +2,7 @@
 #ifndef MCP_SHOTS_H
 #define MCP_SHOTS_H
 
+#include "compose.h"
 #include "facts.h"
 
 /* Characters of base64 of all pictures of an answer. */
