@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "walk.h"
+#include "span.h"
 
 enum { MCP_FAULTS_MAX = 20, MCP_POINTER_SIZE = 192, MCP_DETAIL_SIZE = 1300 };
 

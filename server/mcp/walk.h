@@ -12,9 +12,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-struct mcp_span {
-    const char *at, *end; /* NULL: there is none */
-};
+#include "span.h"
 
 struct mcp_host; /* host.h */
 

@@ -4,6 +4,7 @@
 #define ZR_TESTS_MCP_HOST_H
 
 #include "mcp/mcp.h"
+#include "mcp/walk.h"
 
 /* Counts of what was asked for, and the text of the last scene. */
 struct mcp_test_host {
