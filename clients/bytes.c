@@ -39,7 +39,7 @@ static bool reserve(struct bytes *bytes, size_t size)
 bool bytes_add(struct bytes *bytes, const void *data, size_t size)
 {
     if (!reserve(bytes, size)) return false;
-    memcpy(bytes->data + bytes->size, data, size);
+    if (size > 0) memcpy(bytes->data + bytes->size, data, size);
     bytes->size += size;
     return true;
 }

@@ -18,6 +18,9 @@
         "draws an animated PNG or WebP: the camera turns once around FILE")                                            \
     ROW(compare, 'c', "A.png B.png [-o DIFF.png]", "counts the pixels that differ; exit status 4 if any do")           \
     ROW(watch, 'w', "FILE [-o OUTPUT] [OPTION]...", "draws the file again whenever it changes")                        \
+    ROW(mcp, 'm', "--root DIR [OPTION]...",                                                                            \
+        "serves the tools render, facts and pick to an agent, by the Model Context Protocol on standard input and "    \
+        "output")                                                                                                      \
     ROW(looks, 'l', "", "lists the looks")                                                                             \
     ROW(help, 'h', "[COMMAND]", "explains a command")
 
@@ -39,18 +42,19 @@
     ROW(TYPE, "type", 0, "TYPE", DRAWING_COMMANDS,                                                                     \
         "format of FILE:" OPTIONS_TYPES " (default: by its ending, else by its bytes)")                                \
     ROW(PART, "part", 0, "NAME=FILE", DRAWING_COMMANDS, "file for {\"asset\": \"NAME\"} in a scene; repeatable")       \
-    ROW(ROOT, "root", 0, "DIR", DRAWING_COMMANDS,                                                                      \
-        "folder of the files that FILE may refer to, such as textures (default: its own)")                             \
+    ROW(ROOT, "root", 0, "DIR", DRAWING_COMMANDS "m",                                                                  \
+        "folder of the files that FILE may refer to, such as textures (default: its own); mcp: of all files that it "  \
+        "may read")                                                                                                    \
     ROW(SERVER, "server", 0, "URL", DRAWING_COMMANDS,                                                                  \
         "daemon that draws instead of this process (default: $ZRASTER_SERVER, else none)")                             \
     ROW(TOKEN_FILE, "token-file", 0, "FILE", DRAWING_COMMANDS,                                                         \
         "file whose first line is the server's token (default: $ZRASTER_TOKEN)")                                       \
-    ROW(THREADS, "threads", 'j', "N", DRAWING_COMMANDS, "number of threads (default: all processors)")                 \
+    ROW(THREADS, "threads", 'j', "N", DRAWING_COMMANDS "m", "number of threads (default: all processors)")             \
     ROW(QUIET, "quiet", 'q', NULL, DRAWING_COMMANDS, "no warnings")                                                    \
     ROW(VERBOSE, "verbose", 'v', NULL, DRAWING_COMMANDS, "line per output: name, size, look and times")                \
     ROW(PLAIN, "plain", 0, NULL, "rbwvst", "no progress on a terminal (also with the variable NO_COLOR)")              \
-    ROW(HELP, "help", 'h', NULL, "ribcwlhvst", "help of the command")                                                  \
-    ROW(VERSION, "version", 'V', NULL, "ribcwlhvst", "version of zraster")
+    ROW(HELP, "help", 'h', NULL, "ribcwlhvstm", "help of the command")                                                 \
+    ROW(VERSION, "version", 'V', NULL, "ribcwlhvstm", "version of zraster")
 #define OPTION_ROWS(ROW) OUTPUT_OPTION_ROWS(ROW) GENERAL_OPTION_ROWS(ROW)
 
 /* ROW(parameter, short letter) */

@@ -36,7 +36,7 @@ to_roff() {
 {
     page zraster 1 "renders 3D scenes and models to pictures, depth maps and ids"
     "$build/zraster" help | to_roff
-    for command in info batch views sheet turntable compare watch looks; do
+    for command in info batch views sheet turntable compare watch mcp looks; do
         printf '.SH ZRASTER %s\n' "$(echo $command | tr a-z A-Z)"
         "$build/zraster" help $command | sed -e '/^Picture:/,$d' -e '/^General:/,$d' -e '/^Output:/d' | to_roff | sed '/^\.SH SYNOPSIS/d'
     done

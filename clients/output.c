@@ -10,7 +10,7 @@
 
 #include "input.h"
 #include "tables.h"
-#include "unzip.h"
+#include "mcp/unzip.h"
 
 struct format {
     const char *type, *ending, *name, *instead;

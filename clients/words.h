@@ -1,15 +1,10 @@
-/* words.h - client: near misses, and the values that options accept. */
+/* words.h - client: the values that options accept. */
 #ifndef WORDS_H
 #define WORDS_H
 
 #include <stddef.h>
 
-/* The word of a list that is nearest to a given one; `best` is NULL if none is near. */
-struct near_word {
-    const char *word, *best;
-    size_t distance;
-};
-void near_offer(struct near_word *near, const char *candidate);
+#include "mcp/near.h"
 
 enum { WORDS_MAX = 64, WORDS_SIZE = 1024 };
 struct words {

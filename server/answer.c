@@ -12,6 +12,8 @@ const char *answer_reason(int http_status)
     switch (http_status) {
     case 200:
         return "OK";
+    case 202:
+        return "Accepted";
     case 204:
         return "No Content";
     case 400:

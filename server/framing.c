@@ -140,7 +140,8 @@ static bool is_read_here(const struct framing *f)
     static const char *const NAMES[] = {"host",          "connection",     "content-length",   "transfer-encoding",
                                         "expect",        "content-type",   "content-encoding", "authorization",
                                         "if-none-match", "x-request-id",   "traceparent",      "accept",
-                                        "origin",        "sec-fetch-site", "accept-encoding"};
+                                        "origin",        "sec-fetch-site", "accept-encoding",  "mcp-protocol-version",
+                                        "mcp-method",    "mcp-name"};
     for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++)
         if (equals(f->name, f->name_length, NAMES[i])) return true;
     return false;

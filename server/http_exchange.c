@@ -280,6 +280,8 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.content_encoding = header(exchange, "Content-Encoding");
     exchange->request.authorization = header(exchange, "Authorization");
     exchange->request.if_none_match = header(exchange, "If-None-Match");
+    exchange->request.mcp = (struct mcp_headers){header(exchange, "MCP-Protocol-Version"),
+                                                 header(exchange, "Mcp-Method"), header(exchange, "Mcp-Name")};
     struct accept accept = {0};
     exchange->request.accept = header(exchange, "Accept");
     exchange->request.accept_encoding = header(exchange, "Accept-Encoding");

@@ -35,7 +35,7 @@ static bool is_read_only(const char *method)
     return strcmp(method, "GET") == 0 || strcmp(method, "HEAD") == 0 || strcmp(method, "OPTIONS") == 0;
 }
 
-static bool is_allowed(const struct config *config, const struct request *request)
+bool origin_is_allowed(const struct config *config, const struct request *request)
 {
     return request->origin && is_among(config->origins, request->origin);
 }
@@ -47,7 +47,7 @@ static bool is_preflight(const struct request *request)
 
 bool origin_check(const struct config *config, const struct request *request, struct answer *answer)
 {
-    if (is_allowed(config, request)) {
+    if (origin_is_allowed(config, request)) {
         if (is_preflight(request)) answer->status = 204;
         return answer->status == 0;
     }
@@ -62,7 +62,7 @@ bool origin_check(const struct config *config, const struct request *request, st
 
 void origin_finish(const struct config *config, const struct request *request, struct answer *answer)
 {
-    if (!is_allowed(config, request)) return;
+    if (!origin_is_allowed(config, request)) return;
     answer_header(answer, "Access-Control-Allow-Origin", "%s", request->origin);
     answer_header(answer, "Access-Control-Expose-Headers", EXPOSED);
     answer_header(answer, "Vary", "Origin");

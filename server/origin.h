@@ -11,6 +11,9 @@
  * or stores something, from a page of another origin that is not among them. Needs request->route, which may be NULL. */
 bool origin_check(const struct config *config, const struct request *request, struct answer *answer);
 
+/* Returns true if the request names an origin among --origins. */
+bool origin_is_allowed(const struct config *config, const struct request *request);
+
 /* Adds the headers of CORS to an answer for an origin among --origins. */
 void origin_finish(const struct config *config, const struct request *request, struct answer *answer);
 

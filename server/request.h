@@ -15,6 +15,7 @@
 #include "config.h"
 #include "core.h"
 #include "images.h"
+#include "mcp/mcp.h"
 #include "meshes.h"
 #include "multipart.h"
 #include "slowness.h"
@@ -63,6 +64,7 @@ struct request {
     const char *content_type, *content_encoding, *authorization; /* NULL if not sent */
     const char *if_none_match, *accept, *accept_encoding;        /* NULL if not sent */
     const char *origin, *fetch_site;                             /* of browsers; NULL if not sent */
+    struct mcp_headers mcp;                                      /* of POST /mcp */
     bool accepts_stream;                                         /* Accept names the type of streams */
     struct stream *stream;                                       /* for such a request, on a worker; else NULL */
     const struct route *route;                                   /* set by router_open */

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "agents.h"
 #include "assets.h"
 #include "drake.h"
 #include "health.h"
@@ -21,6 +22,7 @@ static const struct route ROUTES[] = {
     {EXAMPLES_PATH, "GET, HEAD", false, examples_open, NULL, false, false},
     {"/v1/looks", "GET, HEAD", false, looks_open, NULL, false, false},
     {"/v1/limits", "GET, HEAD", false, limits_open, NULL, false, false},
+    {AGENTS_PATH, "POST", false, agents_open, agents_work, true, false},
     {DRAKE_PATH, "POST", false, drake_open, drake_work, true, true},
     {"/healthz", "GET, HEAD", true, health_open, NULL, false, false},
     {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false, false},

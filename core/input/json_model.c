@@ -243,6 +243,7 @@ bool zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path
         if (root->json.error->count > 0) return true;
         make_material(root, model->builder.file, i, style, own, mesh);
     }
+    if (root->meshes.count == 1 && !root->nodes) root->scene->file.unit = from->file.unit; /* nothing scales it */
     count_normals(root->scene, &from->counts, style->number);
     repeat_warnings(root, &model->builder.warnings, style->number, &root->builder->warnings);
     repeat_warnings(root, &model->builder.color_warnings, style->number, &root->builder->color_warnings);

@@ -55,6 +55,20 @@ static uint64_t part_of_cap(const struct zr_sections_cut *sections, const struct
     return owners[cap->instance].first_part + cap->part;
 }
 
+const uint64_t *zr_frame_parts_of_ids(struct zr_arena *arena, const struct zr_scene *scene,
+                                      const struct zr_frame *frame, const uint32_t *ids, uint32_t count)
+{
+    uint64_t *parts = zr_arena_alloc(arena, count, sizeof *parts);
+    const struct owner *owners = list_owners(arena, scene);
+    for (uint32_t i = 0; parts && owners && i < count; i++) {
+        const uint32_t number = ids[i] - 1, instance = instance_of(owners, scene->instance_count, number);
+        parts[i] = instance < scene->instance_count
+                       ? part_of(&scene->meshes[scene->instances[instance].mesh], &owners[instance], number)
+                       : part_of_cap(frame->sections, owners, number);
+    }
+    return owners ? parts : NULL;
+}
+
 /* Returns false if cancelled. */
 static bool count_pixels(const struct zr_scene *scene, const struct zr_frame *frame, const struct owner *owners,
                          const struct zr_cancel *cancel, uint64_t *pixels)

@@ -14,4 +14,8 @@ enum zr_status zr_frame_parts_find(struct zr_arena *arena, struct zr_arena *scra
                                    const struct zr_scene *scene, const struct zr_cancel *cancel,
                                    struct zr_frame *frame);
 
+/* Returns the number of the part that has each face id, from 0; UINT64_MAX: none has it. NULL without memory. */
+const uint64_t *zr_frame_parts_of_ids(struct zr_arena *arena, const struct zr_scene *scene,
+                                      const struct zr_frame *frame, const uint32_t *ids, uint32_t count);
+
 #endif

@@ -22,9 +22,9 @@
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json", "obj",      "mtl",     "stl",   "ply",  "gltf",      "3mf",
-                                      "zip",  "png",      "npy",     "array", "gzip", "multipart", "image_png",
-                                      "jpeg", "zip_body", "meshopt", "webp",  "draco"};
+static const char *const targets[] = {"json", "obj",      "mtl",     "stl",   "ply",   "gltf",      "3mf",
+                                      "zip",  "png",      "npy",     "array", "gzip",  "multipart", "image_png",
+                                      "jpeg", "zip_body", "meshopt", "webp",  "draco", "mcp"};
 
 void fail(const char *what)
 {
@@ -376,6 +376,29 @@ static void write_bodies(void)
     WRITE_TEXTS("multipart", multiparts);
 }
 
+#define MCP_CALL(tool, arguments)                                                                                      \
+    "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"tools/call\",\"params\":{\"name\":\"" tool                             \
+    "\",\"arguments\":" arguments "}}"
+
+static void write_messages(void)
+{
+    static const struct text messages[] = {
+        {"initialize", "{\"jsonrpc\":\"2.0\",\"id\":\"a\",\"method\":\"initialize\",\"params\":{\"protocolVersion\":"
+                       "\"2025-06-18\"}}"},
+        {"list", "{\"jsonrpc\":\"2.0\",\"id\":2,\"method\":\"tools/list\",\"params\":{\"_meta\":{"
+                 "\"io.modelcontextprotocol/protocolVersion\":\"2026-07-28\","
+                 "\"io.modelcontextprotocol/clientCapabilities\":{}}}}"},
+        {"cancelled", "{\"jsonrpc\":\"2.0\",\"method\":\"notifications/cancelled\",\"params\":{\"requestId\":1}}"},
+        {"render", MCP_CALL("render", "{\"model\":{\"base64\":\"AAECAwQ=\"},\"views\":[\"front\",{\"view\":{}}],"
+                                      "\"parts\":{\"hide\":[\"a\"]},\"annotate\":false}")},
+        {"scene",
+         MCP_CALL("render", "{\"scene\":{\"polygons\":[],\"views\":[\"top\",{}],\"window\":{\"width\":3000}}}")},
+        {"facts", MCP_CALL("facts", "{\"model\":{\"text\":\"v 0 0\\n\\ud83d\\ude00\"}}")},
+        {"pick", MCP_CALL("pick", "{\"model\":{\"text\":\"v\"},\"sheet\":\"threeView\",\"x\":1,\"y\":2}")},
+    };
+    WRITE_TEXTS("mcp", messages);
+}
+
 int main(int count, char **arguments)
 {
     if (count != 2) {
@@ -395,5 +418,6 @@ int main(int count, char **arguments)
     write_zip_body();
     write_webps();
     write_bodies();
+    write_messages();
     return 0;
 }

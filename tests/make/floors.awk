@@ -30,6 +30,7 @@ BEGIN {
     sibling = from
     sub(/[^\/]*$/, "", sibling)
     if (quoted && (sibling to) in exists) to = sibling to
+    else if (quoted && ("server/" to) in exists) to = "server/" to # by -Iserver
     if (to in exists) add(from, to)
     else if (quoted) fault(from " includes " to ", which is in none of these folders")
 }

@@ -6,7 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "../clients/unzip.h"
+#include "mcp/unzip.h"
 #include "streamed.h"
 #include "support/sanitized.h"
 #include "support/tests.h"

@@ -1,4 +1,4 @@
-/* unzip.h - client: the files of an answer with several outputs. */
+/* unzip.h - mcp, client: the files of an answer with several outputs. */
 #ifndef UNZIP_H
 #define UNZIP_H
 

@@ -1,0 +1,205 @@
+#include "agents.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include <cjson/cJSON.h>
+
+#include "body.h"
+#include "mcp/faults.h"
+#include "origin.h"
+#include "problem.h"
+#include "rendering.h"
+#include "text.h"
+
+/* ---- opening ---- */
+
+/* Returns true for an origin of this machine: a page of another one may have the daemon's name by DNS rebinding. */
+static bool is_local(const char *origin)
+{
+    static const char *const hosts[] = {"localhost", "127.0.0.1", "[::1]"};
+    const char *host = strstr(origin, "://");
+    for (size_t i = 0; host && i < sizeof hosts / sizeof *hosts; i++) {
+        const size_t length = strlen(hosts[i]);
+        if (strncasecmp(host + 3, hosts[i], length) == 0 && strchr(":", host[3 + length])) return true;
+    }
+    return false;
+}
+
+static bool is_json(const char *type)
+{
+    static const char wanted[] = "application/json";
+    const size_t length = type ? strcspn(type, "; \t") : 0;
+    return length == sizeof wanted - 1 && strncasecmp(type, wanted, length) == 0;
+}
+
+bool agents_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+{
+    (void)load;
+    if (request->origin && !is_local(request->origin) && !origin_is_allowed(service->config, request))
+        problem_answer(answer, 403,
+                       "pages of '%.100s' may not call " AGENTS_PATH
+                       "; those of localhost may, and those that zrasterd is "
+                       "started with: --origins",
+                       request->origin);
+    else if (!is_json(request->content_type))
+        problem_answer(answer, 415, AGENTS_PATH " takes messages of the Content-Type application/json");
+    else
+        return true;
+    return false;
+}
+
+/* ---- the host of the handler ---- */
+
+struct agents {
+    const struct service *service;
+    const struct request *request;
+    struct zr_arena *arena;
+    const struct zr_cancel *cancel;
+    struct step_times *times;
+};
+
+static bool is_cancelled(void *context)
+{
+    const struct agents *agents = context;
+    return zr_is_cancelled(agents->request->small_only ? agents->cancel->parent : agents->cancel);
+}
+
+static void *allocate(void *context, size_t size)
+{
+    const struct agents *agents = context;
+    return zr_arena_alloc(agents->arena, size, 1);
+}
+
+/* The scene is unpacked already. */
+static enum body_status unpack(const struct request *request, size_t max, struct zr_arena *arena,
+                               const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
+{
+    (void)max;
+    (void)arena;
+    (void)cancel;
+    (void)answer;
+    *render = request->render;
+    return BODY_READY;
+}
+
+static void report(struct answer *answer, enum zr_status status, const struct zr_error *error)
+{
+    problem_answer_error(answer, problem_http_status(status), error);
+}
+
+/* Reads the faults of a problem (problem.h). */
+static void read_faults(const struct answer *answer, struct mcp_faults *faults)
+{
+    cJSON *problem = answer->bytes ? cJSON_ParseWithLength(answer->bytes, answer->size) : NULL;
+    const cJSON *error;
+    cJSON_ArrayForEach(error, cJSON_GetObjectItemCaseSensitive(problem, "errors"))
+    {
+        const cJSON *pointer = cJSON_GetObjectItemCaseSensitive(error, "pointer"),
+                    *detail = cJSON_GetObjectItemCaseSensitive(error, "detail");
+        if (cJSON_IsString(pointer) && cJSON_IsString(detail))
+            mcp_fault(faults, pointer->valuestring, "%s", detail->valuestring);
+    }
+    if (faults->count == 0) mcp_fault(faults, "", "%s", *answer->detail ? answer->detail : "out of memory");
+    cJSON_Delete(problem);
+}
+
+static bool is_zip(const struct answer *answer)
+{
+    for (size_t i = 0; i < answer->header_count; i++)
+        if (strcmp(answer->headers[i].name, "Content-Type") == 0)
+            return strcmp(answer->headers[i].value, "application/zip") == 0;
+    return false;
+}
+
+static enum mcp_draw_status draw(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn)
+{
+    static const struct rendering_kind kind = {unpack, report, true};
+    const struct agents *agents = context;
+    const struct zr_asset file = {.name = draw->file_name, .bytes = draw->file, .size = draw->file_size};
+    struct request request = *agents->request;
+    struct answer *made = calloc(1, sizeof *made);
+    if (!made) {
+        mcp_fault(&drawn->faults, "", "out of memory");
+        return MCP_REFUSED;
+    }
+    request.stream = NULL;
+    request.render = (struct zr_request){.format = ZR_FORMAT_JSON,
+                                         .bytes = draw->scene,
+                                         .size = draw->scene_size,
+                                         .assets = &file,
+                                         .asset_count = draw->file_name ? 1 : 0};
+    const enum request_next next =
+        rendering_run(&kind, agents->service, &request, agents->arena, agents->cancel, agents->times, made);
+    if (next != REQUEST_LARGE && made->status == 200 && made->bytes && !made->is_broken) {
+        drawn->bytes = made->bytes;
+        drawn->size = made->size;
+        drawn->is_zip = is_zip(made);
+        drawn->owner = made;
+        return MCP_DRAWN;
+    }
+    if (next != REQUEST_LARGE) read_faults(made, &drawn->faults);
+    answer_free(made);
+    free(made);
+    return next == REQUEST_LARGE ? MCP_LATER : MCP_REFUSED;
+}
+
+static void release(void *context, struct mcp_drawn *drawn)
+{
+    (void)context;
+    answer_free(drawn->owner);
+    free(drawn->owner);
+}
+
+/* ---- working ---- */
+
+static enum request_next answer_message(struct agents *agents, const struct zr_request *body, struct answer *answer)
+{
+    const struct mcp_host host = {.context = agents,
+                                  .version = ZR_VERSION,
+                                  .is_cancelled = is_cancelled,
+                                  .allocate = allocate,
+                                  .draw = draw,
+                                  .release = release};
+    const struct mcp_span message = {body->bytes, body->bytes + body->size};
+    struct mcp_reply reply;
+    switch (mcp_handle(&host, message, &agents->request->mcp, &reply)) {
+    case MCP_LATER:
+        return REQUEST_LARGE;
+    case MCP_CANCELLED:
+        if (agents->request->small_only) return REQUEST_LARGE;
+        problem_timeout(answer, agents->service->config->render_timeout_ms);
+        return REQUEST_ANSWERED;
+    default:
+        break;
+    }
+    answer->status = reply.http_status;
+    if (reply.text.size > 0)
+        answer_body(answer, "application/json", reply.text.data, reply.text.size);
+    else
+        mcp_text_free(&reply.text);
+    return REQUEST_ANSWERED;
+}
+
+enum request_next agents_work(const struct service *service, const struct request *request, struct zr_arena *arena,
+                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+{
+    struct agents agents = {service, request, arena, cancel, times};
+    struct zr_request body;
+    const struct zr_cancel *reading = request->small_only ? cancel->parent : cancel;
+    switch (body_unpack(request, (size_t)service->config->body_max_bytes, arena, reading, &body, answer)) {
+    case BODY_READY:
+        return answer_message(&agents, &body, answer);
+    case BODY_REFUSED:
+        return REQUEST_ANSWERED;
+    case BODY_LARGE:
+        return REQUEST_LARGE;
+    case BODY_CANCELLED:
+        if (request->small_only) return REQUEST_LARGE;
+        problem_timeout(answer, service->config->render_timeout_ms);
+        return REQUEST_ANSWERED;
+    }
+    return REQUEST_ANSWERED;
+}

@@ -1,0 +1,15 @@
+/* agents.h - POST /mcp: the tools of the Model Context Protocol (mcp/mcp.h), whose pictures are those of /v1/render. */
+#ifndef ZRASTERD_AGENTS_H
+#define ZRASTERD_AGENTS_H
+
+#include "request.h"
+
+#define AGENTS_PATH "/mcp"
+
+/* Checks type and origin. */
+bool agents_open(const struct service *service, const struct load *load, struct request *request,
+                 struct answer *answer);
+enum request_next agents_work(const struct service *service, const struct request *request, struct zr_arena *arena,
+                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
+
+#endif

@@ -1,0 +1,270 @@
+#include "call.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "faults.h"
+#include "shots.h"
+
+/* ---- results ---- */
+
+static void put_block(struct mcp_text *result, const struct mcp_text *words)
+{
+    mcp_text_print(result, "%s{\"type\":\"text\",\"text\":", result->data[result->size - 1] == '[' ? "" : ",");
+    mcp_text_json(result, words->data ? words->data : "");
+    mcp_text_put(result, "}");
+    result->failed |= words->failed;
+}
+
+static void put_image(struct mcp_text *result, const struct mcp_shot *shot)
+{
+    mcp_text_put(result, ",{\"type\":\"image\",\"data\":\"");
+    mcp_text_base64(result, shot->image, shot->size);
+    mcp_text_print(result, "\",\"mimeType\":\"%s\"}", shot->type);
+}
+
+static void put_content(struct mcp_text *result, cJSON *content)
+{
+    char *json = cJSON_PrintUnformatted(content);
+    if (json) mcp_text_print(result, "],\"structuredContent\":%s,\"isError\":false", json);
+    result->failed |= !json;
+    cJSON_free(json);
+}
+
+static void put_faults(struct mcp_text *result, const struct mcp_faults *faults)
+{
+    struct mcp_text words = {0};
+    for (size_t i = 0; i < faults->count; i++)
+        mcp_text_print(&words, "%s%s%s%s", i ? "\n" : "", faults->at[i].pointer, *faults->at[i].pointer ? ": " : "",
+                       faults->at[i].detail);
+    mcp_text_put(result, "\"content\":[");
+    put_block(result, &words);
+    mcp_text_put(result, "],\"isError\":true");
+    mcp_text_free(&words);
+}
+
+/* Adds the facts, views and warnings of all shots. */
+static cJSON *make_content(const struct mcp_job *job, const struct mcp_shots *shots)
+{
+    cJSON *content = cJSON_CreateObject(), *views = cJSON_CreateArray(), *warnings = cJSON_CreateArray();
+    mcp_facts_add(content, shots->at[0].info);
+    for (unsigned i = 0; i < shots->count; i++) {
+        if (job->tool != MCP_FACTS) mcp_facts_add_views(views, &shots->at[i], i, job->is_sheet);
+        mcp_facts_add_warnings(warnings, shots->at[i].info);
+    }
+    if (shots->is_smaller)
+        cJSON_AddItemToArray(warnings,
+                             cJSON_CreateString("the picture is smaller than asked for, to fit into a message"));
+    if (job->is_resized)
+        cJSON_AddItemToArray(warnings, cJSON_CreateString("the scene's window is larger than 1568 pixels; the picture "
+                                                          "is smaller"));
+    if (job->tool != MCP_FACTS)
+        cJSON_AddItemToObject(content, "views", views);
+    else
+        cJSON_Delete(views);
+    cJSON_AddItemToObject(content, "warnings", warnings);
+    return content;
+}
+
+/* ---- render, facts ---- */
+
+static void add_picture(cJSON *content, const struct mcp_shots *shots)
+{
+    cJSON *picture = cJSON_AddObjectToObject(content, "picture");
+    size_t bytes = 0;
+    bool is_blank = false;
+    for (unsigned i = 0; i < shots->count; i++) {
+        bytes += shots->at[i].size;
+        const cJSON *said = cJSON_GetObjectItemCaseSensitive(shots->at[i].info, "picture");
+        is_blank |= cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(said, "blank"));
+    }
+    cJSON_AddNumberToObject(picture, "images", shots->count);
+    cJSON_AddNumberToObject(picture, "width", shots->at[0].width);
+    cJSON_AddNumberToObject(picture, "height", shots->at[0].height);
+    cJSON_AddStringToObject(picture, "mimeType", shots->at[0].type);
+    cJSON_AddNumberToObject(picture, "bytes", (double)bytes);
+    cJSON_AddBoolToObject(picture, "blank", is_blank);
+    const cJSON *look = cJSON_GetObjectItemCaseSensitive(shots->at[0].info, "look");
+    if (look) cJSON_AddItemToObject(picture, "look", cJSON_Duplicate(look, true));
+}
+
+static enum mcp_draw_status show(struct mcp_job *job, struct mcp_text *result)
+{
+    struct mcp_shots shots = {.count = 0};
+    const bool is_render = job->tool == MCP_RENDER;
+    const enum mcp_draw_status status = mcp_shots_draw(job, !is_render, &shots);
+    if (status == MCP_DRAWN) {
+        struct mcp_text words = {0};
+        cJSON *content = make_content(job, &shots);
+        if (is_render) add_picture(content, &shots);
+        mcp_facts_describe(&words, content);
+        mcp_text_put(result, "\"content\":[");
+        put_block(result, &words);
+        mcp_text_free(&words);
+        for (unsigned i = 0; is_render && i < shots.count; i++) {
+            mcp_facts_describe_shot(&words, content, &shots.at[i], i);
+            put_block(result, &words);
+            put_image(result, &shots.at[i]);
+            mcp_text_free(&words);
+        }
+        put_content(result, content);
+        cJSON_Delete(content);
+    }
+    mcp_shots_free(job->host, &shots);
+    return status;
+}
+
+/* ---- pick ---- */
+
+static double number_at(const cJSON *list, int i)
+{
+    const cJSON *item = cJSON_GetArrayItem(list, i);
+    return item ? item->valuedouble : 0;
+}
+
+/* A view that is picked: its matrices in a sheet. */
+struct target {
+    char *view; /* JSON; NULL: that of the job */
+    unsigned width, height, x, y;
+    bool is_paper; /* between the views of a sheet */
+};
+
+/* Finds the view of a sheet that has the pixel. */
+static enum mcp_draw_status find_target(struct mcp_job *job, struct mcp_shots *shots, struct target *target)
+{
+    const struct mcp_picture picture = {
+        .outputs = "[{\"channel\":\"info\"}]", .width = job->width, .height = job->height, .only = -1};
+    const enum mcp_draw_status status = mcp_shots_draw_once(job, &picture, shots);
+    const cJSON *cell;
+    if (status != MCP_DRAWN) return status;
+    target->is_paper = true;
+    cJSON_ArrayForEach(cell, cJSON_GetObjectItemCaseSensitive(shots->at[0].info, "sheet"))
+    {
+        const cJSON *box = cJSON_GetObjectItemCaseSensitive(cell, "box");
+        const unsigned x0 = (unsigned)number_at(box, 0), y0 = (unsigned)number_at(box, 1),
+                       x1 = (unsigned)number_at(box, 2), y1 = (unsigned)number_at(box, 3);
+        if (job->x < x0 || job->x >= x1 || job->y < y0 || job->y >= y1) continue;
+        cJSON *view = cJSON_CreateObject();
+        static const char *const keys[] = {"worldToCamera", "projectionMatrix"};
+        for (int i = 0; i < 2; i++)
+            cJSON_AddItemToObject(view, keys[i],
+                                  cJSON_Duplicate(cJSON_GetObjectItemCaseSensitive(cell, keys[i]), true));
+        *target = (struct target){cJSON_PrintUnformatted(view), x1 - x0, y1 - y0, job->x - x0, job->y - y0, false};
+        cJSON_Delete(view);
+    }
+    return status;
+}
+
+static cJSON *make_fragment(const cJSON *given)
+{
+    static const char *const keys[][2] = {
+        {"faceId", "face"}, {"depth", "depth"}, {"position", "point"}, {"shown", "shown"}};
+    const cJSON *part = cJSON_GetObjectItemCaseSensitive(given, "part"),
+                *side = cJSON_GetObjectItemCaseSensitive(given, "frontFacing");
+    cJSON *made = cJSON_CreateObject();
+    cJSON_AddStringToObject(made, "part", cJSON_IsString(part) ? part->valuestring : "");
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        cJSON_AddItemToObject(made, keys[i][1],
+                              cJSON_Duplicate(cJSON_GetObjectItemCaseSensitive(given, keys[i][0]), true));
+    cJSON_AddBoolToObject(made, "front", side && side->valuedouble == 1);
+    return made;
+}
+
+static void describe_fragments(struct mcp_text *words, const cJSON *content)
+{
+    const cJSON *fragments = cJSON_GetObjectItemCaseSensitive(content, "fragments"), *fragment;
+    cJSON_ArrayForEach(fragment, fragments)
+    {
+        const cJSON *point = cJSON_GetObjectItemCaseSensitive(fragment, "point");
+        mcp_text_print(words, "\n- part '%.80s', face %.0f, point (%.6g, %.6g, %.6g), depth %.6g, %s%s",
+                       cJSON_GetObjectItemCaseSensitive(fragment, "part")->valuestring,
+                       cJSON_GetObjectItemCaseSensitive(fragment, "face")->valuedouble, number_at(point, 0),
+                       number_at(point, 1), number_at(point, 2),
+                       cJSON_GetObjectItemCaseSensitive(fragment, "depth")->valuedouble,
+                       cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(fragment, "front")) ? "front side" : "back side",
+                       cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(fragment, "shown")) ? ", visible" : ", hidden");
+    }
+}
+
+enum { FRAGMENTS_MAX = 32 };
+
+static void put_pick(const struct mcp_job *job, const struct target *target, const struct mcp_shots *shots,
+                     const cJSON *found, struct mcp_text *result)
+{
+    struct mcp_text words = {0};
+    const cJSON *list = cJSON_GetObjectItemCaseSensitive(found, "fragments"), *fragment,
+                *count = cJSON_GetObjectItemCaseSensitive(found, "count");
+    cJSON *content = make_content(job, shots);
+    static const char *const dropped[] = {"box", "volume", "area", "closed", "parts", "partsOmitted"};
+    for (size_t i = 0; i < sizeof dropped / sizeof *dropped; i++)
+        cJSON_DeleteItemFromObjectCaseSensitive(content, dropped[i]);
+    cJSON_AddNumberToObject(content, "x", job->x);
+    cJSON_AddNumberToObject(content, "y", job->y);
+    cJSON_AddBoolToObject(content, "hit", count && count->valuedouble > 0);
+    cJSON_AddNumberToObject(content, "count", count ? count->valuedouble : 0);
+    cJSON *made = cJSON_AddArrayToObject(content, "fragments");
+    cJSON_ArrayForEach(fragment, list)
+    {
+        if (cJSON_GetArraySize(made) < FRAGMENTS_MAX) cJSON_AddItemToArray(made, make_fragment(fragment));
+    }
+    mcp_text_print(&words, "pixel (%u, %u) of image %u: %s", job->x, job->y, job->image,
+                   target->is_paper           ? "paper between the views of the sheet"
+                   : cJSON_GetArraySize(made) ? "surfaces, the nearest first:"
+                                              : "nothing, the background");
+    describe_fragments(&words, content);
+    mcp_text_put(result, "\"content\":[");
+    put_block(result, &words);
+    put_content(result, content);
+    mcp_text_free(&words);
+    cJSON_Delete(content);
+}
+
+static enum mcp_draw_status pick_at(struct mcp_job *job, const struct target *target, struct mcp_shots *shots,
+                                    struct mcp_text *result)
+{
+    char outputs[128];
+    snprintf(outputs, sizeof outputs, "[{\"channel\":\"fragments\",\"x\":%u,\"y\":%u},{\"channel\":\"info\"}]",
+             target->x, target->y);
+    const struct mcp_picture picture = {outputs, target->width, target->height, target->view, (int)job->image};
+    const enum mcp_draw_status status = mcp_shots_draw_once(job, &picture, shots);
+    if (status == MCP_DRAWN) put_pick(job, target, shots, shots->fragments, result);
+    return status;
+}
+
+static enum mcp_draw_status pick(struct mcp_job *job, struct mcp_text *result)
+{
+    struct mcp_shots shots = {.count = 0};
+    struct target target = {NULL, job->width, job->height, job->x, job->y, false};
+    enum mcp_draw_status status = job->is_sheet ? find_target(job, &shots, &target) : MCP_DRAWN;
+    if (status == MCP_DRAWN && target.is_paper)
+        put_pick(job, &target, &shots, NULL, result);
+    else if (status == MCP_DRAWN)
+        status = pick_at(job, &target, &shots, result);
+    cJSON_free(target.view);
+    mcp_shots_free(job->host, &shots);
+    return status;
+}
+
+enum mcp_draw_status mcp_call(const struct mcp_host *host, const struct mcp_message *message, enum mcp_tool tool,
+                              struct mcp_text *result)
+{
+    struct mcp_job *job = malloc(sizeof *job);
+    if (!job) {
+        result->failed = true;
+        return MCP_DRAWN;
+    }
+    enum mcp_draw_status status = MCP_REFUSED;
+    if (mcp_job_read(job, host, message, tool))
+        status = tool == MCP_PICK ? pick(job, result) : show(job, result);
+    else if (mcp_host_is_cancelled(host))
+        status = MCP_CANCELLED;
+    else if (job->faults.count == 0)
+        mcp_fault(&job->faults, "/model", "there is no memory for the model");
+    if (status == MCP_REFUSED) {
+        put_faults(result, &job->faults);
+        status = MCP_DRAWN;
+    }
+    free(job);
+    return status;
+}

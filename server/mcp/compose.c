@@ -1,0 +1,203 @@
+#include "compose.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "text.h"
+
+static struct mcp_span find_item(const struct mcp_job *job, struct mcp_span list, unsigned wanted)
+{
+    struct mcp_span value = {NULL, NULL};
+    struct mcp_walk walk = mcp_walk_open(list, job->host);
+    mcp_walk_enter(&walk, '[');
+    for (unsigned i = 0; i <= wanted && mcp_walk_item(&walk); i++)
+        mcp_walk_value(&walk, &value);
+    return value;
+}
+
+enum { TAKEN_MAX = 32 };
+
+/* The keys that the arguments give, before the scene's own. */
+struct head {
+    struct mcp_text text;
+    const char *taken[TAKEN_MAX + 1];
+    size_t count;
+};
+
+static void take(struct head *head, const char *key)
+{
+    if (head->count < TAKEN_MAX) head->taken[head->count++] = key;
+}
+
+static void put(struct head *head, const char *key, const char *json)
+{
+    take(head, key);
+    mcp_text_print(&head->text, "%s\"%s\":%s", head->text.size > 1 ? "," : "", key, json);
+}
+
+static void put_item(struct head *head, const char *key, const cJSON *item)
+{
+    char *json = item ? cJSON_PrintUnformatted(item) : NULL;
+    if (json)
+        put(head, key, json);
+    else if (item)
+        head->text.failed = true;
+    cJSON_free(json);
+}
+
+static void put_meshes(const struct mcp_job *job, struct head *head)
+{
+    struct mcp_text json = {0};
+    mcp_text_put(&json, "[{\"asset\":");
+    mcp_text_json(&json, job->model.name);
+    mcp_text_put(&json, "}]");
+    if (json.failed)
+        head->text.failed = true;
+    else
+        put(head, "meshes", json.data);
+    mcp_text_free(&json);
+}
+
+static void put_sheet(const struct mcp_job *job, struct head *head)
+{
+    const cJSON *sheet = mcp_job_argument(job, "sheet"), *annotate = mcp_job_argument(job, "annotate");
+    struct mcp_text json = {0};
+    if (!sheet && job->has_own_views && mcp_job_own(job, "sheet").at) return; /* the scene's */
+    mcp_text_put(&json, "{\"layout\":");
+    mcp_text_json(&json, sheet ? sheet->valuestring : mcp_job_argument(job, "views") ? "views" : "balanced");
+    mcp_text_print(&json, ",\"captions\":%s}", cJSON_IsFalse(annotate) ? "false" : "true");
+    if (json.failed)
+        head->text.failed = true;
+    else
+        put(head, "sheet", json.data);
+    mcp_text_free(&json);
+}
+
+/* Puts one item of a list of views, as the only one. */
+static void put_only(const struct mcp_job *job, struct head *head, unsigned only)
+{
+    const cJSON *views = mcp_job_argument(job, "views");
+    struct mcp_text json = {0};
+    if (views) {
+        char *item = cJSON_PrintUnformatted(cJSON_GetArrayItem(views, (int)only));
+        mcp_text_print(&json, "[%s]", item ? item : "");
+        json.failed |= !item;
+        cJSON_free(item);
+    } else {
+        const struct mcp_span item = find_item(job, job->views, only);
+        mcp_text_put(&json, "[");
+        mcp_text_add(&json, item.at, item.at ? (size_t)(item.end - item.at) : 0);
+        mcp_text_put(&json, "]");
+    }
+    if (json.failed)
+        head->text.failed = true;
+    else
+        put(head, "views", json.data);
+    mcp_text_free(&json);
+}
+
+static void drop_views(struct head *head)
+{
+    static const char *const keys[] = {"views", "sheet", "turntable", "orbit", "animate"};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        take(head, keys[i]);
+}
+
+static void put_views(const struct mcp_job *job, const struct mcp_picture *picture, struct head *head)
+{
+    const cJSON *views = mcp_job_argument(job, "views"), *sheet = mcp_job_argument(job, "sheet");
+    const bool names_views = sheet && cJSON_IsString(sheet) && strcmp(sheet->valuestring, "views") != 0;
+    if (picture->view) {
+        put(head, "view", picture->view);
+        drop_views(head);
+    } else if (picture->only >= 0 && (views || job->views.at)) {
+        put_only(job, head, (unsigned)picture->only);
+        drop_views(head);
+    } else if (job->is_sheet) {
+        put_sheet(job, head);
+        if (views) put_item(head, "views", views);
+        if (views || names_views) drop_views(head);
+    } else if (views) {
+        put_item(head, "views", views);
+        drop_views(head);
+    }
+    /* Parallel rays show lengths; the presets of a list keep the projection of the view. */
+    if (!job->message->scene.at && !picture->view) put(head, "view", "{\"preset\":\"isometric\",\"orthographic\":{}}");
+}
+
+/* Puts what concerns pictures alone. */
+static void put_picture(const struct mcp_job *job, const struct mcp_picture *picture, struct head *head)
+{
+    char window[64];
+    const cJSON *item;
+    const bool is_bare = !job->message->scene.at;
+    snprintf(window, sizeof window, "{\"width\":%u,\"height\":%u}", picture->width, picture->height);
+    put(head, "window", window);
+    put_views(job, picture, head);
+    item = mcp_job_argument(job, "look");
+    if (item)
+        put_item(head, "look", item);
+    else if (is_bare)
+        put(head, "look", "\"studio\"");
+    item = mcp_job_argument(job, "up");
+    if (item)
+        put_item(head, "up", item);
+    else if (is_bare)
+        put(head, "up", job->model.z_is_up ? "\"z\"" : "\"y\"");
+    put_item(head, "sections", mcp_job_argument(job, "sections"));
+    cJSON_ArrayForEach(item, mcp_job_argument(job, "parts")) put_item(head, item->string, item);
+}
+
+/* Copies the members of the given scene that are not taken. */
+static size_t copy_own(const struct mcp_job *job, const struct head *head, char *out)
+{
+    struct mcp_span key, value;
+    size_t size = 0;
+    struct mcp_walk walk = mcp_walk_open(job->message->scene, job->host);
+    mcp_walk_enter(&walk, '{');
+    while (mcp_walk_member(&walk, &key)) {
+        mcp_walk_value(&walk, &value);
+        bool is_taken = false;
+        for (size_t i = 0; i < head->count && !is_taken; i++)
+            is_taken = mcp_span_is(key, head->taken[i]);
+        if (is_taken || !value.at) continue;
+        out[size++] = ',';
+        const size_t length = (size_t)(value.end - key.at) + 1;
+        memcpy(out + size, key.at - 1, length);
+        size += length;
+    }
+    return size;
+}
+
+bool mcp_compose(const struct mcp_job *job, const struct mcp_picture *picture, struct mcp_draw *draw)
+{
+    const struct mcp_span own = job->message->scene;
+    struct head head = {.count = 0};
+    mcp_text_put(&head.text, "{");
+    put(&head, "outputs", picture->outputs);
+    if (!own.at) put_meshes(job, &head);
+    if (picture->width > 0) {
+        put_picture(job, picture, &head);
+    } else {
+        put(&head, "render", "false");
+        put_item(&head, "up", mcp_job_argument(job, "up"));
+        drop_views(&head);
+    }
+    const size_t own_size = own.at ? (size_t)(own.end - own.at) : 0;
+    char *scene = head.text.failed ? NULL : job->host->allocate(job->host->context, head.text.size + own_size + 3);
+    if (scene) {
+        memcpy(scene, head.text.data, head.text.size);
+        size_t size = head.text.size;
+        if (own.at) size += copy_own(job, &head, scene + size);
+        scene[size++] = '}';
+        const bool has_file = job->model.is_given && strncmp(job->model.name, "sha256:", 7) != 0;
+        *draw = (struct mcp_draw){.scene = scene,
+                                  .scene_size = size,
+                                  .file_name = has_file ? job->model.name : NULL,
+                                  .file = job->model.bytes,
+                                  .file_size = job->model.size,
+                                  .path = job->model.path};
+    }
+    mcp_text_free(&head.text);
+    return scene;
+}

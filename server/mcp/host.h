@@ -1,0 +1,64 @@
+/* host.h - mcp: what the handler of messages asks of the program around it: to draw, and for memory. The daemon draws
+ * as POST /v1/render does, the command by libzraster. */
+#ifndef MCP_HOST_H
+#define MCP_HOST_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "span.h"
+
+enum { MCP_FAULTS_MAX = 20, MCP_POINTER_SIZE = 192, MCP_DETAIL_SIZE = 1300 };
+
+/* What a caller can mend. */
+struct mcp_fault {
+    char pointer[MCP_POINTER_SIZE]; /* JSON Pointer, or "" */
+    char detail[MCP_DETAIL_SIZE];
+};
+struct mcp_faults {
+    size_t count;
+    struct mcp_fault at[MCP_FAULTS_MAX];
+};
+
+/* A scene to draw, which names the file of the model, if there is one, by {"asset": file_name}. */
+struct mcp_draw {
+    const char *scene; /* JSON */
+    size_t scene_size;
+    const char *file_name;
+    const void *file; /* bytes of the model; NULL: none, or one that the host reads */
+    size_t file_size;
+    const char *path; /* of the model, below the host's root; the scene names its last part; NULL: none */
+};
+
+enum mcp_draw_status {
+    MCP_DRAWN,
+    MCP_REFUSED,  /* `faults` tell why */
+    MCP_LATER,    /* the daemon's worker must hand the request on; the whole message comes again */
+    MCP_CANCELLED /* nobody waits any more */
+};
+
+struct mcp_drawn {
+    const void *bytes; /* a file, or a ZIP of several, until `release` */
+    size_t size;
+    bool is_zip;
+    struct mcp_faults faults;
+    void *owner; /* the host's */
+};
+
+struct mcp_host {
+    void *context;
+    const char *version;
+    bool reads_files;                                 /* models may be paths; else they may be stored assets */
+    void (*begin)(void *context, struct mcp_span id); /* of a request, once it is read; NULL: nobody asks */
+    bool (*is_cancelled)(void *context);
+    void *(*allocate)(void *context, size_t size); /* until the end of the message; NULL: no memory, or not as much */
+    enum mcp_draw_status (*draw)(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn);
+    void (*release)(void *context, struct mcp_drawn *drawn); /* after MCP_DRAWN */
+};
+
+static inline bool mcp_host_is_cancelled(const struct mcp_host *host)
+{
+    return host->is_cancelled(host->context);
+}
+
+#endif

@@ -1,0 +1,222 @@
+#include "job.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "faults.h"
+
+/* Arguments of each tool. */
+#define OF_ALL      "model", "scene", "up"
+#define OF_PICTURES OF_ALL, "views", "sheet", "look", "parts", "sections", "annotate", "width", "height"
+static const char *const ARGUMENTS[MCP_TOOLS][16] = {
+    [MCP_RENDER] = {OF_PICTURES, "format"}, [MCP_FACTS] = {OF_ALL}, [MCP_PICK] = {OF_PICTURES, "image", "x", "y"}};
+static const char *const PARTS[] = {"hide", "isolate", "ghost", "highlight", "explode", "colors", NULL};
+
+/* Keys of a scene that make several pictures. */
+static const char *const SEVERAL[] = {"turntable", "orbit", "animate", NULL};
+
+const cJSON *mcp_job_argument(const struct mcp_job *job, const char *name)
+{
+    return cJSON_GetObjectItemCaseSensitive(job->message->arguments, name);
+}
+
+static bool is_in(const char *const *list, const char *word)
+{
+    for (; *list; list++)
+        if (strcmp(*list, word) == 0) return true;
+    return false;
+}
+
+/* ---- the scene's own keys ---- */
+
+struct mcp_span mcp_job_own(const struct mcp_job *job, const char *name)
+{
+    struct mcp_span found = {NULL, NULL}, key, value;
+    if (!job->message->scene.at) return found;
+    struct mcp_walk walk = mcp_walk_open(job->message->scene, job->host);
+    mcp_walk_enter(&walk, '{');
+    while (mcp_walk_member(&walk, &key)) {
+        mcp_walk_value(&walk, &value);
+        if (mcp_span_is(key, name)) found = value;
+    }
+    return found;
+}
+
+static unsigned count_items(const struct mcp_job *job, struct mcp_span list)
+{
+    unsigned count = 0;
+    if (!list.at || *list.at != '[') return 0;
+    struct mcp_walk walk = mcp_walk_open(list, job->host);
+    mcp_walk_enter(&walk, '[');
+    for (; mcp_walk_item(&walk); count++)
+        mcp_walk_value(&walk, NULL);
+    return count;
+}
+
+/* ---- checks ---- */
+
+static void check_names(struct mcp_job *job)
+{
+    const cJSON *item;
+    char pointer[MCP_POINTER_SIZE];
+    cJSON_ArrayForEach(item, job->message->arguments)
+    {
+        snprintf(pointer, sizeof pointer, "/%.100s", item->string);
+        if (!is_in(ARGUMENTS[job->tool], item->string))
+            mcp_fault_unknown(&job->faults, pointer, "the argument", item->string, ARGUMENTS[job->tool]);
+    }
+    const cJSON *parts = mcp_job_argument(job, "parts");
+    if (parts && !cJSON_IsObject(parts))
+        mcp_fault(&job->faults, "/parts", "an object is expected, such as {\"hide\": [\"cover\"]}");
+    cJSON_ArrayForEach(item, parts)
+    {
+        snprintf(pointer, sizeof pointer, "/parts/%.100s", item->string ? item->string : "");
+        if (item->string && !is_in(PARTS, item->string))
+            mcp_fault_unknown(&job->faults, pointer, "the key", item->string, PARTS);
+    }
+}
+
+/* Reads a number of pixels, or its default. */
+static unsigned read_number(struct mcp_job *job, const char *name, unsigned least, unsigned most, unsigned otherwise)
+{
+    const cJSON *given = mcp_job_argument(job, name);
+    char pointer[32];
+    if (!given) return otherwise;
+    snprintf(pointer, sizeof pointer, "/%s", name);
+    if (cJSON_IsNumber(given) && given->valuedouble >= least && given->valuedouble <= most &&
+        given->valuedouble == (unsigned)given->valuedouble)
+        return (unsigned)given->valuedouble;
+    mcp_fault(&job->faults, pointer, "a whole number from %u to %u is expected", least, most);
+    return otherwise;
+}
+
+static void read_format(struct mcp_job *job)
+{
+    static const char *const known[] = {"png", "jpeg", "webp", NULL};
+    const cJSON *given = mcp_job_argument(job, "format");
+    if (!given) return;
+    if (!cJSON_IsString(given))
+        mcp_fault(&job->faults, "/format", "a string is expected");
+    else if (!is_in(known, given->valuestring))
+        mcp_fault_unknown(&job->faults, "/format", "the format", given->valuestring, known);
+    else
+        job->format = given->valuestring;
+}
+
+/* Finds out how many pictures there will be. */
+static void read_views(struct mcp_job *job)
+{
+    const cJSON *views = mcp_job_argument(job, "views"), *sheet = mcp_job_argument(job, "sheet");
+    const struct mcp_span own_sheet = mcp_job_own(job, "sheet");
+    job->views = mcp_job_own(job, "views");
+    job->has_own_views = !views && job->message->scene.at != NULL;
+    if (views && (!cJSON_IsArray(views) || cJSON_GetArraySize(views) == 0)) {
+        mcp_fault(&job->faults, "/views", "a list is expected, such as [\"front\", \"isometric\"]");
+        return;
+    }
+    if (sheet && !cJSON_IsString(sheet)) mcp_fault(&job->faults, "/sheet", "balanced, threeView or views is expected");
+    job->is_sheet = sheet || (!views && (own_sheet.at || !job->has_own_views));
+    const unsigned count = views ? (unsigned)cJSON_GetArraySize(views) : count_items(job, job->views);
+    job->images = job->is_sheet || count == 0 ? 1 : count;
+    if (job->images > MCP_IMAGES_MAX)
+        mcp_fault(&job->faults, views ? "/views" : "/scene/views",
+                  "an answer has up to %d pictures, not %u; \"sheet\": \"views\" draws all into one", MCP_IMAGES_MAX,
+                  job->images);
+    for (size_t i = 0; SEVERAL[i] && !job->is_sheet && job->has_own_views; i++) {
+        char pointer[48];
+        snprintf(pointer, sizeof pointer, "/scene/%s", SEVERAL[i]);
+        if (mcp_job_own(job, SEVERAL[i]).at)
+            mcp_fault(&job->faults, pointer, "it makes many pictures: leave it out, or give a sheet or views");
+    }
+}
+
+/* The window of a scene stays, unless it is too large. */
+static void keep_window(struct mcp_job *job, unsigned *width, unsigned *height)
+{
+    const struct mcp_span own = mcp_job_own(job, "window");
+    cJSON *window = own.at ? cJSON_ParseWithLength(own.at, (size_t)(own.end - own.at)) : NULL;
+    const cJSON *w = cJSON_GetObjectItemCaseSensitive(window, "width"),
+                *h = cJSON_GetObjectItemCaseSensitive(window, "height");
+    const double wide = w ? w->valuedouble : 640, high = h ? h->valuedouble : 480, larger = wide > high ? wide : high;
+    if (window && wide >= 1 && high >= 1 && larger <= 1e6) {
+        job->is_resized = larger > MCP_SIDE_MAX;
+        const double factor = job->is_resized ? MCP_SIDE_MAX / larger : 1;
+        *width = wide * factor < 1 ? 1 : (unsigned)(wide * factor);
+        *height = high * factor < 1 ? 1 : (unsigned)(high * factor);
+    }
+    cJSON_Delete(window);
+}
+
+static void read_window(struct mcp_job *job)
+{
+    static const unsigned sizes[][2] = {{800, 600}, {640, 480}, {512, 384}};
+    const unsigned *size = sizes[job->images == 1 ? 0 : job->images <= 4 ? 1 : 2];
+    unsigned width = job->is_sheet ? 1024 : size[0], height = job->is_sheet ? 768 : size[1];
+    keep_window(job, &width, &height);
+    job->width = read_number(job, "width", MCP_SIDE_MIN, MCP_SIDE_MAX, width);
+    job->height = read_number(job, "height", MCP_SIDE_MIN, MCP_SIDE_MAX, height);
+}
+
+static void read_pixel(struct mcp_job *job)
+{
+    for (int i = 0; i < 2; i++) {
+        const char *name = i == 0 ? "x" : "y";
+        if (!mcp_job_argument(job, name))
+            mcp_fault(&job->faults, i == 0 ? "/x" : "/y", "the pixel's %s is missing",
+                      i == 0 ? "column, from 0 at the left," : "row, from 0 at the top,");
+    }
+    job->image = read_number(job, "image", 0, job->images - 1, 0);
+    job->x = read_number(job, "x", 0, job->width - 1, 0);
+    job->y = read_number(job, "y", 0, job->height - 1, 0);
+}
+
+bool mcp_job_read(struct mcp_job *job, const struct mcp_host *host, const struct mcp_message *message,
+                  enum mcp_tool tool)
+{
+    *job = (struct mcp_job){.host = host, .message = message, .tool = tool, .images = 1};
+    const cJSON *scene = mcp_job_argument(job, "scene");
+    check_names(job);
+    if (scene && !cJSON_IsObject(scene)) mcp_fault(&job->faults, "/scene", "an object is expected");
+    if (!scene && !mcp_job_argument(job, "model"))
+        mcp_fault(&job->faults, "", "give a model, a scene, or a scene that names the model");
+    if (!mcp_model_read(host, message, &job->model, &job->faults)) return false;
+    if (tool != MCP_FACTS) {
+        read_views(job);
+        if (job->images > MCP_IMAGES_MAX) return false;
+        read_window(job);
+    }
+    if (tool == MCP_RENDER) read_format(job);
+    if (tool == MCP_PICK) read_pixel(job);
+    return job->faults.count == 0;
+}
+
+/* ---- pointers ---- */
+
+/* Replaces the first `length` characters of a pointer. */
+static void replace(char pointer[MCP_POINTER_SIZE], size_t length, const char *by)
+{
+    char rest[MCP_POINTER_SIZE];
+    snprintf(rest, sizeof rest, "%s", pointer + length);
+    snprintf(pointer, MCP_POINTER_SIZE, "%.60s%.120s", by, rest);
+}
+
+void mcp_job_point(const struct mcp_job *job, char pointer[MCP_POINTER_SIZE])
+{
+    if (*pointer != '/') return;
+    const size_t length = strcspn(pointer + 1, "/");
+    char key[64];
+    snprintf(key, sizeof key, "%.*s", (int)(length < 60 ? length : 60), pointer + 1);
+    if (cJSON_GetObjectItemCaseSensitive(mcp_job_argument(job, "parts"), key))
+        replace(pointer, 0, "/parts");
+    else if (strcmp(key, "window") == 0)
+        replace(pointer, length + 1, "");
+    else if (strcmp(key, "outputs") == 0)
+        replace(pointer, strlen(pointer), mcp_job_argument(job, "format") ? "/format" : "");
+    else if (mcp_job_argument(job, key))
+        return;
+    else if (job->message->scene.at)
+        replace(pointer, 0, "/scene");
+    else if (strcmp(key, "meshes") == 0)
+        replace(pointer, strlen(pointer), "/model");
+}

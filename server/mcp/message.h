@@ -1,0 +1,43 @@
+/* message.h - mcp: reads a message of JSON-RPC 2.0, and tells which revision of MCP it follows.
+ *
+ * The scene and the bytes of a model, which may be large, stay where they are; the rest becomes a tree of bounded size.
+ */
+#ifndef MCP_MESSAGE_H
+#define MCP_MESSAGE_H
+
+#include <cjson/cJSON.h>
+
+#include "text.h"
+#include "walk.h"
+
+#define MCP_MODERN "2026-07-28"
+
+enum mcp_code {
+    MCP_NOT_JSON = -32700,
+    MCP_NOT_A_REQUEST = -32600,
+    MCP_NO_METHOD = -32601,
+    MCP_WRONG_PARAMS = -32602,
+    MCP_INTERNAL = -32603,
+    MCP_HEADERS_DIFFER = -32020,
+    MCP_WRONG_VERSION = -32022
+};
+
+struct mcp_message {
+    cJSON *root; /* without what is in the spans below */
+    const cJSON *params, *arguments, *meta;
+    const char *method;
+    struct mcp_span id; /* as written; NULL: a notification, or it could not be read */
+    bool is_modern;     /* each request describes itself (2026-07-28); else after `initialize` (2025) */
+    const char *name;   /* of the tool; NULL: none is given */
+    /* In the text of the message. Of strings: between the quotes, as written. */
+    struct mcp_span scene;        /* params.arguments.scene, an object */
+    struct mcp_span base64, text; /* params.arguments.model.base64 and text, strings */
+};
+
+/* Reads a message. Returns 0, the code of an error, whose words `why` points to, or MCP_NOT_JSON with
+ * walk fault MCP_WALK_CANCELLED in *fault. The caller frees the message in every case. */
+int mcp_message_read(struct mcp_message *message, struct mcp_span text, const struct mcp_host *host, const char **why,
+                     enum mcp_walk_fault *fault);
+void mcp_message_free(struct mcp_message *message);
+
+#endif

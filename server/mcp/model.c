@@ -1,0 +1,228 @@
+#include "model.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "faults.h"
+#include "utf8.h"
+
+enum { LOOK_BYTES = 256 << 10 }; /* decoded within 1 ms */
+
+/* ---- bytes ---- */
+
+static int digit_of(char c)
+{
+    if (c >= 'A' && c <= 'Z') return c - 'A';
+    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+    if (c >= '0' && c <= '9') return c - '0' + 52;
+    return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : -1;
+}
+
+/* Passes "data:...;base64,", which some callers put before the bytes. */
+static const char *pass_scheme(struct mcp_span text)
+{
+    const size_t size = (size_t)(text.end - text.at);
+    const char *comma =
+        size > 5 && memcmp(text.at, "data:", 5) == 0 ? memchr(text.at, ',', size < 200 ? size : 200) : NULL;
+    return comma ? comma + 1 : text.at;
+}
+
+/* Passes line ends, written as escapes, and a slash with a backslash. */
+static const char *pass_escapes(const char *at, const char *end)
+{
+    while (end - at >= 2 && *at == '\\' && (at[1] == 'n' || at[1] == 'r'))
+        at += 2;
+    return end - at >= 2 && *at == '\\' && at[1] == '/' ? at + 1 : at;
+}
+
+static bool decode(const struct mcp_host *host, struct mcp_span text, struct mcp_model *model,
+                   struct mcp_faults *faults)
+{
+    const char *const begin = pass_scheme(text), *end = text.end, *look = begin;
+    unsigned char *out = host->allocate(host->context, (size_t)(end - begin) / 4 * 3 + 4);
+    uint32_t bits = 0;
+    unsigned count = 0;
+    if (!out) return false;
+    model->bytes = out;
+    while (end > begin && (end[-1] == '=' || (end[-1] == 'n' && end - begin > 1 && end[-2] == '\\')))
+        end -= end[-1] == '=' ? 1 : 2;
+    for (const char *at = begin; (at = pass_escapes(at, end)) < end; at++) {
+        const int digit = digit_of(*at);
+        if (digit < 0)
+            return mcp_fault(faults, "/model/base64", "character %zu is no base64", (size_t)(at - text.at) + 1);
+        bits = bits << 6 | (uint32_t)digit;
+        if (++count == 4) {
+            *out++ = (unsigned char)(bits >> 16);
+            *out++ = (unsigned char)(bits >> 8);
+            *out++ = (unsigned char)bits;
+            count = 0;
+        }
+        if (at < look) continue;
+        look = at + LOOK_BYTES;
+        if (mcp_host_is_cancelled(host)) return false;
+    }
+    if (count == 1) return mcp_fault(faults, "/model/base64", "the last characters are missing");
+    if (count > 1) *out++ = (unsigned char)(bits >> (count == 2 ? 4 : 10));
+    if (count == 3) *out++ = (unsigned char)(bits >> 2);
+    model->size = (size_t)(out - (const unsigned char *)model->bytes);
+    return true;
+}
+
+static uint32_t hex_of(const char *at)
+{
+    uint32_t value = 0;
+    for (int i = 0; i < 4; i++)
+        value = value << 4 | (uint32_t)(at[i] <= '9' ? at[i] - '0' : (at[i] | 32) - 'a' + 10);
+    return value;
+}
+
+static char *put_utf8(char *out, uint32_t code)
+{
+    if (code < 0x80) {
+        *out++ = (char)code;
+        return out;
+    }
+    const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    *out++ = (char)((more == 1 ? 0xC0 : more == 2 ? 0xE0 : 0xF0) | code >> 6 * more);
+    for (int i = more - 1; i >= 0; i--)
+        *out++ = (char)(0x80 | (code >> 6 * i & 63));
+    return out;
+}
+
+/* Undoes an escape at `at`, which is well-formed. Half of a pair becomes '?'. */
+static const char *undo_escape(const char *at, const char *end, char **out)
+{
+    static const char letters[] = "bfnrt", values[] = "\b\f\n\r\t";
+    const char *letter = strchr(letters, at[1]);
+    if (at[1] != 'u') {
+        *(*out)++ = letter ? values[letter - letters] : at[1];
+        return at + 2;
+    }
+    uint32_t code = hex_of(at + 2);
+    at += 6;
+    if (code >= 0xD800 && code < 0xDC00 && end - at >= 6 && at[0] == '\\' && at[1] == 'u' &&
+        hex_of(at + 2) - 0xDC00 < 0x400) {
+        code = 0x10000 + ((code - 0xD800) << 10) + (hex_of(at + 2) - 0xDC00);
+        at += 6;
+    }
+    *out = put_utf8(*out, code >= 0xD800 && code < 0xE000 ? '?' : code);
+    return at;
+}
+
+static bool unescape(const struct mcp_host *host, struct mcp_span text, struct mcp_model *model)
+{
+    char *out = host->allocate(host->context, (size_t)(text.end - text.at) + 1);
+    const char *look = text.at;
+    if (!out) return false;
+    model->bytes = out;
+    for (const char *at = text.at; at < text.end;) {
+        if (*at == '\\')
+            at = undo_escape(at, text.end, &out);
+        else
+            *out++ = *at++;
+        if (at < look) continue;
+        look = at + LOOK_BYTES;
+        if (mcp_host_is_cancelled(host)) return false;
+    }
+    model->size = (size_t)(out - (const char *)model->bytes);
+    return true;
+}
+
+/* ---- formats ---- */
+
+static bool has_ending(const char *name, const char *ending)
+{
+    const size_t length = strlen(name), wanted = strlen(ending);
+    return length > wanted && strcasecmp(name + length - wanted, ending) == 0;
+}
+
+/* STL and 3MF have z up, as printers do. */
+static bool is_z_up(const struct mcp_model *model)
+{
+    const unsigned char *bytes = model->bytes;
+    if (model->path) return has_ending(model->path, ".stl") || has_ending(model->path, ".3mf");
+    if (!bytes || model->size < 6) return false;
+    if (memcmp(bytes, "PK\3\4", 4) == 0 || memcmp(bytes, "solid", 5) == 0) return true;
+    if (model->size < 84) return false;
+    const uint32_t count = bytes[80] | (uint32_t)bytes[81] << 8 | (uint32_t)bytes[82] << 16 | (uint32_t)bytes[83] << 24;
+    return model->size == 84 + (size_t)count * 50;
+}
+
+/* ---- the argument ---- */
+
+static const char *const KEYS[] = {"base64", "text", "path", "asset", NULL};
+
+static bool take_path(const struct mcp_host *host, const char *path, struct mcp_model *model, struct mcp_faults *faults)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    if (!host->reads_files)
+        return mcp_fault(faults, "/model/path", "this server reads no files: give base64, text or an uploaded asset");
+    if (!*name || strlen(name) >= sizeof model->name)
+        return mcp_fault(faults, "/model/path", "'%.100s' names no file", path);
+    snprintf(model->name, sizeof model->name, "%s", name);
+    model->path = path;
+    return true;
+}
+
+static bool take_asset(const struct mcp_host *host, const char *asset, struct mcp_model *model,
+                       struct mcp_faults *faults)
+{
+    if (host->reads_files)
+        return mcp_fault(faults, "/model/asset", "there are no uploaded assets here: give a path, base64 or text");
+    if (strlen(asset) >= sizeof model->name || strncmp(asset, "sha256:", 7) != 0)
+        return mcp_fault(faults, "/model/asset", "an asset is \"sha256:\" and 64 digits, as POST /v1/assets answers");
+    snprintf(model->name, sizeof model->name, "%s", asset);
+    return true;
+}
+
+static const cJSON *find_source(const cJSON *given, struct mcp_faults *faults)
+{
+    const cJSON *found = NULL, *item;
+    const size_t before = faults->count;
+    cJSON_ArrayForEach(item, given)
+    {
+        size_t i = 0;
+        char pointer[MCP_POINTER_SIZE];
+        while (KEYS[i] && strcmp(KEYS[i], item->string) != 0)
+            i++;
+        snprintf(pointer, sizeof pointer, "/model/%.100s", item->string);
+        if (!KEYS[i])
+            mcp_fault_unknown(faults, pointer, "the key", item->string, KEYS);
+        else if (!cJSON_IsString(item))
+            mcp_fault(faults, pointer, "a string is expected");
+        else if (found)
+            mcp_fault(faults, pointer, "%s is given, too: give one of base64, text, path and asset", found->string);
+        else
+            found = item;
+    }
+    if (!found && faults->count == before)
+        mcp_fault(faults, "/model", "give one of base64, text%s", ", path (zraster mcp) and asset (the daemon)");
+    return faults->count > before ? NULL : found;
+}
+
+bool mcp_model_read(const struct mcp_host *host, const struct mcp_message *message, struct mcp_model *model,
+                    struct mcp_faults *faults)
+{
+    const cJSON *given = cJSON_GetObjectItemCaseSensitive(message->arguments, "model");
+    *model = (struct mcp_model){.name = "model"};
+    if (!given) return true;
+    if (!cJSON_IsObject(given))
+        return mcp_fault(faults, "/model", "an object is expected, such as {\"%s\": ...}",
+                         host->reads_files ? "path" : "base64");
+    const cJSON *source = find_source(given, faults);
+    if (!source) return false;
+    model->is_given = true;
+    bool is_read;
+    if (strcmp(source->string, "path") == 0)
+        is_read = take_path(host, source->valuestring, model, faults);
+    else if (strcmp(source->string, "asset") == 0)
+        is_read = take_asset(host, source->valuestring, model, faults);
+    else if (strcmp(source->string, "base64") == 0)
+        is_read = decode(host, message->base64, model, faults);
+    else
+        is_read = unescape(host, message->text, model);
+    model->z_is_up = is_z_up(model);
+    return is_read;
+}

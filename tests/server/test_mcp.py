@@ -1,0 +1,600 @@
+"""POST /mcp and `zraster mcp`: the revisions of the protocol, its errors, and the tools, whose pictures are those of /v1/render."""
+import base64
+import json
+import os
+import random
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import urllib.error
+import urllib.request
+import zlib
+
+build = os.environ["ZRASTER_BUILD"]
+MODERN = "2026-07-28"
+KEY = "io.modelcontextprotocol/"
+META = {KEY + "protocolVersion": MODERN, KEY + "clientCapabilities": {}}
+BYTES_MAX, SIDE_MAX = 700000, 1568
+
+# A box of 20 x 10 x 5 with all faces outwards, and a plate beside it that is open.
+CORNERS = "".join(f"v {x} {y} {z}\n" for z in (0, 5) for y in (0, 10) for x in (0, 20))
+SIDES = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+BOX = CORNERS + "o block\n" + SIDES
+ASSEMBLY = BOX + "v 30 0 0\nv 40 0 0\nv 40 10 0\nv 30 10 0\no plate\nf 9 10 11 12\n"
+
+
+class Daemon:
+    def __init__(self, *flags):
+        command = [os.path.join(build, "zrasterd"), "--port", "0", *flags]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
+
+    def stop(self):
+        self.process.terminate()
+        self.process.wait()
+        self.process.stdout.close()
+
+    def send(self, path, body, headers, method=None):
+        """Returns status, headers and bytes."""
+        request = urllib.request.Request(self.address + path, body, headers, method=method)
+        try:
+            with urllib.request.urlopen(request) as answer:
+                return answer.status, answer.headers, answer.read()
+        except urllib.error.HTTPError as error:
+            with error:
+                return error.code, error.headers, error.read()
+
+    def post(self, message, **headers):
+        """Posts a message, or bytes, without headers of its own. Returns status and answer."""
+        body = message if isinstance(message, bytes) else json.dumps(message).encode()
+        head = {"Content-Type": "application/json", **{k.replace("_", "-"): v for k, v in headers.items() if v is not None}}
+        status, _, data = self.send("/mcp", body, head)
+        return status, json.loads(data) if data else None
+
+    def ask(self, method, params=None, headers=None, meta=META):
+        """Posts a modern request. Returns status and answer."""
+        message = {"jsonrpc": "2.0", "id": 7, "method": method, "params": {**(params or {}), "_meta": meta}}
+        given = {"MCP_Protocol_Version": MODERN, "Mcp_Method": method, "Mcp_Name": (params or {}).get("name")}
+        return self.post(message, **{**given, **(headers or {})})
+
+    def call(self, tool, **arguments):
+        """Returns the result of a tool."""
+        status, answer = self.ask("tools/call", {"name": tool, "arguments": arguments})
+        assert status == 200 and "result" in answer, answer
+        return answer["result"]
+
+
+class Pipe:
+    """`zraster mcp` and its lines."""
+
+    def __init__(self, root, *flags):
+        command = [os.path.join(build, "zraster"), "mcp", "--root", root, *flags]
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def write(self, message):
+        self.process.stdin.write((message if isinstance(message, str) else json.dumps(message)) + "\n")
+        self.process.stdin.flush()
+
+    def ask(self, method, number=1, **params):
+        self.write({"jsonrpc": "2.0", "id": number, "method": method, "params": {**params, "_meta": META}})
+        return json.loads(self.process.stdout.readline())
+
+    def call(self, tool, **arguments):
+        return self.ask("tools/call", name=tool, arguments=arguments)["result"]
+
+    def stop(self):
+        rest, errors = self.process.communicate(timeout=60)
+        return rest, errors, self.process.returncode
+
+
+# ---- answers ----
+
+
+def check(value, schema, place="$"):
+    """Raises unless a value is valid by a schema of the keywords that ours have."""
+    kinds = {"object": dict, "array": list, "string": str, "number": (int, float), "boolean": bool, "null": type(None)}
+    known = {"type", "required", "properties", "items", "minItems", "maxItems", "enum", "description"}
+    assert set(schema) <= known, (place, set(schema) - known)
+    names = schema.get("type", [])
+    names = names if isinstance(names, list) else [names]
+    is_bool = isinstance(value, bool)
+    fits = [
+        name for name in names
+        if (value == int(value) if isinstance(value, (int, float)) and not is_bool else False)
+        and name == "integer" or name in kinds and isinstance(value, kinds[name]) and (name == "boolean" or not is_bool)
+    ]
+    assert fits or not names, (place, value, names)
+    assert value in schema.get("enum", [value]), (place, value)
+    if isinstance(value, dict):
+        assert set(schema.get("required", [])) <= set(value), (place, value)
+        for key, item in value.items():
+            check(item, schema.get("properties", {}).get(key, {}), f"{place}.{key}")
+    if isinstance(value, list):
+        assert schema.get("minItems", 0) <= len(value) <= schema.get("maxItems", len(value)), (place, value)
+        for i, item in enumerate(value):
+            check(item, schema.get("items", {}), f"{place}[{i}]")
+
+
+def images(result):
+    return [(base64.b64decode(block["data"], validate=True), block["mimeType"]) for block in result["content"] if block["type"] == "image"]
+
+
+def texts(result):
+    return [block["text"] for block in result["content"] if block["type"] == "text"]
+
+
+def size_of(image, kind):
+    """Returns width and height of a PNG or a JPEG."""
+    if kind == "image/png":
+        assert image[:8] == b"\x89PNG\r\n\x1a\n"
+        return struct.unpack(">2I", image[16:24])
+    if kind == "image/webp":
+        assert image[:4] == b"RIFF" and image[8:12] == b"WEBP"
+        return (1, 1)
+    at = 2
+    while image[at + 1] not in (0xC0, 0xC2):
+        at += 2 + struct.unpack(">H", image[at + 2 : at + 4])[0]
+    height, width = struct.unpack(">2H", image[at + 5 : at + 9])
+    return width, height
+
+
+def png(side):
+    """Returns a PNG of random colours, which no encoder makes small."""
+    rng = random.Random(5)
+    rows = b"".join(b"\0" + rng.randbytes(3 * side) for _ in range(side))
+    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", side, side, 8, 2, 0, 0, 0)) + chunk(b"IDAT", zlib.compress(rows, 0)) + chunk(b"IEND", b"")
+
+
+def noise(side=700):
+    """Returns a scene of a square with such a picture."""
+    square = {"positions": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "texcoords": [[0, 1], [1, 1], [1, 0], [0, 0]], "faces": [[0, 1, 2, 3]]}
+    texture = {"uri": "data:image/png;base64," + base64.b64encode(png(side)).decode(), "sampler": {"magFilter": "nearest", "minFilter": "nearest"}}
+    material = {"name": "noise", "shading": "unlit", "baseColorTexture": texture}
+    return {"materials": [material], "meshes": [{**square, "material": "noise"}], "view": {"preset": "front", "fit": {"padding": 0}}}
+
+
+class Http(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.daemon = Daemon()
+        cls.tools = {tool["name"]: tool for tool in cls.daemon.ask("tools/list")[1]["result"]["tools"]}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.daemon.stop()
+
+    def call(self, tool, **arguments):
+        """Calls a tool. A result that is no error is valid by the tool's schema."""
+        result = self.daemon.call(tool, **arguments)
+        self.assertEqual(result["resultType"], "complete")
+        self.assertEqual(result["_meta"][KEY + "serverInfo"]["name"], "zraster")
+        if not result["isError"]:
+            check(result["structuredContent"], self.tools[tool]["outputSchema"])
+        return result
+
+    def refused(self, tool, expected, **arguments):
+        """Returns nothing. The call is an error that a model can mend; its text has each of these."""
+        result = self.call(tool, **arguments)
+        self.assertTrue(result["isError"], texts(result))
+        self.assertNotIn("structuredContent", result)
+        for part in expected:
+            self.assertIn(part, texts(result)[0])
+
+    # ---- the protocol ----
+
+    def test_discover(self):
+        """server/discover says what is served"""
+        status, answer = self.daemon.ask("server/discover")
+        result = answer["result"]
+        self.assertEqual((status, result["supportedVersions"], result["capabilities"]), (200, [MODERN], {"tools": {}}))
+        self.assertEqual((result["cacheScope"], type(result["ttlMs"]), answer["id"]), ("public", int, 7))
+
+    def test_list(self):
+        """tools/list names three tools that only read, the same bytes each time"""
+        first, second = (self.daemon.ask("tools/list") for _ in range(2))
+        self.assertEqual(first, second)
+        self.assertIn("ttlMs", first[1]["result"])
+        self.assertEqual(list(self.tools), ["render", "facts", "pick"])
+        for tool in self.tools.values():
+            self.assertTrue(tool["annotations"]["readOnlyHint"])
+            self.assertFalse(tool["annotations"]["openWorldHint"])
+            self.assertEqual(tool["inputSchema"]["type"], "object")
+            self.assertEqual(tool["outputSchema"]["type"], "object")
+
+    def test_legacy(self):
+        """Clients of 2025 open with initialize; every request tells by its own shape which revision it follows"""
+        for asked, given in (("2025-06-18", "2025-06-18"), ("2025-11-25", "2025-11-25"), ("2024-11-05", "2025-11-25"), (MODERN, "2025-11-25")):
+            params = {"protocolVersion": asked, "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}}
+            status, answer = self.daemon.post({"jsonrpc": "2.0", "id": "a", "method": "initialize", "params": params})
+            self.assertEqual((status, answer["id"], answer["result"]["protocolVersion"]), (200, "a", given))
+            self.assertNotIn("resultType", answer["result"])
+        notification = {"jsonrpc": "2.0", "method": "notifications/initialized"}
+        self.assertEqual(self.daemon.post(notification, MCP_Protocol_Version="2025-11-25"), (202, None))
+        self.assertEqual(self.daemon.post({"jsonrpc": "2.0", "id": 1, "method": "ping"}), (200, {"jsonrpc": "2.0", "id": 1, "result": {}}))
+        listed = self.daemon.post({"jsonrpc": "2.0", "id": 1, "method": "tools/list"}, MCP_Protocol_Version="2025-06-18")[1]["result"]
+        self.assertEqual(list(listed), ["tools"])
+        self.assertEqual(listed["tools"], list(self.tools.values()))
+        params = {"name": "facts", "arguments": {"model": {"text": BOX}}}
+        called = self.daemon.post({"jsonrpc": "2.0", "id": 2, "method": "tools/call", "params": params}, MCP_Protocol_Version="2025-11-25")[1]
+        self.assertEqual(sorted(called["result"]), ["content", "isError", "structuredContent"])
+        self.assertEqual(called["result"]["structuredContent"], self.call("facts", model={"text": BOX})["structuredContent"])
+
+    def test_errors(self):
+        """Each error of the protocol has its code and its status"""
+        ping = {"jsonrpc": "2.0", "id": 1, "method": "ping"}
+        cases = [
+            ("no JSON", b"{", {}, 400, -32700),
+            ("two values", b"{}{}", {}, 400, -32700),
+            ("broken UTF-8", b'{"jsonrpc":"2.0","id":1,"method":"\xff"}', {}, 400, -32700),
+            ("nothing", b"", {}, 400, -32700),
+            ("too deep", b"[" * 600 + b"]" * 600, {}, 400, -32700),
+            ("a batch", [ping], {}, 400, -32600),
+            ("a number", 7, {}, 400, -32600),
+            ("no method", {"jsonrpc": "2.0", "id": 1}, {}, 400, -32600),
+            ("id null", {**ping, "id": None}, {}, 400, -32600),
+            ("id 1.5", {**ping, "id": 1.5}, {}, 400, -32600),
+            ("id a list", {**ping, "id": [1]}, {}, 400, -32600),
+            ("no version of JSON-RPC", {"id": 1, "method": "ping"}, {}, 400, -32600),
+            ("much beside scene and model", {**ping, "params": {"x": "y" * 300000}}, {}, 400, -32600),
+            ("unknown method", {**ping, "method": "resources/list"}, {}, 200, -32601),
+            ("params a list", {**ping, "params": [1]}, {}, 200, -32602),
+            ("no name", {**ping, "method": "tools/call", "params": {}}, {}, 200, -32602),
+            ("unknown tool", {**ping, "method": "tools/call", "params": {"name": "rendr"}}, {}, 200, -32602),
+            ("arguments a list", {**ping, "method": "tools/call", "params": {"name": "render", "arguments": []}}, {}, 200, -32602),
+            ("a version of tomorrow in the header", ping, {"MCP_Protocol_Version": "2031-01-01"}, 400, -32022),
+            ("a modern header without _meta", ping, {"MCP_Protocol_Version": MODERN}, 400, -32602),
+            ("discover without _meta", {**ping, "method": "server/discover"}, {}, 400, -32602),
+        ]
+        for name, message, headers, status, code in cases:
+            with self.subTest(name):
+                got, answer = self.daemon.post(message, **headers)
+                self.assertEqual((got, answer["error"]["code"]), (status, code), answer)
+                self.assertEqual(answer["jsonrpc"], "2.0")
+                is_read = isinstance(message, dict) and type(message.get("id")) is int
+                self.assertEqual(answer.get("id"), 1 if is_read else None)
+        self.assertIn("did you mean render?", self.daemon.ask("tools/call", {"name": "rendr"})[1]["error"]["message"])
+
+    def test_modern_errors(self):
+        """Modern requests carry their version, capabilities and equal headers"""
+        draw = {"name": "facts", "arguments": {"model": {"text": BOX}}}
+        wrong = {"MCP_Protocol_Version": ("2025-11-25", None), "Mcp_Method": ("tools/list", None, "Tools/call"), "Mcp_Name": ("render", None, "=?base64?cmVuZGVy?=")}
+        for name, values in wrong.items():
+            for value in values:
+                with self.subTest(f"{name} is {value}"):
+                    status, answer = self.daemon.ask("tools/call", draw, {name: value})
+                    self.assertEqual((status, answer["error"]["code"]), (400, -32020), answer)
+        encoded = "=?base64?" + base64.b64encode(b"facts").decode() + "?="
+        self.assertFalse(self.daemon.ask("tools/call", draw, {"Mcp_Name": encoded})[1]["result"]["isError"])
+        status, answer = self.daemon.ask("tools/list", meta={KEY + "protocolVersion": MODERN})
+        self.assertEqual((status, answer["error"]["code"]), (400, -32602))
+        status, answer = self.daemon.ask("tools/list", meta={KEY + "clientCapabilities": {}})
+        self.assertEqual((status, answer["error"]["code"]), (400, -32602))
+        meta = {**META, KEY + "protocolVersion": "2030-01-01"}
+        status, answer = self.daemon.ask("tools/list", headers={"MCP_Protocol_Version": "2030-01-01"}, meta=meta)
+        self.assertEqual((status, answer["error"]["code"]), (400, -32022))
+        self.assertEqual(answer["error"]["data"], {"supported": [MODERN, "2025-11-25", "2025-06-18"], "requested": "2030-01-01"})
+        for method in ("ping", "initialize", "prompts/list", "subscriptions/listen"):
+            status, answer = self.daemon.ask(method)
+            self.assertEqual((status, answer["error"]["code"]), (404, -32601), method)
+
+    def test_http(self):
+        """Only POST, only JSON, only pages of this machine; gzip as everywhere"""
+        for method in ("GET", "DELETE"):
+            status, headers, _ = self.daemon.send("/mcp", None, {}, method)
+            self.assertEqual((status, headers["Allow"]), (405, "POST"))
+        ping = json.dumps({"jsonrpc": "2.0", "id": 1, "method": "ping"}).encode()
+        kind = {"Content-Type": "application/json"}
+        for origin, expected in (
+            ("http://localhost:3000", 200), ("http://127.0.0.1", 200), ("http://[::1]:80", 200), ("https://LOCALHOST", 200),
+            ("http://evil.example", 403), ("http://localhost.evil.example", 403), ("http://127.0.0.1.evil.example", 403), ("null", 403),
+        ):
+            self.assertEqual(self.daemon.send("/mcp", ping, {**kind, "Origin": origin})[0], expected, origin)
+        self.assertEqual(self.daemon.send("/mcp", ping, {"Content-Type": "text/plain"})[0], 415)
+        self.assertEqual(self.daemon.send("/mcp", ping, {"Content-Type": "Application/JSON; charset=utf-8"})[0], 200)
+        packed = zlib.compressobj(wbits=31)
+        self.assertEqual(self.daemon.send("/mcp", packed.compress(ping) + packed.flush(), {**kind, "Content-Encoding": "gzip"})[0], 200)
+
+    def test_limits(self):
+        """Token, size of bodies and limits hold as for /v1/render"""
+        daemon = Daemon("--token", "secret", "--body-max-bytes", "20000", "--cost-max-ms", "1", "--window-pixels-max", "100000")
+        try:
+            self.assertEqual(daemon.post({"jsonrpc": "2.0", "id": 1, "method": "ping"})[0], 401)
+            status, answer = daemon.post({"jsonrpc": "2.0", "id": 1, "method": "ping"}, Authorization="Bearer secret")
+            self.assertEqual((status, answer["result"]), (200, {}))
+            self.assertEqual(daemon.post(b" " * 20001, Authorization="Bearer secret")[0], 413)
+            ask = lambda **arguments: daemon.ask("tools/call", {"name": "render", "arguments": arguments}, {"Authorization": "Bearer secret"})[1]["result"]
+            large = ask(model={"text": BOX}, width=400, height=300)
+            self.assertTrue(large["isError"])
+            self.assertIn("limit of 100000", texts(large)[0])
+            slow = ask(model={"text": BOX}, width=300, height=300)
+            self.assertTrue(slow["isError"])
+            self.assertIn("costMaxMs", texts(slow)[0])
+        finally:
+            daemon.stop()
+
+    def test_leaving(self):
+        """A client that leaves stops its call, and the daemon goes on"""
+        import socket
+        host, port = self.daemon.address.removeprefix("http://").split(":")
+        arguments = {"scene": noise(), "views": [{"view": {"azimuthDegrees": i}} for i in range(8)], "width": 1568, "height": 1568, "look": "studio"}
+        message = {"jsonrpc": "2.0", "id": 1, "method": "tools/call", "params": {"name": "render", "arguments": arguments}}
+        body = json.dumps(message).encode()
+        began = time.monotonic()
+        with socket.create_connection((host, int(port))) as connection:
+            head = f"POST /mcp HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n"
+            connection.sendall(head.encode() + body)
+            time.sleep(0.3)
+        self.assertEqual(self.daemon.post({"jsonrpc": "2.0", "id": 1, "method": "ping"})[0], 200)
+        self.call("render", model={"text": BOX})
+        self.assertLess(time.monotonic() - began, 60)
+
+    # ---- the tools ----
+
+    def test_facts(self):
+        """facts measures: box, volume, area, closedness, parts, in the file's own coordinates"""
+        content = self.call("facts", model={"text": BOX})["structuredContent"]
+        self.assertEqual(content["box"], {"min": [0, 0, 0], "max": [20, 10, 5], "size": [20, 10, 5]})
+        self.assertEqual((content["volume"], content["area"], content["closed"], content["units"]), (1000, 700, True, None))
+        self.assertEqual([part["name"] for part in content["parts"]], ["block"])
+        result = self.call("facts", model={"base64": base64.b64encode(ASSEMBLY.encode()).decode()})
+        content = result["structuredContent"]
+        self.assertEqual((content["volume"], content["closed"], content["box"]["size"]), (None, False, [40, 10, 5]))
+        self.assertEqual([(part["name"], part["closed"], part["volume"]) for part in content["parts"]], [("block", True, 1000), ("plate", False, None)])
+        self.assertIn("part 2 'plate': box 10 x 10 x 0 units", texts(result)[0])
+        stl = b"\0" * 80 + struct.pack("<I", 1) + struct.pack("<12fH", 0, 0, 1, 0, 0, 2, 1, 0, 2, 0, 1, 2, 0)
+        content = self.call("facts", model={"base64": base64.b64encode(stl).decode()})["structuredContent"]
+        self.assertEqual(content["box"]["max"], [1, 1, 2])  # z stays z
+        self.assertEqual(self.call("facts", scene={"polygons": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]})["structuredContent"]["area"], 0.5)
+
+    def test_units(self):
+        """Units of a format are told"""
+        corners = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+        gltf = {
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + base64.b64encode(corners).decode()}],
+        }
+        for _ in range(3):  # the third time, the file is kept as it was read
+            result = self.call("render", model={"text": json.dumps(gltf)}, views=["front"])
+            self.assertEqual(result["structuredContent"]["units"], "metre")
+            self.assertIn(" m a pixel", texts(result)[1])
+
+    def test_pictures(self):
+        """A picture is that of /v1/render, and its digest comes before it"""
+        result = self.call("render", model={"text": BOX}, views=["front", "top"], up="z", look="technical", width=320, height=240)
+        scene = {
+            "meshes": [{"asset": "model"}], "up": "z", "look": "technical", "views": ["front", "top"], "window": {"width": 320, "height": 240},
+            "view": {"preset": "isometric", "orthographic": {}}, "outputs": [{"channel": "color"}],
+        }
+        parts = b"".join(b'--b\r\nContent-Disposition: form-data; name="%s"\r\n\r\n%s\r\n' % (name, data) for name, data in (
+            (b"scene", json.dumps(scene).encode()), (b"model", BOX.encode())))
+        status, _, archive = self.daemon.send("/v1/render", parts + b"--b--\r\n", {"Content-Type": "multipart/form-data; boundary=b"})
+        self.assertEqual(status, 200)
+        self.assertEqual([block["type"] for block in result["content"]], ["text", "text", "image", "text", "image"])
+        for image, kind in images(result):
+            self.assertEqual((kind, size_of(image, kind)), ("image/png", (320, 240)))
+            self.assertIn(image, archive)
+        front, top = result["structuredContent"]["views"]
+        self.assertEqual((front["looksAlong"], top["looksAlong"]), ([0, 1, 0], [0, 0, -1]))
+        self.assertEqual((front["projection"], front["image"], top["image"]), ("orthographic", 0, 1))
+        self.assertAlmostEqual(front["unitsPerPixel"], 20 / (320 * 0.9), delta=0.01)
+        self.assertIn("seen from above", texts(result)[2])
+
+    def test_sheets(self):
+        """Without views, four corners show all sides in one picture; its views have their places"""
+        result = self.call("render", model={"text": BOX})
+        (image, kind), = images(result)
+        self.assertEqual(size_of(image, kind), (1024, 768))
+        views = result["structuredContent"]["views"]
+        self.assertEqual(len(views), 4)
+        self.assertEqual({view["unitsPerPixel"] for view in views}, {views[0]["unitsPerPixel"]})
+        self.assertEqual(sorted(view["elevationDegrees"] > 0 for view in views), [False, False, True, True])
+        for view in views:
+            self.assertIn(f"x {view['box'][0]}..{view['box'][2]}", texts(result)[1])
+        plain = self.call("render", model={"text": BOX}, annotate=False)
+        self.assertNotEqual(images(plain), images(result))
+        own = self.call("render", model={"text": BOX}, sheet="views", views=["front", "left", "bottom"])
+        self.assertEqual([view["name"] for view in own["structuredContent"]["views"]], ["front", "left", "bottom"])
+
+    def test_scenes(self):
+        """A scene keeps its own window, view, look and views, and may name the model"""
+        scene = {"meshes": [{"asset": "model"}], "window": {"width": 100, "height": 50}, "look": "clay", "view": {"eye": [60, 50, 40]}}
+        content = self.call("render", model={"text": BOX}, scene=scene)["structuredContent"]
+        self.assertEqual((content["picture"]["width"], content["picture"]["height"], content["picture"]["look"]), (100, 50, "clay@2"))
+        self.assertEqual((content["views"][0]["projection"], content["views"][0]["unitsPerPixel"], content["views"][0]["eye"]), ("perspective", None, [60, 50, 40]))
+        scene["views"] = ["front", "back"]
+        self.assertEqual(len(images(self.call("render", model={"text": BOX}, scene=scene))), 2)
+        self.assertEqual(len(images(self.call("render", model={"text": BOX}, scene=scene, views=["top"]))), 1)
+        scene["window"] = {"width": 4000, "height": 1000}
+        large = self.call("render", model={"text": BOX}, scene=scene)["structuredContent"]
+        self.assertEqual((large["picture"]["width"], large["picture"]["height"]), (1568, 392))
+        self.assertTrue(any("1568" in warning for warning in large["warnings"]))
+        del scene["views"]
+        self.refused("render", ["/scene/turntable"], model={"text": BOX}, scene={**scene, "turntable": {}})
+
+    def test_bytes(self):
+        """All pictures of a result have up to 700 kB and 1568 pixels a side: JPEG, WebP or fewer pixels instead"""
+        scene, kinds = noise(), set()
+        for arguments in (
+            {"width": 1200, "height": 1000}, {"width": 1568, "height": 1568}, {"width": 1568, "height": 1568, "format": "png"},
+            {"width": 900, "height": 900, "views": ["front"] * 1 + [{"name": f"v{i}", "view": {"preset": "front", "fit": {"padding": 0.01 * i}}} for i in range(7)]},
+        ):
+            result = self.call("render", scene=scene, **arguments)
+            self.assertLessEqual(sum(len(block.get("data", "")) for block in result["content"]), BYTES_MAX)
+            for image, kind in images(result):
+                kinds.add(kind)
+                self.assertLessEqual(max(size_of(image, kind)), SIDE_MAX)
+            if arguments.get("format") == "png":
+                self.assertEqual(kind, "image/png")
+                self.assertLess(result["structuredContent"]["picture"]["width"], 1568)
+                self.assertTrue(any("smaller" in warning for warning in result["structuredContent"]["warnings"]))
+        self.assertEqual(kinds, {"image/png", "image/jpeg"})
+        clear = self.call("render", scene={**scene, "background": "#00000000"}, width=1568, height=1568)
+        self.assertEqual(images(clear)[0][1], "image/webp")
+
+    def test_parts(self):
+        """Parts are hidden, and a blank picture is told"""
+        shown = self.call("render", model={"text": ASSEMBLY}, views=["isometric"], parts={"isolate": "plate"})
+        whole = self.call("render", model={"text": ASSEMBLY}, views=["isometric"])
+        self.assertNotEqual(images(shown), images(whole))
+        blank = self.call("render", model={"text": ASSEMBLY}, views=[{"view": {"eye": [0, 0, 90], "target": [0, 0, 100]}}])
+        self.assertTrue(blank["structuredContent"]["picture"]["blank"])
+        self.assertIn("BLANK", texts(blank)[1])
+
+    def test_pick(self):
+        """A pixel is explained by its surfaces, in a picture of its own and in a sheet"""
+        arguments = {"model": {"text": ASSEMBLY}, "up": "z"}
+        top = self.call("render", **arguments, views=["front", "top"])["structuredContent"]["views"][1]
+        x = 320 - round(10 / top["unitsPerPixel"])  # the middle is at 20, 5
+        content = self.call("pick", **arguments, views=["front", "top"], image=1, x=x, y=240)["structuredContent"]
+        first = content["fragments"][0]
+        self.assertEqual((content["hit"], first["part"], first["shown"], first["point"][2]), (True, "block", True, 5))
+        self.assertAlmostEqual(first["point"][0], 10, delta=2 * top["unitsPerPixel"])
+        self.assertAlmostEqual(first["point"][1], 5, delta=2 * top["unitsPerPixel"])
+        self.assertEqual([f["shown"] for f in content["fragments"]], [True, False])
+        sheet = self.call("render", **arguments, sheet="threeView")["structuredContent"]["views"]
+        top = next(view for view in sheet if view["name"] == "top")
+        x, y = (top["box"][0] + top["box"][2]) // 2 - round(10 / top["unitsPerPixel"]), (top["box"][1] + top["box"][3]) // 2
+        found = self.call("pick", **arguments, sheet="threeView", x=x, y=y)["structuredContent"]
+        self.assertEqual((found["fragments"][0]["part"], found["fragments"][0]["face"]), (first["part"], first["face"]))
+        self.assertAlmostEqual(found["fragments"][0]["point"][0], 10, delta=2 * top["unitsPerPixel"])
+        paper = self.call("pick", **arguments, sheet="threeView", x=0, y=0)
+        self.assertEqual((paper["structuredContent"]["hit"], paper["structuredContent"]["fragments"]), (False, []))
+        self.assertIn("paper", texts(paper)[0])
+
+    def test_mendable(self):
+        """What a model can mend is an error with its place and the nearest word"""
+        box = {"text": BOX}
+        for tool, expected, arguments in (
+            ("render", ["give a model"], {}),
+            ("render", ["/modle", "did you mean model?"], {"modle": box}),
+            ("facts", ["/views", "unknown"], {"model": box, "views": ["front"]}),
+            ("facts", ["/up"], {"model": box, "up": "x"}),
+            ("render", ["/model/txt", "did you mean text?"], {"model": {"txt": BOX}}),
+            ("render", ["/model", "give one of"], {"model": {}}),
+            ("render", ["/model/base64", "given, too"], {"model": {"text": BOX, "base64": "AAAA"}}),
+            ("render", ["/model/base64", "character 3"], {"model": {"base64": "AA!A"}}),
+            ("render", ["/model/path", "reads no files"], {"model": {"path": "part.stl"}}),
+            ("render", ["/model", "asset"], {"model": {"asset": "sha256:" + "0" * 64}}),
+            ("render", ["/model/asset"], {"model": {"asset": "part"}}),
+            ("render", ["/model", "an object"], {"model": "part.stl"}),
+            ("render", ["/model"], {"model": {"text": "hello"}}),
+            ("render", ["/model", "line 2"], {"model": {"text": "v 0 0 0\nv x\nf 1 2 3\n"}}),
+            ("render", ["/views/1", "did you mean front?"], {"model": box, "views": ["top", "frnt"]}),
+            ("render", ["/views/0/view", "unknown key"], {"model": box, "views": [{"view": {"azimut": 3}}]}),
+            ("render", ["/views", "up to 8"], {"model": box, "views": ["front"] * 9}),
+            ("render", ["/views", "a list"], {"model": box, "views": "front"}),
+            ("render", ["/sheet", "did you mean threeView?"], {"model": box, "sheet": "threeViews"}),
+            ("render", ["/look", "did you mean studio?"], {"model": box, "look": "studoi"}),
+            ("render", ["/parts/hide", "cover"], {"model": box, "parts": {"hide": ["cover"]}}),
+            ("render", ["/parts/hid", "did you mean hide?"], {"model": box, "parts": {"hid": ["cover"]}}),
+            ("render", ["/sections/planes/0"], {"model": box, "sections": {"planes": [{"axis": "w"}]}}),
+            ("render", ["/width", "16 to 1568"], {"model": box, "width": 2000}),
+            ("render", ["/height", "whole number"], {"model": box, "height": 10.5}),
+            ("render", ["/format", "did you mean jpeg?"], {"model": box, "format": "jpg"}),
+            ("render", ["/scene/colour", "unknown"], {"scene": {"polygons": [], "colour": 1}}),
+            ("render", ["/scene/polygons/0/vertices"], {"scene": {"polygons": [{"vertices": [[0, 0, 0]]}]}}),
+            ("render", ["/scene", "an object"], {"scene": "{}"}),
+            ("render", ["/up"], {"model": box, "up": "w"}),
+            ("pick", ["/x", "/y"], {"model": box}),
+            ("pick", ["/x", "from 0 to 1023"], {"model": box, "x": 1024, "y": 0}),
+            ("pick", ["/image"], {"model": box, "x": 0, "y": 0, "image": 1}),
+        ):
+            with self.subTest(f"{tool} {expected}"):
+                self.refused(tool, expected, **arguments)
+
+
+class Stdio(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        root = self.root = os.path.join(self.folder.name, "root")
+        os.makedirs(os.path.join(root, "sub"))
+        for name, text in (("root/box.obj", BOX), ("root/sub/both.obj", ASSEMBLY), ("secret.obj", BOX)):
+            with open(os.path.join(self.folder.name, name), "w") as file:
+                file.write(text)
+        os.symlink(os.path.join(self.folder.name, "secret.obj"), os.path.join(root, "link.obj"))
+        os.symlink("box.obj", os.path.join(root, "inside.obj"))
+        self.pipe = Pipe(root)
+
+    def tearDown(self):
+        if self.pipe.process.poll() is None:
+            self.pipe.stop()
+        self.folder.cleanup()
+
+    def test_same(self):
+        """The command answers as the daemon does"""
+        daemon = Daemon()
+        try:
+            for tool, arguments in (("facts", {}), ("render", {"views": ["front"]}), ("pick", {"x": 300, "y": 200}), ("render", {"look": "x"})):
+                arguments["model"] = {"text": ASSEMBLY}
+                self.assertEqual(self.pipe.call(tool, **arguments), daemon.call(tool, **arguments))
+        finally:
+            daemon.stop()
+        self.assertEqual(self.pipe.ask("server/discover")["result"]["supportedVersions"], [MODERN])
+        self.pipe.write({"jsonrpc": "2.0", "id": 3, "method": "initialize", "params": {"protocolVersion": "2025-06-18"}})
+        self.assertEqual(json.loads(self.pipe.process.stdout.readline())["result"]["protocolVersion"], "2025-06-18")
+
+    def test_files(self):
+        """Files are read below the root alone, and links do not lead out"""
+        for path in ("box.obj", "sub/both.obj", "sub/../box.obj", "inside.obj", os.path.join(self.root, "box.obj")):
+            self.assertFalse(self.pipe.call("facts", model={"path": path})["isError"], path)
+        for path in ("../secret.obj", "link.obj", os.path.join(self.folder.name, "secret.obj"), "/etc/passwd", "../none", "/none/x"):
+            result = self.pipe.call("facts", model={"path": path})
+            self.assertTrue(result["isError"], path)
+            self.assertIn("is no file below the folder", texts(result)[0])
+        self.assertIn("did you mean box.obj?", texts(self.pipe.call("facts", model={"path": "bxo.obj"}))[0])
+        self.assertIn("is no file", texts(self.pipe.call("facts", model={"path": "sub"}))[0])
+        for scene, is_error in (({"meshes": [{"asset": "sub/both.obj"}]}, False), ({"meshes": [{"asset": "../secret.obj"}]}, True), ({"meshes": [{"asset": "link.obj"}]}, True)):
+            self.assertEqual(self.pipe.call("facts", scene=scene)["isError"], is_error, scene)
+        result = self.pipe.call("facts", model={"path": "box.obj"}, scene={"meshes": [{"name": "a", "asset": "box.obj"}, {"asset": "sub/both.obj"}]})
+        self.assertEqual(len(result["structuredContent"]["parts"]), 3)
+
+    def test_lines(self):
+        """Faults of a line are answered, empty lines and notifications are not, and the end of input ends the command"""
+        for line in ("", "  ", json.dumps({"jsonrpc": "2.0", "method": "notifications/initialized"}), "{", "[]"):
+            self.pipe.write(line)
+        self.pipe.write({"jsonrpc": "2.0", "id": 5, "method": "ping"})
+        rest, errors, status = self.pipe.stop()
+        answers = [json.loads(line) for line in rest.splitlines()]
+        self.assertEqual([a.get("error", {}).get("code") for a in answers], [-32700, -32600, None])
+        self.assertEqual((answers[2]["id"], errors, status), (5, "", 0))
+
+    def test_cancelled(self):
+        """A cancelled call gets no answer, whether it has begun or waits"""
+        slow = {"name": "render", "arguments": {"scene": noise(), "look": "studio", "views": ["front", "back"] * 4, "width": 1568, "height": 1568}}
+        slow["arguments"]["views"] = [{"name": f"v{i}", "view": {"azimuthDegrees": 10 * i}} for i in range(8)]
+        for number in (1, "two"):
+            self.pipe.write({"jsonrpc": "2.0", "id": number, "method": "tools/call", "params": slow})
+        time.sleep(0.3)
+        for number in ("two", 1):
+            self.pipe.write({"jsonrpc": "2.0", "method": "notifications/cancelled", "params": {"requestId": number}})
+        self.pipe.write({"jsonrpc": "2.0", "id": 3, "method": "ping"})
+        rest, _, status = self.pipe.stop()
+        self.assertEqual(([json.loads(line)["id"] for line in rest.splitlines()], status), ([3], 0))
+
+    def test_agent_loop(self):
+        """The example of an agent's loop finds its error by looking"""
+        script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../clients/examples/agent_loop.py")
+        ran = subprocess.run([sys.executable, script, os.path.join(build, "zraster")], capture_output=True, text=True)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        self.assertIn("sees 3 holes", ran.stdout)
+        self.assertIn("sees 4 holes: done after 2 attempts", ran.stdout)
+
+    def test_usage(self):
+        """The command says what it needs"""
+        command = os.path.join(build, "zraster")
+        for flags, expected in (([], "--root"), (["--root", "/none"], "/none"), (["--root", ".", "x.stl"], "no file"), (["--root", ".", "--look", "clay"], "--look")):
+            ran = subprocess.run([command, "mcp", *flags], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+            self.assertNotEqual(ran.returncode, 0)
+            self.assertIn(expected, ran.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

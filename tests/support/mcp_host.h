@@ -1,0 +1,27 @@
+/* mcp_host.h - tests: a host of the handler of MCP that draws nothing: it looks at each scene, and answers facts and
+ * pictures of its own. */
+#ifndef ZR_TESTS_MCP_HOST_H
+#define ZR_TESTS_MCP_HOST_H
+
+#include "mcp/mcp.h"
+#include "mcp/walk.h"
+
+/* Counts of what was asked for, and the text of the last scene. */
+struct mcp_test_host {
+    struct mcp_host host;
+    size_t draws, wrong_scenes; /* scenes that are no JSON objects */
+    char *scene;
+    size_t scene_size;
+    void **blocks;
+    size_t block_count;
+    bool is_cancelled;
+    char answer[4096];
+};
+
+void mcp_test_host_open(struct mcp_test_host *test);
+void mcp_test_host_close(struct mcp_test_host *test);
+
+/* Handles a message. The caller frees the text. */
+struct mcp_reply mcp_test_handle(struct mcp_test_host *test, const char *bytes, size_t size);
+
+#endif
