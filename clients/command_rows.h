@@ -19,7 +19,7 @@
     ROW(compare, 'c', "A.png B.png [-o DIFF.png]", "counts the pixels that differ; exit status 4 if any do")           \
     ROW(watch, 'w', "FILE [-o OUTPUT] [OPTION]...", "draws the file again whenever it changes")                        \
     ROW(looks, 'l', "", "lists the looks")                                                                             \
-    ROW(help, 'h', "[COMMAND]", "explains a command")
+    ROW(help, 'h', "[COMMAND|KEY]", "explains a command, or a key of scenes: its meaning, value, default and place")
 
 /* Letters of the commands that draw. They accept parameters of pictures. */
 #define DRAWING_COMMANDS "ribwvst"

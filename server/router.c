@@ -5,6 +5,7 @@
 #include <strings.h>
 
 #include "assets.h"
+#include "contract.h"
 #include "drake.h"
 #include "health.h"
 #include "problem.h"
@@ -15,6 +16,9 @@ static const struct route ROUTES[] = {
     {"/v1/render", "POST", false, rendering_open, rendering_work, true, false},
     {"/v1/assets", "POST", false, assets_open, assets_work, false, false},
     {"/v1/limits", "GET, HEAD", false, limits_open, NULL, false, false},
+    {OPENAPI_PATH, "GET, HEAD", false, contract_open_openapi, NULL, false, false},
+    {SCENE_SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false},
+    {SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false},
     {DRAKE_PATH, "POST", false, drake_open, drake_work, true, true},
     {"/healthz", "GET, HEAD", true, health_open, NULL, false, false},
     {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false, false},
