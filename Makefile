@@ -57,7 +57,7 @@ NEED_SYSTEMS := debootstrap=debootstrap /usr/share/keyrings/debian-archive-keyri
 	unshare=util-linux
 NEED_WHEEL := $(PYTHON)=python3 patchelf=patchelf readelf=binutils
 # patchelf and pip for the wheel that tests install.
-NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy /usr/share/doc/python3-venv=python3-venv \
+NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy /usr/lib/python3/dist-packages/jsonschema=python3-jsonschema /usr/share/doc/python3-venv=python3-venv \
 	/usr/lib/python3/dist-packages/trimesh=python3-trimesh?
 NEED_NODE := node=nodejs npm=npm
 NEED_LOADERS := $(NEED_NODE) /usr/share/doc/python3-meshio=python3-meshio /usr/share/doc/python3-trimesh=python3-trimesh?
@@ -199,6 +199,14 @@ test-docs: ## runs the examples of the README and of clients/docs, and checks th
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) all library
 	@tests/clients/test_docs.sh $(BUILD)
+
+CONTRACT_PACKAGES := ajv@8 @redocly/cli@2 openapi-typescript@7 typescript@5
+.PHONY: contract
+contract: ## the schema of scenes beside the daemon, by ajv, and OpenAPI by redocly and TypeScript (npm); CONTRACT_SCENES=5000, SEED=1
+	@.ci/need $(NEED_BUILD) $(NEED_NODE)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/contract $(CONTRACT_PACKAGES)
+	@CONTRACT_SCENES="$(or $(CONTRACT_SCENES),5000)" SEED="$(or $(SEED),1)" tests/contract/check.sh $(BUILD)
 
 .PHONY: reference
 reference: ## the long comparison with Mesa, and build/reference/report.html about it; REFERENCE=egl: without OSMesa
@@ -597,6 +605,7 @@ $(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a $(BUILD)/libcore.
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
 $(BUILD)/tests/unit/test_mcp: $(mcp)
+$(BUILD)/tests/unit/test_schema: $(BUILD)/server/openapi.o
 $(BUILD)/tests/unit/test_framing: $(BUILD)/server/framing.o
 $(BUILD)/tests/unit/test_accept: $(BUILD)/server/accept.o
 $(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "keys.h"
 #include "tables.h"
 
 #define COUNTED(...) +1
@@ -118,8 +119,13 @@ int command_help(struct options *options)
         help_print(&commands[i]);
         return 0;
     }
-    if (near.best) return options_wrong("there is no command %s; did you mean %s?", name, near.best);
-    return options_wrong("there is no command %s; \"zraster help\" lists all commands", name);
+    if (keys_explain(name)) return 0;
+    keys_offer(&near);
+    if (near.best) return options_wrong("there is no command and no key %s; did you mean %s?", name, near.best);
+    return options_wrong(
+        "there is no command and no key %s; \"zraster help\" lists all commands, \"zraster help scene\" "
+        "all keys of a scene",
+        name);
 }
 
 int command_looks(struct options *options)

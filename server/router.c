@@ -6,6 +6,7 @@
 
 #include "agents.h"
 #include "assets.h"
+#include "contract.h"
 #include "drake.h"
 #include "health.h"
 #include "origin.h"
@@ -23,6 +24,9 @@ static const struct route ROUTES[] = {
     {"/v1/looks", "GET, HEAD", false, looks_open, NULL, false, false},
     {"/v1/limits", "GET, HEAD", false, limits_open, NULL, false, false},
     {AGENTS_PATH, "POST", false, agents_open, agents_work, true, false},
+    {OPENAPI_PATH, "GET, HEAD", false, contract_open_openapi, NULL, false, false},
+    {SCENE_SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false},
+    {SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false},
     {DRAKE_PATH, "POST", false, drake_open, drake_work, true, true},
     {"/healthz", "GET, HEAD", true, health_open, NULL, false, false},
     {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false, false},

@@ -178,3 +178,8 @@ bool zr_color_of_name(const char *name, size_t length, uint32_t *rgb)
     *rgb = found->rgb;
     return true;
 }
+
+const char *zr_color_name(size_t i)
+{
+    return i < sizeof named_colors / sizeof *named_colors ? named_colors[i].name : NULL;
+}

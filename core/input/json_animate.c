@@ -111,7 +111,8 @@ static bool read_axis(struct zr_json *json, const struct zr_json_path *path, con
 
 #define AT(member) offsetof(struct zr_track, member)
 static const struct zr_json_field rotate_fields[] = {
-    {"axis", read_axis, AT(axis), .required = true, .text = "x, y, z or a vector, in the node's own axes"},
+    {"axis", read_axis, AT(axis), .required = true, .text = "x, y, z or a vector, in the node's own axes",
+     .schema = ZR_SCHEMA({"anyOf" : [ {"enum" : [ "x", "y", "z" ]}, {"$ref" : "#/$defs/direction"} ]})},
     {"degrees", zr_json_number, AT(degrees), -DEGREES_MAX, DEGREES_MAX, .unit = "degrees", .otherwise = "360",
      .text = "angle of all frames together, counter-clockwise seen against the axis"}};
 #undef AT
@@ -135,16 +136,30 @@ enum { ROTATE, TIMES, TRANSLATION, ROTATION, SCALE, INTERPOLATION };
 static const struct zr_json_field track_fields[] = {
     [ROTATE] = {"rotate", read_rotate, AT(track), .object = &zr_json_object_rotate,
                 .text = "turn about an axis through the node's origin: its matrix times the turn"},
-    [TIMES] = {"times", read_times, AT(times), .unit = "seconds", .text = "times of the keys, ascending"},
+    [TIMES] = {"times", read_times, AT(times), .unit = "seconds", .text = "times of the keys, ascending",
+               .schema = ZR_SCHEMA(
+                   {"type" : "array", "items" : {"type" : "number", "minimum" : 0, "maximum" : 3600}, "minItems" : 1})},
     [TRANSLATION] = {"translation", read_vectors, AT(translations), .unit = "scene units",
-                     .otherwise = "the node's own", .text = "one vector a key"},
+                     .otherwise = "the node's own", .text = "one vector a key",
+                     .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/vec3"}})},
     [ROTATION] = {"rotation", read_quaternions, AT(rotations), .otherwise = "the node's own",
-                  .text = "one quaternion x, y, z, w a key"},
-    [SCALE] = {"scale", read_vectors, AT(scales), .otherwise = "the node's own", .text = "one vector a key"},
+                  .text = "one quaternion x, y, z, w a key",
+                  .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/quaternion"}})},
+    [SCALE] = {"scale", read_vectors, AT(scales), .otherwise = "the node's own", .text = "one vector a key",
+               .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/vec3"}})},
     [INTERPOLATION] = {"interpolation", zr_json_choice, AT(interpolation), .words = &interpolation_names,
                        .otherwise = "linear", .text = "poses between keys: linear, or step, which holds a key"}};
 #undef AT
-const struct zr_json_object zr_json_object_track = ZR_JSON_OBJECT_OF("track", track_fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_track = ZR_JSON_RULED_OBJECT("track", track_fields,
+    {
+        "not": {"properties": {"rotate": false, "times": false}},
+        "dependentRequired": {"translation": ["times"], "rotation": ["times"], "scale": ["times"]},
+        "dependentSchemas": {
+            "times": {"not": {"properties": {"translation": false, "rotation": false, "scale": false}}}
+        }
+    });
+/* clang-format on */
 
 /* Takes a list of keys. False if their number is not that of the times. */
 static bool take_keys(struct zr_json *json, const struct zr_json_path *path, const struct zr_growing *list,
@@ -231,7 +246,9 @@ enum { NODES, FRAMES, SECONDS };
 #define AT(member) offsetof(struct given_animate, member)
 static const struct zr_json_field fields[] = {
     [NODES] = {"nodes", read_tracks, AT(animation), .required = true, .object = &zr_json_object_track,
-               .text = "motions by the names of nodes"},
+               .text = "motions by the names of nodes",
+               .schema = ZR_SCHEMA(
+                   {"type" : "object", "additionalProperties" : {"$ref" : "#/$defs/track"}, "minProperties" : 1})},
     [FRAMES] = {"frames", zr_json_whole, AT(frames), 1, 4096, .otherwise = "36", .text = "number of views"},
     [SECONDS] = {"seconds", zr_json_number, AT(seconds), 0.02, SECONDS_MAX, .unit = "seconds",
                  .otherwise = "the last of all times, or 4", .text = "time from the first frame to its return"}};

@@ -28,7 +28,7 @@ struct reader {
 
 #define IMAGE(key, number, what)                                                                                       \
     {                                                                                                                  \
-        key, zr_json_place, offsetof(struct reader, places[number]), .text = what                                      \
+        key, zr_json_place, offsetof(struct reader, places[number]), .text = what, .schema = ZR_SCHEMA_OF("file")      \
     }
 static const struct zr_json_field fields[] = {
     [COLOR] = IMAGE("color", COLOR, "picture, a PNG of the window's size"),
@@ -38,8 +38,12 @@ static const struct zr_json_field fields[] = {
     [TIES] = {"ties", zr_json_choice, offsetof(struct reader, ties), .words = &side_names, .otherwise = "base",
               .text = "side that is visible at equal depth"},
     [FIRST_FACE_ID] = {"firstFaceId", zr_json_whole, offsetof(struct reader, first_face_id),
-                       .otherwise = "the largest id of the base + 1", .text = "id of the first new face"}};
-const struct zr_json_object zr_json_object_base = ZR_JSON_OBJECT_OF("base", fields);
+                       .otherwise = "the largest id of the base + 1", .text = "id of the first new face",
+                       .schema = ZR_SCHEMA({"type" : "integer", "minimum" : 1, "maximum" : 4294967295})}};
+/* clang-format off */
+const struct zr_json_object zr_json_object_base = ZR_JSON_RULED_OBJECT("base", fields,
+    {"not": {"properties": {"windowDepth": false, "depth": false}}});
+/* clang-format on */
 
 static bool has(const struct reader *reader, int key)
 {

@@ -11,7 +11,13 @@ struct given {
     struct zr_bytes_name name;
 };
 static const struct zr_json_field fields[] = {ZR_BYTES_NAME_FIELDS(struct given, name)};
-const struct zr_json_object zr_json_object_bytes = ZR_JSON_OBJECT_OF("bytes", fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_bytes = ZR_JSON_RULED_OBJECT("bytes", fields,
+    {
+        "not": {"properties": {"uri": false, "asset": false}},
+        "dependentSchemas": {"uri": {"properties": {"asset": false}}}
+    });
+/* clang-format on */
 
 static bool read_uri(struct zr_json *json, const struct zr_json_path *path, const char *text, struct zr_asset *out)
 {

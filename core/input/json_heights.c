@@ -181,11 +181,12 @@ static bool read_range(struct zr_json *json, const struct zr_json_path *path, co
 enum { VALUES, X, Y };
 static const struct zr_json_field fields[] = {
     [VALUES] = {"values", read_values, 0, .required = true,
-                .text = "rows of heights along z, the first at the first y; null for a hole"},
+                .text = "rows of heights along z, the first at the first y; null for a hole",
+                .schema = ZR_SCHEMA_OF("heightRows")},
     [X] = {"x", read_range, offsetof(struct zr_heights, x), .unit = "scene units", .otherwise = "[0, columns - 1]",
-           .text = "x of the first and the last column"},
+           .text = "x of the first and the last column", .schema = ZR_SCHEMA_OF("coordinate2")},
     [Y] = {"y", read_range, offsetof(struct zr_heights, y), .unit = "scene units", .otherwise = "[0, rows - 1]",
-           .text = "y of the first and the last row"}};
+           .text = "y of the first and the last row", .schema = ZR_SCHEMA_OF("coordinate2")}};
 const struct zr_json_object zr_json_object_heights = ZR_JSON_OBJECT_OF("heights", fields);
 
 bool zr_read_heights(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,

@@ -1,5 +1,7 @@
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "base/srgb.h"
 #include "base/team.h"
@@ -16,8 +18,8 @@
 #define SHADOW_DEGREES_MAX 80.0
 
 /* In the order of enum zr_light_type. */
-static const char *const types[] = {"directional", "hemisphere", "point", "spot"};
-static const struct zr_names type_names = ZR_NAMES(ZR_LIGHT_SPOT + 1, types);
+static const char *const light_types[] = {"directional", "hemisphere", "point", "spot"};
+static const struct zr_names type_names = ZR_NAMES(ZR_LIGHT_SPOT + 1, light_types);
 
 enum { FRAME_WORLD, FRAME_CAMERA, FRAMES };
 static const char *const frames[] = {"world", "camera"};
@@ -68,6 +70,14 @@ static bool read_half_angle(struct zr_json *json, const struct zr_json_path *pat
     return true;
 }
 
+/* Types that have a key. */
+enum {
+    OF_DIRECTIONAL = 1 << ZR_LIGHT_DIRECTIONAL,
+    OF_HEMISPHERE = 1 << ZR_LIGHT_HEMISPHERE,
+    OF_POINT = 1 << ZR_LIGHT_POINT,
+    OF_SPOT = 1 << ZR_LIGHT_SPOT
+};
+
 enum {
     TYPE,
     DIRECTION,
@@ -89,69 +99,86 @@ enum {
 static const struct zr_json_field fields[] = {
     [TYPE] = {"type", zr_json_choice, AT(type), .words = &type_names, .required = true, .text = "kind of light"},
     [DIRECTION] = {"direction", read_direction, AT(direction),
-                   .text = "directional, spot: direction in which the light travels"},
+                   .text = "directional, spot: direction in which the light travels",
+                   .schema = ZR_SCHEMA_OF("direction"), .of = OF_DIRECTIONAL | OF_SPOT,
+                   .required_of = OF_DIRECTIONAL | OF_SPOT},
     [COLOR] = {"color", zr_read_light_color, AT(color), .otherwise = "white",
-               .text = "directional, point, spot: colour of the light"},
+               .text = "directional, point, spot: colour of the light", .of = OF_DIRECTIONAL | OF_POINT | OF_SPOT},
     [SHADOWS] = {"shadows", zr_json_bool, AT(has_shadows), .otherwise = "false",
-                 .text = "directional, spot: true if geometry casts shadows"},
-    [SKY] = {"sky", zr_read_light_color, AT(sky), .otherwise = "white", .text = "hemisphere: light from above"},
-    [GROUND] = {"ground", zr_read_light_color, AT(ground), .otherwise = "black",
-                .text = "hemisphere: light from below"},
+                 .text = "directional, spot: true if geometry casts shadows", .of = OF_DIRECTIONAL | OF_SPOT},
+    [SKY] = {"sky", zr_read_light_color, AT(sky), .otherwise = "white", .text = "hemisphere: light from above",
+             .of = OF_HEMISPHERE},
+    [GROUND] = {"ground", zr_read_light_color, AT(ground), .otherwise = "black", .text = "hemisphere: light from below",
+                .of = OF_HEMISPHERE},
     [UP] = {"up", read_direction, AT(up), .otherwise = "the scene's; y in the camera's frame",
-            .text = "hemisphere: direction of the sky"},
+            .text = "hemisphere: direction of the sky", .schema = ZR_SCHEMA_OF("direction"), .of = OF_HEMISPHERE},
     [INTENSITY] = {"intensity", read_intensity, AT(intensity), 0, INTENSITY_PLACED_MAX, .otherwise = "1",
-                   .text = "factor of the colours; point, spot: at a distance of 1"},
+                   .text = "factor of the colours; point, spot: at a distance of 1",
+                   .schema = ZR_SCHEMA({"type" : "number"})},
     [FRAME] = {"frame", zr_json_choice, AT(frame), .words = &frame_names, .otherwise = "world",
                .text = "space of directions and positions; camera: the light moves with the camera"},
-    [POSITION] = {"position", zr_json_vec3, AT(position), .unit = "scene units", .text = "point, spot: position"},
+    [POSITION] = {"position", zr_json_vec3, AT(position), .unit = "scene units", .text = "point, spot: position",
+                  .of = OF_POINT | OF_SPOT, .required_of = OF_POINT | OF_SPOT},
     [RANGE] = {"range", zr_json_positive, AT(range), .unit = "scene units", .otherwise = "none",
-               .text = "point, spot: distance at which the light has faded to 0"},
+               .text = "point, spot: distance at which the light has faded to 0", .of = OF_POINT | OF_SPOT},
     [INNER] = {"innerConeAngle", read_half_angle, AT(inner_degrees), 0, PI / 2, .unit = "radians", .otherwise = "0",
-               .text = "spot: angle from the axis at which the light begins to fade"},
+               .text = "spot: angle from the axis at which the light begins to fade", .of = OF_SPOT,
+               .schema = ZR_SCHEMA({"type" : "number"})},
     [INNER_DEGREES] = {"innerConeAngleDegrees", read_half_angle, AT(inner_degrees), 0, 90, .unit = "degrees",
-                       .otherwise = "0", .text = "spot: angle from the axis at which the light begins to fade"},
+                       .otherwise = "0", .text = "spot: angle from the axis at which the light begins to fade",
+                       .of = OF_SPOT, .schema = ZR_SCHEMA({"type" : "number"})},
     [OUTER] = {"outerConeAngle", read_half_angle, AT(outer_degrees), 0, PI / 2, .unit = "radians", .otherwise = "pi/4",
-               .text = "spot: angle from the axis at which the light has faded to 0"},
+               .text = "spot: angle from the axis at which the light has faded to 0", .of = OF_SPOT,
+               .schema = ZR_SCHEMA({"type" : "number"})},
     [OUTER_DEGREES] = {"outerConeAngleDegrees", read_half_angle, AT(outer_degrees), 0, 90, .unit = "degrees",
-                       .otherwise = "45", .text = "spot: angle from the axis at which the light has faded to 0"},
+                       .otherwise = "45", .text = "spot: angle from the axis at which the light has faded to 0",
+                       .of = OF_SPOT, .schema = ZR_SCHEMA({"type" : "number"})},
     {.key = "spot"},
     {.key = "name"}};
-const struct zr_json_object zr_json_object_light = ZR_JSON_OBJECT_OF("light", fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_light = ZR_JSON_RULED_OBJECT("light", fields,
+    {
+        "dependentSchemas": {
+            "innerConeAngle": {"properties": {"innerConeAngleDegrees": false}},
+            "outerConeAngle": {"properties": {"outerConeAngleDegrees": false}},
+            "intensity": {
+                "if": {"properties": {"type": {"enum": ["directional", "hemisphere"]}}},
+                "then": {"properties": {"intensity": {"maximum": 1e6}}}
+            },
+            "shadows": {
+                "if": {"properties": {"shadows": {"const": true}}},
+                "then": {
+                    "properties": {"outerConeAngle": {"maximum": 1.396263}, "outerConeAngleDegrees": {"maximum": 80}}
+                }
+            }
+        }
+    });
+/* clang-format on */
 
-/* The types that have a key, for keys that some types lack. */
-enum {
-    OF_DIRECTIONAL = 1 << ZR_LIGHT_DIRECTIONAL,
-    OF_HEMISPHERE = 1 << ZR_LIGHT_HEMISPHERE,
-    OF_POINT = 1 << ZR_LIGHT_POINT,
-    OF_SPOT = 1 << ZR_LIGHT_SPOT
-};
-static const struct {
-    int key, types;
-    const char *named;
-} owners[] = {{DIRECTION, OF_DIRECTIONAL | OF_SPOT, "types directional and spot"},
-              {COLOR, OF_DIRECTIONAL | OF_POINT | OF_SPOT, "types directional, point and spot"},
-              {SHADOWS, OF_DIRECTIONAL | OF_SPOT, "types directional and spot"},
-              {SKY, OF_HEMISPHERE, "type hemisphere"},
-              {GROUND, OF_HEMISPHERE, "type hemisphere"},
-              {UP, OF_HEMISPHERE, "type hemisphere"},
-              {POSITION, OF_POINT | OF_SPOT, "types point and spot"},
-              {RANGE, OF_POINT | OF_SPOT, "types point and spot"},
-              {INNER, OF_SPOT, "type spot"},
-              {INNER_DEGREES, OF_SPOT, "type spot"},
-              {OUTER, OF_SPOT, "type spot"},
-              {OUTER_DEGREES, OF_SPOT, "type spot"}};
-
-static void refuse_strange_keys(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int type)
+/* Names a set of types: "types directional, point and spot". */
+static void name_types(uint32_t types, char text[64])
 {
-    for (size_t i = 0; i < sizeof owners / sizeof *owners; i++)
-        if (zr_json_gives(keys, owners[i].key) && !(owners[i].types >> type & 1))
-            zr_json_fault(json, ZR_JSON_KEY(path, fields[owners[i].key].key), "belongs to lights of the %s only",
-                          owners[i].named);
+    const bool is_one = (types & (types - 1)) == 0;
+    size_t used = (size_t)snprintf(text, 64, is_one ? "type" : "types");
+    for (int type = 0; types; type++, types >>= 1) {
+        if (!(types & 1u)) continue;
+        const char *const before = strchr(text, ' ') == NULL ? " " : types == 1u ? " and " : ", ";
+        used += (size_t)snprintf(text + used, 64 - used, "%s%s", before, light_types[type]);
+    }
 }
 
-static void require_key(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int key)
+static void check_keys(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int type)
 {
-    if (!zr_json_gives(keys, key)) zr_json_fault(json, path, "%s is missing: %s", fields[key].key, fields[key].text);
+    char named[64];
+    for (int key = 0; key < (int)zr_json_object_light.count; key++) {
+        const struct zr_json_field *field = &fields[key];
+        if (zr_json_gives(keys, key) && field->of && !(field->of >> type & 1u)) {
+            name_types(field->of, named);
+            zr_json_fault(json, ZR_JSON_KEY(path, field->key), "belongs to lights of the %s only", named);
+        }
+        if (!zr_json_gives(keys, key) && field->required_of >> type & 1u)
+            zr_json_fault(json, path, "%s is missing: %s", field->key, field->text);
+    }
 }
 
 static void check_cone(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
@@ -174,9 +201,7 @@ static void check_light(struct zr_json *json, const struct zr_json_path *path, u
 {
     const bool is_placed = given->type == ZR_LIGHT_POINT || given->type == ZR_LIGHT_SPOT;
     const double most = is_placed ? INTENSITY_PLACED_MAX : INTENSITY_MAX;
-    refuse_strange_keys(json, path, keys, given->type);
-    if (given->type == ZR_LIGHT_DIRECTIONAL || given->type == ZR_LIGHT_SPOT) require_key(json, path, keys, DIRECTION);
-    if (is_placed) require_key(json, path, keys, POSITION);
+    check_keys(json, path, keys, given->type);
     if (given->type == ZR_LIGHT_SPOT) check_cone(json, path, keys, given);
     if (!(given->intensity >= 0.0 && given->intensity <= most))
         zr_json_fault(json, ZR_JSON_KEY(path, fields[INTENSITY].key), "%.10g is outside of %.10g to %.10g",

@@ -58,14 +58,60 @@ static const struct zr_json_field fields[] = {
     [TANGENTS] = {"tangents", zr_read_mesh_tangents, AT(tangents), .otherwise = "along u",
                   .text = "[x,y,z,w] per position: direction of u, and the sign of the bitangent"},
     [FILE_URI] = {ZR_BYTES_URI, zr_json_string, AT(file.uri),
-                  .text = "data: URI with a model file, instead of positions"},
+                  .text = "data: URI with a model file, instead of positions", .schema = ZR_SCHEMA_OF("dataUri")},
     [FILE_ASSET] = {ZR_BYTES_ASSET, zr_json_string, AT(file.asset),
                     .text = "name of a part with a model file, or sha256: and its hash, instead of positions"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_mesh, face_style),
     ZR_SCALARS_FIELDS(struct zr_parsed_mesh, scalars),
     ZR_SIDES_FIELD(struct zr_parsed_mesh, face_style),
     {.key = "data"}};
-const struct zr_json_object zr_json_object_mesh = ZR_JSON_OBJECT_OF("mesh", fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_mesh = ZR_JSON_SHOWN_OBJECT("mesh", fields,
+    ZR_SCHEMA({
+        "if": {"properties": {"heights": false}},
+        "then": {
+            "if": {"properties": {"uri": false, "asset": false}},
+            "then": {
+                "not": {
+                    "anyOf": [
+                        {"properties": {"positions": false}},
+                        {"properties": {"faces": false, "lines": false, "points": false}}
+                    ]
+                }
+            },
+            "else": {
+                "properties": {
+                    "positions": false, "normals": false, "colors": false, "faceColors": false, "faces": false,
+                    "lines": false, "points": false, "texcoords": false, "texcoords1": false, "tangents": false,
+                    "scalars": false, "colormap": false, "range": false
+                }
+            }
+        },
+        "else": {
+            "properties": {
+                "positions": false, "faces": false, "lines": false, "points": false, "uri": false, "asset": false
+            }
+        },
+        "dependentSchemas": {
+            "uri": {"properties": {"asset": false}},
+            "scalars": {"properties": {"colors": false, "faceColors": false}},
+            "colormap": {
+                "if": {"properties": {"scalars": false}},
+                "then": {
+                    "not": {"properties": {"heights": false}}, "properties": {"colors": false, "faceColors": false}
+                }
+            },
+            "range": {
+                "if": {"properties": {"scalars": false}},
+                "then": {"not": {"anyOf": [{"properties": {"heights": false}}, {"properties": {"colormap": false}}]}}
+            }
+        }
+    }),
+    ZR_SCHEMA([
+        {"positions": [[0, 0, 0], [2, 0, 0], [1, 2, 0]], "faces": [[0, 1, 2]]},
+        {"heights": [[0, 1, 0], [1, 2, 1]], "colormap": "viridis"}, {"asset": "part.stl"}
+    ]));
+/* clang-format on */
 
 static bool gives(const struct zr_parsed_mesh *given, int key)
 {

@@ -105,17 +105,22 @@ enum { NAME, MESH, MATRIX, TRANSLATION, ROTATION, SCALE, CHILDREN };
 #define AT(member) offsetof(struct given_node, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .text = "name for parents and the output info"},
-    [MESH] = {"mesh", zr_json_place, AT(mesh), .otherwise = "a group", .text = "number or name of a mesh"},
+    [MESH] = {"mesh", zr_json_place, AT(mesh), .otherwise = "a group", .text = "number or name of a mesh",
+              .schema = ZR_SCHEMA({"anyOf" : [ {"$ref" : "#/$defs/index"}, {"type" : "string"} ]})},
     [MATRIX] = {"matrix", zr_json_affine, AT(matrix), .otherwise = "the identity",
                 .text = "transformation to the parent's space"},
     [TRANSLATION] = {"translation", zr_json_vec3, AT(translation), .unit = "scene units", .otherwise = "[0, 0, 0]",
                      .text = "translation, after scale and rotation"},
     [ROTATION] = {"rotation", zr_json_vec4, AT(rotation), .otherwise = "[0, 0, 0, 1]",
-                  .text = "rotation as a quaternion x, y, z, w, after scale"},
+                  .text = "rotation as a quaternion x, y, z, w, after scale", .schema = ZR_SCHEMA_OF("quaternion")},
     [SCALE] = {"scale", zr_json_vec3, AT(scale), .otherwise = "[1, 1, 1]", .text = "factor per axis"},
-    [CHILDREN] = {"children", zr_json_place, AT(children), .otherwise = "[]",
-                  .text = "numbers or names of child nodes"}};
-const struct zr_json_object zr_json_object_node = ZR_JSON_OBJECT_OF("node", fields);
+    [CHILDREN] = {"children", zr_json_place, AT(children), .otherwise = "[]", .text = "numbers or names of child nodes",
+                  .schema = ZR_SCHEMA(
+                      {"type" : "array", "items" : {"anyOf" : [ {"$ref" : "#/$defs/index"}, {"type" : "string"} ]}})}};
+/* clang-format off */
+const struct zr_json_object zr_json_object_node = ZR_JSON_RULED_OBJECT("node", fields,
+    {"dependentSchemas": {"matrix": {"properties": {"translation": false, "rotation": false, "scale": false}}}});
+/* clang-format on */
 
 /* Pose of a node as read. */
 struct own_pose {

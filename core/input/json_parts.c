@@ -103,7 +103,7 @@ static bool read_parts(struct zr_json *json, const struct zr_json_path *path, co
 
 static const struct zr_json_field highlight_fields[] = {
     {"parts", read_parts, offsetof(struct zr_part_highlight, parts), .required = true,
-     .text = "parts: a name, a pattern, an id, or a list of these"},
+     .text = "parts: a name, a pattern, an id, or a list of these", .schema = ZR_SCHEMA_OF("parts")},
     {"color", zr_json_opaque, offsetof(struct zr_part_highlight, color), .otherwise = "#ff6a00",
      .text = "colour that replaces the colours and base colour textures of these parts"}};
 const struct zr_json_object zr_json_object_highlight = ZR_JSON_OBJECT_OF("highlight", highlight_fields);

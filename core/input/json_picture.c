@@ -80,9 +80,9 @@ static bool read_opaque(struct zr_json *json, const struct zr_json_path *path, c
 enum { TOP, BOTTOM };
 static const struct zr_json_field gradient_fields[] = {
     [TOP] = {"top", read_opaque, offsetof(struct zr_picture, top), .required = true,
-             .text = "colour of the upper edge of the picture"},
+             .text = "colour of the upper edge of the picture", .schema = ZR_SCHEMA_OF("opaque")},
     [BOTTOM] = {"bottom", read_opaque, offsetof(struct zr_picture, bottom), .required = true,
-                .text = "colour of the lower edge of the picture"}};
+                .text = "colour of the lower edge of the picture", .schema = ZR_SCHEMA_OF("opaque")}};
 const struct zr_json_object zr_json_object_gradient = ZR_JSON_OBJECT_OF("gradient", gradient_fields);
 
 bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
@@ -148,7 +148,7 @@ static bool read_edge_source(struct zr_json *json, const struct zr_json_path *pa
 
 static const struct zr_json_field edge_fields[] = {
     {"color", read_opaque, offsetof(struct zr_edges, color), .otherwise = "the look's; #1f2a36",
-     .text = "colour of the lines"},
+     .text = "colour of the lines", .schema = ZR_SCHEMA_OF("opaque")},
     {"width", zr_json_float, offsetof(struct zr_edges, width), 0.1, 64, .unit = "pixels",
      .otherwise = "the look's; 1.5; of the mesh: 1.5 sqrt(smaller side / 480), at least 1",
      .text = "width of the lines"},

@@ -107,13 +107,16 @@ enum { VERTICES, HOLES, COLOR, COLORS, NORMALS, MATERIAL };
 #define AT(member) offsetof(struct polygon, member)
 static const struct zr_json_field fields[] = {
     [VERTICES] = {"vertices", read_ring, 0, .required = true, .unit = "scene units",
-                  .text = "list of [x,y,z] or [x,y,z,w], counter-clockwise"},
-    [HOLES] = {"holes", zr_json_place, AT(holes), .otherwise = "[]", .text = "rings of vertices to cut out"},
-    [COLOR] = {"color", read_color, AT(color), .otherwise = "white", .text = "colour of the polygon"},
-    [COLORS] = {"colors", read_colors, 0, .text = "colours, one per vertex"},
-    [NORMALS] = {"normals", read_normals, 0, .otherwise = "computed", .text = "normals, one per vertex"},
+                  .text = "list of [x,y,z] or [x,y,z,w], counter-clockwise", .schema = ZR_SCHEMA_OF("ring")},
+    [HOLES] = {"holes", zr_json_place, AT(holes), .otherwise = "[]", .text = "rings of vertices to cut out",
+               .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/ring"}})},
+    [COLOR] = {"color", read_color, AT(color), .otherwise = "white", .text = "colour of the polygon",
+               .schema = ZR_SCHEMA_OF("color")},
+    [COLORS] = {"colors", read_colors, 0, .text = "colours, one per vertex", .schema = ZR_SCHEMA_OF("colors")},
+    [NORMALS] = {"normals", read_normals, 0, .otherwise = "computed", .text = "normals, one per vertex",
+                 .schema = ZR_SCHEMA_OF("vectors")},
     [MATERIAL] = {ZR_POLYGON_MATERIAL, read_material, AT(style.material), .otherwise = "none",
-                  .text = "name of a material"},
+                  .text = "name of a material", .schema = ZR_SCHEMA({"type" : "string"})},
     ZR_FACE_STYLE_FIELDS(struct polygon, style.face_style),
     ZR_SIDES_FIELD(struct polygon, style.face_style)};
 const struct zr_json_object zr_json_object_polygon = ZR_JSON_OBJECT_OF("polygon", fields);

@@ -40,14 +40,21 @@ static bool read_angle(struct zr_json *json, const struct zr_json_path *path, co
 struct given_angles {
     float yfov, xfov;
 };
-#define AT(member) offsetof(struct given_angles, member)
+#define HALF_TURN         ZR_SCHEMA({"type" : "number", "exclusiveMinimum" : 0, "exclusiveMaximum" : 3.14159265})
+#define HALF_TURN_DEGREES ZR_SCHEMA({"type" : "number", "exclusiveMinimum" : 0, "exclusiveMaximum" : 180})
+#define AT(member)        offsetof(struct given_angles, member)
 static const struct zr_json_field angle_fields[] = {
-    {"yfov", read_angle, AT(yfov), 0, PI, .unit = "radians", .text = "vertical angle of view"},
-    {"yfovDegrees", read_angle, AT(yfov), 0, 180, .unit = "degrees", .text = "vertical angle of view"},
-    {"xfov", read_angle, AT(xfov), 0, PI, .unit = "radians", .text = "horizontal angle of view"},
-    {"xfovDegrees", read_angle, AT(xfov), 0, 180, .unit = "degrees", .text = "horizontal angle of view"}};
+    {"yfov", read_angle, AT(yfov), 0, PI, .unit = "radians", .text = "vertical angle of view", .schema = HALF_TURN},
+    {"yfovDegrees", read_angle, AT(yfov), 0, 180, .unit = "degrees", .text = "vertical angle of view",
+     .schema = HALF_TURN_DEGREES},
+    {"xfov", read_angle, AT(xfov), 0, PI, .unit = "radians", .text = "horizontal angle of view", .schema = HALF_TURN},
+    {"xfovDegrees", read_angle, AT(xfov), 0, 180, .unit = "degrees", .text = "horizontal angle of view",
+     .schema = HALF_TURN_DEGREES}};
 #undef AT
-const struct zr_json_object zr_json_object_perspective = ZR_JSON_OBJECT_OF("perspective", angle_fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_perspective = ZR_JSON_RULED_OBJECT("perspective", angle_fields,
+    {"minProperties": 1, "maxProperties": 1});
+/* clang-format on */
 
 bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                          void *out)
@@ -81,7 +88,10 @@ static const struct zr_json_field orthographic_fields[] = {
               .otherwise = "fitted to the geometry", .text = "half of the width of the view"},
     [YMAG] = {"ymag", zr_json_positive, offsetof(struct zr_parsed_view, view.ymag), .unit = "scene units",
               .otherwise = "fitted to the geometry", .text = "half of the height of the view"}};
-const struct zr_json_object zr_json_object_orthographic = ZR_JSON_OBJECT_OF("orthographic", orthographic_fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_orthographic = ZR_JSON_RULED_OBJECT("orthographic", orthographic_fields,
+    {"dependentRequired": {"xmag": ["ymag"], "ymag": ["xmag"]}});
+/* clang-format on */
 
 bool zr_read_orthographic(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                           void *out)
@@ -116,8 +126,10 @@ enum { FX, FY, CX, CY, SKEW };
 #define PIXELS(key, read, member)                                                                                      \
     key, read, offsetof(struct zr_intrinsics, member), -PIXELS_MAX, PIXELS_MAX, .unit = "pixels"
 static const struct zr_json_field intrinsics_fields[] = {
-    [FX] = {PIXELS("fx", read_focal, fx), .required = true, .text = "horizontal focal length"},
-    [FY] = {PIXELS("fy", read_focal, fy), .otherwise = "fx", .text = "vertical focal length"},
+    [FX] = {PIXELS("fx", read_focal, fx), .required = true, .text = "horizontal focal length",
+            .schema = ZR_SCHEMA_OF("focal")},
+    [FY] = {PIXELS("fy", read_focal, fy), .otherwise = "fx", .text = "vertical focal length",
+            .schema = ZR_SCHEMA_OF("focal")},
     [CX] = {PIXELS("cx", zr_json_number, cx), .otherwise = "the middle", .text = "principal point, from the left"},
     [CY] = {PIXELS("cy", zr_json_number, cy), .otherwise = "the middle", .text = "principal point, from the top"},
     [SKEW] = {PIXELS("skew", zr_json_number, skew), .otherwise = "0", .text = "skew: change of x with y"}};

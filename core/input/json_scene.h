@@ -433,7 +433,8 @@ void zr_parsed_check_light(struct zr_parsed_scene *root);
     {.key = ZR_BYTES_URI,                                                                                              \
      .read = zr_json_string,                                                                                           \
      .offset = offsetof(type, name.uri),                                                                               \
-     .text = "data: URI with the bytes"},                                                                              \
+     .text = "data: URI with the bytes",                                                                               \
+     .schema = ZR_SCHEMA_OF("dataUri")},                                                                               \
     {                                                                                                                  \
         .key = ZR_BYTES_ASSET, .read = zr_json_string, .offset = offsetof(type, name.asset),                           \
         .text = "name of a part of the request, or sha256: and the hash of an uploaded asset"                          \

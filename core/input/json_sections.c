@@ -41,12 +41,21 @@ static const struct zr_json_field plane_fields[] = {
                   .text = "place on the axis, as a share of the bounds of the scene"},
     [POINT] = {"point", zr_json_vec3, AT(point), .unit = "scene units", .otherwise = "[0,0,0]",
                .text = "point of the plane"},
-    [NORMAL] = {"normal", read_normal, AT(normal), .text = "direction across the plane, of any length"},
+    [NORMAL] = {"normal", read_normal, AT(normal), .text = "direction across the plane, of any length",
+                .schema = ZR_SCHEMA_OF("direction")},
     [KEEP] = {"keep", zr_json_choice, AT(keep), .words = &side_names, .otherwise = "far",
               .text =
                   "side that stays: the far one from the camera, or the one to which normal or axis points or not"}};
 #undef AT
-const struct zr_json_object zr_json_object_plane = ZR_JSON_OBJECT_OF("plane", plane_fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_plane = ZR_JSON_RULED_OBJECT("plane", plane_fields,
+    {
+        "if": {"properties": {"axis": false}},
+        "then": {"not": {"properties": {"normal": false}}, "properties": {"offset": false, "fraction": false}},
+        "else": {"properties": {"normal": false, "point": false}},
+        "dependentSchemas": {"offset": {"properties": {"fraction": false}}}
+    });
+/* clang-format on */
 
 static bool check_keys(struct zr_json *json, const struct zr_json_path *path, uint64_t keys)
 {
@@ -128,11 +137,13 @@ static bool read_uncut(struct zr_json *json, const struct zr_json_path *path, co
 #define AT(member) offsetof(struct zr_sections, member)
 static const struct zr_json_field fields[] = {
     {"planes", read_planes, 0, .object = &zr_json_object_plane, .required = true,
-     .text = "list of 1 to 6 cuts, such as [{\"axis\": \"x\"}]"},
+     .text = "list of 1 to 6 cuts, such as [{\"axis\": \"x\"}]",
+     .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/plane"}, "minItems" : 1, "maxItems" : 6})},
     {"corner", zr_json_bool, AT(is_corner), .otherwise = "false",
      .text = "removes only what all planes cut away, instead of what any of them does"},
     {"hatch", zr_json_bool, AT(has_hatch), .otherwise = "true", .text = "lines on the caps, by part"},
-    {"uncut", read_uncut, 0, .otherwise = "[]", .text = "names of parts that stay whole, as in info"}};
+    {"uncut", read_uncut, 0, .otherwise = "[]", .text = "names of parts that stay whole, as in info",
+     .schema = ZR_SCHEMA({"type" : "array", "items" : {"type" : "string"}, "maxItems" : 1024})}};
 #undef AT
 const struct zr_json_object zr_json_object_sections = ZR_JSON_OBJECT_OF("sections", fields);
 

@@ -63,16 +63,24 @@ int zr_wrap_of_number(uint32_t number)
     return find_number(wrap_numbers, ZR_WRAP_COUNT, number);
 }
 
+#define WRAP            ZR_SCHEMA({"enum" : [ "repeat", "mirror", "clamp", 10497, 33648, 33071 ]})
 #define SAMPLER(member) offsetof(struct zr_parsed_sampler, member)
 static const struct zr_json_field sampler_fields[] = {
     {"magFilter", read_numbered, SAMPLER(magnify), .words = &magnify.names, .otherwise = "linear",
-     .text = "filter for texels larger than a pixel"},
+     .text = "filter for texels larger than a pixel",
+     .schema = ZR_SCHEMA({"enum" : [ "nearest", "linear", 9728, 9729 ]})},
     {"minFilter", read_numbered, SAMPLER(minify), .words = &minify.names, .otherwise = "linearMipmapLinear",
-     .text = "filter for texels smaller than a pixel"},
+     .text = "filter for texels smaller than a pixel",
+     .schema = ZR_SCHEMA({
+         "enum" : [
+             "nearest", "linear", "nearestMipmapNearest", "linearMipmapNearest", "nearestMipmapLinear",
+             "linearMipmapLinear", 9728, 9729, 9984, 9985, 9986, 9987
+         ]
+     })},
     {"wrapS", read_numbered, SAMPLER(wrap_s), .words = &wraps.names, .otherwise = "repeat",
-     .text = "repetition of the image along u"},
+     .text = "repetition of the image along u", .schema = WRAP},
     {"wrapT", read_numbered, SAMPLER(wrap_t), .words = &wraps.names, .otherwise = "repeat",
-     .text = "repetition of the image along v"}};
+     .text = "repetition of the image along v", .schema = WRAP}};
 const struct zr_json_object zr_json_object_sampler = ZR_JSON_OBJECT_OF("sampler", sampler_fields);
 
 static bool read_sampler(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
@@ -103,10 +111,18 @@ static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path,
 #define TEXTURE(member) offsetof(struct zr_parsed_texture, member)
 #define TEXTURE_FIELDS                                                                                                 \
     ZR_BYTES_NAME_FIELDS(struct zr_parsed_texture, name),                                                              \
-        {"texcoord", read_texcoord, TEXTURE(texcoord), .otherwise = "0",                                               \
-         .text = "texture coordinates of the mesh: 0 (texcoords) or 1"},                                               \
-        {"sampler", read_sampler, TEXTURE(sampler), .otherwise = "linear, with mipmaps, repeated",                     \
-         .text = "filters and repetition of the image"},                                                               \
+        {"texcoord",                                                                                                   \
+         read_texcoord,                                                                                                \
+         TEXTURE(texcoord),                                                                                            \
+         .otherwise = "0",                                                                                             \
+         .text = "texture coordinates of the mesh: 0 (texcoords) or 1",                                                \
+         .schema = "{\"enum\": [0, 1]}"},                                                                              \
+        {"sampler",                                                                                                    \
+         read_sampler,                                                                                                 \
+         TEXTURE(sampler),                                                                                             \
+         .otherwise = "linear, with mipmaps, repeated",                                                                \
+         .text = "filters and repetition of the image",                                                                \
+         .schema = ZR_SCHEMA_OF("sampler")},                                                                           \
         {"offset",                                                                                                     \
          zr_json_float2,                                                                                               \
          TEXTURE(offset),                                                                                              \
@@ -127,18 +143,36 @@ static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path,
             .otherwise = "[1, 1]", .text = "factor of the coordinates: 2 shows the image twice"                        \
     }
 static const struct zr_json_field fields[] = {TEXTURE_FIELDS};
-const struct zr_json_object zr_json_object_texture = ZR_JSON_OBJECT_OF("texture", fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_texture = ZR_JSON_RULED_OBJECT("texture", fields,
+    {
+        "not": {"properties": {"uri": false, "asset": false}},
+        "dependentSchemas": {"uri": {"properties": {"asset": false}}}
+    });
+/* clang-format on */
 
 static const struct zr_json_field normal_fields[] = {TEXTURE_FIELDS,
                                                      {"normalScale", zr_json_float, TEXTURE(strength), -1000, 1000,
                                                       .otherwise = "1",
                                                       .text = "factor of the x and y of the normals"}};
-const struct zr_json_object zr_json_object_normalTexture = ZR_JSON_OBJECT_OF("normalTexture", normal_fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_normalTexture = ZR_JSON_RULED_OBJECT("normalTexture", normal_fields,
+    {
+        "not": {"properties": {"uri": false, "asset": false}},
+        "dependentSchemas": {"uri": {"properties": {"asset": false}}}
+    });
+/* clang-format on */
 
 static const struct zr_json_field occlusion_fields[] = {
     TEXTURE_FIELDS,
     {"strength", zr_json_float, TEXTURE(strength), 0, 1, .otherwise = "1", .text = "strength of the effect"}};
-const struct zr_json_object zr_json_object_occlusionTexture = ZR_JSON_OBJECT_OF("occlusionTexture", occlusion_fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_occlusionTexture = ZR_JSON_RULED_OBJECT("occlusionTexture", occlusion_fields,
+    {
+        "not": {"properties": {"uri": false, "asset": false}},
+        "dependentSchemas": {"uri": {"properties": {"asset": false}}}
+    });
+/* clang-format on */
 
 static bool read_by(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
                     struct zr_parsed_texture *out)

@@ -11,10 +11,6 @@
 #include "input/text.h"
 #include "scene/scene.h"
 
-/* The diagonal of the largest scene is 3.5 times coordinate_max, and a camera that shows it all is farther away. The
- * square of such a length is far below ZR_MATRIX_MAX times a coordinate. */
-enum { LENGTHS_A_COORDINATE = 1000 };
-
 enum { PATH_LINKS_MAX = 16, POINTER_ROOM = ZR_POINTER_SIZE + 8 };
 
 /* ---- faults ---- */
@@ -226,7 +222,7 @@ bool zr_json_coordinate(struct zr_json *json, const struct zr_json_path *path, c
 
 bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    const double limit = (double)json->limits->coordinate_max * LENGTHS_A_COORDINATE;
+    const double limit = (double)json->limits->coordinate_max * ZR_JSON_LENGTHS_A_COORDINATE;
     (void)field;
     return read_float(json, path, -limit, limit, out);
 }
@@ -234,7 +230,7 @@ bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, const
 bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                       void *out)
 {
-    const double limit = (double)json->limits->coordinate_max * LENGTHS_A_COORDINATE;
+    const double limit = (double)json->limits->coordinate_max * ZR_JSON_LENGTHS_A_COORDINATE;
     double value;
     (void)field;
     if (!zr_json_number_in(json, path, -limit, limit, &value)) return false;

@@ -55,17 +55,36 @@ struct zr_json_field {
     const struct zr_json_object *object; /* table of the value's keys, or of a list's items; NULL: neither */
     bool required;                       /* required fields come first in their table */
     const char *unit, *otherwise, *text; /* documentation: the unit, the default, the meaning */
+    const char *schema;                  /* of the value, as JSON Schema; NULL: follows from `read`, `object` or `words`
+                                            (contract/schema.h) */
+    uint32_t of, required_of;            /* of a key of some types only: bits of the words of the first key; 0: all */
 };
+
+/* A schema as text. Tokens are not expanded: true and false stay words. Refers to kinds of values and to objects as
+ * "#/$defs/NAME". */
+#define ZR_SCHEMA(...)     #__VA_ARGS__
+#define ZR_SCHEMA_OF(name) "{\"$ref\": \"#/$defs/" name "\"}"
 
 /* The keys of one kind of object, at most 64; the first has a reader. */
 struct zr_json_object {
     const char *name;
     size_t count;
     const struct zr_json_field *fields;
+    const char *rules;    /* members of the object's schema about several keys, as an object; NULL: none */
+    const char *examples; /* list of objects; NULL: none */
 };
 #define ZR_JSON_OBJECT_OF(name, fields)                                                                                \
     {                                                                                                                  \
-        (name), sizeof(fields) / sizeof((fields)[0]), (fields)                                                         \
+        (name), sizeof(fields) / sizeof((fields)[0]), (fields), NULL, NULL                                             \
+    }
+#define ZR_JSON_RULED_OBJECT(name, fields, ...)                                                                        \
+    {                                                                                                                  \
+        (name), sizeof(fields) / sizeof((fields)[0]), (fields), #__VA_ARGS__, NULL                                     \
+    }
+
+#define ZR_JSON_SHOWN_OBJECT(name, fields, rules, examples)                                                            \
+    {                                                                                                                  \
+        (name), sizeof(fields) / sizeof((fields)[0]), (fields), rules, examples                                        \
     }
 
 /* Reads an object into *out, in the order of the text, and sets bit i of *given if field i is present. Reports unknown,
@@ -89,6 +108,7 @@ bool zr_json_number_in(struct zr_json *json, const struct zr_json_path *path, do
 
 /* float. Length: magnitude <= 1000 * coordinate_max, enough for a camera that shows a scene of the full size. Positive:
  * a length > 0, also after rounding to float. Coordinate: magnitude <= coordinate_max. */
+enum { ZR_JSON_LENGTHS_A_COORDINATE = 1000 };
 zr_json_read_fn zr_json_length, zr_json_positive, zr_json_coordinate;
 
 /* uint32_t: an integer, 0..UINT32_MAX. */

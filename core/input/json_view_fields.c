@@ -86,7 +86,8 @@ const struct zr_json_field zr_view_fields[] = {
                     .text = "direction that points up in the picture"},
     [ZR_VIEW_PRESET] = {"preset", zr_json_choice, AT(preset), .words = &zr_preset_names, .otherwise = "isometric",
                         .text = "side of the camera; fits the geometry"},
-    [ZR_VIEW_DIRECTION] = {"direction", zr_json_vec3, VIEW(direction), .text = "viewing direction; fits the geometry"},
+    [ZR_VIEW_DIRECTION] = {"direction", zr_json_vec3, VIEW(direction), .text = "viewing direction; fits the geometry",
+                           .schema = ZR_SCHEMA_OF("direction")},
     [ZR_VIEW_AZIMUTH_DEGREES] = {"azimuthDegrees", zr_json_number, VIEW(azimuth_degrees), -ANGLE_MAX, ANGLE_MAX,
                                  .unit = "degrees", .otherwise = "0",
                                  .text = "angle of the camera to the right of the front"},
@@ -98,7 +99,8 @@ const struct zr_json_field zr_view_fields[] = {
     [ZR_VIEW_CAMERA_TO_WORLD] = {"cameraToWorld", zr_json_affine, AT(camera_to_world), .text = "pose as a matrix"},
     [ZR_VIEW_WORLD_TO_CAMERA] = {"worldToCamera", zr_json_affine, VIEW(world_to_camera),
                                  .text = "inverse of the pose as a matrix"},
-    [ZR_VIEW_R] = {"R", read_rows, AT(r), 0, ROTATION_MAX, .text = "OpenCV's rotation from the world to the camera"},
+    [ZR_VIEW_R] = {"R", read_rows, AT(r), 0, ROTATION_MAX, .text = "OpenCV's rotation from the world to the camera",
+                   .schema = ZR_SCHEMA_OF("rotation")},
     [ZR_VIEW_T] = {"t", zr_json_vec3, AT(t), .otherwise = "[0, 0, 0]", .text = "OpenCV's translation, used with R"},
     [ZR_VIEW_CONVENTION] = {"convention", zr_json_choice, AT(convention), .words = &convention_names,
                             .otherwise = "opengl; with R opencv",
@@ -109,9 +111,11 @@ const struct zr_json_field zr_view_fields[] = {
                               .text = "orthographic projection"},
     [ZR_VIEW_INTRINSICS] = {"intrinsics", zr_read_intrinsics, 0, .object = &zr_json_object_intrinsics,
                             .text = "pinhole camera: focal lengths and principal point"},
-    [ZR_VIEW_K] = {"K", read_rows, AT(k), 0, PIXELS_MAX, .unit = "pixels", .text = "pinhole camera as a 3x3 matrix"},
+    [ZR_VIEW_K] = {"K", read_rows, AT(k), 0, PIXELS_MAX, .unit = "pixels", .text = "pinhole camera as a 3x3 matrix",
+                   .schema = ZR_SCHEMA_OF("pinhole")},
     [ZR_VIEW_PIXEL_CENTER] = {"pixelCenter", zr_json_number, AT(pixel_center), 0, 0.5, .unit = "pixels",
-                              .otherwise = "0.5", .text = "coordinate of the centre of the first pixel: 0 or 0.5"},
+                              .otherwise = "0.5", .text = "coordinate of the centre of the first pixel: 0 or 0.5",
+                              .schema = ZR_SCHEMA({"enum" : [ 0, 0.5 ]})},
     [ZR_VIEW_PROJECTION_MATRIX] = {"projectionMatrix", zr_json_mat4, VIEW(projection_matrix),
                                    .text = "projection from eye space to OpenGL's clip space"},
     [ZR_VIEW_DISTORTION] = {"distortion", zr_read_distortion, VIEW(lens), .object = &zr_json_object_distortion,
@@ -125,10 +129,86 @@ const struct zr_json_field zr_view_fields[] = {
     [ZR_VIEW_FIT] = {"fit", read_fit, 0, .object = &zr_json_object_fit, .text = "fit of the geometry to the window"},
     [ZR_VIEW_CAMERA] =
         {"camera", read_camera, AT(camera),
-         .text = "name or number of a camera of a model file; a projection, znear and zfar override the camera's"},
+         .text = "name or number of a camera of a model file; a projection, znear and zfar override the camera's",
+         .schema = ZR_SCHEMA({"anyOf" : [ {"type" : "string"}, {"$ref" : "#/$defs/index"} ]})},
     {.key = "name"},
     {.key = "window"}};
-const struct zr_json_object zr_json_object_view = ZR_JSON_OBJECT_OF("view", zr_view_fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_view = ZR_JSON_SHOWN_OBJECT("view", zr_view_fields,
+    ZR_SCHEMA({
+        "dependentSchemas": {
+            "preset": {
+                "properties": {
+                    "eye": false, "target": false, "up": false, "direction": false, "azimuthDegrees": false,
+                    "elevationDegrees": false, "distance": false, "cameraToWorld": false, "worldToCamera": false,
+                    "R": false
+                }
+            },
+            "eye": {
+                "properties": {
+                    "direction": false, "azimuthDegrees": false, "elevationDegrees": false, "distance": false,
+                    "cameraToWorld": false, "worldToCamera": false, "R": false
+                }
+            },
+            "direction": {
+                "properties": {
+                    "target": false, "azimuthDegrees": false, "elevationDegrees": false, "distance": false,
+                    "cameraToWorld": false, "worldToCamera": false, "R": false
+                }
+            },
+            "azimuthDegrees": {"properties": {"cameraToWorld": false, "worldToCamera": false, "R": false}},
+            "elevationDegrees": {"properties": {"cameraToWorld": false, "worldToCamera": false, "R": false}},
+            "cameraToWorld": {"properties": {"worldToCamera": false, "R": false}},
+            "worldToCamera": {"properties": {"R": false}},
+            "target": {"not": {"properties": {"eye": false, "azimuthDegrees": false, "elevationDegrees": false}}},
+            "distance": {"not": {"properties": {"azimuthDegrees": false, "elevationDegrees": false}}},
+            "up": {
+                "not": {
+                    "properties": {
+                        "eye": false, "direction": false, "azimuthDegrees": false, "elevationDegrees": false
+                    }
+                }
+            },
+            "perspective": {
+                "properties": {
+                    "orthographic": false, "intrinsics": false, "K": false, "projectionMatrix": false,
+                    "znear": {"exclusiveMinimum": 0}, "zfar": {"exclusiveMinimum": 0}
+                }
+            },
+            "orthographic": {"properties": {"intrinsics": false, "K": false, "projectionMatrix": false}},
+            "intrinsics": {
+                "properties": {
+                    "K": false, "projectionMatrix": false, "znear": {"exclusiveMinimum": 0},
+                    "zfar": {"exclusiveMinimum": 0}
+                }
+            },
+            "K": {
+                "properties": {
+                    "projectionMatrix": false, "znear": {"exclusiveMinimum": 0}, "zfar": {"exclusiveMinimum": 0}
+                }
+            },
+            "projectionMatrix": {"properties": {"znear": false, "zfar": false}},
+            "pixelCenter": {"not": {"properties": {"intrinsics": false, "K": false}}},
+            "convention": {
+                "if": {"properties": {"convention": {"const": "opencv"}}},
+                "then": {"not": {"properties": {"cameraToWorld": false, "worldToCamera": false, "R": false}}}
+            },
+            "camera": {
+                "properties": {
+                    "eye": false, "target": false, "up": false, "preset": false, "direction": false,
+                    "azimuthDegrees": false, "elevationDegrees": false, "distance": false, "cameraToWorld": false,
+                    "worldToCamera": false, "R": false, "t": false, "convention": false, "fit": false
+                }
+            }
+        },
+        "dependentRequired": {"t": ["R"]}
+    }),
+    ZR_SCHEMA([
+        {"preset": "front"}, {"azimuthDegrees": 35, "elevationDegrees": 20},
+        {"eye": [3, 2, 4], "target": [0, 0, 0], "perspective": {"yfovDegrees": 40}},
+        {"R": [[1, 0, 0], [0, -1, 0], [0, 0, -1]], "t": [0, 0, 2], "K": [[600, 0, 320], [0, 600, 240], [0, 0, 1]]}
+    ]));
+/* clang-format on */
 
 void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path)
 {

@@ -50,15 +50,18 @@ struct given_item {
 };
 #define VALUE(number, name, table, help)                                                                               \
     {                                                                                                                  \
-        name, read_value, offsetof(struct given_item, values[number]), .object = (table), .text = (help)               \
+        name, read_value, offsetof(struct given_item, values[number]),                                                 \
+            .object = (table), .text = (help), .schema = ZR_SCHEMA_OF("scene/properties/" name)                        \
     }
 static const struct zr_json_field item_fields[] = {
     [NAME] = {"name", read_name, offsetof(struct given_item, name), .otherwise = "its number, as 0001",
-              .text = "begins the names of its files: letters, digits, - and _"},
+              .text = "begins the names of its files: letters, digits, - and _",
+              .schema = ZR_SCHEMA({"type" : "string", "pattern" : "^[A-Za-z0-9_-]{1,64}$"})},
     VALUE(0, "view", &zr_json_object_view, "pose and projection of the camera"),
     VALUE(1, "window", &zr_json_object_window, "size of the picture"),
     VALUE(2, "look", NULL, "defaults of the scene, by name"),
-    VALUE(3, "poses", NULL, "matrices of nodes, by their names"),
+    {"poses", read_value, offsetof(struct given_item, values[3]), .text = "matrices of nodes, by their names",
+     .schema = ZR_SCHEMA({"type" : "object", "additionalProperties" : {"$ref" : "#/$defs/affine"}})},
     VALUE(4, "background", &zr_json_object_gradient, "colour of uncovered pixels"),
     VALUE(5, "hide", NULL, "parts that are not drawn"),
     VALUE(6, "isolate", NULL, "the only parts that are drawn"),
@@ -217,7 +220,16 @@ static const struct zr_json_field sheet_fields[] = {
      .text = "of projection: places of the views in threeView"},
     {"captions", zr_json_bool, AT(has_captions), .otherwise = "true", .text = "name and scale below each view"}};
 #undef AT
-const struct zr_json_object zr_json_object_sheet = ZR_JSON_OBJECT_OF("sheet", sheet_fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_sheet = ZR_JSON_RULED_OBJECT("sheet", sheet_fields,
+    {
+        "dependentSchemas": {
+            "columns": {"properties": {"layout": {"const": "views"}}},
+            "angle": {"properties": {"layout": {"const": "threeView"}}}
+        },
+        "dependentRequired": {"angle": ["layout"]}
+    });
+/* clang-format on */
 
 bool zr_read_sheet(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {

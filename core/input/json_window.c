@@ -21,9 +21,9 @@ static bool read_side(struct zr_json *json, const struct zr_json_path *path, con
 
 static const struct zr_json_field window_fields[] = {
     {"width", read_side, offsetof(struct zr_view, width), .unit = "pixels", .otherwise = "640",
-     .text = "width of the picture"},
+     .text = "width of the picture", .schema = ZR_SCHEMA_OF("side")},
     {"height", read_side, offsetof(struct zr_view, height), .unit = "pixels", .otherwise = "480",
-     .text = "height of the picture"}};
+     .text = "height of the picture", .schema = ZR_SCHEMA_OF("side")}};
 const struct zr_json_object zr_json_object_window = ZR_JSON_OBJECT_OF("window", window_fields);
 
 bool zr_read_window(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)

@@ -68,8 +68,7 @@ static bool is_of_query(const char *pointer)
     return strncmp(pointer, query_prefix, strlen(query_prefix)) == 0;
 }
 
-/* Returns the field that a pointer into a scene or into /query refers to. */
-static const struct zr_json_field *field_of(const char *pointer)
+const struct zr_json_field *zr_parameter_field(const char *pointer)
 {
     const bool is_in_query = is_of_query(pointer);
     const struct zr_json_object *object = is_in_query ? &query_object : &zr_json_object_scene;
@@ -218,7 +217,8 @@ static uint64_t put_rows(const struct reading *r, const struct row *row, const s
         put_required(json, pointer->text);
         zr_json_go_to(json, pointer->text);
         const size_t used = json->used;
-        const struct zr_parameter parameter = {at->name, at->kind, field_of(at->pointer), r->limits, r->error};
+        const struct zr_parameter parameter = {at->name, at->kind, zr_parameter_field(at->pointer), r->limits,
+                                               r->error};
         if (zr_parameter_put(&parameter, text, json)) continue;
         json->used = used;
         zr_json_put(json, "null");

@@ -23,6 +23,9 @@ struct zr_query {
     struct zr_instance *instances; /* of a bare mesh */
 };
 
+/* Returns the key that a row's pointer leads to, in a scene or in /query. */
+const struct zr_json_field *zr_parameter_field(const char *pointer);
+
 /* Reads the query before the body; the request's format is known. builder->scene has its defaults. Fails with
  * ZR_BAD_REQUEST, or with ZR_BAD_SCENE for a window larger than allowed. */
 enum zr_status zr_query_read(const struct zr_request *request, const struct zr_limits *limits,

@@ -79,6 +79,7 @@ void zraster_close(zraster *renderer)
     free_team(atomic_load(&renderer->team));
     freelocale(renderer->c_locale);
     free(atomic_load(&renderer->tables));
+    free(atomic_load(&renderer->schema));
     free(renderer);
 }
 

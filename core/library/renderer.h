@@ -27,8 +27,8 @@ struct zraster {
     locale_t c_locale;
     _Atomic(struct zr_process_team *) team;
     _Atomic(struct zr_arena *) idle_scratch[ZR_IDLE_ARENAS], idle_results[ZR_IDLE_ARENAS];
-    _Atomic(char *) tables; /* zraster_tables; NULL until the first call */
-    atomic_size_t kept;     /* bytes in idle arenas; at most memory_keep */
+    _Atomic(char *) tables, schema; /* zraster_tables, zraster_schema; NULL until the first call */
+    atomic_size_t kept;             /* bytes in idle arenas; at most memory_keep */
 };
 
 /* Adds a user; zraster_close removes one. */

@@ -1,8 +1,9 @@
 /* tables.c - library: parameters, keys of scenes, looks, channels, formats and limits as JSON, for programs that offer
- * them as options. */
+ * them as options; and the schema of scenes. */
 #include <stdlib.h>
 #include <string.h>
 
+#include "contract/schema.h"
 #include "input/formats.h"
 #include "input/json_objects.h"
 #include "input/outputs.h"
@@ -103,12 +104,9 @@ static void print_limits(struct zr_print *print, const zraster *renderer)
     zr_print_end(print, '}');
 }
 
-static char *make(const zraster *renderer)
+static void print_tables(const zraster *renderer, struct zr_buffer *out)
 {
-    struct zr_arena arena;
-    zr_arena_init(&arena, (size_t)1 << 24);
-    struct zr_buffer out = {.arena = &arena};
-    struct zr_print print = {.out = &out};
+    struct zr_print print = {.out = out};
     zr_print_begin(&print, NULL, '{');
     print_parameters(&print);
     print_keys(&print);
@@ -117,17 +115,43 @@ static char *make(const zraster *renderer)
     print_formats(&print);
     print_limits(&print, renderer);
     zr_print_end(&print, '}');
+}
+
+static void print_schema(const zraster *renderer, struct zr_buffer *out)
+{
+    zr_schema_print(out, &renderer->limits, NULL, NULL);
+}
+
+/* Returns a text in malloc'd memory, or NULL. */
+static char *make(const zraster *renderer, void (*print)(const zraster *renderer, struct zr_buffer *out))
+{
+    struct zr_arena arena;
+    zr_arena_init(&arena, (size_t)1 << 24);
+    struct zr_buffer out = {.arena = &arena};
+    print(renderer, &out);
     char *text = zr_buffer_add(&out, "", 1) && zr_arena_ok(&arena) ? strdup((const char *)out.bytes) : NULL;
     zr_arena_free(&arena);
     return text;
 }
 
-const char *zraster_tables(zraster *renderer)
+/* Returns the text at `place`, made if it is not there yet. */
+static const char *text_at(zraster *renderer, _Atomic(char *) *place,
+                           void (*print)(const zraster *renderer, struct zr_buffer *out))
 {
-    char *there = atomic_load(&renderer->tables);
+    char *there = atomic_load(place);
     if (there) return there;
-    char *made = make(renderer);
-    if (!made || atomic_compare_exchange_strong(&renderer->tables, &there, made)) return made;
+    char *made = make(renderer, print);
+    if (!made || atomic_compare_exchange_strong(place, &there, made)) return made;
     free(made); /* another thread was first */
     return there;
+}
+
+const char *zraster_tables(zraster *renderer)
+{
+    return text_at(renderer, &renderer->tables, print_tables);
+}
+
+const char *zraster_schema(zraster *renderer)
+{
+    return text_at(renderer, &renderer->schema, print_schema);
 }

@@ -251,6 +251,10 @@ ZRASTER_API uint32_t zraster_rules(void);      /* rises when the same scene gets
  * bindings. The text is the renderer's. NULL without memory. */
 ZRASTER_API const char *zraster_tables(zraster *renderer);
 
+/* Returns the JSON Schema (2020-12) of a scene, with the meaning, unit, default and bounds of each key. The text is the
+ * renderer's. NULL without memory. */
+ZRASTER_API const char *zraster_schema(zraster *renderer);
+
 #ifdef __cplusplus
 }
 #endif

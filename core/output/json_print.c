@@ -49,6 +49,36 @@ static void put_escaped(struct zr_print *print, unsigned char character)
     put(print, text);
 }
 
+/* Puts JSON without the blanks between its tokens. */
+static void put_json(struct zr_print *print, const char *json, const char *end)
+{
+    bool is_text = false;
+    for (const char *from = json, *at = json; at <= end; at++) {
+        if (at < end && is_text && *at == '\\') {
+            at++;
+        } else if (at == end || (!is_text && strchr(" \n\t\r", *at))) {
+            zr_buffer_add(print->out, from, (size_t)(at - from));
+            from = at + 1;
+        } else if (*at == '"') {
+            is_text = !is_text;
+        }
+    }
+}
+
+void zr_print_json(struct zr_print *print, const char *key, const char *json)
+{
+    begin_value(print, key);
+    put_json(print, json, json + strlen(json));
+}
+
+void zr_print_members(struct zr_print *print, const char *object)
+{
+    const size_t length = strlen(object);
+    if (length <= 2) return;
+    begin_value(print, NULL);
+    put_json(print, object + 1, object + length - 1);
+}
+
 void zr_print_string(struct zr_print *print, const char *key, const char *text)
 {
     begin_value(print, key);

@@ -37,6 +37,12 @@ void zr_print_float(struct zr_print *print, const char *key, float value);
 /* Prints a double with 6 to 17 digits. */
 void zr_print_double(struct zr_print *print, const char *key, double value);
 
+/* Prints a text that is a JSON value. */
+void zr_print_json(struct zr_print *print, const char *key, const char *json);
+
+/* Prints the members of a text that is an object, "{...}", into the open object. */
+void zr_print_members(struct zr_print *print, const char *object);
+
 /* Prints null. */
 void zr_print_null(struct zr_print *print, const char *key);
 

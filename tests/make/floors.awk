@@ -67,7 +67,7 @@ function learn(line,    words)
     reason[words[1] " " words[2]] = line
 }
 
-# Returns the floor of a file. From the top: clients/, server/, core/library/, the files of core/ itself with views/,
+# Returns the floor of a file. From the top: clients/, server/, core/library/, the files of core/ itself with views/ and contract/,
 # its other folders.
 # 0: a folder that has no floor yet.
 function floor(file,    name)
@@ -78,7 +78,7 @@ function floor(file,    name)
     if (name == "library") return floors + 2
     if (name == "server") return floors + 3
     if (name == "clients") return floors + 4
-    return name == file || name == "views" ? floors + 1 : 0
+    return name == file || name == "views" || name == "contract" ? floors + 1 : 0
 }
 
 function module(file)

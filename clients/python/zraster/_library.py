@@ -113,6 +113,7 @@ _FUNCTIONS = {  # name: result, arguments
     "version": (c_char_p,),
     "rules": (c_uint32,),
     "tables": (c_char_p, c_void_p),
+    "schema": (c_char_p, c_void_p),
 }
 
 

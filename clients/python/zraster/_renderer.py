@@ -83,6 +83,14 @@ class Renderer:
             self._tables = json.loads(text)
         return self._tables
 
+    @property
+    def schema(self) -> Dict[str, Any]:
+        """The JSON Schema (2020-12) of a scene."""
+        text = c.library.schema(self._handle.pointer)
+        if not text:
+            raise MemoryLimitError("the system has no memory for the schema")
+        return dict(json.loads(text))
+
     def __reduce__(self):  # type: ignore[no-untyped-def]
         return _open, (self._options,)
 

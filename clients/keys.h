@@ -1,0 +1,15 @@
+/* keys.h - client: help for keys of scenes, from the library's schema. */
+#ifndef KEYS_H
+#define KEYS_H
+
+#include <stdbool.h>
+
+#include "words.h"
+
+/* Explains a key ("znear", "view.znear") or lists the keys of an object ("light"). False if there is no such name. */
+bool keys_explain(const char *name);
+
+/* Offers all names of keys and objects. */
+void keys_offer(struct near_word *near);
+
+#endif

@@ -1,0 +1,513 @@
+#include "openapi.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/status.h"
+#include "contract/parameters.h"
+#include "contract/schema.h"
+#include "encode.h"
+#include "input/formats.h"
+#include "output/json_print.h"
+
+static const char refs[] = "#/components/schemas/";
+
+/* clang-format off */
+
+/* ---- bodies and answers ---- */
+
+/* Prints each media type of the formats, as binary data but for scenes. */
+static void print_body(struct zr_print *print)
+{
+    zr_print_begin(print, "requestBody", '{');
+    zr_print_string(print, "description", "A scene, a model, or parts: the part scene and the files that it names.");
+    zr_print_bool(print, "required", true);
+    zr_print_begin(print, "content", '{');
+    for (int i = 0; i < ZR_FORMAT_COUNT; i++) {
+        const char *type = zr_format_rows[i].media_types;
+        while (*type) {
+            char name[96];
+            const size_t length = strcspn(type, " ");
+            snprintf(name, sizeof name, "%.*s", (int)length, type);
+            zr_print_json(print, name,
+                          zr_format_rows[i].has_view ? ZR_SCHEMA({
+                              "schema": {"$ref": "#/components/schemas/scene"}
+                          })
+                                                     : ZR_SCHEMA({
+                                                         "schema": {
+                                                             "type": "string",
+                                                             "contentMediaType": "application/octet-stream"
+                                                         }
+                                                     }));
+            type += length + strspn(type + length, " ");
+        }
+    }
+    zr_print_members(print, ZR_SCHEMA({
+        "application/octet-stream": {
+            "schema": {
+                "description": "A body of any format, which its bytes tell.", "type": "string",
+                "contentMediaType": "application/octet-stream"
+            }
+        },
+        "multipart/form-data": {
+            "schema": {
+                "type": "object", "required": ["scene"],
+                "properties": {
+                    "scene": {
+                        "description": "The body, of any type.",
+                        "anyOf": [
+                            {"$ref": "#/components/schemas/scene"},
+                            {"type": "string", "contentMediaType": "application/octet-stream"}
+                        ]
+                    }
+                },
+                "additionalProperties": {
+                    "description": "The file that the scene refers to by this name.",
+                    "type": "string", "contentMediaType": "application/octet-stream"
+                }
+            }
+        }
+    }));
+    zr_print_end(print, '}');
+    zr_print_end(print, '}');
+}
+
+/* Prints the media types of the encodings, each once. */
+static void print_pictures(struct zr_print *print)
+{
+    zr_print_begin(print, "content", '{');
+    for (int i = 0; i < ZR_ENCODING_COUNT; i++) {
+        bool is_new = true;
+        for (int k = 0; k < i; k++)
+            is_new &= strcmp(zr_file_kinds[i].type, zr_file_kinds[k].type) != 0;
+        if (!is_new) continue;
+        zr_print_json(print, zr_file_kinds[i].type,
+                      i == ZR_ENCODING_JSON ? ZR_SCHEMA({"schema": {"type": "object"}})
+                                            : ZR_SCHEMA({
+                                                "schema": {
+                                                    "type": "string", "contentMediaType": "application/octet-stream"
+                                                }
+                                            }));
+    }
+    zr_print_members(print, ZR_SCHEMA({
+        "application/zip": {
+            "schema": {
+                "description": "Files of several outputs: CHANNEL.EXTENSION.",
+                "type": "string", "contentMediaType": "application/zip"
+            }
+        },
+        "multipart/mixed": {
+            "schema": {
+                "description": "Files of several views, each as soon as it is drawn.",
+                "type": "string", "contentMediaType": "multipart/mixed"
+            }
+        }
+    }));
+    zr_print_end(print, '}');
+}
+
+static const char render_headers[] = ZR_SCHEMA({
+    "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"},
+    "Zraster-Version": {"$ref": "#/components/headers/Zraster-Version"},
+    "Zraster-Look": {"$ref": "#/components/headers/Zraster-Look"},
+    "Zraster-Encoder": {"$ref": "#/components/headers/Zraster-Encoder"},
+    "Zraster-Warnings": {"$ref": "#/components/headers/Zraster-Warnings"},
+    "Server-Timing": {"$ref": "#/components/headers/Server-Timing"},
+    "Vary": {"$ref": "#/components/headers/Vary"}
+});
+
+static void print_render(struct zr_print *print, const struct zr_limits *limits)
+{
+    zr_print_begin(print, "/v1/render", '{');
+    zr_print_begin(print, "post", '{');
+    zr_print_members(print, ZR_SCHEMA({
+        "operationId": "render", "tags": ["render"], "summary": "Draw a scene or a model",
+        "description": [
+            "O", "n", "e", " ", "o", "u", "t", "p", "u", "t", " ", "i", "s", " ", "a", "n", "s", "w", "e", "r", "e",
+            "d", " ", "a", "s", " ", "i", "t", "s", " ", "f", "i", "l", "e", ",", " ", "s", "e", "v", "e", "r", "a",
+            "l", " ", "a", "s", " ", "a", " ", "Z", "I", "P", " ", "a", "r", "c", "h", "i", "v", "e", ".", " ", "P",
+            "a", "r", "a", "m", "e", "t", "e", "r", "s", " ", "s", "e", "t", " ", "k", "e", "y", "s", " ", "o", "f",
+            " ", "t", "h", "e", " ", "s", "c", "e", "n", "e", ";", " ", "t", "h", "o", "s", "e", " ", "o", "f", " ",
+            "m", "o", "d", "e", "l", "s", " ", "a", "r", "e", " ", "r", "e", "f", "u", "s", "e", "d", " ", "w", "i",
+            "t", "h", " ", "s", "c", "e", "n", "e", "s", "."
+        ]
+    }));
+    zr_parameters_print(print, limits);
+    print_body(print);
+    zr_print_begin(print, "responses", '{');
+    zr_print_begin(print, "200", '{');
+    zr_print_string(print, "description", "The outputs.");
+    zr_print_json(print, "headers", render_headers);
+    print_pictures(print);
+    zr_print_end(print, '}');
+    zr_print_members(print, ZR_SCHEMA({
+        "400": {"$ref": "#/components/responses/problem"}, "401": {"$ref": "#/components/responses/problem"},
+        "408": {"$ref": "#/components/responses/problem"}, "413": {"$ref": "#/components/responses/problem"},
+        "415": {"$ref": "#/components/responses/problem"}, "422": {"$ref": "#/components/responses/problem"},
+        "429": {"$ref": "#/components/responses/busy"}, "503": {"$ref": "#/components/responses/busy"},
+        "504": {"$ref": "#/components/responses/problem"}, "default": {"$ref": "#/components/responses/problem"}
+    }));
+    zr_print_end(print, '}');
+    zr_print_end(print, '}');
+    zr_print_end(print, '}');
+}
+
+/* ---- the other paths ---- */
+
+static const char assets[] = ZR_SCHEMA({
+    "/v1/assets": {
+        "post": {
+            "operationId": "addAsset", "tags": ["assets"], "summary": "Store a file",
+            "description": [
+                "T", "h", "e", " ", "d", "a", "e", "m", "o", "n", " ", "c", "o", "m", "p", "u", "t", "e", "s", " ",
+                "t", "h", "e", " ", "h", "a", "s", "h", ",", " ", "b", "y", " ", "w", "h", "i", "c", "h", " ", "s",
+                "c", "e", "n", "e", "s", " ", "n", "a", "m", "e", " ", "t", "h", "e", " ", "f", "i", "l", "e", ":",
+                " ", "{", "\"", "a", "s", "s", "e", "t", "\"", ":", " ", "\"", "s", "h", "a", "2", "5", "6", ":", ".",
+                ".", ".", "\"", "}", "."
+            ],
+            "requestBody": {
+                "required": true,
+                "content": {
+                    "application/octet-stream": {
+                        "schema": {"type": "string", "contentMediaType": "application/octet-stream"}
+                    }
+                }
+            },
+            "responses": {
+                "200": {"$ref": "#/components/responses/stored"}, "201": {"$ref": "#/components/responses/stored"},
+                "4XX": {"$ref": "#/components/responses/problem"},
+                "default": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/v1/assets/{sha256}": {
+        "parameters": [
+            {
+                "name": "sha256", "in": "path", "required": true, "description": "SHA-256 of the bytes.",
+                "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
+            }
+        ],
+        "put": {
+            "operationId": "putAsset", "tags": ["assets"], "summary": "Store a file under its hash",
+            "requestBody": {
+                "required": true,
+                "content": {
+                    "application/octet-stream": {
+                        "schema": {"type": "string", "contentMediaType": "application/octet-stream"}
+                    }
+                }
+            },
+            "responses": {
+                "200": {"$ref": "#/components/responses/stored"}, "201": {"$ref": "#/components/responses/stored"},
+                "4XX": {"$ref": "#/components/responses/problem"},
+                "default": {"$ref": "#/components/responses/problem"}
+            }
+        },
+        "get": {
+            "operationId": "getAsset", "tags": ["assets"], "summary": "Return a stored file",
+            "responses": {
+                "200": {
+                    "description": "The bytes.",
+                    "headers": {
+                        "ETag": {"$ref": "#/components/headers/ETag"},
+                        "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}
+                    },
+                    "content": {
+                        "application/octet-stream": {
+                            "schema": {"type": "string", "contentMediaType": "application/octet-stream"}
+                        }
+                    }
+                },
+                "304": {"description": "The client has the file."}, "4XX": {"$ref": "#/components/responses/problem"},
+                "default": {"$ref": "#/components/responses/problem"}
+            }
+        },
+        "head": {
+            "operationId": "hasAsset", "tags": ["assets"], "summary": "Tell whether a file is stored",
+            "responses": {
+                "200": {
+                    "description": "It is stored.",
+                    "headers": {
+                        "ETag": {"$ref": "#/components/headers/ETag"},
+                        "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}
+                    }
+                },
+                "304": {"description": "The client has the file."}, "4XX": {"description": "It is not stored."}
+            }
+        }
+    }
+});
+
+static const char contract[] = ZR_SCHEMA({
+    "/v1/limits": {
+        "get": {
+            "operationId": "getLimits", "tags": ["daemon"], "summary": "Return the limits in force",
+            "responses": {
+                "200": {
+                    "description": "Version and limits.",
+                    "content": {
+                        "application/json": {
+                            "schema": {
+                                "type": "object", "required": ["version", "limits"],
+                                "properties": {
+                                    "version": {"type": "string"},
+                                    "limits": {"type": "object", "additionalProperties": {"type": "number"}}
+                                }
+                            }
+                        }
+                    }
+                },
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/v1/openapi.json": {
+        "get": {
+            "operationId": "getOpenapi", "tags": ["contract"], "summary": "Return this description",
+            "responses": {
+                "200": {
+                    "description": "OpenAPI 3.1.", "headers": {"ETag": {"$ref": "#/components/headers/ETag"}},
+                    "content": {"application/json": {"schema": {"type": "object"}}}
+                },
+                "304": {"description": "The client has it."}, "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/v1/scene.schema.json": {
+        "get": {
+            "operationId": "getSceneSchema", "tags": ["contract"], "summary": "Return the JSON Schema of a scene",
+            "responses": {
+                "200": {
+                    "description": "JSON Schema 2020-12.", "headers": {"ETag": {"$ref": "#/components/headers/ETag"}},
+                    "content": {"application/schema+json": {"schema": {"type": "object"}}}
+                },
+                "304": {"description": "The client has it."}, "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/v1/schema/{object}.json": {
+        "parameters": [
+            {
+                "name": "object", "in": "path", "required": true, "description": "Name of an object of a scene.",
+                "schema": {"type": "string"}, "example": "light"
+            }
+        ],
+        "get": {
+            "operationId": "getSchema", "tags": ["contract"],
+            "summary": "Return the JSON Schema of one object of a scene",
+            "responses": {
+                "200": {
+                    "description": "JSON Schema 2020-12.", "headers": {"ETag": {"$ref": "#/components/headers/ETag"}},
+                    "content": {"application/schema+json": {"schema": {"type": "object"}}}
+                },
+                "304": {"description": "The client has it."}, "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    }
+});
+
+static const char drake[] = ZR_SCHEMA({
+    "/render": {
+        "post": {
+            "operationId": "renderDrake", "tags": ["render"], "summary": "Draw a form of Drake",
+            "requestBody": {
+                "required": true,
+                "content": {
+                    "multipart/form-data": {
+                        "schema": {
+                            "type": "object",
+                            "required": [
+                                "scene", "image_type", "width", "height", "near", "far", "focal_x", "focal_y",
+                                "center_x", "center_y"
+                            ],
+                            "properties": {
+                                "scene": {
+                                    "description": "glTF file with a camera.", "type": "string",
+                                    "contentMediaType": "model/gltf+json"
+                                },
+                                "image_type": {"enum": ["color", "depth", "label"]},
+                                "width": {"type": "integer", "minimum": 1},
+                                "height": {"type": "integer", "minimum": 1},
+                                "near": {"type": "number", "exclusiveMinimum": 0},
+                                "far": {"type": "number", "exclusiveMinimum": 0},
+                                "focal_x": {"type": "number", "exclusiveMinimum": 0},
+                                "focal_y": {"type": "number", "exclusiveMinimum": 0}, "center_x": {"type": "number"},
+                                "center_y": {"type": "number"}, "min_depth": {"type": "number"},
+                                "max_depth": {"type": "number"}, "fov_x": {"type": "number", "exclusiveMinimum": 0},
+                                "fov_y": {"type": "number", "exclusiveMinimum": 0},
+                                "scene_sha256": {"type": "string"}, "submit": {"type": "string"}
+                            }
+                        }
+                    }
+                }
+            },
+            "responses": {
+                "200": {
+                    "description": "The image.",
+                    "content": {
+                        "image/png": {"schema": {"type": "string", "contentMediaType": "image/png"}},
+                        "image/tiff": {"schema": {"type": "string", "contentMediaType": "image/tiff"}}
+                    }
+                },
+                "4XX": {
+                    "description": "A line for each fault.",
+                    "content": {"text/plain": {"schema": {"type": "string"}}}
+                },
+                "5XX": {"description": "The reason.", "content": {"text/plain": {"schema": {"type": "string"}}}}
+            }
+        }
+    }
+});
+
+static const char health[] = ZR_SCHEMA({
+    "/healthz": {
+        "get": {
+            "operationId": "getHealth", "tags": ["daemon"], "summary": "Tell whether the process works",
+            "security": [],
+            "responses": {
+                "200": {
+                    "description": "It works.",
+                    "content": {
+                        "application/json": {
+                            "schema": {
+                                "type": "object", "required": ["status"], "properties": {"status": {"const": "ok"}}
+                            }
+                        }
+                    }
+                },
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/readyz": {
+        "get": {
+            "operationId": "getReadiness", "tags": ["daemon"], "summary": "Tell whether the daemon accepts work",
+            "security": [],
+            "responses": {
+                "200": {
+                    "description": "It accepts work.",
+                    "content": {
+                        "application/json": {
+                            "schema": {
+                                "type": "object", "required": ["status"],
+                                "properties": {"status": {"const": "ready"}}
+                            }
+                        }
+                    }
+                },
+                "503": {"$ref": "#/components/responses/busy"}, "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    }
+});
+
+static const char *const others[] = {assets, contract, drake, health};
+
+static const char components[] = ZR_SCHEMA({
+    "securitySchemes": {
+        "token": {"type": "http", "scheme": "bearer", "description": "The token of a daemon that has one."}
+    },
+    "headers": {
+        "X-Request-Id": {
+            "description": "Id of the request: the client's, or a new one.",
+            "schema": {"type": "string"}
+        },
+        "Zraster-Version": {"description": "Version of the daemon.", "schema": {"type": "string"}},
+        "Zraster-Look": {
+            "description": "Look of the picture with its version.", "schema": {"type": "string"},
+            "example": "studio@2"
+        },
+        "Zraster-Encoder": {
+            "description": "Libraries that decide the bytes of a JPEG or WebP, with their versions.",
+            "schema": {"type": "string"}
+        },
+        "Zraster-Warnings": {"description": "Warnings, joined by semicolons.", "schema": {"type": "string"}},
+        "Server-Timing": {"description": "Times of the steps in ms.", "schema": {"type": "string"}},
+        "Vary": {"description": "Headers that decide about the answer.", "schema": {"type": "string"}},
+        "ETag": {"description": "Name of these bytes.", "schema": {"type": "string"}},
+        "Location": {"description": "Path of the asset.", "schema": {"type": "string"}},
+        "Retry-After": {"description": "Seconds to wait.", "schema": {"type": "integer"}}
+    },
+    "responses": {
+        "problem": {
+            "description": "The reasons, with JSON Pointers.",
+            "headers": {"X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}},
+            "content": {"application/problem+json": {"schema": {"$ref": "#/components/schemas/problem"}}}
+        },
+        "busy": {
+            "description": "No work is accepted now.",
+            "headers": {"Retry-After": {"$ref": "#/components/headers/Retry-After"}},
+            "content": {"application/problem+json": {"schema": {"$ref": "#/components/schemas/problem"}}}
+        },
+        "stored": {
+            "description": "Hash and size of the file.",
+            "headers": {"Location": {"$ref": "#/components/headers/Location"}},
+            "content": {
+                "application/json": {
+                    "schema": {
+                        "type": "object", "required": ["sha256", "size"],
+                        "properties": {
+                            "sha256": {"type": "string", "pattern": "^[0-9a-f]{64}$"},
+                            "size": {"type": "integer", "minimum": 0}
+                        }
+                    }
+                }
+            }
+        }
+    }
+});
+
+static const char problem[] = ZR_SCHEMA({
+    "description": "An error (RFC 9457).", "type": "object", "required": ["type", "title", "status", "detail"],
+    "properties": {
+        "type": {"const": "about:blank"}, "title": {"type": "string"}, "status": {"type": "integer"},
+        "detail": {"type": "string"},
+        "errors": {
+            "type": "array", "maxItems": 20,
+            "items": {
+                "type": "object", "required": ["pointer", "detail"],
+                "properties": {
+                    "pointer": {"description": "JSON Pointer (RFC 6901) to the key.", "type": "string"},
+                    "detail": {"type": "string"}
+                }
+            }
+        },
+        "truncated": {"description": "There may be more errors.", "type": "boolean"}
+    }
+});
+
+void openapi_print(struct zr_buffer *out, const struct zr_limits *limits)
+{
+    struct zr_print print = {.out = out};
+    zr_print_begin(&print, NULL, '{');
+    zr_print_string(&print, "openapi", "3.1.0");
+    zr_print_begin(&print, "info", '{');
+    zr_print_string(&print, "title", "zraster");
+    zr_print_string(&print, "version", ZR_VERSION);
+    zr_print_members(&print, ZR_SCHEMA({
+        "summary": "Draws scenes and models to pictures, depth maps and ids.",
+        "license": {"name": "MIT", "identifier": "MIT"}
+    }));
+    zr_print_end(&print, '}');
+    zr_print_json(&print, "servers", ZR_SCHEMA([{"url": "/"}]));
+    zr_print_json(&print, "security", ZR_SCHEMA([{}, {"token": []}]));
+    zr_print_json(&print, "tags", ZR_SCHEMA([
+        {"name": "render", "description": "Pictures."},
+        {"name": "assets", "description": "Files that scenes name by their hash."},
+        {"name": "contract", "description": "This description and the schema of scenes."},
+        {"name": "daemon", "description": "State and limits."}
+    ]));
+    zr_print_begin(&print, "paths", '{');
+    print_render(&print, limits);
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        zr_print_members(&print, others[i]);
+    zr_print_end(&print, '}');
+    zr_print_begin(&print, "components", '{');
+    zr_print_members(&print, components);
+    zr_print_begin(&print, "schemas", '{');
+    zr_schema_print_all(&print, limits, refs);
+    zr_print_json(&print, "problem", problem);
+    zr_print_end(&print, '}');
+    zr_print_end(&print, '}');
+    zr_print_end(&print, '}');
+}
