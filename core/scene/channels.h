@@ -94,6 +94,7 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS 
     /* JSON: all fragments of one pixel, nearest first */                                                              \
     ROW(FRAGMENTS, "fragments", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)                                             \
     /* pixels of each instance, drawn alone and visible, as PNG or JSON */                                             \
+    ROW(MASKS, "masks", NONE, 0, ZERO, false, 0, ZR_ENCODING_ZIP, ZR_ENCODING_JSON)                                    \
     /* way of the visible point to the other view, in pixels: x, y, and whether it is visible there (scene/flow.h) */  \
     ROW(FLOW, "flow", FLOAT32, 3, NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)
 
