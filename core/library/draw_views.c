@@ -10,7 +10,7 @@
 enum { NAME_SIZE = 160 };
 
 struct taking {
-    zraster_take_view *take;
+    zraster_take_view take;
     void *context;
     uint32_t count;
     struct zr_arena *arena; /* of names and lists of one view */
@@ -57,7 +57,7 @@ static enum zr_status draw_all(zraster *renderer, struct zr_arena *arena, const 
     return zr_views_draw_each(arena, team, &views, cancel, (struct zr_views_taker){hand_on, taking}, error);
 }
 
-zraster_status zraster_draw_views(zraster *renderer, const struct zraster_request *request, zraster_take_view *take,
+zraster_status zraster_draw_views(zraster *renderer, const struct zraster_request *request, zraster_take_view take,
                                   void *context, zraster_error **error)
 {
     struct zr_error faults = {0};

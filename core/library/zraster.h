@@ -180,13 +180,13 @@ struct zraster_view {
 
 /* Receives a view and its files, which are valid until it returns. Drawing pauses meanwhile. Another result than 0 ends
  * the call with ZRASTER_CANCELLED. */
-typedef int zraster_take_view(void *context, const struct zraster_view *view);
+typedef int (*zraster_take_view)(void *context, const struct zraster_view *view);
 
 /* Draws a request with several views (views, turntable, orbit, animate or frames) and hands them on in order, on the
  * thread of the call. No files are joined, as in a stream of POST /v1/render. ZRASTER_BAD_SCENE: it has one view, or a
  * sheet. */
 ZRASTER_API zraster_status zraster_draw_views(zraster *renderer, const struct zraster_request *request,
-                                              zraster_take_view *take, void *context, zraster_error **error);
+                                              zraster_take_view take, void *context, zraster_error **error);
 
 /* ---- scene: read once, drawn with other views, poses and looks ---- */
 

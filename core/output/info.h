@@ -19,8 +19,4 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
                              uint64_t misfits, const struct zr_warning_list *warnings, const char *encoders,
                              const struct zr_cancel *cancel, struct zr_buffer *out);
 
-/* Prints the key "camera". */
-struct zr_print;
-void zr_camera_print(struct zr_print *print, const struct zr_frame *frame, bool z_is_up);
-
 #endif

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "base/cancel.h"
-#include "output/info.h"
+#include "output/camera_json.h"
 #include "output/mask_png.h"
 #include "output/mask_rle.h"
 #include "output/zip.h"

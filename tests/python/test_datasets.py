@@ -175,9 +175,11 @@ class Bop(unittest.TestCase):
         """cameras and poses that BOP has not are refused"""
         squeezed = [{"name": "a", "mesh": "cube", "scale": [1, 1, 2]}]
         flat = {**SCENE, "view": {"preset": "front"}}
+        lens = {"preset": "front", "perspective": {"yfovDegrees": 40}, "distortion": {"model": "opencv", "k": [0.01]}}
         cases = [
             ({**SCENE, "nodes": squeezed}, {"orbit": {"count": 2}}, "stretched"),
             (flat, {"views": ["front", "top"]}, "pinhole"),
+            (SCENE, {"views": [{"view": lens}, "top"]}, "distortion"),
             (SCENE, {"orbit": {"count": 2}, "unit": 0}, "unit"),
             (SCENE, {}, "one view"),
             (SCENE, {"orbit": {"count": 2}, "objects": ["cube"]}, "objects"),

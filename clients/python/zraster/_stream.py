@@ -158,6 +158,8 @@ def _rows(flat: Any) -> Rows:
 def _camera(number: int, camera: Mapping[str, Any]) -> Camera:
     if "K" not in camera:
         raise OptionError(f"view {number}: data sets have pinhole cameras: give the view a perspective or intrinsics")
+    if "distortion" in camera:
+        raise OptionError(f"view {number}: these data sets have no distortion of lenses: leave it out of the view")
     k = [list(row) for row in camera["K"]]
     k[0][2] -= 0.5
     k[1][2] -= 0.5
