@@ -149,8 +149,8 @@ struct zraster_request {
     size_t part_count;
     zraster_cancel *cancel; /* NULL: none */
 
-    /* Called for each of several views that is drawn, on the thread of the call; NULL: none. It may raise the cancel,
-     * and calls no other function with this renderer. */
+    /* zraster_draw calls it for each of several views that is drawn, on the thread of the call; NULL: none. It may
+     * raise the cancel, and calls no other function with this renderer. */
     void (*progress)(void *context, uint32_t done, uint32_t total);
     void *progress_context;
 };
