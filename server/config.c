@@ -68,7 +68,8 @@ static const struct setting SETTINGS[] = {
      "of decoded texture images kept between requests, in blocks of 4096; the least recently used are dropped first, "
      "and all if memory is short; 0: none"},
     {"keep-text-bytes", NUMBER, AT(keep_text_bytes), true, 128 * MIB, 0, 1024 * GIB, NULL, "bytes",
-     "of data: URIs of glTF kept from the second time on, as text and decoded, in blocks of 4096; the least recently used "
+     "of data: URIs of glTF kept from the second time on, as text and decoded, in blocks of 4096; the least recently "
+     "used "
      "are dropped first, and all if memory is short; 0: none"},
     {"keep-mesh-bytes", NUMBER, AT(keep_mesh_bytes), true, 256 * MIB, 0, 1024 * GIB, NULL, "bytes",
      "of model files kept as read from the second time on, with copies of those that were not stored, in blocks of "

@@ -175,7 +175,8 @@ static enum body_status unpack(const struct service *service, const struct reque
     struct multipart *parts;
     struct drake_form form;
     struct zr_error error = {0};
-    enum body_status status = body_split(request, (size_t)service->config->body_max_bytes, arena, cancel, render, &parts, answer);
+    enum body_status status =
+        body_split(request, (size_t)service->config->body_max_bytes, arena, cancel, render, &parts, answer);
     if (status != BODY_READY) return status;
     if (!drake_form_read(parts, service->limits.window_side_max, &form, &error)) {
         problem_answer_error(answer, 400, &error);

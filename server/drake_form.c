@@ -22,7 +22,7 @@ static const char *const expected[] = {[FILE_PART] = "a glTF file",
 
 /* Larger numbers are mistakes, and float32 holds their squares. Shorter focal lengths are refused by all scenes. */
 #define NUMBER_MAX 1e9
-#define FOCAL_MIN 1e-6
+#define FOCAL_MIN  1e-6
 
 #define AT(member) (int)offsetof(struct drake_form, member)
 static const struct field {

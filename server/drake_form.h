@@ -18,8 +18,8 @@ struct drake_form {
     double min_depth, max_depth;                 /* metres; DRAKE_DEPTH only */
 };
 
-/* Reads and checks the fields; side_max: the most pixels of a side. False: *error has each fault, with the name of the field, its value and the values that
- * are allowed. The hash is not compared. */
+/* Reads and checks the fields; side_max: the most pixels of a side. False: *error has each fault, with the name of the
+ * field, its value and the values that are allowed. The hash is not compared. */
 bool drake_form_read(const struct multipart *parts, uint32_t side_max, struct drake_form *form, struct zr_error *error);
 
 /* Copies the faults of a scene, with the field at the place of each fault's JSON Pointer. */

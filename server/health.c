@@ -37,7 +37,8 @@ bool health_open(const struct service *service, const struct load *load, struct 
     write_counts(meshes_kept(service->meshes), meshes);
     (void)load;
     (void)request;
-    const int length = asprintf(&text, "{\"images\":%s,\"texts\":%s,\"meshes\":%s,\"status\":\"ok\"}\n", images, texts, meshes);
+    const int length =
+        asprintf(&text, "{\"images\":%s,\"texts\":%s,\"meshes\":%s,\"status\":\"ok\"}\n", images, texts, meshes);
     answer_text(answer, text, length);
     return false;
 }

@@ -88,8 +88,8 @@ static const char *find_payload(const char *text, size_t size, struct zr_reason 
     return comma + 1;
 }
 
-enum zr_status zr_data_uri_read(struct zr_arena *arena, const char *text, size_t length, const void **bytes, size_t *size,
-                                struct zr_reason *reason)
+enum zr_status zr_data_uri_read(struct zr_arena *arena, const char *text, size_t length, const void **bytes,
+                                size_t *size, struct zr_reason *reason)
 {
     const char *payload = find_payload(text, length, reason);
     if (!payload) return ZR_BAD_SCENE;

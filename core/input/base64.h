@@ -23,9 +23,10 @@ static inline size_t zr_base64_room(size_t size)
  * then the index of the first bad character, or `size` if the text is too short. */
 bool zr_base64_decode(const char *text, size_t size, unsigned char *out, size_t *used);
 
-/* Decodes "data:image/png;base64,iVBO..." (RFC 2397), of `length` bytes, into the arena. ";base64" is required. The media type and its
- * parameters are ignored: the bytes decide the format. ZR_OK, ZR_NO_MEMORY, or ZR_BAD_SCENE with the reason. */
-enum zr_status zr_data_uri_read(struct zr_arena *arena, const char *text, size_t length, const void **bytes, size_t *size,
-                                struct zr_reason *reason);
+/* Decodes "data:image/png;base64,iVBO..." (RFC 2397), of `length` bytes, into the arena. ";base64" is required. The
+ * media type and its parameters are ignored: the bytes decide the format. ZR_OK, ZR_NO_MEMORY, or ZR_BAD_SCENE with the
+ * reason. */
+enum zr_status zr_data_uri_read(struct zr_arena *arena, const char *text, size_t length, const void **bytes,
+                                size_t *size, struct zr_reason *reason);
 
 #endif

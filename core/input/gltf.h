@@ -165,9 +165,9 @@ struct zr_gltf {
     const char *places[ZR_GLTF_KEYS];
     uint32_t counts[ZR_GLTF_KEYS]; /* items per list */
     struct zr_json_uris uris;
-    struct zr_parsed_bytes chunk;  /* binary chunk of a GLB; bytes NULL if none */
-    size_t size;                   /* of the file */
-    uint64_t bytes;                /* size of the request, parts included */
+    struct zr_parsed_bytes chunk; /* binary chunk of a GLB; bytes NULL if none */
+    size_t size;                  /* of the file */
+    uint64_t bytes;               /* size of the request, parts included */
     struct zr_gltf_buffer *buffers;
     struct zr_gltf_view *views;
     struct zr_gltf_accessor *accessors;

@@ -82,7 +82,7 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, st
                              image->uri.text ? "only one" : "one");
     if (!(image->uri.text
               ? zr_gltf_find_uri(file, ZR_JSON_KEY(path, image_fields[IMAGE_URI].key), &image->uri, &found)
-                     : zr_gltf_find_view(file, ZR_JSON_KEY(path, image_fields[IMAGE_VIEW].key), image->view, &found)))
+              : zr_gltf_find_view(file, ZR_JSON_KEY(path, image_fields[IMAGE_VIEW].key), image->view, &found)))
         return false;
     image->bytes = found;
     return true;

@@ -54,8 +54,9 @@ bool zr_json_uri_find(struct zr_json *json, const char *text, struct zr_json_uri
     *uri = (struct zr_json_uri){.text = text};
     if (!quote || quote - text < ZR_JSON_URI_MIN) return false;
     uri->size = (size_t)(quote - text);
-    if (!kept->find || !kept->find(kept->context, text, uri->size, json->cancel, &uri->hash, &uri->bytes,
-                                    &uri->byte_count)) return false;
+    if (!kept->find ||
+        !kept->find(kept->context, text, uri->size, json->cancel, &uri->hash, &uri->bytes, &uri->byte_count))
+        return false;
     zr_json_uri_note(json, uri);
     return true;
 }
@@ -71,7 +72,6 @@ enum zr_status zr_json_uri_decode(struct zr_json *json, const char *text, size_t
         return zr_arena_alloc(json->arena, zr_base64_room(size), 1) ? ZR_OK : ZR_NO_MEMORY;
     }
     const enum zr_status status = zr_data_uri_read(json->arena, text, size, bytes, byte_count, reason);
-    if (status == ZR_OK && uri && kept->keep)
-        kept->keep(kept->context, &uri->hash, text, size, *bytes, *byte_count);
+    if (status == ZR_OK && uri && kept->keep) kept->keep(kept->context, &uri->hash, text, size, *bytes, *byte_count);
     return status;
 }

@@ -19,8 +19,8 @@ struct zr_image_levels {
 
 struct zr_image {
     uint32_t width, height;
-    uint32_t bits;      /* per channel: 8 or 16 */
-    const void *texels; /* RGBA, row 0 on top: four uint8_t or uint16_t per texel */
+    uint32_t bits;                  /* per channel: 8 or 16 */
+    const void *texels;             /* RGBA, row 0 on top: four uint8_t or uint16_t per texel */
     struct zr_image_levels *levels; /* NULL: not kept */
 };
 

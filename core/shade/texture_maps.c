@@ -371,7 +371,9 @@ struct zr_texture_maps_size zr_texture_maps_measure(const struct zr_scene *scene
 {
     struct zr_texture_maps_size sum = {0.0, 0.0};
     bool has_tables[2] = {false, false};
-    if (scene->texture_count > 0) sum.bytes += 2.0 * (double)scene->image_count * (double)sizeof(struct chain) + (double)scene->texture_count + 1.0;
+    if (scene->texture_count > 0)
+        sum.bytes +=
+            2.0 * (double)scene->image_count * (double)sizeof(struct chain) + (double)scene->texture_count + 1.0;
     for (uint32_t i = 0; i < scene->texture_count; i++) {
         const struct zr_texture *texture = &scene->textures[i];
         const struct zr_image *image = &scene->images[texture->image];

@@ -36,8 +36,9 @@ struct zr_texture_maps {
     const struct zr_texture_map *opacity;
 };
 
-/* Makes the maps of the textures that a material has. They point to the scene, and to kept levels of its images. decode: colours are converted to linear light; else values stay as they
- * are. Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+/* Makes the maps of the textures that a material has. They point to the scene, and to kept levels of its images.
+ * decode: colours are converted to linear light; else values stay as they are. Returns ZR_OK, ZR_CANCELLED or
+ * ZR_NO_MEMORY. */
 enum zr_status zr_texture_maps_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                     bool decode, const struct zr_cancel *cancel, struct zr_texture_maps *maps);
 

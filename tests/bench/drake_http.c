@@ -1,5 +1,5 @@
-/* Drake's loop: a textured glTF of 20 MB is sent anew for each frame, and only matrices of nodes differ. Ours is the median
- * frame after the first, theirs the first frame of the same daemon; the median of some daemons.
+/* Drake's loop: a textured glTF of 20 MB is sent anew for each frame, and only matrices of nodes differ. Ours is the
+ * median frame after the first, theirs the first frame of the same daemon; the median of some daemons.
  */
 #include <math.h>
 #include <stdio.h>
@@ -95,7 +95,7 @@ static void put_fields(struct task *task)
                                             {"far", "40"},       {"focal_x", "657"}, {"focal_y", "657"},
                                             {"center_x", "320"}, {"center_y", "240"}};
     char *at = task->body, *const end = at + task->room;
-#define PUT(...) (at += snprintf(at, (size_t)(end - at), __VA_ARGS__))
+#define PUT(...)               (at += snprintf(at, (size_t)(end - at), __VA_ARGS__))
 #define PUT_FIELD(name, value) PUT("--b\r\nContent-Disposition: form-data; name=\"%s\"\r\n\r\n%s\r\n", name, value)
     for (size_t i = 0; i < sizeof fields / sizeof *fields; i++)
         PUT_FIELD(fields[i][0], fields[i][1]);
