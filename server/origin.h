@@ -8,7 +8,8 @@
 #include "request.h"
 
 /* Returns false if the answer is ready: 204 to a preflight of an origin among --origins, or 403 to a request that draws
- * or stores something, from a page of another origin that is not among them. Needs request->route, which may be NULL. */
+ * or stores something, from a page of another origin that is not among them. Needs request->route, which may be NULL.
+ */
 bool origin_check(const struct config *config, const struct request *request, struct answer *answer);
 
 /* Returns true if the request names an origin among --origins. */

@@ -9,7 +9,7 @@
 #include "request.h"
 
 struct site_file {
-    const char *name; /* "": the page */
+    const char *name;          /* "": the page */
     const char *title, *files; /* of a scene: name for people; names of its files, as items of JSON; NULL: no scene */
     const char *type;
     const char *tag; /* hash of the bytes, hexadecimal */
@@ -32,7 +32,6 @@ bool examples_open(const struct service *service, const struct load *load, struc
                    struct answer *answer);
 
 /* GET /v1/looks: names, versions and texts of all looks. */
-bool looks_open(const struct service *service, const struct load *load, struct request *request,
-                struct answer *answer);
+bool looks_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer);
 
 #endif
