@@ -12,12 +12,39 @@ enum { LOOK_BYTES = 256 << 10 }; /* decoded within 1 ms */
 
 /* ---- bytes ---- */
 
-static int digit_of(char c)
+/* Values of the characters of base64, in both alphabets; -1: it is none. */
+struct digits {
+    signed char of[256];
+};
+
+static struct digits make_digits(void)
 {
-    if (c >= 'A' && c <= 'Z') return c - 'A';
-    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-    if (c >= '0' && c <= '9') return c - '0' + 52;
-    return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : -1;
+    static const char alphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    struct digits digits;
+    memset(digits.of, -1, sizeof digits.of);
+    for (int i = 0; i < 64; i++)
+        digits.of[(unsigned char)alphabet[i]] = (signed char)i;
+    digits.of['-'] = 62;
+    digits.of['_'] = 63;
+    return digits;
+}
+
+/* Decodes whole groups of four, up to another character. Returns how many were read. */
+static size_t decode_groups(const struct digits *digits, const char *text, size_t size, unsigned char **end)
+{
+    const unsigned char *at = (const unsigned char *)text;
+    unsigned char *out = *end;
+    size_t read = 0;
+    for (; size - read >= 4; read += 4) {
+        const int a = digits->of[at[read]], b = digits->of[at[read + 1]], c = digits->of[at[read + 2]],
+                  d = digits->of[at[read + 3]];
+        if ((a | b | c | d) < 0) break;
+        *out++ = (unsigned char)(a << 2 | b >> 4);
+        *out++ = (unsigned char)(b << 4 | c >> 2);
+        *out++ = (unsigned char)(c << 6 | d);
+    }
+    *end = out;
+    return read;
 }
 
 /* Passes "data:...;base64,", which some callers put before the bytes. */
@@ -40,7 +67,8 @@ static const char *pass_escapes(const char *at, const char *end)
 static bool decode(const struct mcp_host *host, struct mcp_span text, struct mcp_model *model,
                    struct mcp_faults *faults)
 {
-    const char *const begin = pass_scheme(text), *end = text.end, *look = begin;
+    const char *const begin = pass_scheme(text), *end = text.end;
+    const struct digits digits = make_digits();
     unsigned char *out = host->allocate(host->context, (size_t)(end - begin) / 4 * 3 + 4);
     uint32_t bits = 0;
     unsigned count = 0;
@@ -48,20 +76,21 @@ static bool decode(const struct mcp_host *host, struct mcp_span text, struct mcp
     model->bytes = out;
     while (end > begin && (end[-1] == '=' || (end[-1] == 'n' && end - begin > 1 && end[-2] == '\\')))
         end -= end[-1] == '=' ? 1 : 2;
-    for (const char *at = begin; (at = pass_escapes(at, end)) < end; at++) {
-        const int digit = digit_of(*at);
-        if (digit < 0)
-            return mcp_fault(faults, "/model/base64", "character %zu is no base64", (size_t)(at - text.at) + 1);
-        bits = bits << 6 | (uint32_t)digit;
-        if (++count == 4) {
+    for (const char *at = begin; (at = pass_escapes(at, end)) < end;) {
+        const size_t left = (size_t)(end - at);
+        if (mcp_host_is_cancelled(host)) return false;
+        if (count == 0) at += decode_groups(&digits, at, left < LOOK_BYTES ? left : LOOK_BYTES, &out);
+        for (int i = 0; i < 4 && (at = pass_escapes(at, end)) < end; i++, at++) {
+            const int digit = digits.of[(unsigned char)*at];
+            if (digit < 0)
+                return mcp_fault(faults, "/model/base64", "character %zu is no base64", (size_t)(at - text.at) + 1);
+            bits = bits << 6 | (uint32_t)digit;
+            if (++count < 4) continue;
             *out++ = (unsigned char)(bits >> 16);
             *out++ = (unsigned char)(bits >> 8);
             *out++ = (unsigned char)bits;
             count = 0;
         }
-        if (at < look) continue;
-        look = at + LOOK_BYTES;
-        if (mcp_host_is_cancelled(host)) return false;
     }
     if (count == 1) return mcp_fault(faults, "/model/base64", "the last characters are missing");
     if (count > 1) *out++ = (unsigned char)(bits >> (count == 2 ? 4 : 10));

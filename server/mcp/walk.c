@@ -1,5 +1,6 @@
 #include "walk.h"
 
+#include <stdint.h>
 #include <string.h>
 
 #include "host.h"
@@ -72,11 +73,24 @@ static const char *pass_escape(const char *at, const char *end)
     return at + 6;
 }
 
+/* Returns true if eight bytes are all plain: ASCII, neither a quote nor a backslash nor a control character. */
+static bool are_plain(const char *at)
+{
+    static const uint64_t ones = UINT64_MAX / 255, tops = UINT64_MAX / 255 * 128;
+    uint64_t bytes;
+    memcpy(&bytes, at, sizeof bytes);
+    const uint64_t quotes = bytes ^ ones * '"', strokes = bytes ^ ones * '\\';
+    const uint64_t found = ((quotes - ones) & ~quotes) | ((strokes - ones) & ~strokes) | (bytes - ones * ' ') | bytes;
+    return (found & tops) == 0;
+}
+
 static bool pass_string(struct mcp_walk *walk)
 {
     walk->at++;
     while (walk->at < walk->end && has_time(walk)) {
         const char *at = walk->at, *const end = walk->end - at > LOOK_BYTES ? at + LOOK_BYTES : walk->end;
+        while (end - at >= 8 && are_plain(at))
+            at += 8;
         while (at < end && (unsigned char)*at < 0x80 && *at != '"' && *at != '\\' && (unsigned char)*at >= ' ')
             at++;
         walk->at = at;

@@ -1,10 +1,12 @@
-"""mcp.py BUILD ROUNDS MODEL...: the time of a call of /mcp beside that of /v1/render with the same scene: the least of each, in turns. Ends with 1
-if a call takes more than 1.1 times as long, and 1 ms."""
+"""mcp.py BUILD ROUNDS MODEL...: the time of a call of /mcp beside that of /v1/render with the same scene, in turns: the least of each, and
+the median of the daemon's processor time, which other programs hardly change. Ends with 1 if that is more than 1.1 times as much and 1 ms."""
 import base64
+import glob
 import http.client
 import json
 import os
 import re
+import statistics
 import subprocess
 import sys
 import time
@@ -36,25 +38,35 @@ try:
     host = re.search(r"http://(\S+)", daemon.stdout.readline()).group(1)
     connection = http.client.HTTPConnection(host)
 
+    def spent():
+        """Returns the processor time of the daemon's threads, in ms."""
+        total = 0
+        for path in glob.glob(f"/proc/{daemon.pid}/task/*/schedstat"):
+            with open(path) as file:
+                total += int(file.read().split()[0])
+        return total / 1e6
+
     def run(path, headers, body):
-        began = time.perf_counter()
+        before, began = spent(), time.perf_counter()
         connection.request("POST", path, body, headers)
         answer = connection.getresponse()
         data = answer.read()
         assert answer.status == 200 and b'"isError":true' not in data, data[:500]
-        return 1000 * (time.perf_counter() - began)
+        return 1000 * (time.perf_counter() - began), spent() - before
 
-    print(f"{'model':24} {'views':>8} {'/v1/render':>11} {'/mcp':>9}  of 1.1 x + 1 ms")
+    print(f"{'model':20} {'views':>6} | least time: {'/v1/render':>10} {'/mcp':>9} | processor: {'/v1/render':>10} {'/mcp':>9}  of 1.1 x + 1 ms")
     for model in models:
         for views in (None, ["front"], ["front", "top"]):
             plain, call = bodies(model, views)
             for _ in range(5):
                 run(*plain), run(*call)
-            times = [(run(*plain), run(*call)) for _ in range(rounds)]
-            first, second = (min(column) for column in zip(*times))  # other programs only add
-            share = second / (1.1 * first + 1)
+            pairs = [(run(*plain), run(*call)) for _ in range(rounds)]
+            least = [min(pair[k][0] for pair in pairs) for k in (0, 1)]
+            work = [statistics.median(pair[k][1] for pair in pairs) for k in (0, 1)]
+            share = work[1] / (1.1 * work[0] + 1)
             bad += share > 1
-            print(f"{os.path.basename(model):24} {len(views) if views else 'sheet':>8} {first:8.2f} ms {second:6.2f} ms  {share:.2f}")
+            name = os.path.basename(model)
+            print(f"{name:20} {len(views) if views else 'sheet':>6} | {least[0]:20.2f} ms {least[1]:6.2f} ms | {work[0]:18.2f} ms {work[1]:6.2f} ms  {share:.2f}")
 finally:
     daemon.terminate()
     daemon.wait()

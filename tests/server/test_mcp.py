@@ -436,7 +436,8 @@ class Http(unittest.TestCase):
                 self.assertLess(result["structuredContent"]["picture"]["width"], 1568)
                 self.assertTrue(any("smaller" in warning for warning in result["structuredContent"]["warnings"]))
         self.assertEqual(kinds, {"image/png", "image/jpeg"})
-        clear = self.call("render", scene={**scene, "background": "#00000000"}, width=1568, height=1568)
+        clear = {"meshes": [{"asset": "model"}], "background": "#00000000"}
+        clear = self.call("render", model={"text": BOX}, scene=clear, width=1568, height=1568)
         self.assertEqual(images(clear)[0][1], "image/webp")
 
     def test_parts(self):
