@@ -77,7 +77,7 @@ static void print_pictures(struct zr_print *print)
 {
     zr_print_begin(print, "content", '{');
     for (int i = 0; i < ZR_ENCODING_COUNT; i++) {
-        bool is_new = true;
+        bool is_new = i != ZR_ENCODING_ZIP; /* below, with that of several outputs */
         for (int k = 0; k < i; k++)
             is_new &= strcmp(zr_file_kinds[i].type, zr_file_kinds[k].type) != 0;
         if (!is_new) continue;
