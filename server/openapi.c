@@ -122,15 +122,7 @@ static void print_render(struct zr_print *print, const struct zr_limits *limits)
     zr_print_begin(print, "post", '{');
     zr_print_members(print, ZR_SCHEMA({
         "operationId": "render", "tags": ["render"], "summary": "Draw a scene or a model",
-        "description": [
-            "O", "n", "e", " ", "o", "u", "t", "p", "u", "t", " ", "i", "s", " ", "a", "n", "s", "w", "e", "r", "e",
-            "d", " ", "a", "s", " ", "i", "t", "s", " ", "f", "i", "l", "e", ",", " ", "s", "e", "v", "e", "r", "a",
-            "l", " ", "a", "s", " ", "a", " ", "Z", "I", "P", " ", "a", "r", "c", "h", "i", "v", "e", ".", " ", "P",
-            "a", "r", "a", "m", "e", "t", "e", "r", "s", " ", "s", "e", "t", " ", "k", "e", "y", "s", " ", "o", "f",
-            " ", "t", "h", "e", " ", "s", "c", "e", "n", "e", ";", " ", "t", "h", "o", "s", "e", " ", "o", "f", " ",
-            "m", "o", "d", "e", "l", "s", " ", "a", "r", "e", " ", "r", "e", "f", "u", "s", "e", "d", " ", "w", "i",
-            "t", "h", " ", "s", "c", "e", "n", "e", "s", "."
-        ]
+        "description": "One output is answered as its file, several as a ZIP archive. Parameters set keys of the scene."
     }));
     zr_parameters_print(print, limits);
     print_body(print);
@@ -158,13 +150,7 @@ static const char assets[] = ZR_SCHEMA({
     "/v1/assets": {
         "post": {
             "operationId": "addAsset", "tags": ["assets"], "summary": "Store a file",
-            "description": [
-                "T", "h", "e", " ", "d", "a", "e", "m", "o", "n", " ", "c", "o", "m", "p", "u", "t", "e", "s", " ",
-                "t", "h", "e", " ", "h", "a", "s", "h", ",", " ", "b", "y", " ", "w", "h", "i", "c", "h", " ", "s",
-                "c", "e", "n", "e", "s", " ", "n", "a", "m", "e", " ", "t", "h", "e", " ", "f", "i", "l", "e", ":",
-                " ", "{", "\"", "a", "s", "s", "e", "t", "\"", ":", " ", "\"", "s", "h", "a", "2", "5", "6", ":", ".",
-                ".", ".", "\"", "}", "."
-            ],
+            "description": "The daemon computes the hash, by which scenes name the file: {\"asset\": \"sha256:...\"}.",
             "requestBody": {
                 "required": true,
                 "content": {

@@ -67,6 +67,8 @@ class Contract(unittest.TestCase):
         known = set(rows("key")) | {"uri", "asset"}
         strange = all_keys(self.schema["$defs"]) - known
         self.assertLessEqual(strange, {"rotate", "times", "translation", "rotation", "scale", "interpolation", "axis", "degrees"})
+        for one in [*self.openapi["components"]["schemas"].values(), *(m for p in self.openapi["paths"].values() for m in p.values())]:
+            self.assertIsInstance(one.get("description", "") if isinstance(one, dict) else "", str)
 
     def test_help_explains_every_key_of_every_object(self):
         shown = help_of("scene").stdout
