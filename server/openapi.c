@@ -224,6 +224,108 @@ static const char assets[] = ZR_SCHEMA({
     }
 });
 
+static const char page[] = ZR_SCHEMA({
+    "/": {
+        "get": {
+            "operationId": "getPage", "tags": ["page"], "summary": "Return the page for browsers", "security": [],
+            "responses": {
+                "200": {"description": "The page.", "content": {"text/html": {"schema": {"type": "string"}}}},
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/v1/looks": {
+        "get": {
+            "operationId": "getLooks", "tags": ["page"], "summary": "Return all looks with their versions",
+            "responses": {
+                "200": {
+                    "description": "The looks.",
+                    "content": {"application/json": {"schema": {"$ref": "#/components/schemas/looks"}}}
+                },
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/v1/examples": {
+        "get": {
+            "operationId": "getExamples", "tags": ["page"], "summary": "Return the names of the examples",
+            "responses": {
+                "200": {
+                    "description": "The examples.",
+                    "content": {"application/json": {"schema": {"$ref": "#/components/schemas/examples"}}}
+                },
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/v1/examples/{name}": {
+        "parameters": [
+            {"name": "name", "in": "path", "required": true, "description": "Name of a scene or of one of its files.",
+             "schema": {"type": "string"}}
+        ],
+        "get": {
+            "operationId": "getExample", "tags": ["page"], "summary": "Return a scene or a file of the examples",
+            "responses": {
+                "200": {
+                    "description": "The file.",
+                    "content": {
+                        "application/json": {"schema": {"$ref": "#/components/schemas/scene"}},
+                        "application/octet-stream": {
+                            "schema": {"type": "string", "contentMediaType": "application/octet-stream"}
+                        }
+                    }
+                },
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/mcp": {
+        "post": {
+            "operationId": "callAgentTool", "tags": ["agents"], "summary": "Serve the Model Context Protocol",
+            "requestBody": {
+                "required": true,
+                "content": {"application/json": {"schema": {"$ref": "#/components/schemas/jsonRpc"}}}
+            },
+            "responses": {
+                "200": {
+                    "description": "The reply.",
+                    "content": {"application/json": {"schema": {"$ref": "#/components/schemas/jsonRpc"}}}
+                },
+                "202": {"description": "A notification was taken."},
+                "4XX": {"$ref": "#/components/responses/problem"},
+                "default": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    }
+});
+
+static const char page_schemas[] = ZR_SCHEMA({
+    "looks": {
+        "type": "object", "required": ["looks"],
+        "properties": {"looks": {"type": "array", "items": {
+            "type": "object", "required": ["name", "text", "versions"],
+            "properties": {
+                "name": {"type": "string"}, "text": {"type": "string"},
+                "versions": {"type": "array", "items": {"type": "integer"}}
+            }
+        }}}
+    },
+    "examples": {
+        "type": "object", "required": ["examples"],
+        "properties": {"examples": {"type": "array", "items": {
+            "type": "object", "required": ["name", "title", "files"],
+            "properties": {
+                "name": {"type": "string"}, "title": {"type": "string"},
+                "files": {"type": "array", "items": {"type": "string"}}
+            }
+        }}}
+    },
+    "jsonRpc": {
+        "description": "A message of JSON-RPC 2.0.", "type": "object", "required": ["jsonrpc"],
+        "properties": {"jsonrpc": {"const": "2.0"}, "method": {"type": "string"}, "params": {"type": "object"}}
+    }
+});
+
 static const char contract[] = ZR_SCHEMA({
     "/v1/limits": {
         "get": {
@@ -387,7 +489,7 @@ static const char health[] = ZR_SCHEMA({
     }
 });
 
-static const char *const others[] = {assets, contract, drake, health};
+static const char *const others[] = {assets, contract, drake, health, page};
 
 static const char components[] = ZR_SCHEMA({
     "securitySchemes": {
@@ -481,6 +583,7 @@ void openapi_print(struct zr_buffer *out, const struct zr_limits *limits)
         {"name": "render", "description": "Pictures."},
         {"name": "assets", "description": "Files that scenes name by their hash."},
         {"name": "contract", "description": "This description and the schema of scenes."},
+        {"name": "page", "description": "The page and its examples."}, {"name": "agents", "description": "Tools of agents."},
         {"name": "daemon", "description": "State and limits."}
     ]));
     zr_print_begin(&print, "paths", '{');
@@ -493,6 +596,7 @@ void openapi_print(struct zr_buffer *out, const struct zr_limits *limits)
     zr_print_begin(&print, "schemas", '{');
     zr_schema_print_all(&print, limits, refs);
     zr_print_json(&print, "problem", problem);
+    zr_print_members(&print, page_schemas);
     zr_print_end(&print, '}');
     zr_print_end(&print, '}');
     zr_print_end(&print, '}');

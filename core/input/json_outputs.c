@@ -105,6 +105,7 @@ const struct zr_json_object zr_json_object_output = ZR_JSON_SHOWN_OBJECT("output
                 "if": {"properties": {"encoding": false}}, "then": {"properties": {"channel": {"const": "color"}}},
                 "else": {"properties": {"encoding": {"enum": ["png", "png16", "jpeg", "webp"]}}}
             },
+            "to": {"properties": {"channel": {"const": "flow"}}},
             "x": {"properties": {"channel": {"const": "fragments"}}},
             "y": {"properties": {"channel": {"const": "fragments"}}}
         }
