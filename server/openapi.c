@@ -77,7 +77,7 @@ static void print_pictures(struct zr_print *print)
 {
     zr_print_begin(print, "content", '{');
     for (int i = 0; i < ZR_ENCODING_COUNT; i++) {
-        bool is_new = true;
+        bool is_new = i != ZR_ENCODING_ZIP; /* below, with that of several outputs */
         for (int k = 0; k < i; k++)
             is_new &= strcmp(zr_file_kinds[i].type, zr_file_kinds[k].type) != 0;
         if (!is_new) continue;
@@ -122,15 +122,7 @@ static void print_render(struct zr_print *print, const struct zr_limits *limits)
     zr_print_begin(print, "post", '{');
     zr_print_members(print, ZR_SCHEMA({
         "operationId": "render", "tags": ["render"], "summary": "Draw a scene or a model",
-        "description": [
-            "O", "n", "e", " ", "o", "u", "t", "p", "u", "t", " ", "i", "s", " ", "a", "n", "s", "w", "e", "r", "e",
-            "d", " ", "a", "s", " ", "i", "t", "s", " ", "f", "i", "l", "e", ",", " ", "s", "e", "v", "e", "r", "a",
-            "l", " ", "a", "s", " ", "a", " ", "Z", "I", "P", " ", "a", "r", "c", "h", "i", "v", "e", ".", " ", "P",
-            "a", "r", "a", "m", "e", "t", "e", "r", "s", " ", "s", "e", "t", " ", "k", "e", "y", "s", " ", "o", "f",
-            " ", "t", "h", "e", " ", "s", "c", "e", "n", "e", ";", " ", "t", "h", "o", "s", "e", " ", "o", "f", " ",
-            "m", "o", "d", "e", "l", "s", " ", "a", "r", "e", " ", "r", "e", "f", "u", "s", "e", "d", " ", "w", "i",
-            "t", "h", " ", "s", "c", "e", "n", "e", "s", "."
-        ]
+        "description": "One output is answered as its file, several as a ZIP archive. Parameters set keys of the scene."
     }));
     zr_parameters_print(print, limits);
     print_body(print);
@@ -158,13 +150,7 @@ static const char assets[] = ZR_SCHEMA({
     "/v1/assets": {
         "post": {
             "operationId": "addAsset", "tags": ["assets"], "summary": "Store a file",
-            "description": [
-                "T", "h", "e", " ", "d", "a", "e", "m", "o", "n", " ", "c", "o", "m", "p", "u", "t", "e", "s", " ",
-                "t", "h", "e", " ", "h", "a", "s", "h", ",", " ", "b", "y", " ", "w", "h", "i", "c", "h", " ", "s",
-                "c", "e", "n", "e", "s", " ", "n", "a", "m", "e", " ", "t", "h", "e", " ", "f", "i", "l", "e", ":",
-                " ", "{", "\"", "a", "s", "s", "e", "t", "\"", ":", " ", "\"", "s", "h", "a", "2", "5", "6", ":", ".",
-                ".", ".", "\"", "}", "."
-            ],
+            "description": "The daemon computes the hash, by which scenes name the file: {\"asset\": \"sha256:...\"}.",
             "requestBody": {
                 "required": true,
                 "content": {
@@ -235,6 +221,108 @@ static const char assets[] = ZR_SCHEMA({
                 "304": {"description": "The client has the file."}, "4XX": {"description": "It is not stored."}
             }
         }
+    }
+});
+
+static const char page[] = ZR_SCHEMA({
+    "/": {
+        "get": {
+            "operationId": "getPage", "tags": ["page"], "summary": "Return the page for browsers", "security": [],
+            "responses": {
+                "200": {"description": "The page.", "content": {"text/html": {"schema": {"type": "string"}}}},
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/v1/looks": {
+        "get": {
+            "operationId": "getLooks", "tags": ["page"], "summary": "Return all looks with their versions",
+            "responses": {
+                "200": {
+                    "description": "The looks.",
+                    "content": {"application/json": {"schema": {"$ref": "#/components/schemas/looks"}}}
+                },
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/v1/examples": {
+        "get": {
+            "operationId": "getExamples", "tags": ["page"], "summary": "Return the names of the examples",
+            "responses": {
+                "200": {
+                    "description": "The examples.",
+                    "content": {"application/json": {"schema": {"$ref": "#/components/schemas/examples"}}}
+                },
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/v1/examples/{name}": {
+        "parameters": [
+            {"name": "name", "in": "path", "required": true, "description": "Name of a scene or of one of its files.",
+             "schema": {"type": "string"}}
+        ],
+        "get": {
+            "operationId": "getExample", "tags": ["page"], "summary": "Return a scene or a file of the examples",
+            "responses": {
+                "200": {
+                    "description": "The file.",
+                    "content": {
+                        "application/json": {"schema": {"$ref": "#/components/schemas/scene"}},
+                        "application/octet-stream": {
+                            "schema": {"type": "string", "contentMediaType": "application/octet-stream"}
+                        }
+                    }
+                },
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
+    "/mcp": {
+        "post": {
+            "operationId": "callAgentTool", "tags": ["agents"], "summary": "Serve the Model Context Protocol",
+            "requestBody": {
+                "required": true,
+                "content": {"application/json": {"schema": {"$ref": "#/components/schemas/jsonRpc"}}}
+            },
+            "responses": {
+                "200": {
+                    "description": "The reply.",
+                    "content": {"application/json": {"schema": {"$ref": "#/components/schemas/jsonRpc"}}}
+                },
+                "202": {"description": "A notification was taken."},
+                "4XX": {"$ref": "#/components/responses/problem"},
+                "default": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    }
+});
+
+static const char page_schemas[] = ZR_SCHEMA({
+    "looks": {
+        "type": "object", "required": ["looks"],
+        "properties": {"looks": {"type": "array", "items": {
+            "type": "object", "required": ["name", "text", "versions"],
+            "properties": {
+                "name": {"type": "string"}, "text": {"type": "string"},
+                "versions": {"type": "array", "items": {"type": "integer"}}
+            }
+        }}}
+    },
+    "examples": {
+        "type": "object", "required": ["examples"],
+        "properties": {"examples": {"type": "array", "items": {
+            "type": "object", "required": ["name", "title", "files"],
+            "properties": {
+                "name": {"type": "string"}, "title": {"type": "string"},
+                "files": {"type": "array", "items": {"type": "string"}}
+            }
+        }}}
+    },
+    "jsonRpc": {
+        "description": "A message of JSON-RPC 2.0.", "type": "object", "required": ["jsonrpc"],
+        "properties": {"jsonrpc": {"const": "2.0"}, "method": {"type": "string"}, "params": {"type": "object"}}
     }
 });
 
@@ -401,7 +489,7 @@ static const char health[] = ZR_SCHEMA({
     }
 });
 
-static const char *const others[] = {assets, contract, drake, health};
+static const char *const others[] = {assets, contract, drake, health, page};
 
 static const char components[] = ZR_SCHEMA({
     "securitySchemes": {
@@ -495,6 +583,7 @@ void openapi_print(struct zr_buffer *out, const struct zr_limits *limits)
         {"name": "render", "description": "Pictures."},
         {"name": "assets", "description": "Files that scenes name by their hash."},
         {"name": "contract", "description": "This description and the schema of scenes."},
+        {"name": "page", "description": "The page and its examples."}, {"name": "agents", "description": "Tools of agents."},
         {"name": "daemon", "description": "State and limits."}
     ]));
     zr_print_begin(&print, "paths", '{');
@@ -507,6 +596,7 @@ void openapi_print(struct zr_buffer *out, const struct zr_limits *limits)
     zr_print_begin(&print, "schemas", '{');
     zr_schema_print_all(&print, limits, refs);
     zr_print_json(&print, "problem", problem);
+    zr_print_members(&print, page_schemas);
     zr_print_end(&print, '}');
     zr_print_end(&print, '}');
     zr_print_end(&print, '}');

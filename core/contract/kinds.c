@@ -248,6 +248,18 @@ static const struct {
             {"$ref": "#/$defs/bytes"}
         ]
     }), NONE},
+    {"coefficients", ZR_SCHEMA({
+        "description": "Coefficients of a lens.", "type": "array",
+        "items": {"type": "number", "minimum": -1e6, "maximum": 1e6}
+    }), NONE},
+    {"coefficientList", ZR_SCHEMA({
+        "description": "k1, k2, p1, p2, k3, k4, k5, k6 of OpenCV; further ones are 0.",
+        "$ref": "#/$defs/coefficients", "type": "array",
+        "anyOf": [
+            {"maxItems": 0}, {"minItems": 4, "maxItems": 5}, {"minItems": 8, "maxItems": 8},
+            {"minItems": 12, "maxItems": 12}, {"minItems": 14, "maxItems": 14}
+        ]
+    }), NONE},
     {"positions", ZR_SCHEMA({
         "anyOf": [{"type": "array", "items": {"$ref": "#/$defs/position"}}, {"$ref": "#/$defs/bytes"}]
     }), NONE},

@@ -237,6 +237,7 @@ static void print_channels(struct zr_print *print)
             zr_print_end(print, '}');
         }
         zr_print_end(print, '}');
+        if (c == ZR_CHANNEL_FLOW) zr_print_members(print, ZR_SCHEMA({"not" : {"properties" : {"to" : false}}}));
         if (c == ZR_CHANNEL_FRAGMENTS)
             zr_print_members(
                 print,

@@ -38,10 +38,21 @@ enum { MODEL, K, P };
 static const struct zr_json_field distortion_fields[] = {
     [MODEL] = {"model", zr_json_choice, offsetof(struct given_lens, model), .words = &model_names,
                .otherwise = "opencv", .text = "opencv: the rational model of Brown and Conrady; or OpenCV's fisheye"},
-    [K] = {"k", read_radial, 0, COEFFICIENTS, .otherwise = "[0]", .text = "k1 to k6, of a fisheye k1 to k4"},
+    [K] = {"k", read_radial, 0, COEFFICIENTS, .otherwise = "[0]", .text = "k1 to k6, of a fisheye k1 to k4",
+           .schema = ZR_SCHEMA({"$ref" : "#/$defs/coefficients", "minItems" : 1, "maxItems" : 6})},
     [P] = {"p", read_tangential, offsetof(struct given_lens, p), COEFFICIENTS, .otherwise = "[0,0]",
-           .text = "p1 and p2 of the model opencv"}};
-const struct zr_json_object zr_json_object_distortion = ZR_JSON_OBJECT_OF("distortion", distortion_fields);
+           .text = "p1 and p2 of the model opencv",
+           .schema = ZR_SCHEMA({"$ref" : "#/$defs/coefficients", "minItems" : 2, "maxItems" : 2})}};
+/* clang-format off */
+const struct zr_json_object zr_json_object_distortion = ZR_JSON_RULED_OBJECT("distortion", distortion_fields, {
+    "dependentSchemas": {
+        "model": {
+            "if": {"properties": {"model": {"const": "fisheye"}}},
+            "then": {"properties": {"k": {"maxItems": 4}, "p": false}}
+        }
+    }
+});
+/* clang-format on */
 
 static bool read_object(struct zr_json *json, const struct zr_json_path *path, struct zr_lens *lens)
 {

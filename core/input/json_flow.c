@@ -13,9 +13,14 @@ static const struct zr_json_field fields[] = {
     [VIEW] = {"view", zr_json_place, AT(view), .object = &zr_json_object_view, .otherwise = "that of the picture",
               .text = "pose and projection of the camera"},
     [POSES] = {"poses", zr_json_place, AT(poses), .otherwise = "those of the picture",
-               .text = "matrices of nodes, by their names"}};
+               .text = "matrices of nodes, by their names",
+               .schema = ZR_SCHEMA({"type" : "object", "additionalProperties" : {"$ref" : "#/$defs/affine"}})}};
 #undef AT
-const struct zr_json_object zr_json_object_flow = ZR_JSON_OBJECT_OF("flow", fields);
+/* clang-format off */
+const struct zr_json_object zr_json_object_flow = ZR_JSON_RULED_OBJECT("flow", fields, {
+    "minProperties": 1, "dependentSchemas": {"view": {"properties": {"view": {"properties": {"camera": false}}}}}
+});
+/* clang-format on */
 
 bool zr_read_flow(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {

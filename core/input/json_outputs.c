@@ -92,6 +92,10 @@ const struct zr_json_object zr_json_object_output = ZR_JSON_SHOWN_OBJECT("output
         "dependentSchemas": {
             "scale": {"properties": {"encoding": {"const": "png16"}}},
             "range": {"properties": {"channel": {"const": "depth"}}},
+            "encoding": {
+                "if": {"properties": {"channel": {"const": "position"}, "encoding": {"const": "png"}}},
+                "then": {"not": {"properties": {"space": false}}, "properties": {"space": {"const": "nocs"}}}
+            },
             "quality": {"properties": {"encoding": {"enum": ["jpeg", "webp"]}, "lossless": {"const": false}}},
             "lossless": {
                 "if": {"properties": {"lossless": {"const": true}}},
@@ -101,6 +105,7 @@ const struct zr_json_object zr_json_object_output = ZR_JSON_SHOWN_OBJECT("output
                 "if": {"properties": {"encoding": false}}, "then": {"properties": {"channel": {"const": "color"}}},
                 "else": {"properties": {"encoding": {"enum": ["png", "png16", "jpeg", "webp"]}}}
             },
+            "to": {"properties": {"channel": {"const": "flow"}}},
             "x": {"properties": {"channel": {"const": "fragments"}}},
             "y": {"properties": {"channel": {"const": "fragments"}}}
         }

@@ -169,6 +169,40 @@ const struct zr_json_object zr_json_object_scene = ZR_JSON_SHOWN_OBJECT("scene",
         "not": {"properties": {"meshes": {"maxItems": 0}, "polygons": {"maxItems": 0}}},
         "dependentSchemas": {
             "views": {"properties": {"turntable": false, "orbit": false, "animate": false}},
+            "render": {
+                "if": {"properties": {"render": {"const": false}}},
+                "then": {
+                    "properties": {
+                        "outputs": {"items": {"properties": {"channel": {"const": "info"}}}},
+                        "visibility": {"const": false}
+                    }
+                }
+            },
+            "visibility": {
+                "if": {"properties": {"visibility": {"const": true}}},
+                "then": {
+                    "not": {"properties": {"outputs": false}},
+                    "properties": {
+                        "outputs": {"contains": {"properties": {"channel": {"enum": ["info", "masks"]}}}},
+                        "base": false, "sections": false, "algorithm": {"not": {"const": "painter"}}
+                    }
+                }
+            },
+            "algorithm": {
+                "if": {"properties": {"algorithm": {"const": "painter"}}},
+                "then": {
+                    "properties": {
+                        "outputs": {
+                            "items": {
+                                "properties": {
+                                    "channel": {"not": {"enum": ["layers", "thickness", "fragments", "masks"]}}
+                                }
+                            }
+                        }
+                    }
+                }
+            },
+            "base": {"properties": {"sections": false}},
             "turntable": {
                 "properties": {
                     "orbit": false, "animate": false,

@@ -120,8 +120,9 @@ const struct zr_json_field zr_view_fields[] = {
                                    .text = "projection from eye space to OpenGL's clip space"},
     [ZR_VIEW_DISTORTION] = {"distortion", zr_read_distortion, VIEW(lens), .object = &zr_json_object_distortion,
                             .otherwise = "none",
-                            .text =
-                                "distortion of the lens, also as the list k1, k2, p1, p2, k3, k4, k5, k6 of OpenCV"},
+                            .text = "distortion of the lens, also as the list k1, k2, p1, p2, k3, k4, k5, k6 of OpenCV",
+                            .schema = ZR_SCHEMA(
+                                {"anyOf" : [ {"$ref" : "#/$defs/coefficientList"}, {"$ref" : "#/$defs/distortion"} ]})},
     [ZR_VIEW_ZNEAR] = {"znear", zr_json_length, VIEW(znear), .unit = "scene units",
                        .otherwise = "just in front of the geometry", .text = "distance of the near plane"},
     [ZR_VIEW_ZFAR] = {"zfar", zr_json_length, VIEW(zfar), .unit = "scene units",
@@ -175,7 +176,11 @@ const struct zr_json_object zr_json_object_view = ZR_JSON_SHOWN_OBJECT("view", z
                     "znear": {"exclusiveMinimum": 0}, "zfar": {"exclusiveMinimum": 0}
                 }
             },
-            "orthographic": {"properties": {"intrinsics": false, "K": false, "projectionMatrix": false}},
+            "orthographic": {
+                "properties": {
+                    "intrinsics": false, "K": false, "projectionMatrix": false, "distortion": {"maxItems": 0}
+                }
+            },
             "intrinsics": {
                 "properties": {
                     "K": false, "projectionMatrix": false, "znear": {"exclusiveMinimum": 0},
@@ -187,7 +192,7 @@ const struct zr_json_object zr_json_object_view = ZR_JSON_SHOWN_OBJECT("view", z
                     "projectionMatrix": false, "znear": {"exclusiveMinimum": 0}, "zfar": {"exclusiveMinimum": 0}
                 }
             },
-            "projectionMatrix": {"properties": {"znear": false, "zfar": false}},
+            "projectionMatrix": {"properties": {"znear": false, "zfar": false, "distortion": {"maxItems": 0}}},
             "pixelCenter": {"not": {"properties": {"intrinsics": false, "K": false}}},
             "convention": {
                 "if": {"properties": {"convention": {"const": "opencv"}}},

@@ -64,7 +64,7 @@ class Scenes {
         if ('const' in schema) return schema.const;
         if (schema.enum) return this.pick(schema.enum);
         const any = schema.anyOf ?? schema.oneOf;
-        if (any && !schema.properties) return this.value(this.pick(any), depth);
+        if (any && !schema.type) return this.value(this.pick(any), depth);
         switch (schema.type) {
         case 'number': return this.number(schema);
         case 'integer': return Math.round(Math.min(Math.max(this.number(schema), schema.minimum ?? 0), schema.maximum ?? 1e6));
