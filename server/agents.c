@@ -74,10 +74,10 @@ static void *allocate(void *context, size_t size)
 }
 
 /* The scene is unpacked already. */
-static enum body_status unpack(const struct request *request, size_t max, struct zr_arena *arena,
+static enum body_status unpack(const struct service *service, const struct request *request, struct zr_arena *arena,
                                const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
 {
-    (void)max;
+    (void)service;
     (void)arena;
     (void)cancel;
     (void)answer;
