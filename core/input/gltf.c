@@ -111,7 +111,7 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
     struct zr_json *json = &file->root.json;
     json->assets = &file->root.assets;
     json->uris = &file->uris;
-    file->uris.kept = request->texts;
+    file->uris = (struct zr_json_uris){.arena = json->arena, .cancel = json->cancel, .kept = request->texts};
     zr_json_open(json, text.bytes, text.size);
     uint64_t keys;
     if (file->root.assets.uses && zr_gltf_fields(file, json, NULL, &zr_gltf_root, file->places, &keys) &&

@@ -106,7 +106,8 @@ bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, con
     struct zr_json *json = &file->root.json;
     if (is_data(uri)) {
         struct zr_reason reason;
-        const enum zr_status status = zr_json_uri_decode(json, uri->text, uri->size, &out->bytes, &out->size, &reason);
+        const enum zr_status status =
+            zr_json_uri_decode(&file->uris, uri->text, uri->size, &out->bytes, &out->size, &reason);
         return status == ZR_OK || (status == ZR_BAD_SCENE && zr_json_fault(json, path, "%s", reason.text));
     }
     const struct zr_asset *part = zr_file_part_find(&file->root.assets, json->arena, uri->text);

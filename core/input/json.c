@@ -153,9 +153,9 @@ static const char *pass_uri(struct zr_json *json, const char *at, bool *has_esca
     const struct zr_json_uri *noted = zr_json_uri_at(json->uris, at);
     *has_escapes = false;
     if (noted) return at + noted->size + 1;
-    if (zr_json_uri_find(json, at, &uri)) return at + uri.size + 1;
+    if (zr_json_uri_find(json->uris, at, json->end, &uri)) return at + uri.size + 1;
     const char *behind = pass_bytes(json, at, has_escapes);
-    if (behind && !*has_escapes && uri.size > 0 && behind == at + uri.size + 1) zr_json_uri_note(json, &uri);
+    if (behind && !*has_escapes && uri.size > 0 && behind == at + uri.size + 1) zr_json_uri_note(json->uris, &uri);
     return behind;
 }
 

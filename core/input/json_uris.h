@@ -6,8 +6,10 @@
 #ifndef ZR_JSON_URIS_H
 #define ZR_JSON_URIS_H
 
+#include "base/arena.h"
+#include "base/cancel.h"
 #include "base/hash.h"
-#include "input/json.h"
+#include "core.h"
 #include "input/text.h"
 
 /* The size of the least URI that is noted, and the number of those. */
@@ -23,6 +25,8 @@ struct zr_json_uri {
 };
 
 struct zr_json_uris {
+    struct zr_arena *arena;
+    const struct zr_cancel *cancel;
     struct zr_kept_texts kept;
     size_t count, room;
     struct zr_json_uri *items; /* in the order of the text */
@@ -31,16 +35,16 @@ struct zr_json_uris {
 /* Returns the URI whose text begins at `text`, the byte behind the opening quote. NULL: it is not noted. */
 const struct zr_json_uri *zr_json_uri_at(const struct zr_json_uris *uris, const char *text);
 
-/* Looks among the kept texts for the string that begins at `text`. Sets its size and its hash, or size 0 if it is
- * short. True if it is kept; it is then noted. */
-bool zr_json_uri_find(struct zr_json *json, const char *text, struct zr_json_uri *uri);
+/* Looks among the kept texts for the string that begins at `text`, of a document up to `end`. Sets its size and its
+ * hash, or size 0 if it is short. True if it is kept; it is then noted. */
+bool zr_json_uri_find(struct zr_json_uris *uris, const char *text, const char *end, struct zr_json_uri *uri);
 
 /* Notes a URI behind all others. Drops it if there is no room. */
-void zr_json_uri_note(struct zr_json *json, const struct zr_json_uri *uri);
+void zr_json_uri_note(struct zr_json_uris *uris, const struct zr_json_uri *uri);
 
 /* Decodes a noted URI, or another one of `size` bytes at `text`, into the arena. Takes the bytes that the caller keeps,
  * and charges the arena for as much as decoding. ZR_OK, ZR_NO_MEMORY, or ZR_BAD_SCENE with the reason. */
-enum zr_status zr_json_uri_decode(struct zr_json *json, const char *text, size_t size, const void **bytes,
+enum zr_status zr_json_uri_decode(struct zr_json_uris *uris, const char *text, size_t size, const void **bytes,
                                   size_t *byte_count, struct zr_reason *reason);
 
 #endif

@@ -6,7 +6,7 @@
 #ifndef ZR_FLOW_H
 #define ZR_FLOW_H
 
-#include "scene/resolved_view.h"
+#include "scene/view_camera.h"
 
 struct zr_flow {
     uint32_t output;         /* number of the output, for messages */

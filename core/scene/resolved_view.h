@@ -9,8 +9,7 @@
 #include "base/arena.h"
 #include "base/status.h"
 #include "core.h"
-#include "scene/camera.h"
-#include "scene/scene.h"
+#include "scene/view_camera.h"
 
 /* Result of zr_resolved_view_find (core.h). */
 struct zr_resolved_view {
@@ -21,17 +20,6 @@ struct zr_resolved_view {
     const struct zr_lens_plan *lens; /* scene/lens_plan.h; NULL: none */
     struct zr_camera flow_camera;    /* of the target of the channel flow, if that is an output */
 };
-
-/* Computes the camera of a view. `bounds` are used only if zr_view_needs_bounds. ZR_BAD_SCENE if the view has no
- * solution (the eye is at the target, up is along the view, no distance shows the target), if a matrix entry is beyond
- * ZR_MATRIX_MAX, or if the scene is strict and zr_view_warns. ZR_CANCELLED by `cancel`. */
-enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_view *view,
-                                 const struct zr_bounds *bounds, struct zr_team *team, const struct zr_cancel *cancel,
-                                 struct zr_camera *camera, struct zr_error *error);
-
-/* Writes a warning about the view into `text`. False: no warning. */
-enum { ZR_VIEW_WARNING_SIZE = 160 };
-bool zr_view_warns(const struct zr_camera *camera, char text[ZR_VIEW_WARNING_SIZE]);
 
 /* ---- the z-buffer of a base that has eye-space depth only ----
  *

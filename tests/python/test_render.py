@@ -391,7 +391,7 @@ class Pictures(unittest.TestCase):
         names = ["color", "depth", "windowDepth", "distance", "normals", "position", "texcoord", "barycentrics"]
         names += ["instanceId", "faceId", "frontFacing", "layers", "thickness"]
         all_of_them = zraster.Renderer().tables["channels"]
-        self.assertEqual({row["name"] for row in all_of_them} - set(names), {"info", "fragments", "masks"})
+        self.assertEqual({row["name"] for row in all_of_them} - set(names), {"info", "fragments", "masks", "flow"})
         last = {"color": 3, "normals": 3, "position": 3, "barycentrics": 3, "texcoord": 2}
         types = dict.fromkeys(names[1:8], "float32") | {"color": "uint8", "thickness": "float32"}
         picture = zraster.render(SCENE, names)

@@ -234,7 +234,7 @@ TEST(wrong_frames_are_refused)
         enum zr_status status;
         const char *detail;
     } cases[] = {
-        {text, {.frames = "0"}, ZR_BAD_SCENE, "parameter frames: 0 views; 1 to 4096 are allowed"},
+        {text, {.frames = "0"}, ZR_BAD_REQUEST, "parameter frames: '0' is not a whole number from 1 to 4096"},
         {text, {.frames = "-1"}, ZR_BAD_REQUEST, "parameter frames: '-1' is not a whole number"},
         {text,
          {.frames = "2", .time = "4"},

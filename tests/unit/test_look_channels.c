@@ -27,8 +27,9 @@ static const char *data(const char *before, const char *behind)
     int used = snprintf(text, sizeof text, "%s", before);
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
         if (zr_channel_rows[c].values == ZR_VALUES_FLOAT32 || zr_channel_rows[c].values == ZR_VALUES_UINT32)
-            used += snprintf(text + used, sizeof text - (size_t)used, "%s{\"channel\": \"%s\"}", used ? ", " : "",
-                             zr_channel_rows[c].name);
+            used += snprintf(text + used, sizeof text - (size_t)used, "%s{\"channel\": \"%s\"%s}", used ? ", " : "",
+                             zr_channel_rows[c].name,
+                             c == ZR_CHANNEL_FLOW ? ", \"to\": {\"view\": {\"preset\": \"front\"}}" : "");
     snprintf(text + used, sizeof text - (size_t)used, "%s%s", *behind ? ", " : "", behind);
     return text;
 }

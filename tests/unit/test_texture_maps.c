@@ -10,10 +10,11 @@ static void open_arena(void)
     zr_arena_init(&arena, (size_t)1 << 24);
 }
 
-/* A scene of one image and one texture. */
+/* A scene of one image and one texture, which its material has. */
 struct test {
     struct zr_image image;
     struct zr_texture texture;
+    struct zr_material material;
     struct zr_scene scene;
     struct zr_texture_maps maps;
 };
@@ -22,8 +23,13 @@ static void make(struct test *test, uint32_t width, uint32_t height, uint32_t bi
 {
     test->image = (struct zr_image){width, height, bits, texels, NULL};
     test->texture.is_color = true;
-    test->scene =
-        (struct zr_scene){.image_count = 1, .images = &test->image, .texture_count = 1, .textures = &test->texture};
+    test->material.textures[0] = 1;
+    test->scene = (struct zr_scene){.image_count = 1,
+                                    .images = &test->image,
+                                    .texture_count = 1,
+                                    .textures = &test->texture,
+                                    .material_count = 1,
+                                    .materials = &test->material};
     assert_int_equal(zr_texture_maps_make(&arena, NULL, &test->scene, decode, NULL, &test->maps), ZR_OK);
 }
 
@@ -52,6 +58,19 @@ TEST(no_level_is_made_that_nobody_looks_at)
     make(&test, 64, 64, 8, texels, true);
     assert_int_equal(test.maps.of[0].level_count, 1);
     assert_true(zr_texture_maps_measure(&test.scene, false).texels == 0.0);
+    zr_arena_free(&arena);
+}
+
+TEST(a_texture_that_no_material_has_gets_no_levels)
+{
+    static const uint8_t texels[64 * 64 * 4];
+    struct test test = {.texture.minify = ZR_FILTER_LINEAR_MIPMAP_LINEAR};
+    open_arena();
+    make(&test, 64, 64, 8, texels, true);
+    assert_true(test.maps.of[0].level_count > 1);
+    test.scene.material_count = 0;
+    assert_int_equal(zr_texture_maps_make(&arena, NULL, &test.scene, true, NULL, &test.maps), ZR_OK);
+    assert_int_equal(test.maps.of[0].level_count, 0);
     zr_arena_free(&arena);
 }
 
