@@ -605,7 +605,7 @@ $(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a $(BUILD)/libcore.
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
 $(BUILD)/tests/unit/test_mcp: $(mcp)
-$(BUILD)/tests/unit/test_schema: $(BUILD)/server/openapi.o
+$(BUILD)/tests/unit/test_schema: $(BUILD)/server/openapi.o $(BUILD)/server/openapi_texts.o
 $(BUILD)/tests/unit/test_framing: $(BUILD)/server/framing.o
 $(BUILD)/tests/unit/test_accept: $(BUILD)/server/accept.o
 $(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o

@@ -189,17 +189,8 @@ enum request_next agents_work(const struct service *service, const struct reques
     struct agents agents = {service, request, arena, cancel, times};
     struct zr_request body;
     const struct zr_cancel *reading = request->small_only ? cancel->parent : cancel;
-    switch (body_unpack(request, (size_t)service->config->body_max_bytes, arena, reading, &body, answer)) {
-    case BODY_READY:
-        return answer_message(&agents, &body, answer);
-    case BODY_REFUSED:
-        return REQUEST_ANSWERED;
-    case BODY_LARGE:
-        return REQUEST_LARGE;
-    case BODY_CANCELLED:
-        if (request->small_only) return REQUEST_LARGE;
-        problem_timeout(answer, service->config->render_timeout_ms);
-        return REQUEST_ANSWERED;
-    }
-    return REQUEST_ANSWERED;
+    const enum body_status status =
+        body_unpack(request, (size_t)service->config->body_max_bytes, arena, reading, &body, answer);
+    return status == BODY_READY ? answer_message(&agents, &body, answer)
+                                : body_next(status, request, service->config->render_timeout_ms, answer);
 }

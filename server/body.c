@@ -113,3 +113,12 @@ enum body_status body_unpack(const struct request *request, size_t max, struct z
     if (status != BODY_READY) return status;
     return use_parts(parts, arena, render, answer) ? BODY_READY : BODY_REFUSED;
 }
+
+enum request_next body_next(enum body_status status, const struct request *request, uint64_t timeout_ms,
+                            struct answer *answer)
+{
+    if (status == BODY_READY) return REQUEST_WORK;
+    if (status == BODY_LARGE || (status == BODY_CANCELLED && request->small_only)) return REQUEST_LARGE;
+    if (status == BODY_CANCELLED) problem_timeout(answer, timeout_ms);
+    return REQUEST_ANSWERED;
+}

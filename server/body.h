@@ -22,4 +22,9 @@ enum body_status body_split(const struct request *request, size_t max, struct zr
 enum body_status body_unpack(const struct request *request, size_t max, struct zr_arena *arena,
                              const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer);
 
+/* Returns what follows: REQUEST_WORK if the body is ready, REQUEST_LARGE, or REQUEST_ANSWERED; the answer is then set.
+ * `timeout_ms`: the time that a cancelled request had. */
+enum request_next body_next(enum body_status status, const struct request *request, uint64_t timeout_ms,
+                            struct answer *answer);
+
 #endif

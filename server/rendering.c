@@ -355,18 +355,9 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
     /* A small request is read to its end even after its time: only then is it known whether to hand it on. It has at
      * most REQUEST_SMALL_BYTES. */
     const struct zr_cancel *reading = request->small_only ? cancel->parent : cancel;
-    switch (kind->unpack(service, request, arena, reading, &unpacked, answer)) {
-    case BODY_READY:
-        break;
-    case BODY_REFUSED:
-        return REQUEST_ANSWERED;
-    case BODY_LARGE:
-        return REQUEST_LARGE;
-    case BODY_CANCELLED:
-        if (request->small_only) return REQUEST_LARGE;
-        problem_timeout(answer, service->config->render_timeout_ms);
-        return REQUEST_ANSWERED;
-    }
+    const enum request_next next = body_next(kind->unpack(service, request, arena, reading, &unpacked, answer), request,
+                                             service->config->render_timeout_ms, answer);
+    if (next != REQUEST_WORK) return next;
     if (too_large(&r, unpacked.size > REQUEST_SMALL_BYTES)) return REQUEST_LARGE;
     r.stored = assets_stored(service);
     r.small_left = REQUEST_SMALL_BYTES;

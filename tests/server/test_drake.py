@@ -6,41 +6,22 @@ import math
 import os
 import re
 import struct
-import subprocess
 import unittest
-import urllib.error
-import urllib.request
 import zlib
 
 import numpy
 
-build = os.environ["ZRASTER_BUILD"]
+import daemon
 
 
 # ---- a daemon and its clients ----
 
 
-class Daemon:
-    def __init__(self, *flags):
-        command = [os.path.join(build, "zrasterd"), "--port", "0", *flags]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
-
-    def stop(self):
-        self.process.terminate()
-        self.process.wait()
-        self.process.stdout.close()
-
+class Daemon(daemon.Daemon):
     def send(self, path, body=None, **headers):
         """Returns status, type and bytes."""
-        headers = {name.replace("_", "-"): value for name, value in headers.items()}
-        request = urllib.request.Request(self.address + path, body, headers)
-        try:
-            with urllib.request.urlopen(request) as answer:
-                return answer.status, answer.headers["Content-Type"], answer.read()
-        except urllib.error.HTTPError as error:
-            with error:
-                return error.code, error.headers["Content-Type"], error.read()
+        status, headers, data = super().send(path, body, **headers)
+        return status, headers["Content-Type"], data
 
     def post(self, path, parts, **headers):
         """Posts a form; `parts` are pairs of a name and bytes, or a value."""

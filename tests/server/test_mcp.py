@@ -3,18 +3,17 @@ import base64
 import json
 import os
 import random
-import re
 import struct
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
-import urllib.error
-import urllib.request
 import zlib
 
-build = os.environ["ZRASTER_BUILD"]
+import daemon
+
+build = daemon.build
 MODERN = "2026-07-28"
 KEY = "io.modelcontextprotocol/"
 META = {KEY + "protocolVersion": MODERN, KEY + "clientCapabilities": {}}
@@ -27,32 +26,12 @@ BOX = CORNERS + "o block\n" + SIDES
 ASSEMBLY = BOX + "v 30 0 0\nv 40 0 0\nv 40 10 0\nv 30 10 0\no plate\nf 9 10 11 12\n"
 
 
-class Daemon:
-    def __init__(self, *flags):
-        command = [os.path.join(build, "zrasterd"), "--port", "0", *flags]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
-
-    def stop(self):
-        self.process.terminate()
-        self.process.wait()
-        self.process.stdout.close()
-
-    def send(self, path, body, headers, method=None):
-        """Returns status, headers and bytes."""
-        request = urllib.request.Request(self.address + path, body, headers, method=method)
-        try:
-            with urllib.request.urlopen(request) as answer:
-                return answer.status, answer.headers, answer.read()
-        except urllib.error.HTTPError as error:
-            with error:
-                return error.code, error.headers, error.read()
-
+class Daemon(daemon.Daemon):
     def post(self, message, **headers):
         """Posts a message, or bytes, without headers of its own. Returns status and answer."""
         body = message if isinstance(message, bytes) else json.dumps(message).encode()
         head = {"Content-Type": "application/json", **{k.replace("_", "-"): v for k, v in headers.items() if v is not None}}
-        status, _, data = self.send("/mcp", body, head)
+        status, _, data = self.request("/mcp", body, head)
         return status, json.loads(data) if data else None
 
     def ask(self, method, params=None, headers=None, meta=META):
@@ -285,7 +264,7 @@ class Http(unittest.TestCase):
     def test_http(self):
         """Only POST, only JSON, only pages of this machine; gzip as everywhere"""
         for method in ("GET", "DELETE"):
-            status, headers, _ = self.daemon.send("/mcp", None, {}, method)
+            status, headers, _ = self.daemon.request("/mcp", None, {}, method)
             self.assertEqual((status, headers["Allow"]), (405, "POST"))
         ping = json.dumps({"jsonrpc": "2.0", "id": 1, "method": "ping"}).encode()
         kind = {"Content-Type": "application/json"}
@@ -293,11 +272,11 @@ class Http(unittest.TestCase):
             ("http://localhost:3000", 200), ("http://127.0.0.1", 200), ("http://[::1]:80", 200), ("https://LOCALHOST", 200),
             ("http://evil.example", 403), ("http://localhost.evil.example", 403), ("http://127.0.0.1.evil.example", 403), ("null", 403),
         ):
-            self.assertEqual(self.daemon.send("/mcp", ping, {**kind, "Origin": origin})[0], expected, origin)
-        self.assertEqual(self.daemon.send("/mcp", ping, {"Content-Type": "text/plain"})[0], 415)
-        self.assertEqual(self.daemon.send("/mcp", ping, {"Content-Type": "Application/JSON; charset=utf-8"})[0], 200)
+            self.assertEqual(self.daemon.request("/mcp", ping, {**kind, "Origin": origin})[0], expected, origin)
+        self.assertEqual(self.daemon.request("/mcp", ping, {"Content-Type": "text/plain"})[0], 415)
+        self.assertEqual(self.daemon.request("/mcp", ping, {"Content-Type": "Application/JSON; charset=utf-8"})[0], 200)
         packed = zlib.compressobj(wbits=31)
-        self.assertEqual(self.daemon.send("/mcp", packed.compress(ping) + packed.flush(), {**kind, "Content-Encoding": "gzip"})[0], 200)
+        self.assertEqual(self.daemon.request("/mcp", packed.compress(ping) + packed.flush(), {**kind, "Content-Encoding": "gzip"})[0], 200)
 
     def test_limits(self):
         """Token, size of bodies and limits hold as for /v1/render"""
@@ -375,7 +354,7 @@ class Http(unittest.TestCase):
         }
         parts = b"".join(b'--b\r\nContent-Disposition: form-data; name="%s"\r\n\r\n%s\r\n' % (name, data) for name, data in (
             (b"scene", json.dumps(scene).encode()), (b"model", BOX.encode())))
-        status, _, archive = self.daemon.send("/v1/render", parts + b"--b--\r\n", {"Content-Type": "multipart/form-data; boundary=b"})
+        status, _, archive = self.daemon.request("/v1/render", parts + b"--b--\r\n", {"Content-Type": "multipart/form-data; boundary=b"})
         self.assertEqual(status, 200)
         self.assertEqual([block["type"] for block in result["content"]], ["text", "text", "image", "text", "image"])
         for image, kind in images(result):

@@ -7,37 +7,15 @@ import os
 import re
 import subprocess
 import unittest
-import urllib.error
-import urllib.request
 
-build = os.environ["ZRASTER_BUILD"]
+import daemon
+
 TRIANGLE = b'{"polygons": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]}'
 PAGE_MOST = 60000
 SHOWN = ["studio", "technical", "clay", "dark", "metal", "outdoor", "blueprint", "xray", "textbook"]
 
 
-class Daemon:
-    def __init__(self, *flags):
-        command = [os.path.join(build, "zrasterd"), "--port", "0", *flags]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
-
-    def stop(self):
-        self.process.terminate()
-        self.process.wait()
-        self.process.stdout.close()
-
-    def send(self, path, body=None, method=None, **headers):
-        """Returns status, headers and bytes."""
-        headers = {name.replace("_", "-"): value for name, value in headers.items()}
-        request = urllib.request.Request(self.address + path, body, headers, method=method)
-        try:
-            with urllib.request.urlopen(request) as answer:
-                return answer.status, answer.headers, answer.read()
-        except urllib.error.HTTPError as error:
-            with error:
-                return error.code, error.headers, error.read()
-
+class Daemon(daemon.Daemon):
     def render(self, scene, files):
         """Posts a scene and files, {name: bytes}."""
         boundary = b"a1b2c3boundary"
@@ -119,7 +97,7 @@ class Off(Case):
 
     def test_wrong(self):
         """--page takes on and off alone"""
-        done = subprocess.run([os.path.join(build, "zrasterd"), "--page=yes"], capture_output=True, text=True, check=False)
+        done = subprocess.run([os.path.join(daemon.build, "zrasterd"), "--page=yes"], capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (2, "zrasterd: --page: 'yes' is neither on nor off\n"))
 
 

@@ -1,0 +1,34 @@
+"""A daemon on a free port of 127.0.0.1, for tests that need only the standard library."""
+import os
+import re
+import subprocess
+import urllib.error
+import urllib.request
+
+build = os.environ["ZRASTER_BUILD"]
+
+
+class Daemon:
+    def __init__(self, *flags):
+        command = [os.path.join(build, "zrasterd"), "--port", "0", *flags]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
+
+    def stop(self):
+        self.process.terminate()
+        self.process.wait()
+        self.process.stdout.close()
+
+    def request(self, path, body=None, headers=None, method=None):
+        """Returns status, headers and bytes."""
+        request = urllib.request.Request(self.address + path, body, headers or {}, method=method)
+        try:
+            with urllib.request.urlopen(request) as answer:
+                return answer.status, answer.headers, answer.read()
+        except urllib.error.HTTPError as error:
+            with error:
+                return error.code, error.headers, error.read()
+
+    def send(self, path, body=None, method=None, **headers):
+        """The same with headers as keywords: Content_Type="text/plain"."""
+        return self.request(path, body, {name.replace("_", "-"): value for name, value in headers.items()}, method)
