@@ -260,17 +260,20 @@ static bool number_masks(struct joining *j, struct zr_arena *arena, uint32_t ins
     return true;
 }
 
+void zr_instance_mask_make_bits(struct zr_arena *arena, struct zr_instance_mask *mask)
+{
+    const uint32_t *box = mask->amodal.box;
+    mask->left = box[0] / 64 * 64;
+    mask->words = (box[2] - mask->left + 63) / 64;
+    const size_t words = (size_t)mask->words * (box[3] - box[1]);
+    mask->amodal_bits = zr_arena_zero(arena, words, sizeof(uint64_t));
+    mask->visible_bits = zr_arena_zero(arena, words, sizeof(uint64_t));
+}
+
 static bool make_bits(struct joining *j, struct zr_arena *arena)
 {
-    for (uint32_t i = 0; i < j->count; i++) {
-        struct zr_instance_mask *mask = &j->masks[i];
-        const uint32_t *box = mask->amodal.box;
-        mask->left = box[0] / 64 * 64;
-        mask->words = (box[2] - mask->left + 63) / 64;
-        const size_t words = (size_t)mask->words * (box[3] - box[1]);
-        mask->amodal_bits = zr_arena_zero(arena, words, sizeof(uint64_t));
-        mask->visible_bits = zr_arena_zero(arena, words, sizeof(uint64_t));
-    }
+    for (uint32_t i = 0; i < j->count; i++)
+        zr_instance_mask_make_bits(arena, &j->masks[i]);
     return zr_arena_ok(arena);
 }
 

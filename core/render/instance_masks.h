@@ -16,4 +16,7 @@ enum zr_status zr_instance_masks_find(struct zr_arena *arena, struct zr_arena *s
                                       const struct zr_scene *scene, const struct zr_cancel *cancel,
                                       struct zr_frame *frame);
 
+/* Makes room for the bits of a mask, whose `amodal` is set. All are 0. The arena fails without memory. */
+void zr_instance_mask_make_bits(struct zr_arena *arena, struct zr_instance_mask *mask);
+
 #endif

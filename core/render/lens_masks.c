@@ -1,5 +1,7 @@
 #include "render/lens_masks.h"
 
+#include "render/instance_masks.h"
+
 /* Rows of the pinhole picture that a row of the view looks up. */
 struct span {
     size_t first, last; /* first > last: none */
@@ -89,16 +91,6 @@ static void take_masks(void *context, size_t begin, size_t end)
             take_mask(t, &t->from->at[begin], &t->out[begin]);
 }
 
-static void make_bits(struct zr_arena *arena, struct zr_instance_mask *mask)
-{
-    const uint32_t *box = mask->amodal.box;
-    mask->left = box[0] / 64 * 64;
-    mask->words = (box[2] - mask->left + 63) / 64;
-    const size_t words = (size_t)mask->words * (box[3] - box[1]);
-    mask->amodal_bits = zr_arena_zero(arena, words, sizeof(uint64_t));
-    mask->visible_bits = zr_arena_zero(arena, words, sizeof(uint64_t));
-}
-
 enum zr_status zr_lens_masks_take(struct zr_arena *arena, struct zr_team *team, const struct zr_remap *remap,
                                   const struct zr_instance_masks *pinhole, const struct zr_cancel *cancel,
                                   struct zr_frame *frame)
@@ -114,7 +106,7 @@ enum zr_status zr_lens_masks_take(struct zr_arena *arena, struct zr_team *team, 
     zr_team_ranges(team, remap->height, ROWS_A_RANGE, find_spans, &t);
     zr_team_ranges(team, pinhole->count, 1, take_masks, &t);
     for (uint32_t i = 0; i < pinhole->count; i++)
-        make_bits(arena, &t.out[i]);
+        zr_instance_mask_make_bits(arena, &t.out[i]);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     zr_team_ranges(team, pinhole->count, 1, take_masks, &t);
     for (uint32_t i = 0; i < pinhole->count; i++)
