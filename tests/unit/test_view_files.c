@@ -218,7 +218,7 @@ TEST_AROUND(pictures_of_views_without_times_are_no_animation, open_arena, close_
 
 TEST_AROUND(a_webp_of_4_gib_is_refused, open_arena, close_arena)
 {
-    const uint8_t still[] = "RIFF\x0e\0\0\0WEBPVP8L\x02\0\0\0\x2f";
+    const uint8_t still[] = "RIFF\x12\0\0\0WEBPVP8L\x06\0\0\0\x2f\0\0\0\0";
     struct zr_buffer out = {.arena = &arena};
     struct zr_webp_frames frames = {.out = &out, .frames = 9, .seconds = 1, .width = 1, .height = 1};
     assert_int_equal(zr_webp_frames_add(&frames, still, sizeof still - 1), ZR_OK);
