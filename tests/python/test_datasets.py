@@ -190,6 +190,63 @@ class Bop(unittest.TestCase):
                     bop.write(folder, scene, **options)
 
 
+def files_of(folder):
+    found = {}
+    for place, _, names in os.walk(folder):
+        for name in names:
+            with open(os.path.join(place, name), "rb") as file:
+                found[os.path.relpath(os.path.join(place, name), folder)] = file.read()
+    return found
+
+
+class Again(unittest.TestCase):
+    def test_refused(self):
+        """a refused request leaves the data set that is there, and writes nothing into a new folder"""
+        for write in (bop.write, coco.write):
+            with self.subTest(write.__module__), tempfile.TemporaryDirectory() as folder:
+                write(folder, SCENE, orbit={"count": 2})
+                before = files_of(folder)
+                for options in ({"orbit": {"count": 0}}, {"orbit": {"count": 2}, "nonsense": 1}, {}):
+                    with self.assertRaises((zraster.Error, TypeError)):
+                        write(folder, SCENE, **options)
+                    self.assertEqual(files_of(folder), before)
+                    with self.assertRaises((zraster.Error, TypeError)):
+                        write(os.path.join(folder, "new"), SCENE, **options)
+                    self.assertFalse(os.path.exists(os.path.join(folder, "new")))
+
+    def test_broken_off(self):
+        """lists of a data set that breaks off are those of the one before"""
+        views = [{"view": {"azimuthDegrees": 5, "perspective": {"yfovDegrees": 30}}}, {"view": {"preset": "top", "orthographic": {}}}]
+        with tempfile.TemporaryDirectory() as folder:
+            place = bop.write(folder, SCENE, orbit={"count": 1})
+            with open(os.path.join(place, "scene_gt.json")) as file:
+                before = file.read()
+            with self.assertRaises(zraster.Error):
+                bop.write(folder, SCENE, views=views)
+            with open(os.path.join(place, "scene_gt.json")) as file:
+                self.assertEqual(file.read(), before)
+            self.assertFalse([name for name in os.listdir(place) if name.endswith(".part")])
+
+    def test_fewer(self):
+        """pictures of an earlier data set are removed, and no other files"""
+        for write, pictures in ((bop.write, "train_pbr/000000/rgb"), (coco.write, "images")):
+            with self.subTest(write.__module__), tempfile.TemporaryDirectory() as folder:
+                write(folder, SCENE, orbit={"count": 3})
+                with open(os.path.join(folder, pictures, "mine.png"), "w"):
+                    pass
+                write(folder, SCENE, orbit={"count": 1})
+                self.assertEqual(sorted(os.listdir(os.path.join(folder, pictures))), ["000000.png", "mine.png"])
+
+    def test_names(self):
+        """names that no view shows are warned of, and an empty list of names is refused"""
+        for write, key in ((bop.write, "objects"), (coco.write, "categories")):
+            with self.subTest(key), tempfile.TemporaryDirectory() as folder:
+                with self.assertWarnsRegex(zraster.Warning, f"{key}: no view shows nobody; others have "):
+                    write(folder, SCENE, orbit={"count": 1}, **{key: {"nobody": 1}})
+                with self.assertRaisesRegex(zraster.OptionError, f"{key}: no name"):
+                    write(folder, SCENE, orbit={"count": 1}, **{key: {}})
+
+
 @needs_pictures
 class Coco(unittest.TestCase):
     def test_read(self):

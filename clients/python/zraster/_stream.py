@@ -197,15 +197,54 @@ class Numbers:
 
     def __init__(self, key: str, given: Optional[Mapping[str, int]]) -> None:
         expect(given is None or isinstance(given, MappingClass), key, "numbers by the names of nodes or meshes", given)
+        if given is not None and not given:
+            raise OptionError(f"{key}: no name, so nothing would be listed; leave it out to list all meshes")
         self.found: Dict[str, int] = dict(given or {})
+        self._key, self._unused = key, set(self.found)
+        self._names: Set[str] = set()
         self._is_given = given is not None
 
     def of(self, instance: Mapping[str, Any]) -> Optional[int]:
         """Returns the number of an instance; None: it is left out."""
         for key in ("node", "name"):
-            if instance.get(key) in self.found:
-                return self.found[instance[key]]
+            name = instance.get(key)
+            if name in self.found:
+                self._unused.discard(name)
+                return self.found[name]
+            if name is not None:
+                self._names.add(name)
         return None if self._is_given else self.found.setdefault(instance["name"], len(self.found) + 1)
+
+    def warn_of_unused(self) -> None:
+        """Warns of given names that no instance has in any view."""
+        if self._is_given and self._unused:
+            others = f"; others have {', '.join(sorted(self._names))}" if self._names else ""
+            text = f"{self._key}: no view shows {', '.join(sorted(self._unused))}{others}"
+            warnings.warn(text, Warning, stacklevel=3)
+
+
+class Replacing:
+    """A text file that replaces another once it is complete, and leaves it as it is after an error."""
+
+    def __init__(self, path: str) -> None:
+        self._path = path
+        self._file = open(path + ".part", "w")
+        self.write, self.tell = self._file.write, self._file.tell
+
+    def end(self, is_complete: bool) -> None:
+        self._file.close()
+        if is_complete:
+            os.replace(self._path + ".part", self._path)
+        else:
+            os.remove(self._path + ".part")
+
+
+def empty(folder: str) -> None:
+    """Makes the folder, and removes the numbered pictures of an earlier data set from it."""
+    os.makedirs(folder, exist_ok=True)
+    for name in os.listdir(folder):
+        if re.fullmatch(r"[0-9]{6}(_[0-9]{6})?\.png", name):
+            os.remove(os.path.join(folder, name))
 
 
 def pose_of(camera: Camera, instance: Mapping[str, Any]) -> Tuple[Rows, List[float]]:

@@ -7,6 +7,7 @@ scene_gt_info.json. Lengths are in millimetres, matrices by rows, the camera's a
 """
 from __future__ import annotations
 
+import itertools
 import json
 import os
 from typing import Any, Dict, List, Mapping, Optional
@@ -31,7 +32,8 @@ def write(
     **options: Any,
 ) -> str:
     """Draws views and writes their pictures, masks, poses and cameras, each as soon as it is drawn. Returns the folder of
-    the scene.
+    the scene. Pictures of an earlier data set there are removed, once the first view is drawn; its three lists are
+    replaced at the end.
 
     scene: a scene as a dict, the path of a scene or a model, or an object with vertices and faces
     objects: obj_id by the names of nodes or meshes; others are drawn and not listed. Default: meshes, from 1 on
@@ -46,17 +48,20 @@ def write(
     if not unit > 0 or not depth_scale > 0:
         raise OptionError("unit and depth_scale: numbers greater than 0")
     place = os.path.join(os.fspath(folder), split, f"{scene_id:06d}")
-    for name in FOLDERS:
-        os.makedirs(os.path.join(place, name), exist_ok=True)
     numbers = _stream.Numbers("objects", objects)
     outputs: List[Dict[str, Any]] = [
         {"channel": "color", "encoding": "png"},
         {"channel": "depth", "encoding": "png16", "scale": depth_scale / unit},
         {"channel": "masks", "encoding": "zip"},
     ]
+    views = _stream.draw(scene, outputs, options)
+    first = next(views)  # a refused request has written nothing
+    for name in FOLDERS:
+        _stream.empty(os.path.join(place, name))
     with _Lists(place) as lists:
-        for view in _stream.draw(scene, outputs, options):
+        for view in itertools.chain([first], views):
             _put_view(place, lists, view, numbers, unit, depth_scale)
+    numbers.warn_of_unused()
     return place
 
 
@@ -64,7 +69,8 @@ class _Lists:
     """The three files with an object per picture, written picture by picture."""
 
     def __init__(self, place: str) -> None:
-        self._files = [open(os.path.join(place, f"scene_{name}.json"), "w") for name in ("camera", "gt", "gt_info")]
+        names = ("camera", "gt", "gt_info")
+        self._files = [_stream.Replacing(os.path.join(place, f"scene_{name}.json")) for name in names]
 
     def add(self, number: int, *values: Any) -> None:
         for file, value in zip(self._files, values):
@@ -73,10 +79,10 @@ class _Lists:
     def __enter__(self) -> "_Lists":
         return self
 
-    def __exit__(self, *_: Any) -> None:
+    def __exit__(self, error: Any, *_: Any) -> None:
         for file in self._files:
-            file.write("\n}\n" if file.tell() else "{}\n")
-            file.close()
+            file.write("\n}\n")
+            file.end(is_complete=error is None)
 
 
 def _flat(rows: Any) -> List[float]:

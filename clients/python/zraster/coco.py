@@ -6,9 +6,10 @@ makes cups/images/000000.png, ... and cups/annotations.json, with a box, an area
 """
 from __future__ import annotations
 
+import itertools
 import json
 import os
-from typing import Any, Dict, List, Mapping, Optional, Tuple
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple
 
 from . import _stream
 from ._errors import OptionError
@@ -25,6 +26,7 @@ def write(
     **options: Any,
 ) -> str:
     """Draws views and writes their pictures and annotations, each as soon as it is drawn. Returns the path of the file.
+    Pictures of an earlier data set there are removed, once the first view is drawn; its file is replaced at the end.
 
     scene: a scene as a dict, the path of a scene or a model, or an object with vertices and faces
     categories: numbers by the names of nodes or meshes; others are drawn and not listed. Default: meshes, from 1 on
@@ -38,24 +40,38 @@ def write(
         raise OptionError(f"segmentation: {segmentation!r}: rle or polygons")
     place = os.fspath(folder)
     path = os.path.join(place, "annotations.json")
-    os.makedirs(os.path.join(place, "images"), exist_ok=True)
     numbers = _stream.Numbers("categories", categories)
+    views = _stream.draw(scene, [{"channel": "color", "encoding": "png"}], options, needs_pinhole=False)
+    first = next(views)  # a refused request has written nothing
+    _stream.empty(os.path.join(place, "images"))
+    file = _stream.Replacing(path)
+    is_complete = False
+    try:
+        _put_views(place, file, itertools.chain([first], views), numbers, segmentation)
+        is_complete = True
+    finally:
+        file.end(is_complete)
+    numbers.warn_of_unused()
+    return path
+
+
+def _put_views(
+    place: str, file: _stream.Replacing, views: Iterator[_stream.View], numbers: _stream.Numbers, segmentation: str
+) -> None:
     images: List[Dict[str, Any]] = []
     count = 0
-    with open(path, "w") as file:
-        file.write('{"annotations": [')
-        for view in _stream.draw(scene, [{"channel": "color", "encoding": "png"}], options, needs_pinhole=False):
-            images.append(_put_image(place, view))
-            for instance in view.instances:
-                number = numbers.of(instance) if instance["visiblePixels"] else None
-                if number is None:
-                    continue
-                count += 1
-                annotation = _annotation(view, instance, number, count, segmentation)
-                file.write(f"{',' if count > 1 else ''}\n{json.dumps(annotation)}")
-        listed = [{"id": number, "name": name, "supercategory": ""} for name, number in numbers.found.items()]
-        file.write(f'\n], "images": {json.dumps(images)}, "categories": {json.dumps(listed)}, "info": {{}}, "licenses": []}}\n')
-    return path
+    file.write('{"annotations": [')
+    for view in views:
+        images.append(_put_image(place, view))
+        for instance in view.instances:
+            number = numbers.of(instance) if instance["visiblePixels"] else None
+            if number is None:
+                continue
+            count += 1
+            annotation = _annotation(view, instance, number, count, segmentation)
+            file.write(f"{',' if count > 1 else ''}\n{json.dumps(annotation)}")
+    listed = [{"id": number, "name": name, "supercategory": ""} for name, number in numbers.found.items()]
+    file.write(f'\n], "images": {json.dumps(images)}, "categories": {json.dumps(listed)}, "info": {{}}, "licenses": []}}\n')
 
 
 def _put_image(place: str, view: _stream.View) -> Dict[str, Any]:
