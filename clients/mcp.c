@@ -2,6 +2,7 @@
  * thread answers messages in their order; this one reads on meanwhile, so that a call can be cancelled. */
 #include "mcp/mcp.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <pthread.h>
 #include <stdatomic.h>
@@ -276,7 +277,8 @@ static void read_lines(struct serving *serving)
         }
         add(&line, at, (size_t)(end - at), &is_too_long);
     }
-    bytes_free(&line); /* without its end it is no message */
+    if (!interrupted() && !is_blank(&line)) hand_over(serving, &line);
+    bytes_free(&line);
 }
 
 static int serve(struct serving *serving)
@@ -312,7 +314,8 @@ int command_mcp(struct options *options)
     if (!options->own[OPTION_ROOT])
         return free(serving), options_wrong("mcp needs --root DIR: the folder whose files an agent may read");
     root = realpath(options->own[OPTION_ROOT], NULL);
-    if (!root)
+    DIR *folder = root ? opendir(root) : NULL;
+    if (!folder)
         fprintf(stderr, "zraster: --root %s: %s\n", options->own[OPTION_ROOT], strerror(errno));
     else if (!serving || zraster_open(&wanted, &serving->renderer) != ZRASTER_OK)
         fputs("zraster: out of memory\n", stderr);
@@ -321,6 +324,7 @@ int command_mcp(struct options *options)
         status = serve(serving);
         zraster_close(serving->renderer);
     }
+    if (folder) closedir(folder);
     free(serving);
     free(root);
     return status;

@@ -35,11 +35,13 @@ static const struct format FORMATS[] = {
 static const char *const FOREIGN[] = {"gif", "bmp", "ppm", "pgm",  "exr", "hdr",
                                       "pdf", "npz", "gz",  "html", "txt", "csv"};
 
-/* Endings that choose the encoding. Those of float maps need a channel of floats: --channel depth. */
+/* Endings that choose the encoding. Those of float maps need a channel of floats: --channel depth. NULL: any channel that
+ * is given. */
 static const struct {
     const char *ending, *encoding, *channel;
 } CHOICES[] = {{"svg", "svg", "color"}, {"jpg", "jpeg", "color"}, {"jpeg", "jpeg", "color"}, {"webp", "webp", "color"},
-               {"pfm", "pfm", "depth"}, {"tif", "tiff", "depth"}, {"tiff", "tiff", "depth"}, {"apng", "apng", "color"}};
+               {"pfm", "pfm", "depth"}, {"tif", "tiff", "depth"}, {"tiff", "tiff", "depth"}, {"apng", "apng", "color"},
+               {"json", "json", NULL}};
 
 /* Other spellings of endings. */
 static const struct {
@@ -127,6 +129,7 @@ void output_set_encoding(struct options *options)
         if (strcasecmp(ending_of(out), CHOICES[i].ending) != 0) continue;
         const char *channel = options->parameters[PARAMETER_channel];
         const bool is_svg = strcmp(CHOICES[i].encoding, "svg") == 0;
+        if (!channel && !CHOICES[i].channel) return;
         if (!channel && !is_svg && has_outputs(options)) return;
         if (channel && !tables_extension(channel, CHOICES[i].encoding)) return;
         if (!channel) options->parameters[PARAMETER_channel] = CHOICES[i].channel;

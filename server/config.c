@@ -10,7 +10,7 @@
 
 #include <cjson/cJSON.h>
 
-enum kind { TEXT, ADDRESS, ISA, SWITCH, NUMBER };
+enum kind { TEXT, ADDRESS, ISA, ORIGINS, SWITCH, NUMBER };
 
 enum { NAME_SIZE = 64, QUEUE_PER_WORKER = 256 };
 
@@ -37,7 +37,7 @@ static const struct setting SETTINGS[] = {
     {"token", TEXT, AT(token), false, 0, 0, 0, "", "",
      "bearer token that clients must send; empty: none; prefer its variable, which ps does not show"},
     {"page", SWITCH, AT(page), false, 0, 0, 0, "on", "", "on or off: the page at / for browsers"},
-    {"origins", TEXT, AT(origins), false, 0, 0, 0, "", "",
+    {"origins", ORIGINS, AT(origins), false, 0, 0, 0, "", "",
      "origins whose web pages may use the daemon (CORS), such as https://example.org, with spaces or commas between "
      "them; *: all; empty: only its own page"},
     {"workers", NUMBER, AT(workers), true, 0, 0, 256, NULL, "",
@@ -171,6 +171,20 @@ static bool parse_number(const char *text, uint64_t *out)
     return *text != '\0';
 }
 
+/* Returns true for a list of origins as browsers send them, scheme://host or scheme://host:port, or "*". */
+static bool are_origins(const char *text)
+{
+    static const char BETWEEN[] = " ,";
+    for (const char *at = text + strspn(text, BETWEEN); *at; at += strspn(at, BETWEEN)) {
+        const size_t length = strcspn(at, BETWEEN);
+        const char *const end = at + length;
+        const char *const host = strncmp(at, "http://", 7) == 0 ? at + 7 : strncmp(at, "https://", 8) == 0 ? at + 8 : end;
+        if (!(length == 1 && *at == '*') && (host == end || memchr(host, '/', (size_t)(end - host)))) return false;
+        at = end;
+    }
+    return true;
+}
+
 /* Sets an address, a text, a switch or an instruction set. `name`: the flag or variable as the user wrote it. */
 static bool set_text(struct config *config, const struct setting *s, const char *name, const char *value, char *message,
                      size_t message_size)
@@ -181,6 +195,13 @@ static bool set_text(struct config *config, const struct setting *s, const char 
     }
     if (s->kind == ADDRESS && !is_address(value)) {
         snprintf(message, message_size, "%s: '%.100s' is not a numeric IPv4 or IPv6 address", name, value);
+        return false;
+    }
+    if (s->kind == ORIGINS && !are_origins(value)) {
+        snprintf(message, message_size,
+                 "%s: '%.100s' is no list of origins such as https://example.org: scheme and host, without a path or a / at "
+                 "the end",
+                 name, value);
         return false;
     }
     if (s->kind == SWITCH && strcmp(value, "on") != 0 && strcmp(value, "off") != 0) {

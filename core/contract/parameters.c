@@ -1,9 +1,9 @@
 #include "contract/parameters.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "contract/schema.h"
 #include "input/number.h"
 #include "input/parameter_values.h"
 #include "input/parameters.h"
@@ -165,7 +165,7 @@ static void print_row(struct zr_print *print, const struct row *row, const struc
 {
     char text[TEXT_SIZE];
     const char *help = is(row, "look") ? "name of a look; NAME@VERSION pins a version (default: studio)" : row->help;
-    snprintf(text, sizeof text, "%c%s.%s", toupper((unsigned char)help[0]), help + 1,
+    snprintf(text, sizeof text, "%c%s.%s", zr_schema_first_letter(help), help + 1,
              row->is_of_mesh ? " For models, not for scenes." : "");
     zr_print_begin(print, NULL, '{');
     zr_print_string(print, "name", row->name);

@@ -147,12 +147,18 @@ static bool print_default(struct zr_print *print, const struct zr_json_field *fi
     return false;
 }
 
+char zr_schema_first_letter(const char *meaning)
+{
+    const size_t letters = strspn(meaning, "abcdefghijklmnopqrstuvwxyz-");
+    return letters > 0 && strchr(" ,", meaning[letters]) ? (char)toupper((unsigned char)meaning[0]) : meaning[0];
+}
+
 /* Prints meaning and unit; the default, too, unless it is a value and has a member of its own. */
 static void print_description(struct zr_print *print, const struct zr_json_field *field, const char *meaning,
                               bool is_value)
 {
     char text[TEXT_SIZE];
-    snprintf(text, sizeof text, "%c%s.%s%s%s%s%s%s", toupper((unsigned char)meaning[0]), meaning + 1,
+    snprintf(text, sizeof text, "%c%s.%s%s%s%s%s%s", zr_schema_first_letter(meaning), meaning + 1,
              field->unit ? " Unit: " : "", field->unit ? field->unit : "", field->unit ? "." : "",
              is_value ? "" : " Default: ", is_value ? "" : field->otherwise, is_value ? "" : ".");
     zr_print_string(print, "description", text);

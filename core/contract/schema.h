@@ -20,6 +20,10 @@ bool zr_schema_print(struct zr_buffer *out, const struct zr_limits *limits, cons
  * rules name keys. References begin with `refs`, "#/components/schemas/". */
 void zr_schema_print_all(struct zr_print *print, const struct zr_limits *limits, const char *refs);
 
+/* Returns the first letter of a meaning as a sentence has it: as it is in a name or a word of the contract, such as
+ * "k1 to k6" or "opencv: ...". */
+char zr_schema_first_letter(const char *meaning);
+
 /* True if the schema of a row's value is known. */
 bool zr_schema_has(const struct zr_json_field *field);
 

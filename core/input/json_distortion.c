@@ -96,6 +96,8 @@ bool zr_read_distortion(struct zr_json *json, const struct zr_json_path *path, c
     struct zr_lens lens = {.model = ZR_LENS_NONE};
     (void)field;
     const bool is_list = zr_json_type(json) == ZR_JSON_LIST;
+    if (!is_list && zr_json_type(json) != ZR_JSON_OBJECT)
+        return zr_json_expect(json, path, "an object or OpenCV's list of coefficients");
     if (!(is_list ? read_list(json, path, &lens) : read_object(json, path, &lens))) return false;
     *(struct zr_lens *)out = lens;
     return true;

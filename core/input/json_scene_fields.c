@@ -116,7 +116,7 @@ const struct zr_json_field zr_scene_fields[] = {
                          .text = "false: only facts, by the output info; nothing is drawn",
                          .schema = ZR_SCHEMA({"type" : "boolean"})},
     [ZR_SCENE_VISIBILITY] = {"visibility", read_visibility, 0, .otherwise = "false",
-                             .text = "info lists the pixels of each instance, drawn alone and visible",
+                             .text = "pixels of each instance, drawn alone and visible, in the list visibility of info",
                              .schema = ZR_SCHEMA({"type" : "boolean"})},
     [ZR_SCENE_HIDE] = {"hide", zr_read_hide, 0, .otherwise = "[]",
                        .text = "parts that are not drawn: a name, a pattern with * and ?, an id, or a list of these",

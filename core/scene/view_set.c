@@ -46,13 +46,14 @@ bool zr_view_has_sheet_scale(const struct zr_view *view)
     return view->projection == ZR_PROJECTION_ORTHOGRAPHIC && !(view->xmag > 0.0f) && view->pose != ZR_POSE_MATRIX;
 }
 
-/* Views that a sheet names are orthographic: perspective has no scale. */
+/* Views that a sheet names are orthographic, without a lens: perspective has no scale. */
 static void use_sheet_scale(const struct zr_view_item *item, const struct zr_shared_camera *camera,
                             struct zr_view *view)
 {
     if (item->preset >= 0 || item->has_angles) {
         view->projection = ZR_PROJECTION_ORTHOGRAPHIC;
         view->xmag = view->ymag = 0.0f;
+        view->lens = (struct zr_lens){.model = ZR_LENS_NONE};
     }
     if (!zr_view_has_sheet_scale(view)) return;
     view->xmag = camera->xmag;

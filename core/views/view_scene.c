@@ -21,13 +21,15 @@ static bool is_of_item(const struct zr_view_item *item, const char *pointer)
     if (length == 0 || strcmp(pointer, "/name") == 0) return true;
     for (const char *const *name = item->key_names; name && *name; name++)
         if (strlen(*name) == length && memcmp(*name, pointer + 1, length) == 0) return true;
-    return !item->keys && length == 4 && memcmp(pointer + 1, "view", 4) == 0; /* a preset */
+    return false;
 }
 
 enum zr_status zr_view_report(const struct zr_views *views, uint32_t number, enum zr_status status,
                               const struct zr_error *faults, struct zr_error *error)
 {
-    const bool is_list = views->set->kind == ZR_VIEW_SET_LIST;
+    const struct zr_sheet *sheet = &views->scene->sheet;
+    const bool is_list = views->set->kind == ZR_VIEW_SET_LIST,
+               is_of_sheet = sheet->is_on && sheet->layout != ZR_SHEET_VIEWS;
     const char *pointer = zr_view_set_pointer(views->set);
     char at[ZR_POINTER_SIZE], name[ZR_VIEW_NAME_SIZE];
     zr_view_name(views->set, number, name);
@@ -35,6 +37,9 @@ enum zr_status zr_view_report(const struct zr_views *views, uint32_t number, enu
         const struct zr_error_item *fault = &faults->items[i];
         if (!is_list) {
             zr_error_add(error, status, pointer, "%s", fault->detail);
+        } else if (is_of_sheet) {
+            zr_error_add(error, status, *fault->pointer ? fault->pointer : "/sheet", "in the view %s: %s", name,
+                         fault->detail);
         } else if (is_of_item(&views->set->items[number], fault->pointer)) {
             snprintf(at, sizeof at, "%s/%u%.120s", pointer, number, fault->pointer);
             zr_error_add(error, status, at, "%s", fault->detail);

@@ -156,7 +156,7 @@ int mcp_message_read(struct mcp_message *message, struct mcp_span text, const st
     bool is_too_large;
     *message = (struct mcp_message){.root = NULL};
     walk_over(message, &walk, &cuts);
-    *why = "the message is not JSON in UTF-8";
+    *why = "the message is not JSON in UTF-8, or is nested too deep, or has a \\u0000";
     if (!mcp_walk_end(&walk)) {
         *message = (struct mcp_message){.root = NULL};
         *fault = walk.fault;

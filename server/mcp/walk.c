@@ -62,7 +62,7 @@ static bool is_hex(char c)
     return (c >= '0' && c <= '9') || ((c | 32) >= 'a' && (c | 32) <= 'f');
 }
 
-/* Passes an escape, whose backslash is at `at`. */
+/* Passes an escape, whose backslash is at `at`. Refuses U+0000, which would end names and paths. */
 static const char *pass_escape(const char *at, const char *end)
 {
     if (end - at < 2) return NULL;
@@ -70,7 +70,7 @@ static const char *pass_escape(const char *at, const char *end)
     if (at[1] != 'u' || end - at < 6) return NULL;
     for (int i = 2; i < 6; i++)
         if (!is_hex(at[i])) return NULL;
-    return at + 6;
+    return memcmp(at + 2, "0000", 4) != 0 ? at + 6 : NULL;
 }
 
 /* Returns true if eight bytes are all plain: ASCII, neither a quote nor a backslash nor a control character. */

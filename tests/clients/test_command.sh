@@ -39,6 +39,8 @@ check "an output goes to a folder" 0 "$zraster" part.stl -o new/ -s 8
 verdict "which is made" is_png new/part.png
 check "several channels become several files" 0 "$zraster" part.stl -c color,depth,instanceId,info -o new -s 8
 verdict "named by their channels" [ "$(ls new | tr '\n' ' ')" = "part.depth.npy part.info.json part.instanceId.npy part.png " ]
+check "masks as JSON by the ending" 0 "$zraster" scene.json -c masks -o masks.json
+verdict "with their run lengths" grep -q counts masks.json
 check "also in the current folder" 0 "$zraster" scene.json --channel depth,normals
 verdict "with the same names" [ -s scene.depth.npy -a -s scene.normals.npy ]
 check "or become one archive" 0 "$zraster" part.stl -c color,depth -o both.zip -s 8

@@ -211,6 +211,7 @@ class Http(unittest.TestCase):
             ("two values", b"{}{}", {}, 400, -32700),
             ("broken UTF-8", b'{"jsonrpc":"2.0","id":1,"method":"\xff"}', {}, 400, -32700),
             ("nothing", b"", {}, 400, -32700),
+            ("a NUL", b'{"jsonrpc":"2.0","id":1,"method":"ping\\u0000x"}', {}, 400, -32700),
             ("too deep", b"[" * 600 + b"]" * 600, {}, 400, -32700),
             ("a batch", [ping], {}, 400, -32600),
             ("a number", 7, {}, 400, -32600),
@@ -567,10 +568,15 @@ class Stdio(unittest.TestCase):
         self.assertIn("sees 3 holes", ran.stdout)
         self.assertIn("sees 4 holes: done after 2 attempts", ran.stdout)
 
+    def test_last_line(self):
+        """A last line without its end is answered, too"""
+        ran = subprocess.run([os.path.join(build, "zraster"), "mcp", "--root", self.root], capture_output=True, text=True, input='{"jsonrpc":"2.0","id":1,"method":"ping"}')
+        self.assertEqual((ran.returncode, json.loads(ran.stdout)["id"]), (0, 1))
+
     def test_usage(self):
         """The command says what it needs"""
         command = os.path.join(build, "zraster")
-        for flags, expected in (([], "--root"), (["--root", "/none"], "/none"), (["--root", ".", "x.stl"], "no file"), (["--root", ".", "--look", "clay"], "--look")):
+        for flags, expected in (([], "--root"), (["--root", "/none"], "/none"), (["--root", "/dev/null"], "Not a directory"), (["--root", ".", "x.stl"], "no file"), (["--root", ".", "--look", "clay"], "--look")):
             ran = subprocess.run([command, "mcp", *flags], capture_output=True, text=True, stdin=subprocess.DEVNULL)
             self.assertNotEqual(ran.returncode, 0)
             self.assertIn(expected, ran.stderr)

@@ -100,6 +100,14 @@ class Off(Case):
         done = subprocess.run([os.path.join(daemon.build, "zrasterd"), "--page=yes"], capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (2, "zrasterd: --page: 'yes' is neither on nor off\n"))
 
+    def test_wrong_origins(self):
+        """--origins takes schemes and hosts alone"""
+        for origins in ("example.org", "https://a.example/", "ftp://a.example", "https://", "https://a.example, b"):
+            command = [os.path.join(daemon.build, "zrasterd"), "--port=0", f"--origins={origins}"]
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 2, origins)
+            self.assertIn(f"--origins: '{origins}' is no list of origins", done.stderr)
+
 
 class Token(Case):
     flags = ["--token=secret"]

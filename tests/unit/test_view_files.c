@@ -277,6 +277,17 @@ TEST_AROUND(tiles_of_a_sheet_have_the_pixels_of_their_views, open_arena, close_a
     }
 }
 
+TEST_AROUND(views_that_a_sheet_names_have_no_lens, open_arena, close_arena)
+{
+    struct zr_views views;
+    const struct zr_files plain =
+        draw("{" GEOMETRY ", \"sheet\": \"threeView\", \"view\": {\"eye\": [1,1,4]}}", &views);
+    const struct zr_files lens = draw(
+        "{" GEOMETRY ", \"sheet\": \"threeView\", \"view\": {\"eye\": [1,1,4], \"distortion\": [0.1,0,0,0]}}", &views);
+    assert_int_equal(plain.entries[0].size, lens.entries[0].size);
+    assert_memory_equal(plain.entries[0].bytes, lens.entries[0].bytes, plain.entries[0].size);
+}
+
 TEST_AROUND(info_of_a_sheet_has_all_boxes, open_arena, close_arena)
 {
     struct zr_views views;

@@ -255,6 +255,8 @@ TEST_AROUND(wrong_views_are_refused_before_any_is_drawn, open_arena, close_arena
         {"\"views\": [{\"hide\": \"zz\"}]", "/views/0/hide", ""},
         {"\"views\": [\"front\", \"top\"], \"sections\": {\"planes\": [{\"axis\": \"z\"}]}", "/sections/planes/0",
          "in the view top: the camera sees the plane edge-on"},
+        {"\"views\": [\"front\", \"top\"], \"view\": {\"perspective\": {\"yfovDegrees\": 1e-30}}", "/view",
+         "in the view front: the view leads beyond"},
         {"\"views\": [\"front\", {\"view\": {\"preset\": \"top\"}, \"sections\": {\"planes\": [{\"axis\": \"z\"}]}}]",
          "/views/1/sections/planes/0", "sees the plane edge-on"},
         {"\"turntable\": {}, \"view\": {\"cameraToWorld\": [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}", "/turntable",
