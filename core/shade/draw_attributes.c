@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/fast.h"
+#include "mesh/mesh_tables.h"
 #include "scene/camera.h"
 #include "shade/colors.h"
 #include "shade/eye_normals.h"
@@ -371,6 +372,8 @@ enum zr_status zr_scene_attributes_make(struct zr_arena *arena, struct zr_team *
                        .out = attributes,
                        .vertex_normals = zr_arena_zero(arena, scene->mesh_count, sizeof *m.vertex_normals)};
     const struct zr_attribute_wants all = with_masks(scene, wants, &m.any_see_through);
+    for (uint32_t i = 0; m.vertex_normals && scene->tables && i < scene->mesh_count; i++)
+        m.vertex_normals[i] = zr_mesh_table_normals(scene->tables, scene, i);
     m.wants = &all;
     m.colors = all.colors || all.samples;
     *attributes = (struct zr_scene_attributes){.eye = zr_camera_eye(camera)};

@@ -64,7 +64,9 @@ TEST_AROUND(poses_move_nodes, open_arena, close_arena)
 TEST_AROUND(presets_equal_views_with_them, open_arena, close_arena)
 {
     static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
-    static const char *const others[] = {"", ", \"up\": \"z\"", ", \"view\": {\"eye\": [9,9,9]}"};
+    static const char *const others[] = {"", ", \"up\": \"z\"", ", \"view\": {\"eye\": [9,9,9]}",
+                                         ", \"shading\": \"gouraud\"",
+                                         ", \"shading\": \"phong\", \"creaseDegrees\": 30"};
     for (size_t k = 0; k < sizeof others / sizeof *others; k++) {
         char text[2048];
         struct zr_views views;
