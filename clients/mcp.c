@@ -1,6 +1,6 @@
 /* mcp.c - client: `zraster mcp`: an agent's tools on standard input and output, one message a line (server/mcp). A
  * thread answers messages in their order; this one reads on meanwhile, so that a call can be cancelled. */
-#include "mcp/mcp.h"
+#include "mcp/handler.h"
 
 #include <dirent.h>
 #include <errno.h>

@@ -1,4 +1,5 @@
-/* agents.h - POST /mcp: the tools of the Model Context Protocol (mcp/mcp.h), whose pictures are those of /v1/render. */
+/* agents.h - POST /mcp: the tools of the Model Context Protocol (mcp/handler.h), whose pictures are those of
+ * /v1/render. */
 #ifndef ZRASTERD_AGENTS_H
 #define ZRASTERD_AGENTS_H
 

@@ -15,7 +15,7 @@
 #include "config.h"
 #include "core.h"
 #include "images.h"
-#include "mcp/mcp.h"
+#include "mcp/handler.h"
 #include "meshes.h"
 #include "multipart.h"
 #include "slowness.h"

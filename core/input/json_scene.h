@@ -11,14 +11,10 @@
 #include "input/json_list.h"
 #include "input/json_value.h"
 #include "input/kept_mesh.h"
+#include "input/named_bytes.h"
 #include "scene/face_style.h"
 #include "scene/parsed_picture.h"
 #include "scene/scene_builder.h"
-
-/* A name of bytes: one of two keys. */
-struct zr_bytes_name {
-    const char *uri, *asset; /* NULL: not given */
-};
 
 /* Sampling of a texture: indices of enum zr_filter and enum zr_wrap. */
 struct zr_parsed_sampler {
@@ -425,36 +421,6 @@ extern const struct zr_names zr_management_names, zr_tone_names, zr_sample_names
  * there are materials, decides on linear light and reports keys that exclude it. */
 void zr_parsed_use_look(struct zr_parsed_scene *root);
 void zr_parsed_check_light(struct zr_parsed_scene *root);
-
-/* json_bytes.c: rows for the table of an object that fills a `type`, whose member `name` is a struct zr_bytes_name. */
-#define ZR_BYTES_URI   "uri"
-#define ZR_BYTES_ASSET "asset"
-#define ZR_BYTES_NAME_FIELDS(type, name)                                                                               \
-    {.key = ZR_BYTES_URI,                                                                                              \
-     .read = zr_json_string,                                                                                           \
-     .offset = offsetof(type, name.uri),                                                                               \
-     .text = "data: URI with the bytes",                                                                               \
-     .schema = ZR_SCHEMA_OF("dataUri")},                                                                               \
-    {                                                                                                                  \
-        .key = ZR_BYTES_ASSET, .read = zr_json_string, .offset = offsetof(type, name.asset),                           \
-        .text = "name of a part of the request, or sha256: and the hash of an uploaded asset"                          \
-    }
-
-/* json_bytes.c: the bytes of a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."}. They stay in the
- * arena or in the request. */
-struct zr_parsed_bytes {
-    const void *bytes;
-    size_t size;
-};
-bool zr_parsed_read_named(struct zr_json *json, const struct zr_json_path *path, const struct zr_bytes_name *name,
-                          struct zr_parsed_bytes *out);
-/* Returns the 64 digits of the name of a stored asset, "sha256:..."; NULL: another name. */
-const char *zr_stored_name(const char *asset);
-
-bool zr_parsed_read_bytes(struct zr_json *json, const struct zr_json_path *path, struct zr_parsed_bytes *out);
-
-/* The same for an object that may also name an array of numbers. */
-bool zr_parsed_read_asset(struct zr_json *json, const struct zr_json_path *path, struct zr_asset *out);
 
 /* json_image.c: finds the index in scene->images of the image with these bytes; each is decoded once. `path`: of the
  * object with the keys of ZR_BYTES_NAME_FIELDS. False, and reported, on failure. The bytes are read only here, so the

@@ -3,7 +3,7 @@
 #ifndef ZR_TESTS_MCP_HOST_H
 #define ZR_TESTS_MCP_HOST_H
 
-#include "mcp/mcp.h"
+#include "mcp/handler.h"
 #include "mcp/walk.h"
 
 /* Counts of what was asked for, and the text of the last scene. */

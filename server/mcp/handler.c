@@ -1,4 +1,4 @@
-#include "mcp.h"
+#include "handler.h"
 
 #include <stdio.h>
 #include <stdlib.h>
