@@ -201,6 +201,10 @@ static inline void add_grid(const struct channel *channel, const struct zr_remap
                             bool is_lit, struct sums *sums)
 {
     *sums = (struct sums){.common = UINT32_MAX};
+    if (grid->columns * grid->rows == 1) { /* the same, without divisions */
+        add_place(channel, place->x, place->y, is_lit, sums);
+        return;
+    }
     for (int64_t row = 0; row < grid->rows; row++)
         for (int64_t column = 0; column < grid->columns; column++) {
             /* Twice the offset of the place from the middle of the pixel, in its columns and rows. */
@@ -211,23 +215,12 @@ static inline void add_grid(const struct channel *channel, const struct zr_remap
         }
 }
 
-static uint32_t mix_grid(const struct channel *channel, const struct zr_remap_place *place, const struct grid *grid)
+static inline uint32_t mix_grid(const struct channel *channel, const struct zr_remap_place *place, const struct grid *grid)
 {
     struct sums sums;
     add_grid(channel, place, grid, false, &sums);
     if (sums.common >> 24 == 255) return plain_mean(&sums);
     add_grid(channel, place, grid, true, &sums);
-    return lit_mean(&sums);
-}
-
-/* The same for one place. */
-static inline uint32_t mix_place(const struct channel *channel, const struct zr_remap_place *place)
-{
-    struct sums sums = {.common = UINT32_MAX};
-    add_place(channel, place->x, place->y, false, &sums);
-    if (sums.common >> 24 == 255) return plain_mean(&sums);
-    sums = (struct sums){.common = UINT32_MAX};
-    add_place(channel, place->x, place->y, true, &sums);
     return lit_mean(&sums);
 }
 
@@ -240,7 +233,7 @@ static inline uint32_t color_at(const struct channel *channel, uint32_t x, uint3
                         .down = step_at(place, (ptrdiff_t)remap->width, y, remap->height)};
     grid.columns = grid_of(grid.across);
     grid.rows = grid_of(grid.down);
-    return grid.columns * grid.rows == 1 ? mix_place(channel, place) : mix_grid(channel, place, &grid);
+    return mix_grid(channel, place, &grid);
 }
 
 static void mix_rows(void *context, size_t begin, size_t end)
