@@ -51,3 +51,12 @@ bool zr_mesh_lacks_normals(const struct zr_mesh *mesh)
         if (zr_normal_is_zero(mesh->normals[n])) return true;
     return false;
 }
+
+bool zr_mesh_is_lit_by_computed_normals(const struct zr_scene *scene, const struct zr_mesh *mesh)
+{
+    const uint32_t count = mesh->face_materials ? mesh->face_count : 1;
+    bool found = false;
+    for (uint32_t f = 0; f < count && !found; f++)
+        found = zr_shading_is_at(zr_material_of_face(scene, mesh, f)->shading, ZR_SHADED_PER_VERTEX);
+    return found && zr_mesh_lacks_normals(mesh);
+}

@@ -17,6 +17,9 @@ zr_vec3 zr_corner_normal(const struct zr_mesh *mesh, const zr_vec4 *computed, ui
 /* Returns true if some vertex or corner has no normal. */
 bool zr_mesh_lacks_normals(const struct zr_mesh *mesh);
 
+/* Returns true if a face is lit at its vertices, and some vertex or corner has no normal. */
+bool zr_mesh_is_lit_by_computed_normals(const struct zr_scene *scene, const struct zr_mesh *mesh);
+
 /* Returns twice the area of face `face`, as a vector on its front side; for a face that is not planar, that of its mean
  * plane. Source: Newell's method (Sutherland et al., 1974). */
 zr_vec3 zr_normal_of_face(const struct zr_mesh *mesh, uint32_t face);

@@ -5,7 +5,7 @@
 #include "mesh/face_normals.h"
 #include "mesh/vertex_normals.h"
 
-/* Bytes of both tables while they are made, for each corner. */
+/* Most bytes of the tables per corner, while they are made. */
 enum { BYTES_A_CORNER = 96 };
 
 static bool have_room(const struct zr_arena *arena, const struct zr_scene *scene)
@@ -26,22 +26,12 @@ static void make_creases(struct zr_arena *arena, struct zr_team *team, const str
     out->creases = creases;
 }
 
-/* True if the mesh is lit at its vertices, by normals that are computed. */
-static bool needs_normals(const struct zr_scene *scene, const struct zr_mesh *mesh)
-{
-    bool found =
-        !mesh->face_materials && zr_shading_is_at(scene->materials[mesh->material].shading, ZR_SHADED_PER_VERTEX);
-    for (uint32_t i = 0; mesh->face_materials && i < scene->material_count && !found; i++)
-        found = zr_shading_is_at(scene->materials[i].shading, ZR_SHADED_PER_VERTEX);
-    return found && mesh->face_count > 0 && zr_mesh_lacks_normals(mesh);
-}
-
 static void make_normals(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_cancel *cancel, struct zr_mesh_tables *out)
 {
     const zr_vec4 **normals = zr_arena_zero(arena, scene->mesh_count, sizeof *normals);
     for (uint32_t i = 0; normals && i < scene->mesh_count; i++)
-        if (needs_normals(scene, &scene->meshes[i]))
+        if (scene->meshes[i].face_count > 0 && zr_mesh_is_lit_by_computed_normals(scene, &scene->meshes[i]))
             normals[i] = zr_vertex_normals_make(arena, team, cancel, &scene->meshes[i]);
     out->normals = normals;
 }
@@ -65,12 +55,12 @@ enum zr_status zr_mesh_tables_make(struct zr_arena *arena, struct zr_team *team,
     *out = (struct zr_mesh_tables){
         .meshes = scene->meshes, .count = scene->mesh_count, .crease_degrees = picture->crease_degrees};
     if (!zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR) || !have_room(arena, scene)) return ZR_OK;
-    if (picture->is_linear)
+    if (picture->is_linear) {
         make_creases(arena, team, scene, cancel, out);
-    else
+        if (picture->edges.is_on && picture->edges.is_from_mesh) status = make_edges(arena, team, scene, cancel, out);
+    } else {
         make_normals(arena, team, scene, cancel, out);
-    if (picture->is_linear && picture->edges.is_on && picture->edges.is_from_mesh)
-        status = make_edges(arena, team, scene, cancel, out);
+    }
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
     return zr_arena_ok(arena) ? status : ZR_NO_MEMORY;
 }

@@ -257,15 +257,6 @@ static void color_alike(void *context, size_t begin, size_t end)
 
 /* ---- a mesh ---- */
 
-static bool needs_computed_normals(const struct zr_scene *scene, const struct zr_mesh *mesh)
-{
-    bool found = false;
-    if (!mesh->face_materials) found = zr_shading_is_at(scene->materials[mesh->material].shading, ZR_SHADED_PER_VERTEX);
-    for (uint32_t f = 0; mesh->face_materials && f < mesh->face_count && !found; f++)
-        found = zr_shading_is_at(zr_material_of_face(scene, mesh, f)->shading, ZR_SHADED_PER_VERTEX);
-    return found && zr_mesh_lacks_normals(mesh);
-}
-
 static bool changes_nothing(const struct zr_material *material)
 {
     const zr_vec4 white = {1, 1, 1, 1};
@@ -339,7 +330,7 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
     coloring.back = back;
     coloring.per_corner = rate == ZR_RATE_CORNER;
     coloring.per_vertex = rate == ZR_RATE_VERTEX;
-    if (rate != ZR_RATE_FACE && !lighting->is_per_pixel && needs_computed_normals(scene, mesh)) {
+    if (rate != ZR_RATE_FACE && !lighting->is_per_pixel && zr_mesh_is_lit_by_computed_normals(scene, mesh)) {
         if (!*normals) *normals = zr_vertex_normals_make(arena, team, cancel, mesh);
         coloring.computed = *normals;
     }
