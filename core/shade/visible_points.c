@@ -85,32 +85,32 @@ static void find_planes(const struct points *points, const struct zr_source *sou
     shown->parts[1] = value_plane(c, 0.0, 0.0, 1.0, width, height);
 }
 
-static struct zr_eye_depth depth_of(const struct points *points, const struct zr_triangle *triangle,
-                                    const struct zr_source *source)
+/* Makes the depth of a whole triangle. True if a corner is not in front of the eye. */
+static bool make_depth(const struct points *points, const struct zr_source_instance *instance,
+                       const zr_vec4 *const given[3], struct zr_eye_depth *depth)
 {
     const zr_vec4 *corners[1 + ZR_EYE_ROOM][3];
     struct zr_eye_depth out[1 + ZR_EYE_ROOM];
-    memcpy(corners[0], source->corners, sizeof corners[0]);
-    if (points->kernel->make(source->instance, corners, 1, points->frame->width, points->frame->height, out) > 0 &&
-        source->is_cut)
-        zr_eye_depth_take_piece(points->geometry, triangle, &out[0]);
-    return out[0];
+    memcpy(corners[0], given, sizeof corners[0]);
+    const bool is_behind =
+        points->kernel->make(instance, corners, 1, points->frame->width, points->frame->height, out) > 0;
+    *depth = out[0];
+    return is_behind;
+}
+
+static struct zr_eye_depth depth_of(const struct points *points, const struct zr_triangle *triangle,
+                                    const struct zr_source *source)
+{
+    struct zr_eye_depth depth;
+    if (make_depth(points, source->instance, source->corners, &depth) && source->is_cut)
+        zr_eye_depth_take_piece(points->geometry, triangle, &depth);
+    return depth;
 }
 
 /* Returns the instance in the target of the flow. */
 static const struct zr_source_instance *moved_instance(const struct points *points, const struct shown *shown)
 {
     return &points->target->geometry->instances[shown->instance - points->geometry->instances];
-}
-
-static struct zr_eye_depth depth_there(const struct points *points, const struct shown *shown)
-{
-    const struct zr_frame *frame = points->target->frame;
-    const zr_vec4 *corners[1 + ZR_EYE_ROOM][3];
-    struct zr_eye_depth out[1 + ZR_EYE_ROOM];
-    memcpy(corners[0], shown->corners, sizeof corners[0]);
-    (void)points->kernel->make(moved_instance(points, shown), corners, 1, frame->width, frame->height, out);
-    return out[0];
 }
 
 static struct shown shown_make(struct points *points, uint32_t owner)
@@ -134,7 +134,7 @@ static struct shown shown_make(struct points *points, uint32_t owner)
     }
     memcpy(shown.corners, given.corners, sizeof shown.corners);
     find_planes(points, &given, &shown);
-    if (points->target) shown.there = depth_there(points, &shown);
+    if (points->target) make_depth(points->target, moved_instance(points, &shown), shown.corners, &shown.there);
     return shown;
 }
 
