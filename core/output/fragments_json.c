@@ -8,20 +8,20 @@ static const char *const alpha_modes[] = {
 
 /* Names of the parts of fragments. */
 struct names {
-    const struct zr_part_list *list;
+    struct zr_part_list list;
     const uint64_t *parts; /* per fragment */
 };
 
 static struct names find_names(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
                                uint32_t count)
 {
-    struct zr_part_list *list = zr_arena_alloc(arena, 1, sizeof *list);
     uint32_t *ids = zr_arena_alloc(arena, count, sizeof *ids);
-    if (!list || !ids) return (struct names){NULL, NULL};
+    if (!ids) return (struct names){.parts = NULL};
     for (uint32_t i = 0; i < count; i++)
         ids[i] = frame->fragments.at[i].face_id;
-    *list = frame->parts.list.count > 0 ? frame->parts.list : zr_part_list_make(arena, scene, ZR_FRAME_PARTS_MAX);
-    return (struct names){list, zr_frame_parts_of_ids(arena, scene, frame, ids, count)};
+    return (struct names){frame->parts.list.count > 0 ? frame->parts.list
+                                                      : zr_part_list_make(arena, scene, ZR_FRAME_PARTS_MAX),
+                          zr_frame_parts_of_ids(arena, scene, frame, ids, count)};
 }
 
 static void print_fragment(struct zr_print *print, const struct zr_scene *scene,
@@ -56,8 +56,8 @@ enum zr_status zr_fragments_json_write(const struct zr_scene *scene, const struc
     zr_print_count(&print, "count", fragments->count);
     zr_print_begin(&print, "fragments", '[');
     for (uint32_t i = 0; i < listed; i++) {
-        const bool is_named = names.parts[i] < names.list->count;
-        print_fragment(&print, scene, &fragments->at[i], is_named ? &names.list->at[names.parts[i]] : NULL);
+        const bool is_named = names.parts[i] < names.list.count;
+        print_fragment(&print, scene, &fragments->at[i], is_named ? &names.list.at[names.parts[i]] : NULL);
     }
     zr_print_end(&print, ']');
     zr_print_end(&print, '}');

@@ -151,7 +151,7 @@ static enum zr_status draw_through_lens(struct zr_arena *arena, struct zr_arena 
     if (status != ZR_OK) return status;
     zr_lens_drawing_open(drawn, resolved, &drawing);
     STAGE(zr_frame_make(scratch, &drawing.resolved, &pinhole));
-    STAGE(draw_frame(arena, scratch, team, &drawing.scene, cancel, &pinhole));
+    STAGE(draw_frame(scratch, scratch, team, &drawing.scene, cancel, &pinhole));
     STAGE(zr_lens_list_fragments(arena, scratch, team, &drawing, &remap, cancel, &pinhole));
     STAGE(zr_render_sections_restore(arena, cancel, &pinhole));
     STAGE(zr_lens_take(team, scene, &remap, &pinhole, cancel, frame));
