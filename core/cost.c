@@ -51,7 +51,7 @@ static struct passes passes_of(const struct zr_scene *scene, const struct zr_res
 {
     const struct zr_picture *picture = &scene->picture;
     const struct zr_view *view = &scene->views[0];
-    /* Masks, and the target of a flow. */
+    /* Passes of the masks, and of the target of a flow. */
     const double more = (double)zr_view_has_masks(view) + (double)zr_view_wants(view, ZR_CHANNEL_FLOW);
     struct passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0 + more, .side = 1.0};
     if (!zr_view_has_pixels(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
@@ -220,7 +220,7 @@ static void count_lossy(const struct zr_scene *scene, const struct zr_output *ou
         counts[output->encoding == ZR_ENCODING_JPEG ? ZR_COST_JPEG_PIXEL : ZR_COST_WEBP_PIXEL] += pixels * tries;
 }
 
-/* Channels are computed for all pixels that are drawn, more than those of the view if it has a lens. */
+/* Channels are computed for all `drawn` pixels. With a lens, they are more than those of the view. */
 static void count_outputs(const struct zr_scene *scene, double drawn, double *counts)
 {
     const struct zr_view *view = &scene->views[0];
@@ -336,7 +336,8 @@ static void add_lens(const struct zr_view *view, struct zr_cost *cost)
     cost->window_bytes += pixels * (bytes_of_channels(view) + (double)sizeof(struct zr_remap_place));
 }
 
-/* `drawn` and `resolved`: what is drawn; `scene`: what is written. They differ if the view has a lens. */
+/* Geometry and fragments are those of `drawn`, with the view `resolved`; outputs are those of `scene`. With a lens,
+ * `drawn` is the pinhole picture, else `scene`. */
 static struct zr_cost cost_of(const struct zr_scene *scene, const struct zr_scene *drawn,
                               const struct zr_resolved_view *resolved)
 {

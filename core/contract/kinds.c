@@ -11,7 +11,7 @@
 #include "input/json_scene.h"
 #include "scene/looks.h"
 
-/* The limit that a text names as %g, at most four times. */
+/* The limit that replaces LIMIT in a text. */
 enum limit { NONE, COORDINATE, LENGTH, MATRIX, SIDE, VERTICES, VIEWS };
 
 /* clang-format off */

@@ -16,8 +16,8 @@
  * False if there is no such name, or without memory. */
 bool zr_schema_print(struct zr_buffer *out, const struct zr_limits *limits, const char *name, const char *id);
 
-/* Prints all objects and kinds as members of the open object, without examples, which linters of OpenAPI misjudge where
- * rules name keys. References begin with `refs`, "#/components/schemas/". */
+/* Prints all objects and kinds as members of the open object, without examples: linters of OpenAPI misjudge those of
+ * objects whose rules name keys. References begin with `refs`, "#/components/schemas/". */
 void zr_schema_print_all(struct zr_print *print, const struct zr_limits *limits, const char *refs);
 
 /* Returns the first letter of a meaning as a sentence has it: as it is in a name or a word of the contract, such as

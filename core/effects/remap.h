@@ -3,9 +3,9 @@
  * Space:  rows from the top, as in frames. The place of each pixel of the view is a point of the pinhole picture, whose
  *         pixels have their centres at whole numbers.
  * Data:   a pixel has the words of the nearest pixel of the pinhole picture, never a mixture.
- * Colour: a pixel is the mean of n x m places within it, each between the four nearest pixels by bilinear weights. n
- * and m are 1, and up to 8 where the lens shrinks the pinhole picture by more than 1.5. Colours are mixed as they are
- *         stored, in proportion to their alpha.
+ * Colour: a pixel is the mean of n x m places within it. The colour of a place is mixed from its four nearest pixels by
+ *         bilinear weights. n and m are 1; if the lens shrinks the pinhole picture there by more than 1.5, up to 8.
+ *         Colours are mixed as they are stored, in proportion to their alpha.
  * Exact:  places are rounded to 1/4096 pixel, and colours are mixed in integers.
  */
 #ifndef ZR_REMAP_H

@@ -1,4 +1,4 @@
-/* The keys of the target of the channel flow. Their values are read once the root is (json_flow_target.c). */
+/* The keys of the target of the channel flow. Their values are read after the root (json_flow_target.c). */
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 

@@ -12,7 +12,7 @@
 #include "core.h"
 #include "input/text.h"
 
-/* The size of the least URI that is noted, and the number of those. */
+/* The size of the smallest URI that is noted, and the most that are noted. */
 enum { ZR_JSON_URI_MIN = 16 << 10, ZR_JSON_URIS_MAX = 1024 };
 
 /* A string without escapes that begins with "data:". */

@@ -75,7 +75,7 @@ static inline bool zr_view_gives(const struct zr_parsed_view *given, enum zr_vie
 #define ZR_VIEW_PATH(given, which) ZR_JSON_KEY((given)->path, zr_view_fields[which].key)
 
 /* json_view.c: reads a view over `defaults`, and checks its keys against each other. A view with the key `camera` has
- * a projection and planes only. `given` is used even after a fault, which returns false. */
+ * a projection and planes only. Sets `given` even if a fault returns false. */
 bool zr_view_read(struct zr_json *json, const struct zr_json_path *path, const struct zr_view *defaults,
                   struct zr_parsed_view *given);
 

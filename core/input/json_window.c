@@ -4,7 +4,7 @@
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 
-/* Reads a side, of which zr_validate checks the range. */
+/* uint32_t. zr_scene_validate checks the range. */
 static bool read_side(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                       void *out)
 {

@@ -5,6 +5,7 @@
 #include "output/json_print.h"
 #include "shade/frame.h"
 
+/* Prints the key with the camera of the frame, and the lens of its view. z_is_up: axis of the angles. */
 void zr_camera_print(struct zr_print *print, const struct zr_frame *frame, bool z_is_up);
 
 #endif

@@ -1,7 +1,7 @@
 /* mask_png.h - output: writes a mask as a PNG of 8 bits, black and white.
  *
- * The time is that of the edges of the mask, not of its pixels: runs of equal pixels are written as they are, in one
- * deflate block with codes made for them.
+ * Time grows with the edges of the mask, not with its pixels: each run of equal pixels is a literal and repetitions, in
+ * one deflate block with fixed codes for runs.
  * Source: W3C, PNG (Third Edition), 5 and 11.2; RFC 1950; RFC 1951, 3.2.
  */
 #ifndef ZR_MASK_PNG_H

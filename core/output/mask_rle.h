@@ -2,7 +2,7 @@
  *
  * Pixels are counted column by column, each from the top. Runs of 0 and 1 alternate, and the first is of 0. From the
  * fourth run on, the difference to the run before the last is written. A number has groups of five bits, the lowest
- * first; bit 5 says that another follows, and bit 4 of the last is its sign. A group is the character 48 + its value.
+ * first; bit 5 is set if another follows, and bit 4 of the last is its sign. A group is the character 48 + its value.
  */
 #ifndef ZR_MASK_RLE_H
 #define ZR_MASK_RLE_H
@@ -10,7 +10,7 @@
 #include "output/bit_mask.h"
 #include "output/buffer.h"
 
-/* Size of an array of edges for masks of so many rows. */
+/* Returns the size of an array of edges for masks of up to `rows` rows. */
 static inline size_t zr_mask_rle_edges(uint32_t rows)
 {
     return 64 * ((size_t)rows + 1);

@@ -1,7 +1,7 @@
 /* instance_masks.h - render: pixels of each instance, drawn alone and as it is visible.
  *
  * All instances are drawn in one pass that keeps hidden fragments (raster/fragments.h). Instances and pixels are those
- * of the channel instanceId: masked surfaces count where they pass their mask, blended ones never.
+ * of the channel instanceId: masked surfaces count if they pass their mask, blended ones never.
  * Memory: three bits per pixel of an instance, in tiles and rows of 64 pixels.
  */
 #ifndef ZR_INSTANCE_MASKS_H

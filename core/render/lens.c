@@ -67,8 +67,8 @@ static int covered_channel(const struct zr_frame *frame)
     return ZR_CHANNEL_COUNT;
 }
 
-/* Counts covered pixels and finds the greatest depth. Colours alone do not tell which pixels are covered: the counts
- * are then those of the pinhole picture. */
+/* Counts covered pixels and finds the greatest depth. Without a channel that shows covered pixels, the counts are those
+ * of the pinhole picture. */
 static enum zr_status measure(const struct zr_frame *pinhole, const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     const int channel = covered_channel(frame);

@@ -15,7 +15,7 @@ struct zr_flow {
     const zr_mat4 *matrices; /* object to world, per instance; NULL: those of the scene */
 };
 
-/* Copies the scene with the matrices of its target. The copy has the pictures' view. False without memory. */
+/* Copies the scene with the matrices of its target. The copy keeps the view. False without memory. */
 bool zr_flow_scene(struct zr_arena *arena, const struct zr_scene *scene, struct zr_scene *out);
 
 /* Finds the camera of the scene's target; that of the view if the scene has none. Errors: those of zr_camera_resolve,

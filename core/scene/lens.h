@@ -1,7 +1,7 @@
 /* lens.h - scene: distortion of a lens, as OpenCV models it, and its inverse.
  *
  * Space:  undistorted points (x, y) are those of a pinhole at depth 1, x to the right and y down: x = X / Z, y = Y / Z.
- *         Distorted points are what the intrinsics map to pixels.
+ *         The intrinsics map distorted points to pixels.
  * Domain: from the axis up to a fold, from which on points move back towards the axis, or up to ZR_LENS_DEGREES_MAX.
  *         Distorted points outside of its image have no ray.
  * Exact:  doubles in a stated order, without libm, so that every machine gets the same bits.

@@ -2,8 +2,8 @@
  *
  * A view through a lens is drawn as a pinhole picture with the same pose, whose window holds the rays of all pixels.
  * Then each pixel looks up its ray (effects/remap.h).
- * Scale:  pixels of the pinhole picture are as fine as those of the view wherever the lens magnifies most, and at least
- *         as fine as those of the view's own pinhole. So the centre of the nearest pixel lies within 0.71 pixels.
+ * Scale:  pixels of the pinhole picture are as fine as those of the view at the largest magnification of the lens, and
+ *         at least as fine as those of the view's own pinhole. The centre of the nearest pixel lies within 0.71 pixels.
  */
 #ifndef ZR_LENS_PLAN_H
 #define ZR_LENS_PLAN_H

@@ -277,7 +277,7 @@ static bool find_levels(struct making *m, const struct zr_image *image, const st
 
 /* ---- all ---- */
 
-/* Returns a flag for 1 + the number of each texture: a material has it. NULL without memory. */
+/* Returns a flag at 1 + the number of each texture: true if a material has it. NULL without memory. */
 static const bool *find_used(struct zr_arena *arena, const struct zr_scene *scene)
 {
     bool *used = zr_arena_zero(arena, 1 + (size_t)scene->texture_count, sizeof *used);
