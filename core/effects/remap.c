@@ -68,24 +68,21 @@ struct channel {
     uint32_t *out;
 };
 
-size_t zr_remap_nearest_pixel(const struct zr_remap *remap, struct zr_remap_place place)
-{
-    if (place.x == ZR_REMAP_NOWHERE) return SIZE_MAX;
-    const size_t x = (size_t)(place.x + HALF) >> ZR_REMAP_BITS, y = (size_t)(place.y + HALF) >> ZR_REMAP_BITS;
-    return y * remap->source_width + x;
-}
-
 static void copy_rows(void *context, size_t begin, size_t end)
 {
     const struct channel *channel = context;
     const struct zr_remap *remap = channel->remap;
     const uint32_t words = channel->words;
-    for (size_t y = begin; y < end && !zr_is_cancelled(channel->cancel); y++)
-        for (size_t i = y * remap->width; i < (y + 1) * remap->width; i++) {
-            const size_t pixel = zr_remap_nearest_pixel(remap, remap->places[i]);
+    for (size_t y = begin; y < end && !zr_is_cancelled(channel->cancel); y++) {
+        uint32_t *out = channel->out + y * remap->width * words;
+        for (uint32_t x = 0; x < remap->width; x++, out += words) {
+            struct zr_remap_pixel pixel = {0, 0};
+            const bool has_ray = zr_remap_nearest_pixel(remap, x, (uint32_t)y, &pixel);
+            const uint32_t *from = channel->source + ((size_t)pixel.y * remap->source_width + pixel.x) * words;
             for (uint32_t k = 0; k < words; k++)
-                channel->out[i * words + k] = pixel == SIZE_MAX ? channel->clear : channel->source[pixel * words + k];
+                out[k] = has_ray ? from[k] : channel->clear;
         }
+    }
 }
 
 enum zr_status zr_remap_nearest(const struct zr_remap *remap, struct zr_team *team, const struct zr_cancel *cancel,
@@ -215,7 +212,8 @@ static inline void add_grid(const struct channel *channel, const struct zr_remap
         }
 }
 
-static inline uint32_t mix_grid(const struct channel *channel, const struct zr_remap_place *place, const struct grid *grid)
+static inline uint32_t mix_grid(const struct channel *channel, const struct zr_remap_place *place,
+                                const struct grid *grid)
 {
     struct sums sums;
     add_grid(channel, place, grid, false, &sums);

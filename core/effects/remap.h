@@ -37,8 +37,22 @@ struct zr_remap {
 enum zr_status zr_remap_make(struct zr_arena *arena, struct zr_team *team, const struct zr_lens_plan *plan,
                              const struct zr_cancel *cancel, struct zr_remap *remap);
 
-/* Returns the number of the nearest pixel of the pinhole picture; SIZE_MAX if the place is nowhere. */
-size_t zr_remap_nearest_pixel(const struct zr_remap *remap, struct zr_remap_place place);
+/* A pixel of the pinhole picture. */
+struct zr_remap_pixel {
+    uint32_t x, y;
+};
+
+/* Finds the pixel of the pinhole picture that is nearest to the place of pixel x, y of the view. False if it has no
+ * ray. */
+static inline bool zr_remap_nearest_pixel(const struct zr_remap *remap, uint32_t x, uint32_t y,
+                                          struct zr_remap_pixel *pixel)
+{
+    const struct zr_remap_place place = remap->places[(size_t)y * remap->width + x];
+    if (place.x == ZR_REMAP_NOWHERE) return false;
+    pixel->x = (uint32_t)(place.x + ZR_REMAP_ONE / 2) >> ZR_REMAP_BITS;
+    pixel->y = (uint32_t)(place.y + ZR_REMAP_ONE / 2) >> ZR_REMAP_BITS;
+    return true;
+}
 
 /* Writes the pixels of a channel of `words` words per pixel. Pixels without a ray get `clear` in every word. ZR_OK or
  * ZR_CANCELLED. */

@@ -44,12 +44,11 @@ enum zr_status zr_lens_list_fragments(struct zr_arena *arena, struct zr_arena *s
                                       const struct zr_cancel *cancel, struct zr_frame *pinhole)
 {
     const struct zr_output *output = zr_view_output(pinhole->view, ZR_CHANNEL_FRAGMENTS);
+    struct zr_remap_pixel pixel;
     enum zr_status status = ZR_OK;
     if (!output) return ZR_OK;
-    const size_t pixel = zr_remap_nearest_pixel(remap, remap->places[(size_t)output->y * remap->width + output->x]);
-    if (pixel != SIZE_MAX)
-        status = zr_pixel_fragments_find(arena, scratch, team, &drawing->scene, (uint32_t)(pixel % remap->source_width),
-                                         (uint32_t)(pixel / remap->source_width), cancel, pinhole);
+    if (zr_remap_nearest_pixel(remap, output->x, output->y, &pixel))
+        status = zr_pixel_fragments_find(arena, scratch, team, &drawing->scene, pixel.x, pixel.y, cancel, pinhole);
     pinhole->fragments.x = output->x;
     pinhole->fragments.y = output->y;
     return status;

@@ -155,7 +155,7 @@ static enum zr_status draw_through_lens(struct zr_arena *arena, struct zr_arena 
     STAGE(zr_lens_list_fragments(arena, scratch, team, &drawing, &remap, cancel, &pinhole));
     STAGE(zr_render_sections_restore(arena, cancel, &pinhole));
     STAGE(zr_lens_take(team, scene, &remap, &pinhole, cancel, frame));
-    if (pinhole.masks) STAGE(zr_lens_masks_take(arena, team, &remap, pinhole.masks, cancel, frame));
+    if (pinhole.masks) STAGE(zr_lens_masks_take(arena, scratch, team, &remap, pinhole.masks, cancel, frame));
     if (status == ZR_OK) zr_color_bar_draw(scene, frame);
     return status;
 }
