@@ -1,16 +1,11 @@
 #include "output/apng.h"
 
-#include <isa-l/crc.h>
 #include <math.h>
 #include <string.h>
 
-enum { SIGNATURE = 8, AROUND = 12 /* length, type and check sum of a chunk */, DELAY_MOST = 65535 };
+#include "output/png_chunk.h"
 
-static void put_u32(unsigned char *at, uint32_t value)
-{
-    for (int i = 0; i < 4; i++)
-        at[i] = (unsigned char)(value >> (24 - 8 * i));
-}
+enum { SIGNATURE = 8, AROUND = 12 /* length, type and check sum of a chunk */, DELAY_MOST = 65535 };
 
 static uint32_t get_u32(const unsigned char *at)
 {
@@ -21,16 +16,10 @@ static uint32_t get_u32(const unsigned char *at)
 static bool add_chunk(struct zr_buffer *out, const char *type, const uint32_t *number, const unsigned char *data,
                       size_t size)
 {
-    const size_t all = size + (number ? 4 : 0);
-    unsigned char *at = zr_buffer_room(out, all + AROUND);
-    if (!at) return false;
-    put_u32(at, (uint32_t)all);
-    memcpy(at + 4, type, 4);
-    if (number) put_u32(at + 8, *number);
-    if (size > 0) memcpy(at + 8 + (all - size), data, size);
-    put_u32(at + 8 + all, crc32_gzip_refl(0, at + 4, all + 4));
-    out->size += all + AROUND;
-    return true;
+    const size_t at = zr_png_chunk_begin(out, type);
+    if (number) zr_png_put_word(out, *number);
+    zr_buffer_add(out, data, size);
+    return zr_png_chunk_end(out, at);
 }
 
 /* Finds the fraction of two 16-bit numbers that is nearest to a time, by continued fractions. */
@@ -66,11 +55,12 @@ static bool add_frame_control(struct zr_apng *apng)
 /* Adds the file's beginning, with its first frame's header. */
 static bool begin(struct zr_apng *apng, const unsigned char *png)
 {
-    unsigned char animation[8] = {0};
-    put_u32(animation, apng->frames);
     memcpy(apng->head, png + SIGNATURE, sizeof apng->head);
-    return zr_buffer_add(apng->out, png, SIGNATURE + sizeof apng->head) &&
-           add_chunk(apng->out, "acTL", NULL, animation, sizeof animation);
+    zr_buffer_add(apng->out, png, SIGNATURE + sizeof apng->head);
+    const size_t at = zr_png_chunk_begin(apng->out, "acTL");
+    zr_png_put_word(apng->out, apng->frames);
+    zr_png_put_word(apng->out, 0); /* repeats for ever */
+    return zr_png_chunk_end(apng->out, at);
 }
 
 enum zr_status zr_apng_add(struct zr_apng *apng, const unsigned char *png, size_t size)

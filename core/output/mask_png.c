@@ -1,14 +1,10 @@
 #include "output/mask_png.h"
 
-#include <isa-l/crc.h>
-#include <string.h>
-
-#include "base/isa.h"
+#include "output/png_chunk.h"
 
 /* ---- bits of the deflate stream ---- */
 
-enum { END_OF_BLOCK = 256, FIRST_LENGTH = 257, LONGEST_LENGTH = 285, LENGTHS = LONGEST_LENGTH - FIRST_LENGTH + 1 };
-enum { LONGEST = 258, SHORTEST = 3, ADLER_BASE = 65521, ADLER_STEP = 1 << 16 };
+enum { LAST_CODE = 285 /* of the length 258 */, LONGEST = 258, SHORTEST = 3, ADLER_BASE = 65521, ADLER_STEP = 1 << 16 };
 
 struct writer {
     struct zr_buffer *out;
@@ -47,10 +43,10 @@ static void put_table(struct writer *w)
 {
     static const uint8_t order[] = {2, 0, 3, 0, 0, 0, 0, 3, 0, 0, 0, 3, 0, 3, 0, 3, 0, 3}; /* 16, 17, 18, 0, 8, ... 1 */
     enum { ONE = 2, TWO = 3, THREE = 4, FOUR = 5, SIX = 6, ZEROS = 7, REPEAT = 0 };
-    put_bits(w, 1, 1); /* the last block, */
-    put_bits(w, 2, 2); /* with a table */
-    put_bits(w, LONGEST_LENGTH - 256, 5);
-    put_bits(w, 0, 5); /* one distance */
+    put_bits(w, 1, 1);                   /* the last block, */
+    put_bits(w, 2, 2);                   /* with a table */
+    put_bits(w, LAST_CODE + 1 - 257, 5); /* literals and lengths */
+    put_bits(w, 0, 5);                   /* one distance */
     put_bits(w, sizeof order - 4, 4);
     for (size_t i = 0; i < sizeof order; i++)
         put_bits(w, order[i], 3);
@@ -166,31 +162,6 @@ static void add_row(struct writer *w, const struct zr_bit_mask *mask, const uint
 
 /* ---- the file ---- */
 
-static void put_word(struct zr_buffer *out, uint64_t word)
-{
-    const uint8_t bytes[4] = {(uint8_t)(word >> 24), (uint8_t)(word >> 16), (uint8_t)(word >> 8), (uint8_t)word};
-    zr_buffer_add(out, bytes, sizeof bytes);
-}
-
-/* Begins a chunk, whose size is written at its end. Returns its place. */
-static size_t begin_chunk(struct zr_buffer *out, const char *type)
-{
-    put_word(out, 0);
-    zr_buffer_add(out, type, 4);
-    return out->size - 4;
-}
-
-static void end_chunk(struct zr_buffer *out, size_t at)
-{
-    if (!zr_arena_ok(out->arena)) return;
-    const size_t size = out->size - at - 4;
-    for (int i = 0; i < 4; i++)
-        out->bytes[at - 4 + (size_t)i] = (uint8_t)(size >> (24 - 8 * i));
-    const uint32_t crc = crc32_gzip_refl(0, out->bytes + at, size + 4);
-    zr_isa_clear_upper_halves();
-    put_word(out, crc);
-}
-
 static void put_pixels(const struct zr_bit_mask *mask, struct zr_buffer *out)
 {
     static const uint8_t head[2] = {0x78, 0x01};
@@ -205,7 +176,7 @@ static void put_pixels(const struct zr_bit_mask *mask, struct zr_buffer *out)
         const uint8_t byte = (uint8_t)w.bits;
         zr_buffer_add(out, &byte, 1);
     }
-    put_word(out, w.b << 16 | w.a);
+    zr_png_put_word(out, (uint32_t)(w.b << 16 | w.a));
 }
 
 bool zr_mask_png_write(const struct zr_bit_mask *mask, struct zr_buffer *out)
@@ -213,15 +184,14 @@ bool zr_mask_png_write(const struct zr_bit_mask *mask, struct zr_buffer *out)
     static const uint8_t signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     static const uint8_t grey[] = {8, 0, 0, 0, 0}; /* bits, grey, and the only methods */
     zr_buffer_add(out, signature, sizeof signature);
-    size_t at = begin_chunk(out, "IHDR");
-    put_word(out, mask->width);
-    put_word(out, mask->height);
+    size_t at = zr_png_chunk_begin(out, "IHDR");
+    zr_png_put_word(out, mask->width);
+    zr_png_put_word(out, mask->height);
     zr_buffer_add(out, grey, sizeof grey);
-    end_chunk(out, at);
-    at = begin_chunk(out, "IDAT");
+    zr_png_chunk_end(out, at);
+    at = zr_png_chunk_begin(out, "IDAT");
     put_pixels(mask, out);
-    end_chunk(out, at);
-    at = begin_chunk(out, "IEND");
-    end_chunk(out, at);
-    return zr_arena_ok(out->arena);
+    zr_png_chunk_end(out, at);
+    at = zr_png_chunk_begin(out, "IEND");
+    return zr_png_chunk_end(out, at);
 }
