@@ -116,7 +116,7 @@ static void check_visibility(const struct zr_scene *scene, const struct zr_view 
         zr_error_add(error, ZR_BAD_SCENE, "/visibility",
                      "does not go with a base, which may hide an instance and has none itself");
     if (scene->sections.count > 0)
-        zr_error_add(error, ZR_BAD_SCENE, "/sections", "%s is that of whole instances, and these are cut open", what);
+        zr_error_add(error, ZR_BAD_SCENE, "/sections", "does not go with %s, which needs whole instances", what);
     if (scene->algorithm == ZR_ALGORITHM_PAINTER)
         zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
                      "painter keeps no fragments, which %s needs; the other algorithms do", what);
@@ -134,7 +134,7 @@ static void check_flow(const struct zr_scene *scene, const struct zr_view *view,
     if (flow->matrices && scene->sections.count > 0)
         zr_error_add(error, ZR_BAD_SCENE, pointer, "poses of a flow do not go with sections");
     if (view->lens.model != ZR_LENS_NONE || (flow->has_view && flow->view.lens.model != ZR_LENS_NONE))
-        zr_error_add(error, ZR_BAD_SCENE, pointer, "a flow is that of pictures without a lens");
+        zr_error_add(error, ZR_BAD_SCENE, pointer, "the channel flow does not go with a distortion");
 }
 
 static bool has_faces(const struct zr_scene *scene)
