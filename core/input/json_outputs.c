@@ -1,5 +1,3 @@
-#include <math.h>
-
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 #include "input/outputs.h"
@@ -42,11 +40,8 @@ static bool read_range(struct zr_json *json, const struct zr_json_path *path, co
 static bool read_count(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                        void *out)
 {
-    double value;
-    if (!zr_json_number(json, path, field, &value)) return false;
-    if (value != floor(value)) return zr_json_fault(json, path, "%g is no integer", value);
-    *(uint32_t *)out = (uint32_t)value;
-    return true;
+    return zr_json_whole(json, path, field, out) &&
+           zr_json_check_range(json, path, field->low, field->high, *(uint32_t *)out);
 }
 
 enum { CHANNEL, ENCODING, SPACE, SCALE, RANGE, X, Y, QUALITY, LOSSLESS, MAX_BYTES, TO };
