@@ -56,7 +56,8 @@ struct zr_camera zr_camera_orthographic(zr_vec3 right, zr_vec3 up, zr_vec3 back,
 float zr_diagonal_of(const struct zr_bounds *bounds);
 
 /* Returns the bounds of all instances, without points at infinity (w = 0) or beyond the range of float. Visits every
- * point of every instance; if cancelled, returns the bounds so far. `team` and `cancel` may be NULL. */
+ * point of every instance, unless the scene has its box. If cancelled, returns the bounds so far. `team` and `cancel`
+ * may be NULL. */
 struct zr_bounds zr_bounds_of(const struct zr_scene *scene, struct zr_team *team, const struct zr_cancel *cancel);
 
 /* False if pose and projection are both matrices: the view then does not depend on the geometry. */

@@ -47,6 +47,7 @@ static struct zr_bounds bounds_of(const struct zr_points *points)
 
 struct zr_bounds zr_bounds_of(const struct zr_scene *scene, struct zr_team *team, const struct zr_cancel *cancel)
 {
+    if (scene->has_box) return (struct zr_bounds){true, scene->box_min, scene->box_max};
     return bounds_of(&(struct zr_points){.scene = scene, .team = team, .cancel = cancel});
 }
 

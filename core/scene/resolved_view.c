@@ -18,8 +18,7 @@ enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *tea
     resolved->view = view;
     if (zr_view_needs_bounds(view) || zr_view_wants(view, ZR_CHANNEL_INFO) || scene->picture.is_linear ||
         scene->sections.count > 0)
-        resolved->bounds = scene->has_box ? (struct zr_bounds){true, scene->box_min, scene->box_max}
-                                          : zr_bounds_of(scene, team, cancel);
+        resolved->bounds = zr_bounds_of(scene, team, cancel);
     const enum zr_status status =
         zr_camera_resolve(scene, view, &resolved->bounds, team, cancel, &resolved->camera, error);
     if (status != ZR_OK) return status;

@@ -146,8 +146,7 @@ static enum zr_status plan(struct zr_arena *scratch, struct zr_team *team, struc
         set->kind == ZR_VIEW_SET_LIST || set->count <= SAMPLED ? 1 : (set->count + SAMPLED - 1) / SAMPLED;
     uint64_t pixels = 0;
     views->has_one_window = true;
-    views->bounds = views->scene->has_box ? (struct zr_bounds){true, views->scene->box_min, views->scene->box_max}
-                                          : zr_bounds_of(views->scene, team, cancel);
+    views->bounds = zr_bounds_of(views->scene, team, cancel);
     enum zr_status status = check_names(views, scratch, error);
     if (status == ZR_OK) status = lay_out_sheet(views, error);
     /* Windows are equal, but for those of a list: too many pixels are refused before the geometry is walked. */
