@@ -363,12 +363,15 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
                                          const struct zr_parsed_poses *poses, const struct zr_mesh *meshes,
                                          uint32_t mesh_count, uint32_t *count);
 
-/* json_scene.c: returns the instances of the scene with other poses, in the same order. NULL after a fault. */
+/* json_instances.c: returns the instances that nodes or meshes make, *count of them. `poses`: NULL, or those of a flow;
+ * the order is the same. NULL after a fault. */
 struct zr_instance *zr_parsed_make_instances(struct zr_parsed_scene *root, const struct zr_parsed_poses *poses,
                                              uint32_t *count);
 
-/* json_flow.c: reads the key `to` of an output, a struct zr_parsed_flow; finds the target once there are instances. */
+/* json_flow.c: reads the key `to` of an output, a struct zr_parsed_flow. */
 zr_json_read_fn zr_read_flow;
+
+/* json_flow_target.c: finds the target of the flow, after the instances. */
 void zr_parsed_find_flow(struct zr_parsed_scene *root);
 
 /* json_mesh.c: finds the number of the mesh with this name, once there are meshes. False, and a fault at `path`, if
