@@ -1,6 +1,5 @@
 #include "render/instance_masks.h"
 
-#include "base/rgba.h"
 #include "render/pass.h"
 #include "render/stage.h"
 #include "scene/scene_edit.h"
@@ -75,12 +74,6 @@ static bool mark_all(struct marking *m, uint32_t number, struct zr_tile *tile)
     return is_done;
 }
 
-/* Compares an opacity with the cutoff as layers.c does. */
-static bool passes(const struct zr_draw *draw, float opacity)
-{
-    return zr_rgba_byte(opacity) >= zr_rgba_byte(draw->material->alpha_cutoff);
-}
-
 /* Marks masked fragments that pass, layer by layer. */
 static void mark_passing(struct marking *m, struct zr_layers *layers)
 {
@@ -96,7 +89,7 @@ static void mark_passing(struct marking *m, struct zr_layers *layers)
                 const uint32_t owner = layer->owner[place];
                 if (owner == 0) continue;
                 m->draw = zr_draw_next(tiles->geometry, m->draw, owner - 1);
-                if (passes(m->draw, layers->front[3][place]))
+                if (zr_passes_cutoff(m->draw->material, layers->front[3][place]))
                     zr_fragment_marks_put(&m->marks, (uint32_t)place, 1, owner);
             }
     }
@@ -168,7 +161,6 @@ struct joining {
     uint32_t *numbers; /* 1 + number of the mask, per instance; NONE: not in the window */
     struct zr_instance_mask *masks;
     uint32_t count;
-    uint64_t **visible; /* bits per mask */
 };
 
 /* Returns the rows of a tile in the window. */

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/mutant.h"
-#include "base/rgba.h"
 #include "raster/halfspace.h"
 
 /* ---- the pool ---- */
@@ -101,11 +100,10 @@ bool zr_layers_has_blended(const struct zr_tile_source *tiles, uint32_t number)
     return tiles->any_blended && has_any(tiles, number, ZR_ALPHA_BLEND);
 }
 
-/* Compares an opacity with the cutoff as GL does in 8-bit RGBA: both are rounded first. */
 static bool passes(const struct zr_tile_source *tiles, uint32_t owner, float opacity)
 {
     const struct zr_draw *draw = zr_draw_of(tiles->geometry, owner - 1);
-    return zr_rgba_byte(opacity) >= zr_rgba_byte(draw->material->alpha_cutoff);
+    return zr_passes_cutoff(draw->material, opacity);
 }
 
 /* Moves fragments that pass to the tile, unless a nearer one has passed. */

@@ -9,6 +9,7 @@
 #ifndef ZR_LAYERS_H
 #define ZR_LAYERS_H
 
+#include "base/rgba.h"
 #include "render/tile_source.h"
 #include "shade/paint.h"
 
@@ -60,5 +61,11 @@ bool zr_layers_blend(const struct zr_tile_source *tiles, uint32_t number, const 
  * pixels that only blended fragments cover. */
 uint32_t zr_layers_put(const struct zr_tile_source *tiles, struct zr_layers *blended, const struct zr_tile *tile,
                        const struct zr_pixel_rows *out);
+
+/* Compares an opacity with the cutoff as GL does in 8-bit RGBA: both are rounded first. */
+static inline bool zr_passes_cutoff(const struct zr_material *material, float opacity)
+{
+    return zr_rgba_byte(opacity) >= zr_rgba_byte(material->alpha_cutoff);
+}
 
 #endif
