@@ -58,7 +58,7 @@ static bool is_number(const struct row *row)
     }
 }
 
-/* Returns the words that a parameter takes, or NULL: those of its key, of the first key of its object, or of presets.
+/* Returns the words that a parameter takes: presets, or those of its key or of the first key of its object. NULL: none.
  */
 static const struct zr_names *words_of(const struct row *row)
 {

@@ -164,7 +164,7 @@ static void print_description(struct zr_print *print, const struct zr_json_field
     zr_print_string(print, "description", text);
 }
 
-/* is_of_type: leaves out the types, with which the meaning of a key of some types begins. */
+/* is_of_type: leaves out the types that begin the meaning, as in "spot: ...". */
 static void print_field(struct zr_print *print, const struct zr_json_field *field, bool is_of_type)
 {
     const char *types = is_of_type && field->of ? strstr(field->text, ": ") : NULL;
@@ -191,7 +191,7 @@ static void write_type_name(const struct zr_json_object *object, int type, char 
              object->name + 1);
 }
 
-/* Of a type, or of all with -1. */
+/* True if a type has the key; with -1, if any has. */
 static bool is_of(const struct zr_json_field *field, int type)
 {
     return field->read && (type < 0 || !field->of || field->of >> type & 1u);
@@ -384,7 +384,7 @@ static struct definition *find(struct definitions *all, const char *name, size_t
     return NULL;
 }
 
-/* Marks a definition and all that it refers to. The depth is that of the number of definitions. */
+/* Marks a definition and all that it refers to. The depth is at most the number of definitions. */
 static void use(struct definitions *all, struct definition *item)
 {
     if (!item || item->is_used) return;

@@ -176,7 +176,7 @@ static void check_space(struct zr_json *json, const struct zr_json_path *path, c
         output->space = (enum zr_space)given->space;
 }
 
-/* Positions fit 8 bits in the space nocs only. A space that is reported may be right. */
+/* Positions fit 8 bits in the space nocs only. A refused space is not reported twice. */
 static void check_position(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
                            const struct zr_output *output)
 {
@@ -198,7 +198,7 @@ static void check_pixel(struct zr_json *json, const struct zr_json_path *path, u
         zr_json_fault(json, path, "missing the key%s: fragments are of one pixel", missing[x ? 1 : 2 * y]);
 }
 
-/* The channel flow needs a target, and others have none. A target that is reported is there. */
+/* The channel flow needs a target, and others have none. A target with faults counts as given. */
 static void check_flow(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
                        const struct zr_parsed_scene *root, const struct zr_output *output)
 {

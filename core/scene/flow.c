@@ -18,7 +18,7 @@ bool zr_flow_scene(struct zr_arena *arena, const struct zr_scene *scene, struct 
     return instances != NULL;
 }
 
-/* Fixes the camera, but for the planes that are fitted. */
+/* Gives a view the pose and the size of the camera. Near and far plane stay those of the view. */
 static void use_camera(const struct zr_camera *own, struct zr_view *view)
 {
     view->pose = ZR_POSE_MATRIX;

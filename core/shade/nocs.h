@@ -20,10 +20,10 @@ struct zr_nocs {
 /* The boxes of all meshes of a scene. */
 struct zr_nocs_list {
     const struct zr_mesh *meshes;
-    const struct zr_nocs *each; /* as many */
+    const struct zr_nocs *each; /* per mesh */
 };
 
-/* Returns NULL without memory, or if cancelled. Takes time for each position of meshes that are placed. */
+/* Finds the boxes of all placed meshes. Visits each of their positions. NULL without memory, or if cancelled. */
 const struct zr_nocs_list *zr_nocs_make(struct zr_arena *arena, const struct zr_scene *scene,
                                         const struct zr_cancel *cancel);
 

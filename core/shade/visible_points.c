@@ -264,7 +264,7 @@ struct arrival {
     double depth, pixel; /* eye-space depth, and length of a pixel there */
 };
 
-/* Surfaces are followed for this many lengths of a pixel within one: up to 86 degrees of slope. */
+/* Largest change of a surface's depth within a pixel, in lengths of a pixel: a slope of 86 degrees. */
 #define STEEPEST 16.0
 
 /* Tolerance of depths, relative. */

@@ -18,7 +18,7 @@ struct sink {
     struct zr_webp_frames webp;
 };
 
-/* Views that have a warning. */
+/* Number of views that have a warning, and the first of them. */
 struct warned {
     uint32_t views, first;
 };
