@@ -77,7 +77,7 @@ static void check_names(struct mcp_job *job)
     }
 }
 
-/* Reads a number of pixels, or its default. */
+/* Reads a whole number, or its default. */
 static unsigned read_number(struct mcp_job *job, const char *name, unsigned least, unsigned most, unsigned otherwise)
 {
     const cJSON *given = mcp_job_argument(job, name);
@@ -104,7 +104,7 @@ static void read_format(struct mcp_job *job)
         job->format = given->valuestring;
 }
 
-/* Finds out how many pictures there will be. */
+/* Counts the pictures of the answer. */
 static void read_views(struct mcp_job *job)
 {
     const cJSON *views = mcp_job_argument(job, "views"), *sheet = mcp_job_argument(job, "sheet");

@@ -4,8 +4,8 @@
 
 #include "model.h"
 
-/* IMAGES_MAX: pictures of an answer. SIDE_MAX: pixels of a side: larger pictures are made smaller by those who look at
- * them. SIDE_MIN: captions have no room in smaller ones. */
+/* IMAGES_MAX: pictures of an answer. SIDE_MAX: pixels of a side; models shrink larger pictures before they read them.
+ * SIDE_MIN: captions have no room in smaller ones. */
 enum { MCP_IMAGES_MAX = 8, MCP_SIDE_MIN = 16, MCP_SIDE_MAX = 1568 };
 
 enum mcp_tool { MCP_RENDER, MCP_FACTS, MCP_PICK, MCP_TOOLS };
@@ -26,7 +26,7 @@ struct mcp_job {
     struct mcp_span views; /* of the scene, a list, if it has any */
 };
 
-/* Reads and checks the arguments. False: the job has faults, or no memory, or time is over. */
+/* Reads and checks the arguments. False: the job has faults, memory is exhausted or the request is cancelled. */
 bool mcp_job_read(struct mcp_job *job, const struct mcp_host *host, const struct mcp_message *message,
                   enum mcp_tool tool);
 

@@ -1,5 +1,5 @@
 /* mcp.h - mcp: the Model Context Protocol: a message in, an answer out. Revisions 2026-07-28 and, by each request's own
- * shape, 2025-11-25 and 2025-06-18. Nothing is remembered between messages.
+ * shape, 2025-11-25 and 2025-06-18. Messages share no state.
  *
  * Thread-safe, as far as the host is. No I/O. */
 #ifndef MCP_H
