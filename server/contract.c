@@ -10,11 +10,6 @@
 
 enum { MEMORY = 8 << 20, NAME_SIZE = 64 };
 
-static void answer_not_modified(struct answer *answer)
-{
-    answer->status = 304;
-}
-
 /* Answers a text with its hash as ETag: clients that have it get 304. */
 static void answer_text(const struct request *request, struct answer *answer, const char *type,
                         const struct zr_buffer *text)
@@ -27,7 +22,7 @@ static void answer_text(const struct request *request, struct answer *answer, co
     answer_header(answer, "ETag", "%s", tag);
     answer_header(answer, "Cache-Control", "no-cache");
     if (request->if_none_match && strstr(request->if_none_match, tag))
-        answer_not_modified(answer);
+        answer->status = 304;
     else
         answer_copy(answer, type, text->bytes, text->size);
 }
