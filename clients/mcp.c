@@ -51,7 +51,7 @@ static void raise_now(struct serving *serving)
     zraster_cancel_raise(serving->cancel);
 }
 
-/* Notes that an id is cancelled, and stops its message if that is being answered. */
+/* Notes that an id is cancelled, and stops its request if it runs now. */
 static void cancel(struct serving *serving, const char *id)
 {
     pthread_mutex_lock(&serving->lock);
@@ -66,7 +66,7 @@ static bool is_cancelled(void *context)
     return atomic_load(&serving->is_cancelled) || interrupted();
 }
 
-/* Learns the id of the message that is being answered. */
+/* Takes the id of the request that runs now. It may be cancelled already. */
 static void begin(void *context, struct mcp_span id)
 {
     struct serving *serving = context;
