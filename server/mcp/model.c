@@ -6,7 +6,6 @@
 #include <strings.h>
 
 #include "faults.h"
-#include "utf8.h"
 
 enum { LOOK_BYTES = 256 << 10 }; /* decoded within 1 ms */
 
