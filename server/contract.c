@@ -7,6 +7,7 @@
 #include "contract/schema.h"
 #include "openapi.h"
 #include "problem.h"
+#include "text.h"
 
 enum { MEMORY = 8 << 20, NAME_SIZE = 64 };
 
@@ -21,7 +22,7 @@ static void answer_text(const struct request *request, struct answer *answer, co
     snprintf(tag, sizeof tag, "\"%016" PRIx64 "\"", hash);
     answer_header(answer, "ETag", "%s", tag);
     answer_header(answer, "Cache-Control", "no-cache");
-    if (request->if_none_match && strstr(request->if_none_match, tag))
+    if (text_has_tag(request->if_none_match, tag))
         answer->status = 304;
     else
         answer_copy(answer, type, text->bytes, text->size);

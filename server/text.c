@@ -36,3 +36,9 @@ size_t text_trimmed_length(const char *text)
         length--;
     return length;
 }
+
+bool text_has_tag(const char *list, const char *tag)
+{
+    if (!list) return false;
+    return (list[0] == '*' && text_trimmed_length(list) == 1) || strstr(list, tag);
+}
