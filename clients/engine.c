@@ -45,7 +45,8 @@ static void take_picture(struct answer *answer)
     snprintf(answer->look, sizeof answer->look, "%s", zraster_picture_look(answer->picture));
 }
 
-static void draw_here(const struct engine *engine, const struct input *input, const char *query, struct answer *answer)
+zraster_status engine_draw_here(const struct engine *engine, const struct input *input, const char *query,
+                                zraster_picture **picture, struct zraster_bytes *file, zraster_error **error)
 {
     struct zraster_part parts[INPUT_PARTS_MAX];
     const struct zraster_request request = {.struct_size = sizeof request,
@@ -58,10 +59,14 @@ static void draw_here(const struct engine *engine, const struct input *input, co
                                             .cancel = engine->cancel,
                                             .progress = engine->progress,
                                             .progress_context = engine->progress_context};
+    const zraster_status status = zraster_draw(engine->renderer, &request, picture, error);
+    return status == ZRASTER_OK ? zraster_picture_encode(*picture, NULL, file, error) : status;
+}
+
+static void draw_here(const struct engine *engine, const struct input *input, const char *query, struct answer *answer)
+{
     zraster_error *error = NULL;
-    zraster_status status = zraster_draw(engine->renderer, &request, &answer->picture, &error);
-    if (status == ZRASTER_OK) status = zraster_picture_encode(answer->picture, NULL, &answer->file, &error);
-    if (status == ZRASTER_OK)
+    if (engine_draw_here(engine, input, query, &answer->picture, &answer->file, &error) == ZRASTER_OK)
         take_picture(answer);
     else {
         bytes_print(&answer->faults, "%s", zraster_error_text(error));

@@ -22,6 +22,11 @@ struct engine {
 int engine_open(struct engine *engine, const struct options *options, unsigned threads);
 void engine_close(struct engine *engine);
 
+/* Draws in this process. The picture owns the bytes of `file`. The caller frees picture and error in every case; they
+ * start as NULL. Thread-safe. `query` may be NULL. */
+zraster_status engine_draw_here(const struct engine *engine, const struct input *input, const char *query,
+                                zraster_picture **picture, struct zraster_bytes *file, zraster_error **error);
+
 /* Draws. Thread-safe. The caller frees the answer in every case. */
 void engine_draw(const struct engine *engine, const struct input *input, const struct options *options,
                  struct answer *answer);

@@ -58,15 +58,22 @@ static const cJSON *follow(const struct keys *keys, const cJSON *schema)
 
 /* ---- values in words ---- */
 
-static void print_values(const cJSON *list, const char *between)
+/* Prints a value of JSON, a string without its quotes. */
+static void print_json(const cJSON *value)
+{
+    char *text = cJSON_PrintUnformatted(value);
+    const char *word = cJSON_GetStringValue(value);
+    fputs(word ? word : text ? text : "", stdout);
+    cJSON_free(text);
+}
+
+static void print_values(const cJSON *list)
 {
     const cJSON *item;
     cJSON_ArrayForEach(item, list)
     {
-        char *text = cJSON_PrintUnformatted(item);
-        const char *word = cJSON_GetStringValue(item);
-        printf("%s%s", item == list->child ? "" : between, word ? word : text ? text : "");
-        cJSON_free(text);
+        if (item != list->child) fputs(", ", stdout);
+        print_json(item);
     }
 }
 
@@ -122,12 +129,10 @@ static void print_value(const struct keys *keys, const cJSON *schema, int depth)
         printf("%c%.*s", tolower((unsigned char)*meaning), (int)strlen(meaning) - 2, meaning + 1);
     else if (to && depth < DEPTH_MAX)
         print_value(keys, to, depth + 1);
-    else if (get(schema, "const")) {
-        char *text = cJSON_PrintUnformatted(get(schema, "const"));
-        fputs(text ? text : "", stdout);
-        cJSON_free(text);
-    } else if (get(schema, "enum"))
-        print_values(get(schema, "enum"), ", ");
+    else if (get(schema, "const"))
+        print_json(get(schema, "const"));
+    else if (get(schema, "enum"))
+        print_values(get(schema, "enum"));
     else if (any && depth < DEPTH_MAX)
         print_any(keys, any, depth);
     else if (strcmp(type, "number") == 0)
@@ -144,7 +149,7 @@ static void print_value(const struct keys *keys, const cJSON *schema, int depth)
 
 /* ---- places ---- */
 
-/* True if a schema refers to a definition, also through kinds of values. */
+/* Returns true if a schema refers to a definition, by itself or through kinds of values. */
 static bool refers(const struct keys *keys, const cJSON *schema, const char *name, int depth)
 {
     const cJSON *item;
@@ -188,7 +193,7 @@ static bool write_path(const struct keys *keys, const char *name, int depth, cha
 
 /* ---- help ---- */
 
-/* Prints a key of an object, unless an object before has the same key with the same words: that of another type. */
+/* Prints a key of an object. False: an earlier object, of another type, has the key with the same description. */
 static bool explain(const struct keys *keys, const cJSON *object, const cJSON *key)
 {
     const cJSON *default_value = get(key, "default"), *before, *item;
@@ -212,12 +217,9 @@ static bool explain(const struct keys *keys, const cJSON *object, const cJSON *k
     printf("\n    %s\n    Value: ", text_of(key, "description"));
     print_value(keys, key, 0);
     if (default_value) {
-        char *text = cJSON_PrintUnformatted(default_value);
-        const char *word = cJSON_GetStringValue(default_value);
-        printf(". Default: %s", word ? word : text ? text : "");
-        cJSON_free(text);
+        fputs(". Default: ", stdout);
+        print_json(default_value);
     }
-    item = NULL;
     bool is_required = false;
     cJSON_ArrayForEach(item, get(object, "required"))
     {
@@ -239,7 +241,7 @@ static bool list_object(const struct keys *keys, const cJSON *object)
     return true;
 }
 
-/* Lists the types of an object: those to which it refers. */
+/* Lists the keys of each type of an object. */
 static bool list_types(const struct keys *keys, const cJSON *object)
 {
     const cJSON *type;
@@ -269,7 +271,6 @@ bool keys_explain(const char *name)
     return any;
 }
 
-/* near->best points to static memory: the nearest name so far. */
 void keys_offer(struct near_word *near)
 {
     static char best[REFERENCE_SIZE];

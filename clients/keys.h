@@ -6,10 +6,10 @@
 
 #include "words.h"
 
-/* Explains a key ("znear", "view.znear") or lists the keys of an object ("light"). False if there is no such name. */
+/* Explains a key ("znear", "view.znear") or lists the keys of an object ("light"). False: the name is unknown. */
 bool keys_explain(const char *name);
 
-/* Offers all names of keys and objects. */
+/* Offers all names of keys and objects. near->best may point to static memory. */
 void keys_offer(struct near_word *near);
 
 #endif

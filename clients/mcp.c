@@ -27,8 +27,8 @@ struct line {
 };
 
 struct serving {
-    zraster *renderer;
-    const char *root; /* real path */
+    struct engine engine; /* with a cancel of its own for each message */
+    const char *root;     /* real path */
     pthread_mutex_t lock;
     pthread_cond_t changed;
     struct line *first, **last;
@@ -37,7 +37,6 @@ struct serving {
     char ids[IDS_MAX][ID_SIZE];
     size_t id_count;
     char current[ID_SIZE]; /* id of the message that is answered; "": none yet */
-    zraster_cancel *cancel;
     atomic_bool is_cancelled;
     void **blocks; /* memory of the message */
     size_t block_count;
@@ -48,10 +47,10 @@ struct serving {
 static void raise_now(struct serving *serving)
 {
     atomic_store(&serving->is_cancelled, true);
-    zraster_cancel_raise(serving->cancel);
+    zraster_cancel_raise(serving->engine.cancel);
 }
 
-/* Notes that an id is cancelled, and stops its message if that is being answered. */
+/* Notes that an id is cancelled, and stops its request if it runs now. */
 static void cancel(struct serving *serving, const char *id)
 {
     pthread_mutex_lock(&serving->lock);
@@ -66,7 +65,7 @@ static bool is_cancelled(void *context)
     return atomic_load(&serving->is_cancelled) || interrupted();
 }
 
-/* Learns the id of the message that is being answered. */
+/* Takes the id of the request that runs now. It may be cancelled already. */
 static void begin(void *context, struct mcp_span id)
 {
     struct serving *serving = context;
@@ -123,19 +122,10 @@ static void take_faults(const zraster_error *error, struct mcp_faults *faults)
 
 static enum mcp_draw_status draw_input(struct serving *serving, const struct input *input, struct mcp_drawn *drawn)
 {
-    struct zraster_part parts[INPUT_PARTS_MAX];
-    const struct zraster_request request = {.struct_size = sizeof request,
-                                            .body = input->body.data,
-                                            .body_size = input->body.size,
-                                            .type = "json",
-                                            .parts = parts,
-                                            .part_count = input_parts(input, parts),
-                                            .cancel = serving->cancel};
     zraster_picture *picture = NULL;
     zraster_error *error = NULL;
     struct zraster_bytes bytes;
-    zraster_status status = zraster_draw(serving->renderer, &request, &picture, &error);
-    if (status == ZRASTER_OK) status = zraster_picture_encode(picture, NULL, &bytes, &error);
+    const zraster_status status = engine_draw_here(&serving->engine, input, NULL, &picture, &bytes, &error);
     if (status == ZRASTER_OK) {
         drawn->bytes = bytes.data;
         drawn->size = bytes.size;
@@ -204,9 +194,9 @@ static void *work(void *context)
         if (line && !(serving->first = line->next)) serving->last = &serving->first;
         serving->waiting -= line != NULL;
         serving->current[0] = '\0';
-        zraster_cancel *before = serving->cancel;
-        serving->cancel = zraster_cancel_new();
-        interruption_raises(serving->cancel);
+        zraster_cancel *before = serving->engine.cancel;
+        serving->engine.cancel = zraster_cancel_new();
+        interruption_raises(serving->engine.cancel);
         atomic_store(&serving->is_cancelled, false);
         pthread_cond_broadcast(&serving->changed);
         pthread_mutex_unlock(&serving->lock);
@@ -299,7 +289,7 @@ static int serve(struct serving *serving)
     pthread_mutex_unlock(&serving->lock);
     pthread_join(thread, NULL);
     interruption_raises(NULL);
-    zraster_cancel_free(serving->cancel);
+    zraster_cancel_free(serving->engine.cancel);
     free(serving->blocks);
     return interrupted() ? STATUS_INTERRUPTED : 0;
 }
@@ -317,12 +307,12 @@ int command_mcp(struct options *options)
     DIR *folder = root ? opendir(root) : NULL;
     if (!folder)
         fprintf(stderr, "zraster: --root %s: %s\n", options->own[OPTION_ROOT], strerror(errno));
-    else if (!serving || zraster_open(&wanted, &serving->renderer) != ZRASTER_OK)
+    else if (!serving || zraster_open(&wanted, &serving->engine.renderer) != ZRASTER_OK)
         fputs("zraster: out of memory\n", stderr);
     else {
         serving->root = root;
         status = serve(serving);
-        zraster_close(serving->renderer);
+        zraster_close(serving->engine.renderer);
     }
     if (folder) closedir(folder);
     free(serving);

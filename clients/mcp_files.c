@@ -18,7 +18,7 @@ static bool is_below(const char *root, const char *path)
     return strncmp(path, root, length) == 0 && (path[length] == '/' || path[length] == '\0');
 }
 
-/* Nobody learns what there is elsewhere. */
+/* The message is the same for files and missing files, so it reveals no names outside the root. */
 static bool refuse_outside(const char *given, struct mcp_faults *faults)
 {
     return mcp_fault(faults, "/model/path", "'%.200s' is no file below the folder that this server reads (--root)",
@@ -33,7 +33,8 @@ static bool refuse_missing(const char *root, char *path, const char *given, int 
     char best[NAME_MAX + 1] = "";
     *slash = '\0';
     char *folder = realpath(slash == path ? "/" : path, NULL);
-    DIR *entries = folder && is_below(root, folder) ? opendir(folder) : NULL;
+    const bool is_inside = folder && is_below(root, folder);
+    DIR *entries = is_inside ? opendir(folder) : NULL;
     for (const struct dirent *entry; entries && (entry = readdir(entries)) != NULL;) {
         const char *const before = near.best;
         if (input_has_ending(entry->d_name)) near_offer(&near, entry->d_name);
@@ -42,7 +43,6 @@ static bool refuse_missing(const char *root, char *path, const char *given, int 
         near.best = best;
     }
     if (entries) closedir(entries);
-    const bool is_inside = folder && is_below(root, folder);
     free(folder);
     if (!is_inside) return refuse_outside(given, faults);
     return mcp_fault(faults, "/model/path", "'%.200s' cannot be read: %s%s%.200s%s", given, strerror(why),
@@ -55,7 +55,7 @@ static bool find_model(const char *root, const char *given, char path[PATH_MAX],
     struct stat status;
     const int length = given[0] == '/' ? snprintf(path, PATH_MAX, "%s", given)
                                        : snprintf(path, PATH_MAX, "%s/%s", strcmp(root, "/") ? root : "", given);
-    if (length >= PATH_MAX) return mcp_fault(faults, "/model/path", "it is too long");
+    if (length >= PATH_MAX) return mcp_fault(faults, "/model/path", "the path is too long");
     char *real = realpath(path, NULL);
     if (!real) return refuse_missing(root, path, given, errno, faults);
     const bool is_inside = is_below(root, real), is_file = stat(real, &status) == 0 && S_ISREG(status.st_mode);

@@ -9,8 +9,8 @@
 #include <unistd.h>
 
 #include "input.h"
-#include "tables.h"
 #include "mcp/unzip.h"
+#include "tables.h"
 
 struct format {
     const char *type, *ending, *name, *instead;
@@ -35,13 +35,13 @@ static const struct format FORMATS[] = {
 static const char *const FOREIGN[] = {"gif", "bmp", "ppm", "pgm",  "exr", "hdr",
                                       "pdf", "npz", "gz",  "html", "txt", "csv"};
 
-/* Endings that choose the encoding. Those of float maps need a channel of floats: --channel depth. NULL: any channel that
- * is given. */
+/* Endings that choose the encoding. Those of float maps need a channel of floats: --channel depth. NULL: any channel
+ * that is given. */
 static const struct {
     const char *ending, *encoding, *channel;
-} CHOICES[] = {{"svg", "svg", "color"}, {"jpg", "jpeg", "color"}, {"jpeg", "jpeg", "color"}, {"webp", "webp", "color"},
-               {"pfm", "pfm", "depth"}, {"tif", "tiff", "depth"}, {"tiff", "tiff", "depth"}, {"apng", "apng", "color"},
-               {"json", "json", NULL}};
+} CHOICES[] = {{"svg", "svg", "color"},   {"jpg", "jpeg", "color"},  {"jpeg", "jpeg", "color"},
+               {"webp", "webp", "color"}, {"pfm", "pfm", "depth"},   {"tif", "tiff", "depth"},
+               {"tiff", "tiff", "depth"}, {"apng", "apng", "color"}, {"json", "json", NULL}};
 
 /* Other spellings of endings. */
 static const struct {

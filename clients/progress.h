@@ -19,8 +19,8 @@ bool progress_is_wanted(const struct options *options);
 
 void progress_show(struct progress *progress, bool is_last);
 
-/* Shows "12 of 36 views" until all are done. `progress->printed` is the beginning: nothing is shown for the first tenth
- * of a second. */
+/* Shows "12 of 36 views" until all are done. `progress->printed` starts as the time of the beginning, so that
+ * requests under 0.1 s show nothing. */
 void progress_show_views(struct progress *progress, size_t done, size_t total);
 
 /* Clears the line, if there is one. */

@@ -16,7 +16,7 @@
 
 /* ---- opening ---- */
 
-/* Returns true for an origin of this machine: a page of another one may have the daemon's name by DNS rebinding. */
+/* Returns true for an origin of this machine. A page of another one can have the daemon's name by DNS rebinding. */
 static bool is_local(const char *origin)
 {
     static const char *const hosts[] = {"localhost", "127.0.0.1", "[::1]"};
@@ -41,8 +41,7 @@ bool agents_open(const struct service *service, const struct load *load, struct 
     if (request->origin && !is_local(request->origin) && !origin_is_allowed(service->config, request))
         problem_answer(answer, 403,
                        "pages of '%.100s' may not call " AGENTS_PATH
-                       "; those of localhost may, and those that zrasterd is "
-                       "started with: --origins",
+                       "; start zrasterd with --origins to allow them, as pages of localhost are",
                        request->origin);
     else if (!is_json(request->content_type))
         problem_answer(answer, 415, AGENTS_PATH " takes messages of the Content-Type application/json");
@@ -169,9 +168,7 @@ static enum request_next answer_message(struct agents *agents, const struct zr_r
     case MCP_LATER:
         return REQUEST_LARGE;
     case MCP_CANCELLED:
-        if (agents->request->small_only) return REQUEST_LARGE;
-        problem_timeout(answer, agents->service->config->render_timeout_ms);
-        return REQUEST_ANSWERED;
+        return body_next(BODY_CANCELLED, agents->request, agents->service->config->render_timeout_ms, answer);
     default:
         break;
     }

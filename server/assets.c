@@ -10,19 +10,10 @@
 #include "problem.h"
 #include "text.h"
 
-/* Searches a name in If-None-Match: "*", or a list of entity tags (RFC 9110, 13.1.2). Quotes stand only around tags.
- * Spaces may follow. */
-static bool is_among(const char *tags, const char *name)
-{
-    char wanted[STORE_NAME_SIZE + 2];
-    if (!tags) return false;
-    snprintf(wanted, sizeof wanted, "\"%s\"", name);
-    return (tags[0] == '*' && text_trimmed_length(tags) == 1) || strstr(tags, wanted);
-}
-
 bool assets_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
     (void)load;
+    char tag[STORE_NAME_SIZE + 2];
     static const char FORM[] = "multipart/form-data";
     bool is_new = strcmp(request->method, "POST") == 0;
     const char *name = is_new ? "" : request->path + sizeof ASSETS_PATH - 1;
@@ -39,7 +30,8 @@ bool assets_open(const struct service *service, const struct load *load, struct 
         return false;
     }
     request->asset = name;
-    request->has_asset = is_among(request->if_none_match, name);
+    snprintf(tag, sizeof tag, "\"%s\"", name);
+    request->has_asset = text_has_tag(request->if_none_match, tag);
     return true;
 }
 

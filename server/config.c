@@ -69,8 +69,7 @@ static const struct setting SETTINGS[] = {
      "and all if memory is short; 0: none"},
     {"keep-text-bytes", NUMBER, AT(keep_text_bytes), true, 128 * MIB, 0, 1024 * GIB, NULL, "bytes",
      "of data: URIs of glTF kept from the second time on, as text and decoded, in blocks of 4096; the least recently "
-     "used "
-     "are dropped first, and all if memory is short; 0: none"},
+     "used are dropped first, and all if memory is short; 0: none"},
     {"keep-mesh-bytes", NUMBER, AT(keep_mesh_bytes), true, 256 * MIB, 0, 1024 * GIB, NULL, "bytes",
      "of model files kept as read from the second time on, with copies of those that were not stored, in blocks of "
      "4096; the least recently used are dropped first, and all if memory is short; 0: none"},
@@ -178,7 +177,9 @@ static bool are_origins(const char *text)
     for (const char *at = text + strspn(text, BETWEEN); *at; at += strspn(at, BETWEEN)) {
         const size_t length = strcspn(at, BETWEEN);
         const char *const end = at + length;
-        const char *const host = strncmp(at, "http://", 7) == 0 ? at + 7 : strncmp(at, "https://", 8) == 0 ? at + 8 : end;
+        const char *const host = strncmp(at, "http://", 7) == 0    ? at + 7
+                                 : strncmp(at, "https://", 8) == 0 ? at + 8
+                                                                   : end;
         if (!(length == 1 && *at == '*') && (host == end || memchr(host, '/', (size_t)(end - host)))) return false;
         at = end;
     }
@@ -199,8 +200,8 @@ static bool set_text(struct config *config, const struct setting *s, const char 
     }
     if (s->kind == ORIGINS && !are_origins(value)) {
         snprintf(message, message_size,
-                 "%s: '%.100s' is no list of origins such as https://example.org: scheme and host, without a path or a / at "
-                 "the end",
+                 "%s: '%.100s' is no list of origins such as https://example.org: scheme and host, without a path or a "
+                 "/ at the end",
                  name, value);
         return false;
     }

@@ -7,13 +7,9 @@
 #include "contract/schema.h"
 #include "openapi.h"
 #include "problem.h"
+#include "text.h"
 
 enum { MEMORY = 8 << 20, NAME_SIZE = 64 };
-
-static void answer_not_modified(struct answer *answer)
-{
-    answer->status = 304;
-}
 
 /* Answers a text with its hash as ETag: clients that have it get 304. */
 static void answer_text(const struct request *request, struct answer *answer, const char *type,
@@ -26,8 +22,8 @@ static void answer_text(const struct request *request, struct answer *answer, co
     snprintf(tag, sizeof tag, "\"%016" PRIx64 "\"", hash);
     answer_header(answer, "ETag", "%s", tag);
     answer_header(answer, "Cache-Control", "no-cache");
-    if (request->if_none_match && strstr(request->if_none_match, tag))
-        answer_not_modified(answer);
+    if (text_has_tag(request->if_none_match, tag))
+        answer->status = 304;
     else
         answer_copy(answer, type, text->bytes, text->size);
 }

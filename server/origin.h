@@ -1,7 +1,7 @@
 /* origin.h - requests that browsers send from pages of other sites.
  *
- * A browser says in Sec-Fetch-Site where a request comes from. It does so for https and for this machine's own
- * addresses. Other clients send no such header. */
+ * A browser compares the site of the page with that of the daemon, and sends the result in Sec-Fetch-Site, with https
+ * and to addresses of this machine. Other clients send no such header. */
 #ifndef ZRASTERD_ORIGIN_H
 #define ZRASTERD_ORIGIN_H
 

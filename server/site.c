@@ -10,6 +10,7 @@
 
 #include "problem.h"
 #include "scene/looks.h"
+#include "text.h"
 
 /* ---- files ---- */
 
@@ -51,7 +52,7 @@ static void answer_site_file(const struct request *request, const struct site_fi
     const bool is_gzip = takes_gzip(request->accept_encoding);
     char tag[64];
     snprintf(tag, sizeof tag, "\"%s%s\"", file->tag, is_gzip ? "" : "-plain");
-    const bool has_file = request->if_none_match && strstr(request->if_none_match, tag);
+    const bool has_file = text_has_tag(request->if_none_match, tag);
     if (has_file) {
         answer->status = 304;
         answer->size = is_gzip ? file->size : file->plain_size;

@@ -1,9 +1,11 @@
 /* stream.h - bytes of an answer, from the worker that makes them to the loop that sends them meanwhile.
  *
- * Bound:   up to STREAM_ROOM bytes wait for the loop. If they fill it, the writer waits, so a slow reader slows drawing
- *          and memory stays flat. A writer that waits gives up its place for work (queue.h), so it costs others
- * nothing. Threads: one writer, and one reader, which never waits. End:     the writer ends the bytes. The reader
- * closes the stream to stop the writer, whose calls then return at once.
+ * Bound: up to STREAM_ROOM bytes wait for the loop. If they fill it, the writer waits, so a slow reader slows drawing
+ * and memory stays flat. A writer that waits gives up its place for work (queue.h).
+ *
+ * Threads: one writer, and one reader, which never waits.
+ *
+ * End: the writer ends the bytes. The reader closes the stream to stop the writer, whose calls then return at once.
  */
 #ifndef ZRASTERD_STREAM_H
 #define ZRASTERD_STREAM_H
@@ -17,7 +19,7 @@
 
 enum { STREAM_ROOM = 1 << 20, STREAM_BOUNDARY_SIZE = 40 };
 
-/* What the writer's calls need from the owner of the stream. They run on the writer's thread. */
+/* Functions of the stream's owner that the writer calls, on its thread. */
 struct stream_owner {
     bool (*open)(void *context);                         /* takes one of the places for streams; false: none is free */
     void (*begin)(void *context, struct answer *answer); /* takes the answer over and sends its header */

@@ -60,7 +60,7 @@ class BopFolder:
 
 
 class DrawnViews:
-    """Views that are drawn when they are asked for, without files: image (h, w, 3) uint8, depth (h, w) float32 in units of the
+    """Views that are drawn on access, without files: image (h, w, 3) uint8, depth (h, w) float32 in units of the
     scene, instances (h, w) uint32, counted from 1. Each has another direction; the same index gives the same view."""
 
     def __init__(self, scene, count, **options):

@@ -1,27 +1,8 @@
 #include "input/text.h"
 
 #include <stdarg.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-
-static bool in(char byte, unsigned char low, unsigned char high)
-{
-    return (unsigned char)byte >= low && (unsigned char)byte <= high;
-}
-
-size_t zr_utf8_length(const char *at, const char *end)
-{
-    unsigned char lead = (unsigned char)*at;
-    size_t left = (size_t)(end - at);
-    if (lead < 0x80) return 1;
-    if (lead < 0xC2 || lead > 0xF4 || left < 2) return 0;
-    if (lead < 0xE0) return in(at[1], 0x80, 0xBF) ? 2 : 0;
-    if (left < 3 || !in(at[2], 0x80, 0xBF)) return 0;
-    if (lead < 0xF0) return in(at[1], lead == 0xE0 ? 0xA0 : 0x80, lead == 0xED ? 0x9F : 0xBF) ? 3 : 0;
-    if (left < 4 || !in(at[3], 0x80, 0xBF)) return 0;
-    return in(at[1], lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF) ? 4 : 0;
-}
 
 size_t zr_byte_order_mark(const char *bytes, size_t size)
 {
@@ -47,7 +28,7 @@ struct zr_quote zr_quote(const char *bytes, size_t size)
     while (at < end) {
         size_t length = zr_utf8_length(at, end);
         if (used + length > room) break;
-        if (length == 0 || in(*at, 0, 0x1F) || *at == 0x7F) {
+        if (length == 0 || (unsigned char)*at < 0x20 || *at == 0x7F) {
             quote.text[used++] = '?';
             at++;
         } else {
@@ -81,7 +62,7 @@ struct zr_place zr_place_of(const char *bytes, size_t offset)
         if (bytes[i] == '\n') {
             place.line++;
             place.column = 1;
-        } else if (!in(bytes[i], 0x80, 0xBF)) {
+        } else if (!zr_utf8_in(bytes[i], 0x80, 0xBF)) {
             place.column++;
         }
     }

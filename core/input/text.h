@@ -1,12 +1,10 @@
-/* text.h - input: UTF-8, quotes and places for messages about the input. */
+/* text.h - input: quotes and places for messages about the input. */
 #ifndef ZR_TEXT_H
 #define ZR_TEXT_H
 
 #include <stddef.h>
 
-/* Returns the length, 1..4, of the UTF-8 character at `at`; 0 if it is invalid (overlong, a surrogate, beyond U+10FFFF,
- * cut short by `end`). Requires at < end. Source: RFC 3629, section 4. */
-size_t zr_utf8_length(const char *at, const char *end);
+#include "base/utf8.h"
 
 /* Returns the value of a hexadecimal digit; -1 for other characters. */
 static inline int zr_hex_digit(char c)

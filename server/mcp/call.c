@@ -6,6 +6,7 @@
 
 #include "faults.h"
 #include "shots.h"
+#include "tree.h"
 
 /* ---- results ---- */
 
@@ -44,11 +45,14 @@ static void put_faults(struct mcp_text *result, const struct mcp_faults *faults)
     mcp_text_free(&words);
 }
 
-/* Adds the facts, views and warnings of all shots. */
+/* Adds the facts (of a pick: the unit alone), views and warnings of all shots. */
 static cJSON *make_content(const struct mcp_job *job, const struct mcp_shots *shots)
 {
     cJSON *content = cJSON_CreateObject(), *views = cJSON_CreateArray(), *warnings = cJSON_CreateArray();
-    mcp_facts_add(content, shots->at[0].info);
+    if (job->tool == MCP_PICK)
+        mcp_facts_add_unit(content, shots->at[0].info);
+    else
+        mcp_facts_add(content, shots->at[0].info);
     for (unsigned i = 0; i < shots->count; i++) {
         if (job->tool != MCP_FACTS) mcp_facts_add_views(views, &shots->at[i], i, job->is_sheet);
         mcp_facts_add_warnings(warnings, shots->at[i].info);
@@ -76,8 +80,7 @@ static void add_picture(cJSON *content, const struct mcp_shots *shots)
     bool is_blank = false;
     for (unsigned i = 0; i < shots->count; i++) {
         bytes += shots->at[i].size;
-        const cJSON *said = cJSON_GetObjectItemCaseSensitive(shots->at[i].info, "picture");
-        is_blank |= cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(said, "blank"));
+        is_blank |= cJSON_IsTrue(mcp_get(mcp_get(shots->at[i].info, "picture"), "blank"));
     }
     cJSON_AddNumberToObject(picture, "images", shots->count);
     cJSON_AddNumberToObject(picture, "width", shots->at[0].width);
@@ -85,7 +88,7 @@ static void add_picture(cJSON *content, const struct mcp_shots *shots)
     cJSON_AddStringToObject(picture, "mimeType", shots->at[0].type);
     cJSON_AddNumberToObject(picture, "bytes", (double)bytes);
     cJSON_AddBoolToObject(picture, "blank", is_blank);
-    const cJSON *look = cJSON_GetObjectItemCaseSensitive(shots->at[0].info, "look");
+    const cJSON *look = mcp_get(shots->at[0].info, "look");
     if (look) cJSON_AddItemToObject(picture, "look", cJSON_Duplicate(look, true));
 }
 
@@ -117,12 +120,6 @@ static enum mcp_draw_status show(struct mcp_job *job, struct mcp_text *result)
 
 /* ---- pick ---- */
 
-static double number_at(const cJSON *list, int i)
-{
-    const cJSON *item = cJSON_GetArrayItem(list, i);
-    return item ? item->valuedouble : 0;
-}
-
 /* A view that is picked: its matrices in a sheet. */
 struct target {
     char *view; /* JSON; NULL: that of the job */
@@ -139,17 +136,16 @@ static enum mcp_draw_status find_target(struct mcp_job *job, struct mcp_shots *s
     const cJSON *cell;
     if (status != MCP_DRAWN) return status;
     target->is_paper = true;
-    cJSON_ArrayForEach(cell, cJSON_GetObjectItemCaseSensitive(shots->at[0].info, "sheet"))
+    cJSON_ArrayForEach(cell, mcp_get(shots->at[0].info, "sheet"))
     {
-        const cJSON *box = cJSON_GetObjectItemCaseSensitive(cell, "box");
-        const unsigned x0 = (unsigned)number_at(box, 0), y0 = (unsigned)number_at(box, 1),
-                       x1 = (unsigned)number_at(box, 2), y1 = (unsigned)number_at(box, 3);
+        const cJSON *box = mcp_get(cell, "box");
+        const unsigned x0 = (unsigned)mcp_number_at(box, 0), y0 = (unsigned)mcp_number_at(box, 1),
+                       x1 = (unsigned)mcp_number_at(box, 2), y1 = (unsigned)mcp_number_at(box, 3);
         if (job->x < x0 || job->x >= x1 || job->y < y0 || job->y >= y1) continue;
         cJSON *view = cJSON_CreateObject();
         static const char *const keys[] = {"worldToCamera", "projectionMatrix"};
         for (int i = 0; i < 2; i++)
-            cJSON_AddItemToObject(view, keys[i],
-                                  cJSON_Duplicate(cJSON_GetObjectItemCaseSensitive(cell, keys[i]), true));
+            cJSON_AddItemToObject(view, keys[i], cJSON_Duplicate(mcp_get(cell, keys[i]), true));
         *target = (struct target){cJSON_PrintUnformatted(view), x1 - x0, y1 - y0, job->x - x0, job->y - y0, false};
         cJSON_Delete(view);
     }
@@ -160,30 +156,26 @@ static cJSON *make_fragment(const cJSON *given)
 {
     static const char *const keys[][2] = {
         {"faceId", "face"}, {"depth", "depth"}, {"position", "point"}, {"shown", "shown"}};
-    const cJSON *part = cJSON_GetObjectItemCaseSensitive(given, "part"),
-                *side = cJSON_GetObjectItemCaseSensitive(given, "frontFacing");
+    const cJSON *part = mcp_get(given, "part"), *side = mcp_get(given, "frontFacing");
     cJSON *made = cJSON_CreateObject();
     cJSON_AddStringToObject(made, "part", cJSON_IsString(part) ? part->valuestring : "");
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        cJSON_AddItemToObject(made, keys[i][1],
-                              cJSON_Duplicate(cJSON_GetObjectItemCaseSensitive(given, keys[i][0]), true));
+        cJSON_AddItemToObject(made, keys[i][1], cJSON_Duplicate(mcp_get(given, keys[i][0]), true));
     cJSON_AddBoolToObject(made, "front", side && side->valuedouble == 1);
     return made;
 }
 
 static void describe_fragments(struct mcp_text *words, const cJSON *content)
 {
-    const cJSON *fragments = cJSON_GetObjectItemCaseSensitive(content, "fragments"), *fragment;
+    const cJSON *fragments = mcp_get(content, "fragments"), *fragment;
     cJSON_ArrayForEach(fragment, fragments)
     {
-        const cJSON *point = cJSON_GetObjectItemCaseSensitive(fragment, "point");
+        const cJSON *point = mcp_get(fragment, "point");
         mcp_text_print(words, "\n- part '%.80s', face %.0f, point (%.6g, %.6g, %.6g), depth %.6g, %s%s",
-                       cJSON_GetObjectItemCaseSensitive(fragment, "part")->valuestring,
-                       cJSON_GetObjectItemCaseSensitive(fragment, "face")->valuedouble, number_at(point, 0),
-                       number_at(point, 1), number_at(point, 2),
-                       cJSON_GetObjectItemCaseSensitive(fragment, "depth")->valuedouble,
-                       cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(fragment, "front")) ? "front side" : "back side",
-                       cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(fragment, "shown")) ? ", visible" : ", hidden");
+                       mcp_get(fragment, "part")->valuestring, mcp_number_of(fragment, "face"), mcp_number_at(point, 0),
+                       mcp_number_at(point, 1), mcp_number_at(point, 2), mcp_number_of(fragment, "depth"),
+                       cJSON_IsTrue(mcp_get(fragment, "front")) ? "front side" : "back side",
+                       cJSON_IsTrue(mcp_get(fragment, "shown")) ? ", visible" : ", hidden");
     }
 }
 
@@ -193,12 +185,8 @@ static void put_pick(const struct mcp_job *job, const struct target *target, con
                      const cJSON *found, struct mcp_text *result)
 {
     struct mcp_text words = {0};
-    const cJSON *list = cJSON_GetObjectItemCaseSensitive(found, "fragments"), *fragment,
-                *count = cJSON_GetObjectItemCaseSensitive(found, "count");
+    const cJSON *list = mcp_get(found, "fragments"), *fragment, *count = mcp_get(found, "count");
     cJSON *content = make_content(job, shots);
-    static const char *const dropped[] = {"box", "volume", "area", "closed", "parts", "partsOmitted"};
-    for (size_t i = 0; i < sizeof dropped / sizeof *dropped; i++)
-        cJSON_DeleteItemFromObjectCaseSensitive(content, dropped[i]);
     cJSON_AddNumberToObject(content, "x", job->x);
     cJSON_AddNumberToObject(content, "y", job->y);
     cJSON_AddBoolToObject(content, "hit", count && count->valuedouble > 0);

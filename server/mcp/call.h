@@ -4,8 +4,8 @@
 
 #include "job.h"
 
-/* Runs a tool and adds the members of its result, from "content" on. MCP_DRAWN: there is a result, which may be an
- * error that the caller can mend. */
+/* Runs a tool and adds the members of its result, from "content" on. MCP_DRAWN: the result is complete, and may be a
+ * list of faults that the caller can mend. */
 enum mcp_draw_status mcp_call(const struct mcp_host *host, const struct mcp_message *message, enum mcp_tool tool,
                               struct mcp_text *result);
 

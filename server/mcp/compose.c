@@ -62,7 +62,7 @@ static void put_sheet(const struct mcp_job *job, struct head *head)
 {
     const cJSON *sheet = mcp_job_argument(job, "sheet"), *annotate = mcp_job_argument(job, "annotate");
     struct mcp_text json = {0};
-    if (!sheet && job->has_own_views && mcp_job_own(job, "sheet").at) return; /* the scene's */
+    if (!sheet && job->has_own_views && job->own[MCP_OWN_SHEET].at) return; /* the scene's */
     mcp_text_put(&json, "{\"layout\":");
     mcp_text_json(&json, sheet ? sheet->valuestring : mcp_job_argument(job, "views") ? "views" : "balanced");
     mcp_text_print(&json, ",\"captions\":%s}", cJSON_IsFalse(annotate) ? "false" : "true");
@@ -84,7 +84,7 @@ static void put_only(const struct mcp_job *job, struct head *head, unsigned only
         json.failed |= !item;
         cJSON_free(item);
     } else {
-        const struct mcp_span item = find_item(job, job->views, only);
+        const struct mcp_span item = find_item(job, job->own[MCP_OWN_VIEWS], only);
         mcp_text_put(&json, "[");
         mcp_text_add(&json, item.at, item.at ? (size_t)(item.end - item.at) : 0);
         mcp_text_put(&json, "]");
@@ -110,7 +110,7 @@ static void put_views(const struct mcp_job *job, const struct mcp_picture *pictu
     if (picture->view) {
         put(head, "view", picture->view);
         drop_views(head);
-    } else if (picture->only >= 0 && (views || job->views.at)) {
+    } else if (picture->only >= 0 && (views || job->own[MCP_OWN_VIEWS].at)) {
         put_only(job, head, (unsigned)picture->only);
         drop_views(head);
     } else if (job->is_sheet) {

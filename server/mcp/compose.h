@@ -4,7 +4,7 @@
 
 #include "job.h"
 
-/* What to make of a scene. */
+/* A picture to draw of a scene. */
 struct mcp_picture {
     const char *outputs;    /* JSON */
     unsigned width, height; /* 0: no picture */

@@ -5,24 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PARTS_MAX = 50, PARTS_TOLD = 12 };
+#include "tree.h"
 
-static double number_at(const cJSON *list, int i)
-{
-    const cJSON *item = cJSON_GetArrayItem(list, i);
-    return item ? item->valuedouble : 0;
-}
-
-static const cJSON *get(const cJSON *object, const char *name)
-{
-    return cJSON_GetObjectItemCaseSensitive(object, name);
-}
-
-static double number_of(const cJSON *object, const char *name)
-{
-    const cJSON *item = get(object, name);
-    return item ? item->valuedouble : 0;
-}
+enum { PARTS_MAX = 50, PARTS_DESCRIBED = 12 };
 
 /* Returns a number of a float's digits. */
 static cJSON *make_number(double value)
@@ -34,7 +19,7 @@ static cJSON *make_number(double value)
 
 static void copy(cJSON *to, const cJSON *from, const char *name)
 {
-    const cJSON *item = get(from, name);
+    const cJSON *item = mcp_get(from, name);
     if (item) cJSON_AddItemToObject(to, name, cJSON_Duplicate(item, true));
 }
 
@@ -43,11 +28,11 @@ static void copy(cJSON *to, const cJSON *from, const char *name)
 static cJSON *make_box(const cJSON *bounds)
 {
     double size[3];
-    const cJSON *min = get(bounds, "min"), *max = get(bounds, "max");
+    const cJSON *min = mcp_get(bounds, "min"), *max = mcp_get(bounds, "max");
     if (!min || !max) return cJSON_CreateNull();
     cJSON *box = cJSON_CreateObject();
     for (int i = 0; i < 3; i++)
-        size[i] = number_at(max, i) - number_at(min, i);
+        size[i] = mcp_number_at(max, i) - mcp_number_at(min, i);
     cJSON_AddItemToObject(box, "min", cJSON_Duplicate(min, true));
     cJSON_AddItemToObject(box, "max", cJSON_Duplicate(max, true));
     cJSON *list = cJSON_AddArrayToObject(box, "size");
@@ -63,24 +48,30 @@ static cJSON *make_part(const cJSON *part)
     cJSON *made = cJSON_CreateObject();
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         copy(made, part, keys[i]);
-    cJSON_AddItemToObject(made, "box", make_box(get(part, "box")));
+    cJSON_AddItemToObject(made, "box", make_box(mcp_get(part, "box")));
     return made;
+}
+
+void mcp_facts_add_unit(cJSON *content, const cJSON *info)
+{
+    const cJSON *unit = mcp_get(info, "unit");
+    cJSON_AddItemToObject(content, "units", unit ? cJSON_Duplicate(unit, true) : cJSON_CreateNull());
 }
 
 void mcp_facts_add(cJSON *content, const cJSON *info)
 {
-    const cJSON *parts = get(info, "parts"), *part, *unit = get(info, "unit");
-    const double omitted = number_of(info, "partsOmitted");
+    const cJSON *parts = mcp_get(info, "parts"), *part;
+    const double omitted = mcp_number_of(info, "partsOmitted");
     double area = 0, volume = 0;
     bool is_closed = omitted == 0 && cJSON_GetArraySize(parts) > 0;
-    cJSON_AddItemToObject(content, "units", unit ? cJSON_Duplicate(unit, true) : cJSON_CreateNull());
-    cJSON_AddItemToObject(content, "box", make_box(get(info, "bounds")));
+    mcp_facts_add_unit(content, info);
+    cJSON_AddItemToObject(content, "box", make_box(mcp_get(info, "bounds")));
     cJSON *list = cJSON_CreateArray();
     cJSON_ArrayForEach(part, parts)
     {
-        area += number_of(part, "area");
-        volume += number_of(part, "volume");
-        is_closed = is_closed && cJSON_IsTrue(get(part, "closed"));
+        area += mcp_number_of(part, "area");
+        volume += mcp_number_of(part, "volume");
+        is_closed = is_closed && cJSON_IsTrue(mcp_get(part, "closed"));
         if (cJSON_GetArraySize(list) < PARTS_MAX) cJSON_AddItemToArray(list, make_part(part));
     }
     cJSON_AddItemToObject(content, "volume", is_closed ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
@@ -93,7 +84,7 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
 
 /* ---- views ---- */
 
-/* Sums of rounded sides: what has three digits after the point is told by them. */
+/* Rounds to three digits after the point. */
 static double rounded(double value)
 {
     return round(value * 1e3) / 1e3;
@@ -112,39 +103,41 @@ static cJSON *make_vector(double x, double y, double z)
 static void add_view(cJSON *views, const cJSON *camera, const char *name, unsigned number, double pixels,
                      const cJSON *box)
 {
-    const cJSON *pose = get(camera, "worldToCamera"), *projection = get(camera, "projectionMatrix");
+    const cJSON *pose = mcp_get(camera, "worldToCamera"), *projection = mcp_get(camera, "projectionMatrix");
     cJSON *view = cJSON_CreateObject();
-    const bool is_parallel = number_at(projection, 15) == 1 && number_at(projection, 0) != 0;
+    const bool is_parallel = mcp_number_at(projection, 15) == 1 && mcp_number_at(projection, 0) != 0;
     cJSON_AddStringToObject(view, "name", *name ? name : "view");
     cJSON_AddNumberToObject(view, "image", number);
     if (box) cJSON_AddItemToObject(view, "box", cJSON_Duplicate(box, true));
     copy(view, camera, "azimuthDegrees");
     copy(view, camera, "elevationDegrees");
     cJSON_AddItemToObject(view, "looksAlong",
-                          make_vector(-number_at(pose, 2), -number_at(pose, 6), -number_at(pose, 10)));
+                          make_vector(-mcp_number_at(pose, 2), -mcp_number_at(pose, 6), -mcp_number_at(pose, 10)));
     cJSON_AddStringToObject(view, "projection", is_parallel ? "orthographic" : "perspective");
     cJSON_AddItemToObject(view, "unitsPerPixel",
-                          is_parallel ? make_number(2 / fabs(number_at(projection, 0) * pixels)) : cJSON_CreateNull());
+                          is_parallel ? make_number(2 / fabs(mcp_number_at(projection, 0) * pixels))
+                                      : cJSON_CreateNull());
     copy(view, camera, "eye");
     cJSON_AddItemToArray(views, view);
 }
 
 void mcp_facts_add_views(cJSON *views, const struct mcp_shot *shot, unsigned number, bool is_sheet)
 {
-    const cJSON *sheet = get(shot->info, "sheet"), *cell;
+    const cJSON *sheet = mcp_get(shot->info, "sheet"), *cell;
     if (is_sheet && cJSON_IsArray(sheet)) {
         cJSON_ArrayForEach(cell, sheet)
         {
-            const cJSON *name = get(cell, "name"), *box = get(cell, "box");
+            const cJSON *name = mcp_get(cell, "name"), *box = mcp_get(cell, "box");
             add_view(views, cell, cJSON_IsString(name) ? name->valuestring : "", number,
-                     number_at(box, 2) - number_at(box, 0), box);
+                     mcp_number_at(box, 2) - mcp_number_at(box, 0), box);
         }
         return;
     }
     const int before = cJSON_GetArraySize(views);
-    add_view(views, get(shot->info, "camera"), shot->name, number, number_of(get(shot->info, "window"), "width"), NULL);
+    add_view(views, mcp_get(shot->info, "camera"), shot->name, number,
+             mcp_number_of(mcp_get(shot->info, "window"), "width"), NULL);
     cJSON *view = cJSON_GetArrayItem(views, before);
-    const cJSON *picture = get(shot->info, "picture");
+    const cJSON *picture = mcp_get(shot->info, "picture");
     copy(view, picture, "coveredShare");
     copy(view, picture, "touchesBorder");
     copy(view, picture, "blank");
@@ -153,7 +146,7 @@ void mcp_facts_add_views(cJSON *views, const struct mcp_shot *shot, unsigned num
 void mcp_facts_add_warnings(cJSON *warnings, const cJSON *info)
 {
     const cJSON *warning, *there;
-    cJSON_ArrayForEach(warning, get(info, "warnings"))
+    cJSON_ArrayForEach(warning, mcp_get(info, "warnings"))
     {
         bool is_there = !cJSON_IsString(warning);
         cJSON_ArrayForEach(there, warnings) is_there |= strcmp(there->valuestring, warning->valuestring) == 0;
@@ -167,7 +160,7 @@ const char *mcp_facts_unit(const cJSON *content)
 {
     static const char *const units[][2] = {{"millimetre", "mm"}, {"micron", "um"}, {"centimetre", "cm"},
                                            {"metre", "m"},       {"inch", "in"},   {"foot", "ft"}};
-    const cJSON *unit = get(content, "units");
+    const cJSON *unit = mcp_get(content, "units");
     for (size_t i = 0; cJSON_IsString(unit) && i < sizeof units / sizeof *units; i++)
         if (strcmp(unit->valuestring, units[i][0]) == 0) return units[i][1];
     return "units";
@@ -175,23 +168,23 @@ const char *mcp_facts_unit(const cJSON *content)
 
 static void describe_box(struct mcp_text *text, const cJSON *box, const char *unit)
 {
-    const cJSON *min = get(box, "min"), *max = get(box, "max"), *size = get(box, "size");
+    const cJSON *min = mcp_get(box, "min"), *max = mcp_get(box, "max"), *size = mcp_get(box, "size");
     if (!min) {
         mcp_text_put(text, "no box");
         return;
     }
-    mcp_text_print(text, "box %.6g x %.6g x %.6g %s (x %.6g..%.6g, y %.6g..%.6g, z %.6g..%.6g)", number_at(size, 0),
-                   number_at(size, 1), number_at(size, 2), unit, number_at(min, 0), number_at(max, 0),
-                   number_at(min, 1), number_at(max, 1), number_at(min, 2), number_at(max, 2));
+    mcp_text_print(text, "box %.6g x %.6g x %.6g %s (x %.6g..%.6g, y %.6g..%.6g, z %.6g..%.6g)", mcp_number_at(size, 0),
+                   mcp_number_at(size, 1), mcp_number_at(size, 2), unit, mcp_number_at(min, 0), mcp_number_at(max, 0),
+                   mcp_number_at(min, 1), mcp_number_at(max, 1), mcp_number_at(min, 2), mcp_number_at(max, 2));
 }
 
 static void describe_part(struct mcp_text *text, const cJSON *part, const char *unit)
 {
-    const cJSON *name = get(part, "name"), *volume = get(part, "volume");
-    mcp_text_print(text, "\n- part %.0f '%.80s': ", number_of(part, "id"),
+    const cJSON *name = mcp_get(part, "name"), *volume = mcp_get(part, "volume");
+    mcp_text_print(text, "\n- part %.0f '%.80s': ", mcp_number_of(part, "id"),
                    cJSON_IsString(name) ? name->valuestring : "");
-    describe_box(text, get(part, "box"), unit);
-    mcp_text_print(text, ", %.0f triangles", number_of(part, "triangles"));
+    describe_box(text, mcp_get(part, "box"), unit);
+    mcp_text_print(text, ", %.0f triangles", mcp_number_of(part, "triangles"));
     if (cJSON_IsNumber(volume))
         mcp_text_print(text, ", closed, volume %.6g %s^3", volume->valuedouble, unit);
     else
@@ -201,21 +194,21 @@ static void describe_part(struct mcp_text *text, const cJSON *part, const char *
 void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
 {
     const char *unit = mcp_facts_unit(content);
-    const cJSON *volume = get(content, "volume"), *area = get(content, "area"), *parts = get(content, "parts"), *part,
-                *warning;
-    int told = 0;
-    describe_box(text, get(content, "box"), unit);
+    const cJSON *volume = mcp_get(content, "volume"), *area = mcp_get(content, "area"),
+                *parts = mcp_get(content, "parts"), *part, *warning;
+    int described = 0;
+    describe_box(text, mcp_get(content, "box"), unit);
     if (cJSON_IsNumber(area)) mcp_text_print(text, "; area %.6g %s^2", area->valuedouble, unit);
     if (cJSON_IsNumber(volume))
         mcp_text_print(text, "; closed, volume %.6g %s^3", volume->valuedouble, unit);
     else
         mcp_text_put(text, "; not closed, so there is no volume");
-    const int count = cJSON_GetArraySize(parts) + (int)number_of(content, "partsOmitted");
+    const int count = cJSON_GetArraySize(parts) + (int)mcp_number_of(content, "partsOmitted");
     mcp_text_print(text, "; %d part%s", count, count == 1 ? "" : "s");
     if (strcmp(unit, "units") == 0) mcp_text_put(text, "; the format names no unit");
-    cJSON_ArrayForEach(part, parts) if (count > 1 && told++ < PARTS_TOLD) describe_part(text, part, unit);
-    if (count > PARTS_TOLD) mcp_text_print(text, "\n- and %d more parts", count - PARTS_TOLD);
-    cJSON_ArrayForEach(warning, get(content, "warnings"))
+    cJSON_ArrayForEach(part, parts) if (count > 1 && described++ < PARTS_DESCRIBED) describe_part(text, part, unit);
+    if (count > PARTS_DESCRIBED) mcp_text_print(text, "\n- and %d more parts", count - PARTS_DESCRIBED);
+    cJSON_ArrayForEach(warning, mcp_get(content, "warnings"))
         mcp_text_print(text, "\nwarning: %.1000s", warning->valuestring);
 }
 
@@ -224,8 +217,8 @@ static void describe_side(struct mcp_text *text, const cJSON *view)
 {
     static const char *const sides[] = {"front", "front-right", "right", "back-right",
                                         "back",  "back-left",   "left",  "front-left"};
-    const cJSON *azimuth = get(view, "azimuthDegrees");
-    const double elevation = number_of(view, "elevationDegrees");
+    const cJSON *azimuth = mcp_get(view, "azimuthDegrees");
+    const double elevation = mcp_number_of(view, "elevationDegrees");
     if (!azimuth) return;
     const int eighth = (int)floor(azimuth->valuedouble / 45 + 0.5);
     if (fabs(elevation) >= 89)
@@ -240,37 +233,37 @@ static void describe_side(struct mcp_text *text, const cJSON *view)
 
 static void describe_view(struct mcp_text *text, const cJSON *content, const cJSON *view)
 {
-    const cJSON *along = get(view, "looksAlong"), *scale = get(view, "unitsPerPixel"), *eye = get(view, "eye"),
-                *covered = get(view, "coveredShare");
-    mcp_text_put(text, get(view, "name")->valuestring);
+    const cJSON *along = mcp_get(view, "looksAlong"), *scale = mcp_get(view, "unitsPerPixel"),
+                *eye = mcp_get(view, "eye"), *covered = mcp_get(view, "coveredShare");
+    mcp_text_put(text, mcp_get(view, "name")->valuestring);
     describe_side(text, view);
-    mcp_text_print(text, ", looks along (%.4g, %.4g, %.4g)", number_at(along, 0), number_at(along, 1),
-                   number_at(along, 2));
+    mcp_text_print(text, ", looks along (%.4g, %.4g, %.4g)", mcp_number_at(along, 0), mcp_number_at(along, 1),
+                   mcp_number_at(along, 2));
     if (cJSON_IsNumber(scale))
-        mcp_text_print(text, ", %.5g %s a pixel", scale->valuedouble, mcp_facts_unit(content));
+        mcp_text_print(text, ", %.5g %s per pixel", scale->valuedouble, mcp_facts_unit(content));
     else if (eye)
-        mcp_text_print(text, ", perspective from (%.5g, %.5g, %.5g)", number_at(eye, 0), number_at(eye, 1),
-                       number_at(eye, 2));
+        mcp_text_print(text, ", perspective from (%.5g, %.5g, %.5g)", mcp_number_at(eye, 0), mcp_number_at(eye, 1),
+                       mcp_number_at(eye, 2));
     else
         mcp_text_put(text, ", perspective");
-    if (cJSON_IsTrue(get(view, "blank"))) mcp_text_put(text, ", BLANK: nothing is visible");
+    if (cJSON_IsTrue(mcp_get(view, "blank"))) mcp_text_put(text, ", BLANK: nothing is visible");
     if (covered) mcp_text_print(text, ", %.3g %% covered", rounded(100 * covered->valuedouble));
-    if (cJSON_IsTrue(get(view, "touchesBorder"))) mcp_text_put(text, ", cut off by the border");
+    if (cJSON_IsTrue(mcp_get(view, "touchesBorder"))) mcp_text_put(text, ", cut off by the border");
 }
 
 void mcp_facts_describe_shot(struct mcp_text *text, const cJSON *content, const struct mcp_shot *shot, unsigned number)
 {
     const cJSON *view;
     mcp_text_print(text, "Image %u, %u x %u pixels, ", number, shot->width, shot->height);
-    describe_box(text, get(content, "box"), mcp_facts_unit(content));
-    cJSON_ArrayForEach(view, get(content, "views"))
+    describe_box(text, mcp_get(content, "box"), mcp_facts_unit(content));
+    cJSON_ArrayForEach(view, mcp_get(content, "views"))
     {
-        const cJSON *box = get(view, "box");
-        if ((unsigned)number_of(view, "image") != number) continue;
+        const cJSON *box = mcp_get(view, "box");
+        if ((unsigned)mcp_number_of(view, "image") != number) continue;
         mcp_text_put(text, "\n- ");
         if (box)
-            mcp_text_print(text, "pixels x %.0f..%.0f, y %.0f..%.0f: ", number_at(box, 0), number_at(box, 2),
-                           number_at(box, 1), number_at(box, 3));
+            mcp_text_print(text, "pixels x %.0f..%.0f, y %.0f..%.0f: ", mcp_number_at(box, 0), mcp_number_at(box, 2),
+                           mcp_number_at(box, 1), mcp_number_at(box, 3));
         describe_view(text, content, view);
     }
 }

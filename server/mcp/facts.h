@@ -1,4 +1,4 @@
-/* facts.h - mcp: what an answer says about a model and its views: structured, and in words. */
+/* facts.h - mcp: facts of a model and its views, as structured content and as text. */
 #ifndef MCP_FACTS_H
 #define MCP_FACTS_H
 
@@ -13,6 +13,9 @@ struct mcp_shot {
     cJSON *info;      /* channel info of the view; NULL: none */
     unsigned width, height;
 };
+
+/* Adds the unit of the model, or null, to the structured content. */
+void mcp_facts_add_unit(cJSON *content, const cJSON *info);
 
 /* Adds the facts of the model to the structured content: units, box, volume, area, closed, parts. */
 void mcp_facts_add(cJSON *content, const cJSON *info);

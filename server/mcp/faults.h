@@ -1,4 +1,4 @@
-/* faults.h - mcp: lists of what a caller can mend. */
+/* faults.h - mcp: lists of faults. */
 #ifndef MCP_FAULTS_H
 #define MCP_FAULTS_H
 
@@ -8,7 +8,7 @@
 bool mcp_fault(struct mcp_faults *faults, const char *pointer, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Adds that a word is none of a list, which ends with NULL, and the nearest of them. */
+/* Adds the fault of a word that is not in a list, which ends with NULL: names the nearest word and all of them. */
 bool mcp_fault_unknown(struct mcp_faults *faults, const char *pointer, const char *what, const char *word,
                        const char *const *known);
 

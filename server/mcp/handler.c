@@ -58,7 +58,7 @@ static void begin_result(struct exchange *exchange)
     if (exchange->message.is_modern) mcp_text_put(&exchange->reply->text, "\"resultType\":\"complete\",");
 }
 
-/* Ends a result, which has members. keep_ms: how long it may be kept, by anyone; 0: it is not to be kept. */
+/* Ends a result, which has members. keep_ms: time for which clients and caches may keep it; 0: none. */
 static void end_result(struct exchange *exchange, int keep_ms)
 {
     struct mcp_text *text = &exchange->reply->text;
@@ -122,7 +122,7 @@ static enum mcp_draw_status call_tool(struct exchange *exchange)
     const struct mcp_message *message = &exchange->message;
     int tool = 0;
     if (!message->name) {
-        refuse(exchange, MCP_WRONG_PARAMS, 200, "params.name is missing, or no string", NULL);
+        refuse(exchange, MCP_WRONG_PARAMS, 200, "params.name is missing or not a string", NULL);
         return MCP_DRAWN;
     }
     while (tool < MCP_TOOLS && strcmp(message->name, mcp_tool_names[tool]) != 0)
@@ -233,7 +233,7 @@ enum mcp_draw_status mcp_handle(const struct mcp_host *host, struct mcp_span tex
     enum mcp_draw_status status = MCP_DRAWN;
     *reply = (struct mcp_reply){.http_status = 202};
     const int code = mcp_message_read(message, text, host, &why, &fault);
-    /* The header alone may say that the request is a modern one. */
+    /* The header alone also marks a modern request. */
     if (code == 0 && headers && headers->version && mcp_header_is(headers->version, MCP_MODERN) &&
         strcmp(message->method, "initialize") != 0)
         message->is_modern = true;
@@ -250,7 +250,6 @@ enum mcp_draw_status mcp_handle(const struct mcp_host *host, struct mcp_span tex
     mcp_message_free(message);
     if (status == MCP_DRAWN && reply->text.failed) {
         mcp_text_free(&reply->text);
-        exchange.message.id = message->id;
         refuse(&exchange, MCP_INTERNAL, 500, "out of memory", NULL);
     }
     if (status != MCP_DRAWN) mcp_text_free(&reply->text);

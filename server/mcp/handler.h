@@ -1,8 +1,8 @@
 /* handler.h - mcp: the Model Context Protocol: a message in, an answer out. Revisions 2026-07-28 and, by each request's
- * own shape, 2025-11-25 and 2025-06-18. Nothing is remembered between messages.
+ * own shape, 2025-11-25 and 2025-06-18. Messages share no state.
  *
  * Thread-safe, as far as the host is. No I/O. */
-#ifndef MCP_HANDLER_HANDLER_H
+#ifndef MCP_HANDLER_H
 #define MCP_HANDLER_H
 
 #include "host.h"

@@ -1,5 +1,5 @@
-/* host.h - mcp: what the handler of messages asks of the program around it: to draw, and for memory. The daemon draws
- * as POST /v1/render does, the command by libzraster. */
+/* host.h - mcp: the functions that the handler of messages calls: they draw, and allocate memory. The daemon draws as
+ * POST /v1/render does, the command by libzraster. */
 #ifndef MCP_HOST_H
 #define MCP_HOST_H
 
@@ -10,7 +10,7 @@
 
 enum { MCP_FAULTS_MAX = 20, MCP_POINTER_SIZE = 192, MCP_DETAIL_SIZE = 1300 };
 
-/* What a caller can mend. */
+/* A fault of the arguments, which the caller can mend. */
 struct mcp_fault {
     char pointer[MCP_POINTER_SIZE]; /* JSON Pointer, or "" */
     char detail[MCP_DETAIL_SIZE];
@@ -32,9 +32,9 @@ struct mcp_draw {
 
 enum mcp_draw_status {
     MCP_DRAWN,
-    MCP_REFUSED,  /* `faults` tell why */
+    MCP_REFUSED,  /* `faults` has the reasons */
     MCP_LATER,    /* the daemon's worker must hand the request on; the whole message comes again */
-    MCP_CANCELLED /* nobody waits any more */
+    MCP_CANCELLED /* by the client, or after a timeout */
 };
 
 struct mcp_drawn {
@@ -49,9 +49,9 @@ struct mcp_host {
     void *context;
     const char *version;
     bool reads_files;                                 /* models may be paths; else they may be stored assets */
-    void (*begin)(void *context, struct mcp_span id); /* of a request, once it is read; NULL: nobody asks */
+    void (*begin)(void *context, struct mcp_span id); /* called before a request runs; may be NULL */
     bool (*is_cancelled)(void *context);
-    void *(*allocate)(void *context, size_t size); /* until the end of the message; NULL: no memory, or not as much */
+    void *(*allocate)(void *context, size_t size); /* until the end of the message; NULL: out of memory */
     enum mcp_draw_status (*draw)(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn);
     void (*release)(void *context, struct mcp_drawn *drawn); /* after MCP_DRAWN */
 };

@@ -13,8 +13,9 @@ static const char *const ARGUMENTS[MCP_TOOLS][16] = {
     [MCP_RENDER] = {OF_PICTURES, "format"}, [MCP_FACTS] = {OF_ALL}, [MCP_PICK] = {OF_PICTURES, "image", "x", "y"}};
 static const char *const PARTS[] = {"hide", "isolate", "ghost", "highlight", "explode", "colors", NULL};
 
-/* Keys of a scene that make several pictures. */
-static const char *const SEVERAL[] = {"turntable", "orbit", "animate", NULL};
+static const char *const OWN[MCP_OWN_COUNT] = {
+    [MCP_OWN_WINDOW] = "window",       [MCP_OWN_VIEWS] = "views", [MCP_OWN_SHEET] = "sheet",
+    [MCP_OWN_TURNTABLE] = "turntable", [MCP_OWN_ORBIT] = "orbit", [MCP_OWN_ANIMATE] = "animate"};
 
 const cJSON *mcp_job_argument(const struct mcp_job *job, const char *name)
 {
@@ -30,17 +31,18 @@ static bool is_in(const char *const *list, const char *word)
 
 /* ---- the scene's own keys ---- */
 
-struct mcp_span mcp_job_own(const struct mcp_job *job, const char *name)
+/* Finds the keys in one pass; the last of a name counts. */
+static void find_own(struct mcp_job *job)
 {
-    struct mcp_span found = {NULL, NULL}, key, value;
-    if (!job->message->scene.at) return found;
+    struct mcp_span key, value;
+    if (!job->message->scene.at) return;
     struct mcp_walk walk = mcp_walk_open(job->message->scene, job->host);
     mcp_walk_enter(&walk, '{');
     while (mcp_walk_member(&walk, &key)) {
         mcp_walk_value(&walk, &value);
-        if (mcp_span_is(key, name)) found = value;
+        for (int i = 0; i < MCP_OWN_COUNT; i++)
+            if (mcp_span_is(key, OWN[i])) job->own[i] = value;
     }
-    return found;
 }
 
 static unsigned count_items(const struct mcp_job *job, struct mcp_span list)
@@ -77,7 +79,7 @@ static void check_names(struct mcp_job *job)
     }
 }
 
-/* Reads a number of pixels, or its default. */
+/* Reads a whole number, or its default. */
 static unsigned read_number(struct mcp_job *job, const char *name, unsigned least, unsigned most, unsigned otherwise)
 {
     const cJSON *given = mcp_job_argument(job, name);
@@ -104,29 +106,27 @@ static void read_format(struct mcp_job *job)
         job->format = given->valuestring;
 }
 
-/* Finds out how many pictures there will be. */
+/* Counts the pictures of the answer. */
 static void read_views(struct mcp_job *job)
 {
     const cJSON *views = mcp_job_argument(job, "views"), *sheet = mcp_job_argument(job, "sheet");
-    const struct mcp_span own_sheet = mcp_job_own(job, "sheet");
-    job->views = mcp_job_own(job, "views");
     job->has_own_views = !views && job->message->scene.at != NULL;
     if (views && (!cJSON_IsArray(views) || cJSON_GetArraySize(views) == 0)) {
         mcp_fault(&job->faults, "/views", "a list is expected, such as [\"front\", \"isometric\"]");
         return;
     }
     if (sheet && !cJSON_IsString(sheet)) mcp_fault(&job->faults, "/sheet", "balanced, threeView or views is expected");
-    job->is_sheet = sheet || (!views && (own_sheet.at || !job->has_own_views));
-    const unsigned count = views ? (unsigned)cJSON_GetArraySize(views) : count_items(job, job->views);
+    job->is_sheet = sheet || (!views && (job->own[MCP_OWN_SHEET].at || !job->has_own_views));
+    const unsigned count = views ? (unsigned)cJSON_GetArraySize(views) : count_items(job, job->own[MCP_OWN_VIEWS]);
     job->images = job->is_sheet || count == 0 ? 1 : count;
     if (job->images > MCP_IMAGES_MAX)
         mcp_fault(&job->faults, views ? "/views" : "/scene/views",
                   "an answer has up to %d pictures, not %u; \"sheet\": \"views\" draws all into one", MCP_IMAGES_MAX,
                   job->images);
-    for (size_t i = 0; SEVERAL[i] && !job->is_sheet && job->has_own_views; i++) {
+    for (int i = MCP_OWN_TURNTABLE; i < MCP_OWN_COUNT && !job->is_sheet && job->has_own_views; i++) {
         char pointer[48];
-        snprintf(pointer, sizeof pointer, "/scene/%s", SEVERAL[i]);
-        if (mcp_job_own(job, SEVERAL[i]).at)
+        snprintf(pointer, sizeof pointer, "/scene/%s", OWN[i]);
+        if (job->own[i].at)
             mcp_fault(&job->faults, pointer, "it makes many pictures: leave it out, or give a sheet or views");
     }
 }
@@ -134,7 +134,7 @@ static void read_views(struct mcp_job *job)
 /* The window of a scene stays, unless it is too large. */
 static void keep_window(struct mcp_job *job, unsigned *width, unsigned *height)
 {
-    const struct mcp_span own = mcp_job_own(job, "window");
+    const struct mcp_span own = job->own[MCP_OWN_WINDOW];
     cJSON *window = own.at ? cJSON_ParseWithLength(own.at, (size_t)(own.end - own.at)) : NULL;
     const cJSON *w = cJSON_GetObjectItemCaseSensitive(window, "width"),
                 *h = cJSON_GetObjectItemCaseSensitive(window, "height");
@@ -182,6 +182,7 @@ bool mcp_job_read(struct mcp_job *job, const struct mcp_host *host, const struct
         mcp_fault(&job->faults, "", "give a model, a scene, or a scene that names the model");
     if (!mcp_model_read(host, message, &job->model, &job->faults)) return false;
     if (tool != MCP_FACTS) {
+        find_own(job);
         read_views(job);
         if (job->images > MCP_IMAGES_MAX) return false;
         read_window(job);

@@ -4,11 +4,22 @@
 
 #include "model.h"
 
-/* IMAGES_MAX: pictures of an answer. SIDE_MAX: pixels of a side: larger pictures are made smaller by those who look at
- * them. SIDE_MIN: captions have no room in smaller ones. */
+/* IMAGES_MAX: pictures of an answer. SIDE_MAX: pixels of a side; models shrink larger pictures before they read them.
+ * SIDE_MIN: captions have no room in smaller ones. */
 enum { MCP_IMAGES_MAX = 8, MCP_SIDE_MIN = 16, MCP_SIDE_MAX = 1568 };
 
 enum mcp_tool { MCP_RENDER, MCP_FACTS, MCP_PICK, MCP_TOOLS };
+
+/* Keys of a given scene that decide about its pictures. Those from MCP_OWN_TURNTABLE on make several. */
+enum mcp_own {
+    MCP_OWN_WINDOW,
+    MCP_OWN_VIEWS,
+    MCP_OWN_SHEET,
+    MCP_OWN_TURNTABLE,
+    MCP_OWN_ORBIT,
+    MCP_OWN_ANIMATE,
+    MCP_OWN_COUNT
+};
 
 struct mcp_job {
     const struct mcp_host *host;
@@ -20,13 +31,13 @@ struct mcp_job {
     bool is_resized;        /* the scene's window is larger than SIDE_MAX */
     bool is_sheet;
     unsigned images;
-    const char *format;    /* "png", "jpeg" or "webp"; NULL: by the size */
-    unsigned image, x, y;  /* of MCP_PICK */
-    bool has_own_views;    /* the scene's views are drawn, not those of the arguments */
-    struct mcp_span views; /* of the scene, a list, if it has any */
+    const char *format;                 /* "png", "jpeg" or "webp"; NULL: by the size */
+    unsigned image, x, y;               /* of MCP_PICK */
+    bool has_own_views;                 /* the scene's views are drawn, not those of the arguments */
+    struct mcp_span own[MCP_OWN_COUNT]; /* values of the scene's keys; not read for MCP_FACTS */
 };
 
-/* Reads and checks the arguments. False: the job has faults, or no memory, or time is over. */
+/* Reads and checks the arguments. False: the job has faults, memory is exhausted or the request is cancelled. */
 bool mcp_job_read(struct mcp_job *job, const struct mcp_host *host, const struct mcp_message *message,
                   enum mcp_tool tool);
 
@@ -35,8 +46,5 @@ void mcp_job_point(const struct mcp_job *job, char pointer[MCP_POINTER_SIZE]);
 
 /* Returns the argument of this name, or NULL. */
 const cJSON *mcp_job_argument(const struct mcp_job *job, const char *name);
-
-/* Returns a member of the scene that was given; NULL spans: it has none. */
-struct mcp_span mcp_job_own(const struct mcp_job *job, const char *name);
 
 #endif

@@ -5,7 +5,7 @@
 /* REST_MAX: bytes of a message without its scene and model; a tree takes up to 40 times as many. */
 enum { CUTS_MAX = 16, REST_MAX = 256 << 10 };
 
-/* What is left out of the tree. */
+/* Spans of the text that the tree leaves out. */
 struct cuts {
     struct mcp_span at[CUTS_MAX];
     size_t count;
@@ -79,7 +79,7 @@ static void walk_over(struct mcp_message *message, struct mcp_walk *walk, struct
             mcp_walk_value(walk, mcp_span_is(key, "id") ? &message->id : NULL);
 }
 
-/* Makes the tree of what is left. */
+/* Makes the tree of the rest. */
 static cJSON *parse_rest(struct mcp_span text, const struct cuts *cuts, bool *is_too_large)
 {
     struct mcp_text rest = {0};
@@ -126,7 +126,7 @@ static int take(struct mcp_message *message, const char **why)
     const cJSON *root = message->root, *id = cJSON_GetObjectItemCaseSensitive(root, "id"),
                 *method = cJSON_GetObjectItemCaseSensitive(root, "method"),
                 *version = cJSON_GetObjectItemCaseSensitive(root, "jsonrpc");
-    *why = cJSON_IsArray(root) ? "batches are not served: send one object a message" : "the message is no object";
+    *why = cJSON_IsArray(root) ? "batches are not served: send one object per message" : "the message is no object";
     if (!cJSON_IsObject(root)) return MCP_NOT_A_REQUEST;
     *why = "id is neither a string nor an integer";
     if (id && !is_id(message->id)) {
@@ -135,7 +135,7 @@ static int take(struct mcp_message *message, const char **why)
     }
     *why = "jsonrpc is not \"2.0\"";
     if (!cJSON_IsString(version) || strcmp(version->valuestring, "2.0") != 0) return MCP_NOT_A_REQUEST;
-    *why = "method is missing, or no string";
+    *why = "method is missing or not a string";
     if (!cJSON_IsString(method)) return MCP_NOT_A_REQUEST;
     message->method = method->valuestring;
     message->params = cJSON_GetObjectItemCaseSensitive(root, "params");

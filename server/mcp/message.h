@@ -1,4 +1,4 @@
-/* message.h - mcp: reads a message of JSON-RPC 2.0, and tells which revision of MCP it follows.
+/* message.h - mcp: reads a message of JSON-RPC 2.0, and finds the revision of MCP that it follows.
  *
  * The scene and the bytes of a model, which may be large, stay where they are; the rest becomes a tree of bounded size.
  */

@@ -6,7 +6,6 @@
 #include <strings.h>
 
 #include "faults.h"
-#include "utf8.h"
 
 enum { LOOK_BYTES = 256 << 10 }; /* decoded within 1 ms */
 
@@ -199,7 +198,7 @@ static bool take_asset(const struct mcp_host *host, const char *asset, struct mc
                        struct mcp_faults *faults)
 {
     if (host->reads_files)
-        return mcp_fault(faults, "/model/asset", "there are no uploaded assets here: give a path, base64 or text");
+        return mcp_fault(faults, "/model/asset", "this server has no uploaded assets: give a path, base64 or text");
     if (strlen(asset) >= sizeof model->name || strncmp(asset, "sha256:", 7) != 0)
         return mcp_fault(faults, "/model/asset", "an asset is \"sha256:\" and 64 digits, as POST /v1/assets answers");
     snprintf(model->name, sizeof model->name, "%s", asset);
@@ -227,7 +226,7 @@ static const cJSON *find_source(const cJSON *given, struct mcp_faults *faults)
             found = item;
     }
     if (!found && faults->count == before)
-        mcp_fault(faults, "/model", "give one of base64, text%s", ", path (zraster mcp) and asset (the daemon)");
+        mcp_fault(faults, "/model", "give one of base64, text, path (zraster mcp) and asset (the daemon)");
     return faults->count > before ? NULL : found;
 }
 

@@ -1,4 +1,4 @@
-/* model.h - mcp: the argument `model` of a tool: a file's bytes, text or place. */
+/* model.h - mcp: the argument `model` of a tool: a file's bytes, text, path or asset. */
 #ifndef MCP_MODEL_H
 #define MCP_MODEL_H
 
@@ -15,7 +15,7 @@ struct mcp_model {
     bool is_given, z_is_up; /* of its format */
 };
 
-/* Reads `model`. False: there are faults, or no memory, or time is over. */
+/* Reads `model`. False: there are faults, memory is exhausted or the request is cancelled. */
 bool mcp_model_read(const struct mcp_host *host, const struct mcp_message *message, struct mcp_model *model,
                     struct mcp_faults *faults);
 

@@ -1,4 +1,4 @@
-/* near.h - mcp, client: near misses. */
+/* near.h - mcp, client: suggestions for misspelt words. */
 #ifndef NEAR_H
 #define NEAR_H
 

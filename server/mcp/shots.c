@@ -5,9 +5,10 @@
 #include <string.h>
 
 #include "faults.h"
+#include "tree.h"
 #include "unzip.h"
 
-/* PNG_PIXELS: pictures of more pixels together rarely fit as PNG: 0.43 bytes a pixel are usual. */
+/* PNG_PIXELS: pictures of more pixels together rarely fit as PNG: 0.43 bytes per pixel are usual. */
 enum { PNG_PIXELS = 1250000, SMALLER_MAX = 4 };
 
 void mcp_shots_free(const struct mcp_host *host, struct mcp_shots *shots)
@@ -133,9 +134,8 @@ static enum mcp_draw_status draw_as(struct mcp_job *job, const char *format, uns
     const struct mcp_picture picture = {.outputs = outputs, .width = width, .height = height, .only = -1};
     const enum mcp_draw_status status = mcp_shots_draw_once(job, &picture, shots);
     for (unsigned i = 0; i < shots->count; i++) {
-        const cJSON *window = cJSON_GetObjectItemCaseSensitive(shots->at[i].info, "window"),
-                    *w = cJSON_GetObjectItemCaseSensitive(window, "width"),
-                    *h = cJSON_GetObjectItemCaseSensitive(window, "height");
+        const cJSON *window = mcp_get(shots->at[i].info, "window"), *w = mcp_get(window, "width"),
+                    *h = mcp_get(window, "height");
         if (status == MCP_DRAWN && !shots->at[i].image) {
             mcp_fault(&job->faults, "", "view '%s' has no picture", shots->at[i].name);
             return MCP_REFUSED;

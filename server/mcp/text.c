@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "utf8.h"
+#include "base/utf8.h"
 
 enum { ROOM_MIN = 4096 };
 
@@ -63,7 +63,7 @@ void mcp_text_json(struct mcp_text *text, const char *string)
     const char *const end = string + strlen(string);
     mcp_text_put(text, "\"");
     while (string < end) {
-        const size_t length = mcp_utf8_length(string, end);
+        const size_t length = zr_utf8_length(string, end);
         if (length == 0)
             mcp_text_put(text, "?");
         else if (*string == '"' || *string == '\\')

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Starts as {0}. Once memory is lacking, `failed` is set, and nothing is added any more. */
+/* Starts as {0}. Without memory, `failed` is set, and the text stays as it is. */
 struct mcp_text {
     char *data; /* malloc'd, with a final zero; NULL while empty */
     size_t size, room;

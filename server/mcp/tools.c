@@ -44,13 +44,11 @@ static const char pictures[] =
     "outdoor, blueprint, xray (see-through) or textbook; NAME@VERSION pins its pixels.\"},"
     "\"parts\":{\"type\":\"object\",\"properties\":{\"hide\":{},\"isolate\":{},\"ghost\":{},\"highlight\":{},"
     "\"explode\":{},\"colors\":{\"type\":\"string\",\"enum\":[\"own\",\"parts\",\"materials\"]}},\"description\":"
-    "\"hide, "
-    "isolate, ghost and highlight take names, patterns such as 'bolt*' or ids of parts, one or a list. explode is a "
-    "factor. colors 'parts' gives each part a colour.\"},"
+    "\"hide, isolate, ghost and highlight take names, patterns such as 'bolt*' or ids of parts, one or a list. "
+    "explode is a factor. colors 'parts' gives each part a colour.\"},"
     "\"sections\":{\"type\":\"object\",\"description\":\"Planes that cut the model open, with hatched caps: {'planes': "
     "[{'axis': 'x', 'fraction': 0.5}]}; a plane may have offset (a coordinate) instead of fraction, and keep "
-    "'positive' "
-    "or 'negative'.\"},"
+    "'positive' or 'negative'.\"},"
     "\"annotate\":{\"type\":\"boolean\",\"description\":\"Captions of a sheet: name, direction and scale of each view. "
     "Default: true.\"},"
     "\"width\":{" SIDE ",\"description\":\"Pixels of each picture; 1024 for a sheet, 800, 640 or 512 by the number of "
@@ -60,9 +58,8 @@ static const char format[] =
     "the pictures would have more than 700 kB.\"}";
 static const char pixel[] =
     ",\"image\":{\"type\":\"integer\",\"minimum\":0,\"maximum\":7,\"description\":\"Number of the picture in the "
-    "answer "
-    "of render. Default: 0.\"},\"x\":{\"type\":\"integer\",\"minimum\":0,\"description\":\"Column, from 0 at the "
-    "left.\"},\"y\":{\"type\":\"integer\",\"minimum\":0,\"description\":\"Row, from 0 at the top.\"}";
+    "answer of render. Default: 0.\"},\"x\":{\"type\":\"integer\",\"minimum\":0,\"description\":\"Column, "
+    "from 0 at the left.\"},\"y\":{\"type\":\"integer\",\"minimum\":0,\"description\":\"Row, from 0 at the top.\"}";
 
 /* ---- structured content ---- */
 

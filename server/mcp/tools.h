@@ -9,7 +9,7 @@ extern const char *const mcp_tool_names[MCP_TOOLS + 1];
 /* Adds the list of tools, JSON. Every call adds the same bytes. */
 void mcp_tools_list(struct mcp_text *text, const struct mcp_host *host);
 
-/* For a client's model: what the server is for. */
+/* Instructions of the server for a client's model. */
 extern const char mcp_instructions[];
 
 #endif

@@ -3,8 +3,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "host.h"
-#include "utf8.h"
 
 /* LOOK_BYTES: passed within 1 ms. */
 enum { DEPTH_MAX = 512, LOOK_BYTES = 256 << 10 };
@@ -99,7 +99,7 @@ static bool pass_string(struct mcp_walk *walk)
             walk->at++;
             return true;
         }
-        const size_t length = *at == '\\' || (unsigned char)*at < ' ' ? 0 : mcp_utf8_length(at, walk->end);
+        const size_t length = *at == '\\' || (unsigned char)*at < ' ' ? 0 : zr_utf8_length(at, walk->end);
         const char *next = *at == '\\' ? pass_escape(at, walk->end) : length ? at + length : NULL;
         if (!next) break;
         walk->at = next;

@@ -1,11 +1,11 @@
-/* walk.h - mcp: walks over JSON text (RFC 8259), strictly, and finds the places of values. It copies nothing, so that a
+/* walk.h - mcp: reads JSON text (RFC 8259), strictly, and finds the places of values. It copies nothing, so that a
  * message may hold a large scene or model.
  *
  *     mcp_walk_enter(&walk, '{');
  *     while (mcp_walk_member(&walk, &key))
  *         mcp_walk_value(&walk, &value);
  *
- * At a fault, reading ends: all loops stop, and `fault` tells. */
+ * After a fault all loops stop, and `fault` has the reason. */
 #ifndef MCP_WALK_H
 #define MCP_WALK_H
 

@@ -344,7 +344,7 @@ class Http(unittest.TestCase):
         for _ in range(3):  # the third time, the file is kept as it was read
             result = self.call("render", model={"text": json.dumps(gltf)}, views=["front"])
             self.assertEqual(result["structuredContent"]["units"], "metre")
-            self.assertIn(" m a pixel", texts(result)[1])
+            self.assertIn(" m per pixel", texts(result)[1])
 
     def test_pictures(self):
         """A picture is that of /v1/render, and its digest comes before it"""

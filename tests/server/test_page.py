@@ -73,6 +73,7 @@ class Page(Case):
             self.assertRegex(tags[-1], '^"[^"]+"$')
             status, again, data = self.daemon.send("/", Accept_Encoding=encoding, If_None_Match=tags[-1])
             self.assertEqual((status, again["ETag"], data), (304, tags[-1], b""))
+            self.assertEqual(self.daemon.send("/", Accept_Encoding=encoding, If_None_Match="*")[0], 304)
             self.assertEqual(self.daemon.send("/", Accept_Encoding=encoding, If_None_Match='"other"')[0], 200)
         self.assertNotEqual(*tags)
 

@@ -104,16 +104,17 @@ class Request:
         made.parts.optional = set(self.parts.optional)
         if self.source.is_mesh:
             rest = dict(keys)
-            made.query.update(outputs_query(rest.pop("outputs", [])) if "outputs" in rest else {})
+            if "outputs" in rest:
+                made.query.update(outputs_query(rest.pop("outputs")))
             if rest:
                 raise OptionError(f"{', '.join(rest)}: several views of a mesh have parameters only; zraster.options() lists them")
             return made
-        try:
-            scene = json.loads(self.body) if keys else None
-        except ValueError:
-            return made  # the renderer reports the fault
         if not keys:
             return made
+        try:
+            scene = json.loads(self.body)
+        except ValueError:
+            return made  # the renderer reports the fault
         if not isinstance(scene, dict):
             raise SceneError("the scene is no JSON object")
         scene.update({key: value for key, value in keys.items() if key != "poses"})

@@ -1,4 +1,4 @@
-"""Views of a request, one by one as they are drawn, and what data sets need of them."""
+"""Views of a request, one by one as they are drawn: their cameras, instances and poses for data sets."""
 from __future__ import annotations
 
 import json
@@ -23,7 +23,7 @@ Rows = List[List[float]]
 
 _LOCAL = struct.Struct("<22xIHH")  # of APPNOTE.TXT 4.3.7: sizes of the file, of its name and of further fields
 
-AHEAD = 4  # drawn views that wait for the caller
+AHEAD = 4  # drawn views that are kept for the caller
 
 
 class Drawn(NamedTuple):
@@ -37,13 +37,13 @@ class _End(NamedTuple):
 
 
 class _Drawing:
-    """Draws in a thread, which waits while AHEAD views are not taken."""
+    """Draws in a thread, up to AHEAD views before the caller takes them."""
 
     def __init__(self, request: Request, renderer: Renderer) -> None:
         self._cancel = Cancel()
         self._views: "queue.Queue[Any]" = queue.Queue(AHEAD)
         self._is_ended = False
-        self._said: Set[str] = set()
+        self._warned: Set[str] = set()
         self._call = Call(request.body, request.type, request.query, request.parts, self._cancel)
         self._renderer = renderer
         self._thread = threading.Thread(target=self._draw, daemon=True)
@@ -90,8 +90,8 @@ class _Drawing:
             drawn, texts = item
             for text in texts:
                 kind = re.sub("[0-9]+", "", text)  # views differ in numbers of pixels
-                if kind not in self._said:
-                    self._said.add(kind)
+                if kind not in self._warned:
+                    self._warned.add(kind)
                     warnings.warn(text, Warning, stacklevel=5)
             yield drawn
 
@@ -229,11 +229,14 @@ class Replacing:
     def __init__(self, path: str) -> None:
         self._path = path
         self._file = open(path + ".part", "w")
-        self.write, self.tell = self._file.write, self._file.tell
+        self.write = self._file.write
 
-    def end(self, is_complete: bool) -> None:
+    def __enter__(self) -> "Replacing":
+        return self
+
+    def __exit__(self, error: Any, *_: Any) -> None:
         self._file.close()
-        if is_complete:
+        if error is None:
             os.replace(self._path + ".part", self._path)
         else:
             os.remove(self._path + ".part")

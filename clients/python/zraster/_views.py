@@ -83,7 +83,7 @@ class Views(AbstractSequence):  # type: ignore[type-arg]
 
     @property
     def array(self) -> Any:
-        """color, else the first channel, with an axis for the views."""
+        """Array of color, or of the first channel, with an axis for the views."""
         names = [output["channel"] for output in self._outputs]
         return self["color" if "color" in names else names[0]]
 
@@ -114,7 +114,7 @@ class Views(AbstractSequence):  # type: ignore[type-arg]
         return self._joined(repr((encoding, sorted(output.items()))), {"channel": "color", "encoding": encoding, **output}, {})
 
     def save(self, path: Any) -> None:
-        """Writes what the ending of the path selects: .png: the animation of a turntable, else the sheet; .apng, .webp: the
+        """Writes files by the ending of the path: .png: the animation of a turntable, else the sheet; .apng, .webp: the
         animation; .npz: arrays by channel; .npy: the only channel; .zip: a file for each view and channel, which a path that
         ends with / writes into that folder."""
         name = os.fspath(path)

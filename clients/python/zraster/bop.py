@@ -79,10 +79,10 @@ class _Lists:
     def __enter__(self) -> "_Lists":
         return self
 
-    def __exit__(self, error: Any, *_: Any) -> None:
+    def __exit__(self, *error: Any) -> None:
         for file in self._files:
             file.write("\n}\n")
-            file.end(is_complete=error is None)
+            file.__exit__(*error)
 
 
 def _flat(rows: Any) -> List[float]:

@@ -44,13 +44,8 @@ def write(
     views = _stream.draw(scene, [{"channel": "color", "encoding": "png"}], options, needs_pinhole=False)
     first = next(views)  # a refused request has written nothing
     _stream.empty(os.path.join(place, "images"))
-    file = _stream.Replacing(path)
-    is_complete = False
-    try:
+    with _stream.Replacing(path) as file:
         _put_views(place, file, itertools.chain([first], views), numbers, segmentation)
-        is_complete = True
-    finally:
-        file.end(is_complete)
     numbers.warn_of_unused()
     return path
 
