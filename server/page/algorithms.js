@@ -1,4 +1,4 @@
-// Five algorithms that decide what is seen, compared by time and by bytes.
+// Five hidden-surface algorithms, compared by time and by bytes.
 
 const ALGORITHMS = [
   ['halfspace', 'Half-spaces, tile by tile'],

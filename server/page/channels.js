@@ -1,10 +1,10 @@
-// Channels side by side: colour, depth, normals, parts.
+// Channels side by side: colour, depth, normals, instances.
 
 const CHANNELS = [
   ['color', 'Colour'],
   ['depth', 'Depth: near is light'],
   ['normals', 'Normals, as colours'],
-  ['instanceId', 'Parts, by number'],
+  ['instanceId', 'Instances, by colour'],
 ];
 
 // Twelve colours that differ, for ids.

@@ -2,7 +2,7 @@
 
 const quoted = (text) => /^[\w.:/@%+=-]+$/.test(text) ? text : `'${text.replace(/'/g, "'\\''")}'`;
 
-// The scene with all that the page adds for this picture.
+// The scene with the keys that the page adds for this picture.
 function copiedScene() {
   const text = state.isValid ? withKeys(state.text, pictureKeys()) : state.text;
   return text.endsWith('\n') ? text : text + '\n';

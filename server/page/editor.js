@@ -131,7 +131,7 @@ function listenToText() {
   area.onscroll = follow;
 }
 
-// The daemon says where broken JSON breaks.
+// Asks the daemon for the place at which the JSON breaks.
 async function checkSyntax() {
   try {
     await call('v1/render?channel=info&render=false', { method: 'POST', body: state.text || ' ', headers: { 'Content-Type': 'application/json' } });

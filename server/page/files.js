@@ -7,7 +7,7 @@ async function openFiles(list) {
   const scene = opened.find((file) => /\.json$/i.test(file.name));
   const model = opened.find((file) => MODELS.test(file.name));
   if (!scene && !model) {
-    say('These files hold no scene and no model: JSON, OBJ, STL, PLY, glTF, 3MF or ZIP.', true);
+    say('These files hold no scene or model: JSON, OBJ, STL, PLY, glTF, 3MF or ZIP.', true);
     return;
   }
   for (const file of opened) if (file !== scene) files.set(file.name, { blob: file, together: opened.length > 1 });

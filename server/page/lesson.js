@@ -149,7 +149,7 @@ function drawStep(step) {
 
 function wordsOf(step) {
   if (step.polygon === 0) return 'The window is empty: each depth is infinite.';
-  if (step.isEnd) return 'Done. The picture holds the nearest polygon at each pixel, whatever their order was.';
+  if (step.isEnd) return 'Done. Each pixel holds the nearest polygon, whatever the order of the polygons.';
   if (!step.xs) return `Polygon ${step.polygon}: each edge adds its crossings to the lists of the rows, below.`;
   const pixels = pixelsOf(step), written = pixels.filter((pixel) => pixel.isWritten).length, lost = pixels.length - written;
   const spans = [];

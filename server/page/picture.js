@@ -48,7 +48,7 @@ function roughKeys() {
   return changes;
 }
 
-// Occlusion goes before resolution. Only what the server's drawing takes gets less by it.
+// Chooses the step of the next rough picture: without occlusion first, then smaller, if much of the time is drawing.
 function adapt(answer) {
   motion.mean += 0.3 * (answer.ms - motion.mean);
   if (motion.mean > 45 && answer.drawn > answer.ms / 4 && motion.step < STEPS.length - 1) {

@@ -1,4 +1,4 @@
-// What is under the pointer, and all that lies behind a pinned pixel.
+// The surface under the pointer, and all surfaces behind a pinned pixel.
 
 let hoverTimer = 0, hoverRequest = null, pinnedKey = '';
 
@@ -28,7 +28,7 @@ function hover(share) {
       const { fragments } = await fragmentsAt(share, hoverRequest.signal);
       showUnder(fragments.find((fragment) => fragment.shown) || fragments[0]);
     } catch (error) {
-      /* the picture says what is wrong */
+      /* the picture's own request shows the error */
     }
     hoverRequest = null;
   }, 50);
@@ -67,25 +67,26 @@ onRest(async (signal) => {
   table.hidden = true;
   byId('pixel-span').textContent = '';
   if (!state.pin || isSeveral()) {
-    text.textContent = isSeveral() ? 'Several views have no pixel to explain; choose one view.'
-      : 'Click the picture, or press Enter on it, and this lists every surface behind that pixel, nearest first.';
+    text.textContent = isSeveral() ? 'Choose one view to list the surfaces of a pixel.'
+      : 'Click the picture, or press Enter on it, to list every surface behind that pixel, nearest first.';
     return;
   }
   const { x, y, count, fragments } = await fragmentsAt(state.pin, signal);
   text.replaceChildren('Pixel ', el('b', {}, `${x}, ${y}`), count === 0 ? ' shows the background: nothing is behind its centre.'
-    : ` has ${count} ${count === 1 ? 'surface' : 'surfaces'} behind its centre. ${fragments.some((f) => f.alphaMode === 'BLEND')
-      ? 'Blended ones in front of the nearest opaque one are seen, too.' : 'The nearest one is seen; it hides the others.'}`);
+    : count === 1 ? ' has one surface behind its centre.'
+      : ` has ${count} surfaces behind its centre. ${fragments.some((f) => f.alphaMode === 'BLEND')
+        ? 'Blended ones in front of the nearest opaque one are visible, too.' : 'The nearest one hides the others.'}`);
   table.hidden = !count;
   body.replaceChildren(...fragments.slice(0, 200).map((fragment) => {
     const swatch = el('span', { className: 'swatch' });
     swatch.style.background = PALETTE[(fragment.instanceId - 1 + PALETTE.length) % PALETTE.length];
     return el('tr', { className: fragment.shown ? 'seen' : '' }, el('td', {}, swatch, nameOf(fragment)), el('td', { className: 'number' }, String(fragment.faceId)),
       el('td', {}, fragment.frontFacing === 2 ? 'back' : fragment.frontFacing === 1 ? 'front' : 'line'),
-      el('td', { className: 'number' }, String(round(fragment.depth, 6))), el('td', {}, fragment.shown ? 'seen' : 'hidden'));
+      el('td', { className: 'number' }, String(round(fragment.depth, 6))), el('td', {}, fragment.shown ? 'visible' : 'hidden'));
   }));
   if (count > 1) {
     const last = fragments[fragments.length - 1];
-    byId('pixel-span').textContent = `From the nearest to the farthest it is ${round(last.depth - fragments[0].depth, 4)} scene units.`;
+    byId('pixel-span').textContent = `From nearest to farthest: ${round(last.depth - fragments[0].depth, 4)} scene units.`;
   }
   pinnedKey = key;
 });

@@ -39,7 +39,7 @@ async function reason(response) {
   return new Refusal(response.status, problem.detail || response.statusText || 'refused', problem.errors || []);
 }
 
-// fetch with the token, and again where the daemon is busy.
+// Fetches with the token, and again while the daemon is busy.
 async function call(path, options = {}) {
   for (;;) {
     const headers = { ...options.headers };
@@ -56,7 +56,7 @@ async function call(path, options = {}) {
       await askForToken();
     } else if (response.status === 429 || response.status === 503) {
       const seconds = Math.min(60, Number(response.headers.get('Retry-After')) || 1);
-      say(`The server is busy; trying again in ${seconds} s.`);
+      say(`The daemon is busy; trying again in ${seconds} s.`);
       await pause(seconds * 1000);
       if (options.signal && options.signal.aborted) throw new DOMException('', 'AbortError');
       say('');
@@ -102,7 +102,7 @@ function assetsOf(text) {
 
 let bundle = { text: null };
 
-// What a text needs: {assets, parts}, uploaded where the daemon keeps files.
+// Returns the files of a text, {assets, parts}. Uploads them if the daemon keeps files.
 async function prepare(text) {
   if (bundle.text === text) return bundle;
   const assets = assetsOf(text);
@@ -142,7 +142,7 @@ async function render(text, changes, query, signal) {
     response = await call('v1/render' + query, { method: 'POST', body, headers: { 'Content-Type': type }, signal });
   } catch (error) {
     if (error.status === 422 && /asset/.test(error.message) && assets.some(({ name }) => (files.get(name) || {}).sha256)) {
-      // The daemon made room for others: sent again once.
+      // The daemon has dropped an asset: uploads and sends once more.
       for (const { name } of assets) if (files.has(name)) delete files.get(name).sha256;
       bundle = { text: null };
       if (!changes.again) return render(text, Object.defineProperty({ ...changes }, 'again', { value: true }), query, signal);

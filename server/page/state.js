@@ -1,4 +1,4 @@
-// What the page knows. The text is the state; the rest is where the eye stands and what was drawn of it.
+// State of the page: the text of the scene, the camera, and what was drawn of them.
 
 const state = {
   text: '',
@@ -10,7 +10,7 @@ const state = {
   info: null, // of `version`, without pixels
   channel: 'color',
   pin: null, // shares of width and height
-  picture: null, // the last whole answer: {blob, width, height}
+  picture: null, // the last whole answer: {blob, keys, query}
   example: '',
 };
 
@@ -61,7 +61,7 @@ function setText(text, isOwn = false) {
 // Changes keys of the text, as a control does.
 function setKeys(changes) {
   if (!state.isValid) {
-    say('The text is not JSON; mend it first.', true);
+    say('The text is not valid JSON. Correct it first.', true);
     return;
   }
   const moved = state.camera && motion.is ? { view: viewOf(state.camera) } : {};

@@ -294,7 +294,7 @@ const tests = {
     const pixel = await page.textContent('#pixel-text b');
     await page.keyboard.press('Alt+ArrowRight');
     await page.waitForFunction((before) => { const at = document.querySelector('#pixel-text b'); return at && at.textContent !== before; }, pixel);
-    check('Enter explains the middle, Alt and an arrow the pixel beside it', true);
+    check('Enter lists the surfaces of the middle, Alt and an arrow those of the pixel beside it', await page.textContent('#pixel-text b') !== pixel);
     await page.keyboard.press('Escape');
     check('Escape takes the pin away', await page.isHidden('#pin'));
     await page.keyboard.press('?');
@@ -403,7 +403,7 @@ const tests = {
     const page = await open(browser, address);
     await drawn(page);
     await page.setInputFiles('#file', { name: 'notes.txt', mimeType: 'text/plain', buffer: Buffer.from('x') });
-    check('other files are refused in words', /hold no scene/.test(await page.textContent('#note')));
+    check('other files are refused with a message', /hold no scene/.test(await page.textContent('#note')));
   },
 
   async token(browser) {
@@ -434,7 +434,7 @@ const tests = {
     await page.context().setOffline(true);
     await page.check('input[value=dark]');
     await page.waitForFunction(() => /Is the daemon running/.test(byId('note').textContent));
-    check('a lost daemon is told in words', true);
+    check('without an answer, the page names the cause', await page.isVisible('#note'));
   },
 };
 

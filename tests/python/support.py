@@ -2,9 +2,10 @@
 import os
 import re
 import struct
-import subprocess
 import unittest
 import urllib.request
+
+import daemon
 
 try:
     import numpy
@@ -13,7 +14,7 @@ except ImportError:
 
 here = os.path.dirname(os.path.abspath(__file__))
 root = os.path.normpath(os.path.join(here, "../.."))
-build = os.environ["ZRASTER_BUILD"]
+build = daemon.build
 models = os.path.join(os.environ.get("ZRASTER_DATA", os.path.join(root, "../shared/data")), "models")
 scenes = os.path.join(root, "tests/scenes")
 needs_numpy = unittest.skipUnless(numpy, "there is no numpy (python3-numpy)")
@@ -55,13 +56,10 @@ def slow():
     return {**scene, "view": {"preset": "top"}, "meshes": [{"name": "sheet", "heights": heights}], "nodes": nodes}
 
 
-class Daemon:
-    """A daemon on a free port, while a `with` runs."""
+class Daemon(daemon.Daemon):
+    """A daemon on a free port, until a `with` ends."""
 
     def __enter__(self):
-        command = [os.path.join(build, "zrasterd"), "--port", "0"]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
         return self
 
     def post(self, body, query="", type_="application/octet-stream"):
@@ -70,9 +68,7 @@ class Daemon:
             return answer.read()
 
     def __exit__(self, *_):
-        self.process.terminate()
-        self.process.wait()
-        self.process.stdout.close()
+        self.stop()
 
 
 def rss_kb():

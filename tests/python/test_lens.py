@@ -31,13 +31,13 @@ def scene_of(window, distortion, channels=("position",), **keys):
     """Returns a scene whose wall fills the window, with a few bumps in front; K as OpenCV has it."""
     width, height, fx, fy, cx, cy = window
     heights = [[0.3 * ((x * 7 + y * 3) % 5) for x in range(24)] for y in range(24)]
-    back = [[c / 1 for c in row] for row in numpy.linalg.inv(ROTATION)]
+    back = numpy.linalg.inv(ROTATION)
     pose = numpy.eye(4)
     pose[:3, :3] = numpy.array(ROTATION).T @ numpy.diag([1, -1, -1])
-    pose[:3, 3] = numpy.array(back) @ [0, 0, 3]
+    pose[:3, 3] = back @ [0, 0, 3]
     far = numpy.eye(4)
     far[:3, :3] = pose[:3, :3]
-    far[:3, 3] = numpy.array(back) @ [0, 0, 5]
+    far[:3, 3] = back @ [0, 0, 5]
     wall = [[-99, -99, 0], [99, -99, 0], [99, 99, 0], [-99, 99, 0]]
     view = {"R": ROTATION, "t": [0.1, -0.2, 0.3], "K": [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], "pixelCenter": 0}
     if distortion is not None:

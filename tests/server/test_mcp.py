@@ -3,6 +3,7 @@ import base64
 import json
 import os
 import random
+import socket
 import struct
 import subprocess
 import sys
@@ -39,6 +40,12 @@ class Daemon(daemon.Daemon):
         message = {"jsonrpc": "2.0", "id": 7, "method": method, "params": {**(params or {}), "_meta": meta}}
         given = {"MCP_Protocol_Version": MODERN, "Mcp_Method": method, "Mcp_Name": (params or {}).get("name")}
         return self.post(message, **{**given, **(headers or {})})
+
+    def spent(self):
+        """Returns the processor time of the daemon, in seconds."""
+        with open(f"/proc/{self.process.pid}/stat") as file:
+            fields = file.read().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
     def call(self, tool, **arguments):
         """Returns the result of a tool."""
@@ -111,9 +118,7 @@ def size_of(image, kind):
     if kind == "image/png":
         assert image[:8] == b"\x89PNG\r\n\x1a\n"
         return struct.unpack(">2I", image[16:24])
-    if kind == "image/webp":
-        assert image[:4] == b"RIFF" and image[8:12] == b"WEBP"
-        return (1, 1)
+    assert (kind, image[:2]) == ("image/jpeg", b"\xff\xd8")
     at = 2
     while image[at + 1] not in (0xC0, 0xC2):
         at += 2 + struct.unpack(">H", image[at + 2 : at + 4])[0]
@@ -157,7 +162,7 @@ class Http(unittest.TestCase):
         return result
 
     def refused(self, tool, expected, **arguments):
-        """Returns nothing. The call is an error that a model can mend; its text has each of these."""
+        """Fails unless the call is an error of its arguments, whose text has each of these."""
         result = self.call(tool, **arguments)
         self.assertTrue(result["isError"], texts(result))
         self.assertNotIn("structuredContent", result)
@@ -167,7 +172,7 @@ class Http(unittest.TestCase):
     # ---- the protocol ----
 
     def test_discover(self):
-        """server/discover says what is served"""
+        """server/discover lists revisions and capabilities"""
         status, answer = self.daemon.ask("server/discover")
         result = answer["result"]
         self.assertEqual((status, result["supportedVersions"], result["capabilities"]), (200, [MODERN], {"tools": {}}))
@@ -186,7 +191,7 @@ class Http(unittest.TestCase):
             self.assertEqual(tool["outputSchema"]["type"], "object")
 
     def test_legacy(self):
-        """Clients of 2025 open with initialize; every request tells by its own shape which revision it follows"""
+        """Clients of 2025 open with initialize; the form of each request selects its revision"""
         for asked, given in (("2025-06-18", "2025-06-18"), ("2025-11-25", "2025-11-25"), ("2024-11-05", "2025-11-25"), (MODERN, "2025-11-25")):
             params = {"protocolVersion": asked, "capabilities": {}, "clientInfo": {"name": "t", "version": "1"}}
             status, answer = self.daemon.post({"jsonrpc": "2.0", "id": "a", "method": "initialize", "params": params})
@@ -299,19 +304,23 @@ class Http(unittest.TestCase):
 
     def test_leaving(self):
         """A client that leaves stops its call, and the daemon goes on"""
-        import socket
         host, port = self.daemon.address.removeprefix("http://").split(":")
         arguments = {"scene": noise(), "views": [{"view": {"azimuthDegrees": i}} for i in range(8)], "width": 1568, "height": 1568, "look": "studio"}
         message = {"jsonrpc": "2.0", "id": 1, "method": "tools/call", "params": {"name": "render", "arguments": arguments}}
         body = json.dumps(message).encode()
-        began = time.monotonic()
+        before = self.daemon.spent()
         with socket.create_connection((host, int(port))) as connection:
             head = f"POST /mcp HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n"
             connection.sendall(head.encode() + body)
+            while self.daemon.spent() < before + 0.3:
+                time.sleep(0.05)
+        began, last = time.monotonic(), -1
+        while self.daemon.spent() > last + 0.05:
+            self.assertLess(time.monotonic() - began, 5)  # undisturbed, it draws until its deadline of 10 s
+            last = self.daemon.spent()
             time.sleep(0.3)
         self.assertEqual(self.daemon.post({"jsonrpc": "2.0", "id": 1, "method": "ping"})[0], 200)
         self.call("render", model={"text": BOX})
-        self.assertLess(time.monotonic() - began, 60)
 
     # ---- the tools ----
 
@@ -332,7 +341,7 @@ class Http(unittest.TestCase):
         self.assertEqual(self.call("facts", scene={"polygons": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]})["structuredContent"]["area"], 0.5)
 
     def test_units(self):
-        """Units of a format are told"""
+        """Units are those of the format"""
         corners = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
         gltf = {
             "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
@@ -404,7 +413,7 @@ class Http(unittest.TestCase):
         scene, kinds = noise(), set()
         for arguments in (
             {"width": 1200, "height": 1000}, {"width": 1568, "height": 1568}, {"width": 1568, "height": 1568, "format": "png"},
-            {"width": 900, "height": 900, "views": ["front"] * 1 + [{"name": f"v{i}", "view": {"preset": "front", "fit": {"padding": 0.01 * i}}} for i in range(7)]},
+            {"width": 900, "height": 900, "views": ["front"] + [{"name": f"v{i}", "view": {"preset": "front", "fit": {"padding": 0.01 * i}}} for i in range(7)]},
         ):
             result = self.call("render", scene=scene, **arguments)
             self.assertLessEqual(sum(len(block.get("data", "")) for block in result["content"]), BYTES_MAX)
@@ -421,7 +430,7 @@ class Http(unittest.TestCase):
         self.assertEqual(images(clear)[0][1], "image/webp")
 
     def test_parts(self):
-        """Parts are hidden, and a blank picture is told"""
+        """Parts are hidden, and a blank picture is reported"""
         shown = self.call("render", model={"text": ASSEMBLY}, views=["isometric"], parts={"isolate": "plate"})
         whole = self.call("render", model={"text": ASSEMBLY}, views=["isometric"])
         self.assertNotEqual(images(shown), images(whole))
@@ -430,7 +439,7 @@ class Http(unittest.TestCase):
         self.assertIn("BLANK", texts(blank)[1])
 
     def test_pick(self):
-        """A pixel is explained by its surfaces, in a picture of its own and in a sheet"""
+        """The surfaces of a pixel are listed, in a picture of one view and in a sheet"""
         arguments = {"model": {"text": ASSEMBLY}, "up": "z"}
         top = self.call("render", **arguments, views=["front", "top"])["structuredContent"]["views"][1]
         x = 320 - round(10 / top["unitsPerPixel"])  # the middle is at 20, 5
@@ -451,7 +460,7 @@ class Http(unittest.TestCase):
         self.assertIn("paper", texts(paper)[0])
 
     def test_mendable(self):
-        """What a model can mend is an error with its place and the nearest word"""
+        """Errors of arguments have their place and the nearest word"""
         box = {"text": BOX}
         for tool, expected, arguments in (
             ("render", ["give a model"], {}),
@@ -549,8 +558,8 @@ class Stdio(unittest.TestCase):
 
     def test_cancelled(self):
         """A cancelled call gets no answer, whether it has begun or waits"""
-        slow = {"name": "render", "arguments": {"scene": noise(), "look": "studio", "views": ["front", "back"] * 4, "width": 1568, "height": 1568}}
-        slow["arguments"]["views"] = [{"name": f"v{i}", "view": {"azimuthDegrees": 10 * i}} for i in range(8)]
+        views = [{"name": f"v{i}", "view": {"azimuthDegrees": 10 * i}} for i in range(8)]
+        slow = {"name": "render", "arguments": {"scene": noise(), "look": "studio", "views": views, "width": 1568, "height": 1568}}
         for number in (1, "two"):
             self.pipe.write({"jsonrpc": "2.0", "id": number, "method": "tools/call", "params": slow})
         time.sleep(0.3)
@@ -574,7 +583,7 @@ class Stdio(unittest.TestCase):
         self.assertEqual((ran.returncode, json.loads(ran.stdout)["id"]), (0, 1))
 
     def test_usage(self):
-        """The command says what it needs"""
+        """Wrong flags of the command are named"""
         command = os.path.join(build, "zraster")
         for flags, expected in (([], "--root"), (["--root", "/none"], "/none"), (["--root", "/dev/null"], "Not a directory"), (["--root", ".", "x.stl"], "no file"), (["--root", ".", "--look", "clay"], "--look")):
             ran = subprocess.run([command, "mcp", *flags], capture_output=True, text=True, stdin=subprocess.DEVNULL)

@@ -124,13 +124,13 @@ def handle():
 
 def hinge():
     tube = lambda x0, x1: along_x(prism(ring(4), x0, x1, [ring(2.1)]))
-    box = lambda x0, y0, x1, y1: moved(prism(square(x0, y0, x1, y1), -1.5, 1.5), lambda p: p)
+    box = lambda x0, y0, x1, y1: prism(square(x0, y0, x1, y1), -1.5, 1.5)
     a = tube(0, 12) + tube(24, 36) + box(0, -26, 36, -6) + box(0, -6, 12, -3) + box(24, -6, 36, -3)
     return a + tube(12.3, 23.7) + box(0, 6, 36, 26) + box(12.3, 3, 23.7, 6)
 
 
 def enclosure():
-    void = moved(prism(square(-22.5, -17.5, 22.5, 17.5), -12.5, 12.5), lambda p: p)
+    void = prism(square(-22.5, -17.5, 22.5, 17.5), -12.5, 12.5)
     return prism(square(-25, -20, 25, 20), -15, 15) + [{"vertices": face["vertices"][::-1]} for face in void]
 
 
@@ -164,7 +164,7 @@ TASKS = {
         (120, 80, 0), 0.2, 8721.6, 2, False,
     ),
     "nameplate_chamfer": (
-        prism(square(0, 0, 80, 30), 0, 2.5)[::2][:1] + wall(square(0, 0, 80, 30), 0, square(0, 0, 80, 30), 2.5)
+        [cap(square(0, 0, 80, 30), 0, False)] + wall(square(0, 0, 80, 30), 0, square(0, 0, 80, 30), 2.5)
         + wall(square(0, 0, 80, 30), 2.5, square(1.5, 1.5, 78.5, 28.5), 4) + [cap(square(1.5, 1.5, 78.5, 28.5), 4, True)],
         (80, 30, 4), 0.2, 9357, 3, True,
     ),

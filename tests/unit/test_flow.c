@@ -1,4 +1,4 @@
-/* The channel flow, beside doubles: ways to the same scene that is read with the other view and the other matrices. */
+/* The channel flow, beside doubles: motion to the same scene, read with the other view and the other matrices. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,7 +14,7 @@
 #define MOVED      "[0.8, 0.6, 0, 0, -0.6, 0.8, 0, 0, 0, 0, 1, 0, 0.3, 0.1, 0.4, 1]"
 #define UNMOVED    "[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]"
 
-/* Two bodies of triangles, of which one hides the other, and a floor. */
+/* A body of triangles, placed twice so that one hides the other, and a floor. */
 #define BODIES                                                                                                         \
     "\"window\": {\"width\": 120, \"height\": 96}, \"meshes\": [{\"name\": \"a\", \"positions\": [[0,0,0],[1,0,0],"    \
     "[0,1,0],[0,0,1],[1,1,1]], \"faces\": [[0,2,1],[0,1,3],[0,3,2],[1,2,4],[1,4,3],[2,3,4]]}, {\"name\": \"floor\", "  \
@@ -125,10 +125,6 @@ static void check(const char *from, const char *to, const char *matrix, const ch
         const bool is_outside = at[0] < 0.0 || at[1] < 0.0 || at[0] >= width || at[1] >= height;
         const bool is_hidden = nearest(&there, at) < depth - 1e-6;
         const float want = is_outside ? -1.0f : is_hidden ? 0.0f : 1.0f;
-        if (flow[2] != want && getenv("DBG"))
-            printf("%u inst %u face %u got %g want %g at %g %g depth %g nearest %g there %u\n", i, instance, face,
-                   (double)flow[2], (double)want, at[0], at[1], depth, nearest(&there, at),
-                   is_outside ? 0 : there.frame->face_id[(int)at[1] * 120 + (int)at[0]]);
         if (flow[2] != want && (is_outside || is_plain(there.frame, at)))
             fail_msg("%s, pixel %u: %g, not %g", key, i, (double)flow[2], (double)want);
         seen += want == 1.0f, hidden += want == 0.0f, outside += want == -1.0f, wrong += flow[2] != want;
@@ -140,7 +136,7 @@ static void check(const char *from, const char *to, const char *matrix, const ch
     reading_free(there.reading);
 }
 
-TEST(ways_are_those_of_doubles)
+TEST(motion_is_that_of_doubles)
 {
     check(VIEW_HERE, VIEW_THERE, UNMOVED, "{\"view\": " VIEW_THERE "}");
     check(VIEW_HERE, VIEW_HERE, MOVED, "{\"poses\": {\"n\": " MOVED "}}");
@@ -155,18 +151,24 @@ TEST(the_same_picture_is_still)
     struct shot shot = shoot(ORTHO, UNMOVED, ", {\"channel\": \"flow\", \"to\": {\"poses\": {\"n\": " UNMOVED "}}}");
     const float *flow = shot.frame->channels[ZR_CHANNEL_FLOW];
     const uint32_t *ids = shot.frame->channels[ZR_CHANNEL_FACE_ID];
-    for (uint32_t i = 0; i < shot.frame->width * shot.frame->height; i++, flow += 3)
-        if (ids[i] > 0) assert_true(fabsf(flow[0]) < 1e-2f && fabsf(flow[1]) < 1e-2f && flow[2] == 1.0f);
+    uint32_t covered = 0;
+    for (uint32_t i = 0; i < shot.frame->width * shot.frame->height; i++, flow += 3) {
+        if (ids[i] == 0) continue;
+        assert_true(fabsf(flow[0]) < 1e-2f && fabsf(flow[1]) < 1e-2f && flow[2] == 1.0f);
+        covered++;
+    }
+    assert_true(covered > 1000);
     reading_free(shot.reading);
 }
 
-/* A camera that is turned round sees nothing of it. */
-TEST(points_behind_the_camera_have_no_way)
+/* The other camera looks away from the scene. */
+TEST(points_behind_the_camera_have_no_flow)
 {
     struct shot shot = shoot(VIEW_HERE, UNMOVED,
                              ", {\"channel\": \"flow\", \"to\": {\"view\": {\"eye\": [3, 2, 4], \"target\": [6, 4, 8], "
                              "\"perspective\": {\"yfovDegrees\": 50}, \"znear\": 0.1, \"zfar\": 10}}}");
     const float *flow = shot.frame->channels[ZR_CHANNEL_FLOW];
+    assert_true(shot.frame->covered_pixels > 1000);
     for (uint32_t i = 0; i < 3 * shot.frame->width * shot.frame->height; i++)
         assert_true(isnan(flow[i]));
     reading_free(shot.reading);

@@ -9,23 +9,10 @@
 #include "raster/fragments.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/test_arena.h"
 #include "support/tests.h"
 
-static struct zr_arena arena;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, (size_t)1 << 30);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
+TEST_ARENA((size_t)1 << 30)
 
 /* ---- lists ---- */
 

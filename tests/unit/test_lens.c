@@ -6,6 +6,7 @@
 #include "json_check.h"
 #include "render/lens.h"
 #include "support/scenes.h"
+#include "support/test_arena.h"
 #include "support/tests.h"
 
 /* ---- the model: OpenCV's formulas, by libm ---- */
@@ -125,21 +126,7 @@ TEST(lens_without_end_ends_at_80_degrees_and_others_at_their_fold)
 #define PINCUSHION              ",\"distortion\":{\"k\":[0.3,0.1]}"
 #define FISHEYE                 ",\"distortion\":{\"model\":\"fisheye\",\"k\":[0.02,-0.01]}"
 
-static struct zr_arena arena;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, (size_t)1 << 30);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
+TEST_ARENA((size_t)1 << 30)
 
 static const struct zr_frame *frame_of(const char *text, struct reading **reading)
 {
