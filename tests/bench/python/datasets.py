@@ -1,6 +1,8 @@
 """datasets.py BUILD FOLDER MODEL: the rate of zraster.bop beside that of the library alone, which draws the same outputs and
-drops them. Rounds alternate; VIEWS=1000 of each in all. Files go to FOLDER, which is emptied."""
+drops them. Rounds alternate; VIEWS=1000 of each in all. Files go to FOLDER, which is removed before and after. Each round has
+a folder of its own there: ext4 creates files slowly for minutes after many were deleted."""
 import ctypes
+import itertools
 import os
 import shutil
 import sys
@@ -28,6 +30,9 @@ OUTPUTS = [
 ]
 
 
+rounds = itertools.count()
+
+
 def now():
     return time.perf_counter(), time.process_time()
 
@@ -45,13 +50,14 @@ def alone(scene, parts, look):
 
 
 def written(scene, parts, look):
-    shutil.rmtree(folder, ignore_errors=True)
+    place = os.path.join(folder, str(next(rounds)))
     begin = now()
-    bop.write(folder, scene, parts=parts, look=look, **OPTIONS)
+    bop.write(place, scene, parts=parts, look=look, **OPTIONS)
     return [after - before for before, after in zip(begin, now())]
 
 
 def main():
+    shutil.rmtree(folder, ignore_errors=True)
     with open(model, "rb") as file:
         parts = {"model.obj": file.read()}
     spread = [(x, z) for x in (-1, 0, 1) for z in (-1, 1)]
