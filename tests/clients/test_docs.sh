@@ -1,43 +1,196 @@
 #!/bin/sh
-# test_docs.sh BUILD: runs the examples of the README and of the pages, each page in a folder with a part.stl, and checks that links lead to
-# files and headings. Examples are blocks that begin with the command, curl or a compiler; only the daemon's address is replaced. Prints TAP.
+# test_docs.sh BUILD [PAGE...]: runs the fenced blocks of the README and of the pages, and checks that links lead to files and
+# headings. The blocks of one page run in one folder, in their order. It has part.stl, assembly.obj, core/, clients/ and build/,
+# whose zrasterd replaces the page's daemon. Prints TAP.
+#
+# The first word behind the fence is the language; a block without one fails:
+#   sh       sh -e; "sh skip=WHAT" is left out, and says so
+#   python   with the package zraster
+#   json     a whole scene: the daemon draws it, without a warning
+#   jsonc    a part of a scene, or another document: it parses
+#   c, cpp   compiled, not run
+#   text     output, or a sketch: not run
+#   others   checked if a program for them is there (toml, yaml, js, nginx), else left out
 set -u
 build=$(realpath "$1")
+shift
 root=$PWD
 work=$(mktemp -d)
 . tests/support/verdict.sh
 . tests/support/files.sh
 . tests/support/address.sh
 said=$work/said complained=$work/complained
-unset ZRASTER_SERVER
+python=${PYTHON:-/usr/bin/python3}
+unset ZRASTER_SERVER ZRASTER_TOKEN
+export ZRASTER_LIBRARY="$build/libzraster.so.0" PYTHONPATH="$root/clients/python"
 
-: >"$work/out"
-"$build/zrasterd" --port 0 >"$work/out" 2>"$work/log" &
-daemon=$!
-trap 'kill "$daemon" 2>/dev/null; wait 2>/dev/null; rm -rf "$work"' EXIT
-server=$(address_in "$work/out") || { echo "$server"; exit 1; }
+# ---- the folder of a page ----
+
+end_daemon() {
+    [ -s "$work/daemon.pid" ] || return 0
+    kill "$(cat "$work/daemon.pid")" 2>/dev/null
+    within 10 sh -c "! kill -0 $(cat "$work/daemon.pid") 2>/dev/null"
+    : >"$work/daemon.pid"
+}
+trap 'end_daemon; wait 2>/dev/null; rm -rf "$work"' EXIT
+
+# Starts a daemon on a free port, which becomes the port of all that a page starts.
+start_daemon() {
+    end_daemon
+    : >"$work/out"
+    "$build/zrasterd" --port 0 >"$work/out" 2>"$work/log" &
+    echo $! >"$work/daemon.pid"
+    server=$(address_in "$work/out") || { echo "$server"; exit 1; }
+}
+
+make_fixtures() {
+    awk -f tests/support/part.awk >"$work/part.stl"
+    for part in base axle bearing wheel washer cap; do
+        printf '%s|%s\n' "$part" "$(awk -v model=$part -f clients/gallery/models.awk)"
+    done | awk -f clients/gallery/obj.awk >"$work/assembly.obj"
+    # A daemon without a port takes the place of the page's.
+    cat >"$work/zrasterd" <<END
+#!/bin/sh
+case " \$* " in *' --help '* | *' --version '* | *' --health '* | *' --port'*) exec "$build/zrasterd" "\$@" ;; esac
+kill "\$(cat "$work/daemon.pid")" 2>/dev/null
+tries=0
+while kill -0 "\$(cat "$work/daemon.pid")" 2>/dev/null && [ \$((tries += 1)) -lt 500 ]; do sleep 0.02; done
+echo \$\$ >"$work/daemon.pid"
+ZRASTER_PORT=\${ZRASTER_TEST_PORT} exec "$build/zrasterd" "\$@"
+END
+    chmod +x "$work/zrasterd"
+}
+
+enter_folder() { # PAGE
+    mkdir -p "$work/${1%.md}/build"
+    cd "$work/${1%.md}" || exit 1
+    ln -s "$build"/* build/
+    ln -sf "$work/zrasterd" build/zrasterd
+    ln -s "$root/core" "$root/clients" .
+    cp "$work/part.stl" "$work/assembly.obj" .
+}
+
+# ---- blocks ----
+
+# Writes the blocks of a page to files block-N, and prints a line for each: N LINE LANGUAGE INFO. An indented block has no language.
+list_blocks() { # PAGE
+    awk '
+        function begin(language) { ++n; print n, NR, (language == "" ? "none" : language); file = sprintf("block-%d", n); printf "" >file }
+        inside {
+            line = $0
+            sub("^ {0," indent "}", line)
+            if (line ~ /^ *```+ *$/) { inside = 0; close(file) } else print line >file
+            next
+        }
+        /^ *```/ { match($0, /^ */); indent = RLENGTH; line = $0; sub(/^ *```+ */, "", line); begin(line); inside = 1; next }
+        /^ *$/ { was_empty = 1; next }
+        /^ *([-*]|[0-9]+\.) / { in_list = 1; was_empty = 0; next }
+        /^[^ ]/ && was_empty { in_list = 0 }
+        /^    / && was_empty && !in_list { begin(""); close(file) }
+        { was_empty = 0 }
+        END { if (inside) print n + 1, NR, "open" }' "$1"
+}
+
+parses_as_json() { # FILE: with comments, whole or the members of an object
+    "$python" - "$1" <<'END'
+import json, re, sys
+text = open(sys.argv[1], encoding="utf-8").read()
+text = re.sub(r'("(?:[^"\\]|\\.)*")|//[^\n]*|/\*.*?\*/', lambda m: m[1] or "", text, flags=re.S)
+try:
+    json.loads(text)
+except ValueError:
+    json.loads("{" + text.strip().rstrip(",") + "}")
+END
+}
+
+draws_without_warning() { # FILE
+    status=$(curl -s -D "$work/head" -o "$work/answer" -w '%{http_code}' "$server/v1/render" -H 'Content-Type: application/json' --data-binary @"$1")
+    grep -i '^Zraster-Warnings' "$work/head"
+    if [ "$status" != 200 ]; then
+        cat "$work/answer"
+        return 1
+    fi
+    ! grep -qi '^Zraster-Warnings' "$work/head"
+}
+
+run_block() { # LANGUAGE FILE
+    export ZRASTER_TEST_PORT="${server##*:}"
+    # Only the daemon's address differs from the page.
+    sed "s|127\.0\.0\.1:8080|${server#http://}|g; s|localhost:8080|${server#http://}|g" "$2" >"$2.run"
+    within 10 curl -s -o /dev/null "$server/health"
+    case $1 in
+    sh) PATH="$PWD/build:$PATH" timeout 120 sh -e "$2.run" ;;
+    python) PATH="$PWD/build:$PATH" timeout 120 "$python" "$2.run" ;;
+    json) draws_without_warning "$2.run" ;;
+    jsonc) parses_as_json "$2.run" ;;
+    c) ${CC:-cc} -x c -std=c11 -Wall -Werror -fsyntax-only -Icore/library "$2.run" ;;
+    cpp) ${CXX:-c++} -x c++ -std=c++17 -Wall -Werror -fsyntax-only -Icore/library "$2.run" ;;
+    toml) "$python" -c 'import sys, tomllib; tomllib.load(open(sys.argv[1], "rb"))' "$2.run" ;;
+    yaml) "$python" -c 'import sys, yaml; list(yaml.safe_load_all(open(sys.argv[1])))' "$2.run" ;;
+    js) cp "$2.run" "$2.mjs" && node --check "$2.mjs" ;;
+    esac
+}
+
+# True if what a language needs is not here.
+lacks() { # LANGUAGE FILE
+    case $1 in
+    sh) grep -q '^ *cc \|^python3 ' "$2" && grep -q __asan "$build/libzraster.so.0" ;; # its sanitizers are those of another compiler
+    python) grep -q __asan "$build/libzraster.so.0" ;;
+    js) ! command -v node >/dev/null ;;
+    toml) ! "$python" -c 'import tomllib' 2>/dev/null ;;
+    yaml) ! "$python" -c 'import yaml' 2>/dev/null ;;
+    *) return 1 ;;
+    esac
+}
 
 run_blocks() { # PAGE
-    # A block ends where a line is not indented.
-    awk '/^    (curl|cc|build\/zraster) / && !inside { name = sprintf("block%03d", ++n); inside = 1 } !/^    / { inside = 0 }
-         inside { print > name }' "$root/$1"
-    for block in block*; do
-        [ -f "$block" ] || continue
+    list_blocks "$root/$1" >blocks
+    while read -r number line language info; do
+        at="$1:$line"
+        block=block-$number
+        case $language,$info in
+        none,* | open,*)
+            : >"$said"
+            echo "$at: a block without a language, or without an end" >"$complained"
+            verdict "$at has a language" false
+            continue
+            ;;
+        text,*) continue ;;
+        sh,skip=* | python,skip=*)
+            left_out=$((left_out + 1))
+            skip "$at: $language" "needs ${info#skip=}"
+            continue
+            ;;
+        sh, | python, | json, | jsonc, | c, | cpp, | toml, | yaml, | js,) ;;
+        nginx, | ini, | xml, | html, | dockerfile,)
+            left_out=$((left_out + 1))
+            skip "$at: $language" "no program here checks it"
+            continue
+            ;;
+        *)
+            : >"$said"
+            echo "$at: unknown language '$language $info'" >"$complained"
+            verdict "$at has a known language" false
+            continue
+            ;;
+        esac
         blocks=$((blocks + 1))
-        if grep -q '^ *cc ' "$block" && grep -q __asan "$build/libzraster.so.0"; then
-            skip "$1 compiles a program" "the library has the sanitizers of another compiler"
+        if lacks "$language" "$block"; then
+            skip "$at: $language" "what it needs is not here"
             continue
         fi
-        sed "s|http://127.0.0.1:8080|$server|" "$block" >"$block.sh"
-        sh -e "$block.sh" >"$said" 2>"$complained"
+        run_block "$language" "$block" >"$said" 2>"$complained" </dev/null
         status=$?
-        verdict "$1 runs: $(head -n 1 "$block" | sed 's/^ *//; s/  *#.*//')" [ "$status" = 0 ]
-    done
+        verdict "$at: $language: $(grep -v '^ *$' "$block" | head -n 1 | sed 's/^ *//; s/#/-/g' | cut -c 1-70)" [ "$status" = 0 ]
+    done <blocks
 }
+
+# ---- links ----
 
 # The names that browsers give to headings: lower case, no punctuation, - for spaces.
 headings() { # PAGE
     sed -n 's/^##* //p' "$1" | tr '[:upper:] ' '[:lower:]-' | sed 's/[^[:alnum:]_-]//g'
+    grep -o '<a id="[^"]*"' "$1" | sed 's/.*"\(.*\)"/\1/'
 }
 broken_links() { # PAGE: prints those that lead nowhere
     folder=$(dirname "$1")
@@ -57,22 +210,63 @@ all_links_lead() { # PAGE
     [ ! -s "$complained" ]
 }
 
+# ---- commands of make ----
+
+missing_targets() { # PAGE: the words behind make, in code, that are no targets
+    sed -n '/^ *```/,/^ *```/p; s/.*`\(make[^`]*\)`.*/\1/p' "$1" | grep -oE '(^| |&& )make +([A-Z]+=[^ ]+ +)*[a-z][a-z-]*' | sed 's/.* //' | sort -u |
+        while read -r target; do grep -q "^$target:" "$root/Makefile" || echo "$1: make $target"; done
+}
+all_targets_are_there() { # PAGE
+    missing_targets "$1" >"$complained"
+    [ ! -s "$complained" ]
+}
+
+# ---- the pages ----
+
+pages=$*
+[ -n "$pages" ] || pages="README.md $(find clients/docs -name '*.md' | LC_ALL=C sort) clients/python/README.md server/api/v1.md"
 blocks=0
-for page in README.md clients/docs/*.md clients/python/README.md server/api/v1.md; do
+left_out=0
+make_fixtures
+for page in $pages; do
     verdict "links of $page lead somewhere" all_links_lead "$page"
+    verdict "targets of make in $page are in the Makefile" all_targets_are_there "$page"
     case $page in server/* | clients/python/*) continue ;; esac
-    mkdir -p "$work/${page%.md}"
-    cd "$work/${page%.md}" || exit 1
-    ln -s "$build" build
-    ln -s "$root/core" "$root/clients" .
-    triangle >part.stl
+    enter_folder "$page"
+    start_daemon
     run_blocks "$page"
     cd "$root" || exit 1
 done
-for picture in README/part README/iso README/triangle clients/docs/quickstart/pictures/part clients/docs/views/sheet; do
-    verdict "$picture.png is there" is_png "$work/$picture.png"
-done
-verdict "there are at least 20 examples" [ "$blocks" -ge 20 ]
+if [ $# = 0 ]; then
+    for picture in README/part README/iso README/triangle clients/docs/quickstart/pictures/part clients/docs/views/sheet; do
+        verdict "$picture.png is there" is_png "$work/$picture.png"
+    done
+    verdict "there are at least 25 examples: $blocks" [ "$blocks" -ge 25 ]
+    verdict "few are left out: $left_out" [ "$left_out" -le $((blocks / 3)) ]
+fi
+
+# ---- what is wrong would be found ----
+
 printf '# A heading\n[a](#a-heading) [b](#no-heading) [c](nothing.md)\n' >"$work/wrong.md"
-verdict "and a link that leads nowhere would be found" [ "$(broken_links "$work/wrong.md" | wc -l)" = 2 ]
+verdict "a link that leads nowhere would be found" [ "$(broken_links "$work/wrong.md" | wc -l)" = 2 ]
+printf '`make all` `make no-such-target`\n```sh\nmake nothing\n```\n' >"$work/wrong.md"
+verdict "as would targets that are not there" [ "$(missing_targets "$work/wrong.md" | wc -l)" = 2 ]
+cd "$work" || exit 1
+printf '```\na\n```\n\n    b\n\n- c\n\n      d\n\n```sh\ne\n' >wrong.md
+verdict "as would blocks without a language or an end" [ "$(list_blocks wrong.md | cut -d ' ' -f 3 | tr '\n' ' ')" = "none none sh open " ]
+start_daemon
+cat >wrong <<'END'
+sh true; false; true
+python assert 1 == 2
+json {"polygons": [{"vertices": [[0, 0, 0], [1, 0, 0]]}]}
+json {"polygons": [{"vertices": [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}]}
+jsonc {"a": }
+c int f(void) { return g(); }
+END
+while read -r language text; do
+    echo "$text" >wrong.block
+    lacks "$language" wrong.block && continue
+    run_block "$language" wrong.block >"$said" 2>"$complained"
+    verdict "as would a wrong block of $language" [ $? != 0 ]
+done <wrong
 verdicts
