@@ -116,6 +116,7 @@ renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_roo
 mcp := $(call objects,server/mcp/*.c)
 server := $(call objects,server/*.c) $(mcp) $(BUILD)/server/site_files.o
 client := $(call objects,clients/*.c)
+reference_pages := $(call objects,clients/reference/*.c) $(BUILD)/clients/values.o
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
 support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
 cross := $(call objects,tests/cross/main.c tests/support/gallery.c tests/support/look_scenes.c tests/support/simd_check.c) $(support_kernels)
@@ -199,6 +200,11 @@ test-docs: ## runs the examples of the README and of clients/docs, and checks th
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) all library
 	@tests/clients/test_docs.sh $(BUILD)
+
+.PHONY: reference-pages
+reference-pages: $(BUILD)/zraster-reference ## writes the pages of clients/docs/reference from the rows of keys and parameters
+	@mkdir -p clients/docs/reference
+	@$< clients/reference/pages clients/docs/reference
 
 CONTRACT_PACKAGES := ajv@8 @redocly/cli@2 openapi-typescript@7 typescript@5
 .PHONY: contract
@@ -430,7 +436,7 @@ checks: checks-alone $(verify) mutants
 
 # Without what compares with Mesa.
 .PHONY: checks-alone
-checks-alone: all fuzzers $(unit_tests) $(server_tests) $(BUILD)/zraster-tables $(BUILD)/failing_malloc.so
+checks-alone: all fuzzers $(unit_tests) $(server_tests) $(BUILD)/zraster-tables $(BUILD)/zraster-reference $(BUILD)/failing_malloc.so
 
 .PHONY: tests
 tests: checks $(BUILD)/zraster-bench $(bench_alone)
@@ -540,6 +546,9 @@ $(BUILD)/server/site_files.o: $(BUILD)/server/site_files.c server/site.h $(BUILD
 # libcurl is loaded once a server is named (clients/curl_rows.h).
 $(BUILD)/zraster: $(client) $(mcp) $(BUILD)/libzraster.a
 	$(LINK) $(CLIENT_LIBS) $(CORE_LIBS)
+
+$(BUILD)/zraster-reference: $(reference_pages) $(BUILD)/libcore.a
+	$(LINK) -lcjson $(CORE_LIBS)
 
 $(manuals) &: clients/man.sh $(BUILD)/zraster $(BUILD)/zrasterd $(library_header)
 	$(Q)clients/man.sh $(BUILD)
@@ -652,5 +661,5 @@ $(BUILD)/%_kernel.$(1).o: %_kernel.c $(BUILD)/flags | $(missing_compiler)
 endef
 $(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 
--include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(BUILD)/tests/cross/same.o $(BUILD)/tests/make/tables.o $(BUILD)/tests/uninitialised/main.o $(server_support) \
+-include $(patsubst %.o,%.d,$(core) $(server) $(client) $(reference_pages) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(BUILD)/tests/cross/same.o $(BUILD)/tests/make/tables.o $(BUILD)/tests/uninitialised/main.o $(server_support) \
 	$(fuzz_support) $(fuzz_seeds) $(fuzz_main) $(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone) $(fuzz_targets)))

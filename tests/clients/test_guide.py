@@ -1,0 +1,132 @@
+"""Rules of style for the README, the pages of clients/docs and the help of both programs: short sentences and cells, and no
+phrases that readers stumble over. Prose is all but code, tables, headings and HTML."""
+import glob
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
+BUILD = os.path.abspath(sys.argv[1])
+SENTENCE_WORDS, CELL_WORDS = 30, 25
+
+NUMBER = r"(?:\d[\d.,]*|one|two|three|four|five|ten)"
+RULES = (
+    (re.compile(r"\b(?:goes|go) before\b"), "'goes before': overrides, or replaces"),
+    (re.compile(r"\bis out\b(?! of\b)"), "'is out': is ignored, or left out"),
+    (re.compile(r"\bis told\b"), "'is told': say who acts"),
+    (re.compile(r"\bis said\b"), "'is said': say who acts"),
+    (re.compile(r"\bis had\b"), "'is had': has, or results from"),
+    (re.compile(NUMBER + r"(?: (?!(?:of|in|to|is|as|at|by|for|from|on|with|and|or)\b)[a-z]+){0,2} an? (?:pixel|worker|polygon)\b"), "'a pixel' as a rate: per pixel"),
+)
+OPENINGS = re.compile(r"(?:What|Whoever|Where there)\b")
+
+
+def plain(text):
+    """Markdown without its marks; code counts as one word."""
+    text = re.sub(r"`[^`]*`", "CODE", text)
+    text = re.sub(r"!\[[^]]*\]\([^)]*\)", "", text)
+    text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", text)
+    text = re.sub(r"<[^>]*>", " ", text)
+    return re.sub(r"[*_]{1,2}(\S[^*_]*)[*_]{1,2}", r"\1", text)
+
+
+def count_words(text):
+    return sum(any(c.isalnum() for c in word) for word in text.split())
+
+
+def sentences(text):
+    return [part for part in re.split(r"(?<=[.!?])[\"')]* +(?=[\"'(]?[A-Z0-9])", text.strip()) if part]
+
+
+def judge(text, where, findings, is_cell=False):
+    """Adds what one paragraph, item or cell does wrong."""
+    if is_cell and count_words(text) > CELL_WORDS:
+        findings.append(f"{where}: a cell of {count_words(text)} words: {text.strip()}")
+    for sentence in sentences(text):
+        words = count_words(sentence)
+        if words > SENTENCE_WORDS and not is_cell:
+            findings.append(f"{where}: {words} words: {sentence}")
+        if OPENINGS.match(sentence) and not sentence.rstrip().endswith("?"):
+            findings.append(f"{where}: begins with '{sentence.split()[0]}': {sentence}")
+    for rule, text_of in RULES:
+        found = rule.search(text)
+        if found:
+            findings.append(f"{where}: {text_of}: ...{text[max(0, found.start() - 30):found.end() + 30]}...")
+
+
+def check_page(path, name):
+    """Returns the findings in a page."""
+    findings, paragraph, start, fenced, quiet = [], [], 0, False, False
+
+    def end():
+        if paragraph:
+            judge(plain(" ".join(paragraph)), f"{name}:{start}", findings)
+        paragraph.clear()
+
+    with open(path, encoding="utf-8") as file:
+        lines = file.read().split("\n")
+    for number, line in enumerate(lines, 1):
+        if line.lstrip().startswith("```"):
+            end()
+            fenced = not fenced
+        elif fenced:
+            continue
+        elif line.lstrip().startswith("|"):
+            end()
+            if not re.fullmatch(r"[ |:-]*", line):
+                for cell in re.split(r"(?<!\\)\|", line.strip().strip("|")):
+                    judge(plain(cell), f"{name}:{number}", findings, is_cell=True)
+        elif not line.strip() or line.startswith("#") or line.startswith("    ") and not paragraph:
+            end()
+        elif re.match(r" *(?:[-*]|\d+\.) ", line):
+            end()
+            start = number
+            paragraph.append(re.sub(r"^ *(?:[-*]|\d+\.) ", "", line))
+        else:
+            if not paragraph:
+                start = number
+            paragraph.append(line.strip())
+    end()
+    return findings
+
+
+def pages():
+    return ["README.md"] + sorted(os.path.relpath(path, ROOT) for path in glob.glob(f"{ROOT}/clients/docs/**/*.md", recursive=True))
+
+
+class Guide(unittest.TestCase):
+    def test_pages(self):
+        """pages have short sentences, short cells and plain phrases"""
+        findings = [finding for page in pages() for finding in check_page(os.path.join(ROOT, page), page)]
+        if findings:
+            self.fail("\n" + "\n".join(findings))
+
+    def test_help(self):
+        """so has the help of both programs"""
+        findings = []
+        for command in (["zrasterd", "--help"], ["zraster", "help"], *(["zraster", "help", name] for name in ("render", "info", "batch", "sheet", "mcp"))):
+            text = subprocess.run([f"{BUILD}/{command[0]}", *command[1:]], capture_output=True, text=True, check=True).stdout
+            for line in text.split("\n"):
+                for rule, text_of in RULES:
+                    if rule.search(line):
+                        findings.append(f"{' '.join(command)}: {text_of}: {line.strip()}")
+        if findings:
+            self.fail("\n" + "\n".join(findings))
+
+    def test_finds(self):
+        """each rule would find a page that breaks it"""
+        long = " ".join(["word"] * 31)
+        wrong = (f"A {long}.", f"- An item with {long}.", f"| cell | {' '.join(['word'] * 26)} |", "It works. What is odd is refused.", "Whoever asks, gets.",
+                 "Where there is none, it stops.", "It takes 60 bytes a pixel.", "It draws one lit colour a polygon.", "A key goes before the look.",
+                 "The warning is out.", "The default is told.", "It is said once.", "One is had.")
+        right = (f"A {' '.join(['word'] * 29)}. Another.", "What is it? A part.", "It is out of memory.", "It has 3 of a pixel.", f"```text\n{long}\n```", f"# What {long}",
+                 "It reads `" + long + "` as one word.")
+        with tempfile.TemporaryDirectory() as folder:
+            for text, count in [(text, 1) for text in wrong] + [(text, 0) for text in right]:
+                with open(f"{folder}/page.md", "w", encoding="utf-8") as file:
+                    file.write(text + "\n")
+                with self.subTest(text=text):
+                    self.assertEqual(len(check_page(f"{folder}/page.md", "page")), count, check_page(f"{folder}/page.md", "page"))
