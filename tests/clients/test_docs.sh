@@ -78,7 +78,7 @@ list_blocks() { # PAGE
         function begin(language) { ++n; print n, NR, (language == "" ? "none" : language); file = sprintf("block-%d", n); printf "" >file }
         inside {
             line = $0
-            sub("^ {0," indent "}", line)
+            for (i = 0; i < indent && line ~ /^ /; i++) line = substr(line, 2)
             if (line ~ /^ *```+ *$/) { inside = 0; close(file) } else print line >file
             next
         }
