@@ -5,10 +5,10 @@ RUN apt-get update && apt-get install -y --no-install-recommends \
         gcc libc6-dev make libmicrohttpd-dev libcjson-dev libpng-dev libjpeg62-turbo-dev libwebp-dev libisal-dev nettle-dev zlib1g-dev \
     && rm -rf /var/lib/apt/lists/*
 WORKDIR /src
-COPY Makefile ./
+COPY Makefile README.md CHANGELOG.md ./
 COPY core core
 COPY server server
-COPY clients/examples clients/examples
+COPY clients clients
 RUN make -j"$(nproc)" CFLAGS=-O3 LDFLAGS=-s build/zrasterd
 # The daemon, and each library that it needs at the path where it looks for it.
 RUN mkdir -p /image && cp build/zrasterd /image/zrasterd \

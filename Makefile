@@ -114,7 +114,7 @@ renderer_rooms := base scene geometry mesh raster shade drawing effects overlay 
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects)
 mcp := $(call objects,server/mcp/*.c)
-server := $(call objects,server/*.c) $(mcp) $(BUILD)/server/site_files.o
+server := $(call objects,server/*.c) $(mcp) $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o
 client := $(call objects,clients/*.c)
 reference_pages := $(call objects,clients/reference/*.c) $(BUILD)/clients/values.o
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
@@ -540,7 +540,13 @@ $(BUILD)/server/site_files.c: server/page/build.sh $(wildcard server/page/*.* se
 	@mkdir -p $(@D)
 	$(Q)server/page/build.sh $@
 
-$(BUILD)/server/site_files.o: $(BUILD)/server/site_files.c server/site.h $(BUILD)/flags | $(missing_compiler)
+# The manual, likewise.
+$(BUILD)/server/manual_files.c: $(wildcard server/manual/*) README.md CHANGELOG.md clients/python/README.md server/api/v1.md \
+		$(wildcard clients/docs/*.md clients/docs/*/*.md clients/docs/pictures/*.png clients/gallery/*.png)
+	@mkdir -p $(@D)
+	$(Q)server/manual/build.sh $@
+
+$(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o: %.o: %.c server/site.h $(BUILD)/flags | $(missing_compiler)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
 # libcurl is loaded once a server is named (clients/curl_rows.h).

@@ -80,6 +80,26 @@ static const char page[] = ZR_SCHEMA({
             }
         }
     },
+    "/docs/{address}": {
+        "parameters": [
+            {"name": "address", "in": "path", "required": true, "description": "Address of a page or a picture.",
+             "schema": {"type": "string"}}
+        ],
+        "get": {
+            "operationId": "getManual", "tags": ["page"], "summary": "Return a page or a picture of the manual",
+            "security": [],
+            "responses": {
+                "200": {
+                    "description": "The page or picture.",
+                    "content": {
+                        "text/html": {"schema": {"type": "string"}}, "text/css": {"schema": {"type": "string"}},
+                        "image/png": {}
+                    }
+                },
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
     "/v1/looks": {
         "get": {
             "operationId": "getLooks", "tags": ["page"], "summary": "Return all looks with their versions",

@@ -19,6 +19,8 @@ static const struct route ROUTES[] = {
     {"/v1/render", "POST", false, rendering_open, rendering_work, true, false},
     {"/v1/assets", "POST", false, assets_open, assets_work, false, false},
     {"/", "GET, HEAD", true, site_open, NULL, false, false},
+    {"/docs", "GET, HEAD", true, manual_open, NULL, false, false},
+    {MANUAL_PATH, "GET, HEAD", true, manual_open, NULL, false, false},
     {"/v1/examples", "GET, HEAD", false, examples_open, NULL, false, false},
     {EXAMPLES_PATH, "GET, HEAD", false, examples_open, NULL, false, false},
     {"/v1/looks", "GET, HEAD", false, looks_open, NULL, false, false},

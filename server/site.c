@@ -49,14 +49,14 @@ static char *decompress(const struct site_file *file)
 
 static void answer_site_file(const struct request *request, const struct site_file *file, struct answer *answer)
 {
-    const bool is_gzip = takes_gzip(request->accept_encoding);
+    const bool is_packed = file->plain_size > 0, is_gzip = is_packed && takes_gzip(request->accept_encoding);
     char tag[64];
-    snprintf(tag, sizeof tag, "\"%s%s\"", file->tag, is_gzip ? "" : "-plain");
+    snprintf(tag, sizeof tag, "\"%s%s\"", file->tag, is_packed && !is_gzip ? "-plain" : "");
     const bool has_file = text_has_tag(request->if_none_match, tag);
     if (has_file) {
         answer->status = 304;
-        answer->size = is_gzip ? file->size : file->plain_size;
-    } else if (is_gzip) {
+        answer->size = is_gzip || !is_packed ? file->size : file->plain_size;
+    } else if (is_gzip || !is_packed) {
         answer_copy(answer, file->type, file->bytes, file->size);
     } else {
         char *bytes = decompress(file);
@@ -70,22 +70,54 @@ static void answer_site_file(const struct request *request, const struct site_fi
     if (is_gzip && !has_file) answer_header(answer, "Content-Encoding", "gzip");
     answer_header(answer, "ETag", "%s", tag);
     answer_header(answer, "Cache-Control", "no-cache");
-    answer_header(answer, "Vary", "Accept-Encoding");
+    if (is_packed) answer_header(answer, "Vary", "Accept-Encoding");
     answer_header(answer, "X-Content-Type-Options", "nosniff");
+}
+
+/* Answers 404 if the page and the manual are off. */
+static bool is_off(const struct service *service, struct answer *answer, const char *what)
+{
+    if (strcmp(service->config->page, "off") != 0) return false;
+    problem_answer(answer, 404, "the %s is off; start zrasterd with --page=on for it", what);
+    return true;
+}
+
+static void answer_policy(struct answer *answer, const char *policy)
+{
+    answer_header(answer, "Content-Security-Policy", "%s", policy);
+    answer_header(answer, "Referrer-Policy", "no-referrer");
+    answer_header(answer, "Cross-Origin-Opener-Policy", "same-origin");
+    answer_header(answer, "Cross-Origin-Resource-Policy", "same-origin");
 }
 
 bool site_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
     (void)load;
-    if (strcmp(service->config->page, "off") == 0) {
-        problem_answer(answer, 404, "the page is off; start zrasterd with --page=on for it");
+    if (is_off(service, answer, "page")) return false;
+    answer_site_file(request, &site_files[0], answer);
+    answer_policy(answer, site_policy);
+    return false;
+}
+
+bool manual_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+{
+    const size_t length = strlen(request->path);
+    (void)load;
+    if (is_off(service, answer, "manual")) return false;
+    if (length < sizeof MANUAL_PATH - 1) { /* relative, so that it also holds behind a proxy that adds a path */
+        answer->status = 308;
+        answer_header(answer, "Location", "%s", &MANUAL_PATH[1]);
         return false;
     }
-    answer_site_file(request, &site_files[0], answer);
-    answer_header(answer, "Content-Security-Policy", "%s", site_policy);
-    answer_header(answer, "Referrer-Policy", "no-referrer");
-    answer_header(answer, "Cross-Origin-Opener-Policy", "same-origin");
-    answer_header(answer, "Cross-Origin-Resource-Policy", "same-origin");
+    const char *name = request->path + sizeof MANUAL_PATH - 1;
+    for (const struct site_file *file = manual_files; file < manual_files + manual_file_count; file++)
+        if (strcmp(file->name, name) == 0) {
+            answer_site_file(request, file, answer);
+            answer_policy(answer, "default-src 'none'; style-src 'self'; img-src 'self' data:; base-uri 'none'; "
+                                  "form-action 'none'; frame-ancestors 'none'");
+            return false;
+        }
+    problem_answer(answer, 404, "the manual has no page '%.100s'; " MANUAL_PATH " lists them", name);
     return false;
 }
 

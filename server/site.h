@@ -1,6 +1,6 @@
-/* site.h - files compiled into the daemon: the page at "/", and examples of scenes.
+/* site.h - files compiled into the daemon: the page at "/", examples of scenes, and the manual below "/docs/".
  *
- * The build makes the table from server/page/ (server/page/build.sh). All bytes are compressed by gzip. */
+ * The build makes the tables (server/page/build.sh, server/manual/build.sh). All text is compressed by gzip. */
 #ifndef ZRASTERD_SITE_H
 #define ZRASTERD_SITE_H
 
@@ -9,23 +9,30 @@
 #include "request.h"
 
 struct site_file {
-    const char *name;          /* "": the page */
+    const char *name;          /* "": the page; of the manual: address below /docs/, "": its first page */
     const char *title, *files; /* of a scene: name for people; names of its files, as items of JSON; NULL: no scene */
     const char *type;
     const char *tag; /* hash of the bytes, hexadecimal */
     const unsigned char *bytes;
-    size_t size, plain_size; /* compressed, decompressed */
+    size_t size, plain_size; /* compressed, decompressed; plain_size 0: not compressed */
 };
 
 /* Made by the build. The page is the first file. */
 extern const struct site_file site_files[];
 extern const size_t site_file_count;
 extern const char site_policy[]; /* Content-Security-Policy of the page */
+extern const struct site_file manual_files[];
+extern const size_t manual_file_count;
 
 #define EXAMPLES_PATH "/v1/examples/"
+#define MANUAL_PATH   "/docs/"
 
 /* GET /: the page. 404 with --page=off. */
 bool site_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer);
+
+/* GET /docs/ADDRESS: a page of the manual, its style or a picture; /docs leads there. 404 with --page=off. */
+bool manual_open(const struct service *service, const struct load *load, struct request *request,
+                 struct answer *answer);
 
 /* GET /v1/examples: names, titles and files of the scenes. GET /v1/examples/NAME: a scene or a file. */
 bool examples_open(const struct service *service, const struct load *load, struct request *request,

@@ -1,0 +1,164 @@
+"""The manual below /docs/: every page and picture is there, every link leads to one, and no mark of Markdown is left."""
+import filecmp
+import gzip
+import html.parser
+import http.client
+import json
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+import urllib.parse
+
+import daemon
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
+VOID = {"meta", "link", "img", "br", "hr"}
+ALL_BYTES_MOST = 4_000_000
+
+
+class Page(html.parser.HTMLParser):
+    """Links, addresses and text of a page; wrong nesting raises an error."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.links, self.ids, self.text, self.open, self.scripts = [], [], [], [], 0
+        self.alone = []  # links without a text
+        self.feed(text)
+        assert not self.open, self.open
+
+    def handle_starttag(self, tag, attributes):
+        values = dict(attributes)
+        self.links += [value for key, value in attributes if key in ("href", "src")]
+        self.ids += [values["id"]] if "id" in values else []
+        self.scripts += tag == "script" or any(key.startswith("on") or key == "style" for key in values)
+        if tag == "img":
+            assert values.get("alt") is not None, self.get_starttag_text()
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open[-1] == tag, (tag, self.open, self.getpos())
+        self.open.pop()
+
+    def handle_data(self, data):
+        if not {"code", "pre", "title"} & set(self.open):
+            self.text.append(data)
+
+
+def marks(text):
+    """Marks of Markdown in the text of a page."""
+    return re.findall(r"`|\*\*|\]\(|^ *#+ |^ *\|.*\||\|---|^ *```|(?<!\w)\*\w|\\[|*<_]|<[a-z/]", text, re.M)
+
+
+class Case(unittest.TestCase):
+    flags = []
+
+    @classmethod
+    def setUpClass(cls):
+        cls.daemon = daemon.Daemon(*cls.flags)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.daemon.stop()
+
+
+class Manual(Case):
+    def test_links(self):
+        """from /docs/ on, each link leads to a page, a picture or a heading; no mark of Markdown and no script is there"""
+        waiting, pages, files, wanted = ["/docs/"], {}, set(), []
+        while waiting:
+            at = waiting.pop()
+            status, headers, data = self.daemon.send(at)
+            self.assertEqual(status, 200, at)
+            files.add(at)
+            if not headers["Content-Type"].startswith("text/html") or at == "/":
+                continue
+            with self.subTest(page=at):
+                page = pages[at] = Page(data.decode())
+                self.assertEqual(marks("\n".join(page.text)), [])
+                self.assertEqual(page.scripts, 0)
+                self.assertEqual(len(page.ids), len(set(page.ids)), page.ids)
+                for link in page.links:
+                    if link.startswith(("https://", "http://", "data:")):
+                        continue
+                    target, mark = urllib.parse.urldefrag(urllib.parse.urljoin(at, link))
+                    wanted.append((at, target, mark))
+                    if target not in files and target not in waiting:
+                        waiting.append(target)
+        for at, target, mark in wanted:
+            if mark:
+                self.assertIn(mark, pages[target].ids, f"{at}: {target}#{mark}")
+        sources = [name for _, _, names in os.walk(f"{ROOT}/clients/docs") for name in names if name.endswith(".md")]
+        self.assertGreaterEqual(len(pages), len(sources) + 4)
+        self.assertGreaterEqual(sum(file.endswith(".png") for file in files), 15)
+
+    def test_parser(self):
+        """text that was not rendered, and wrong nesting, would be found"""
+        for wrong in ("a `b`", "a **b**", "[a](b)", "## a", "| a | b |", "an *a*", "a \\| b", "```sh", "&lt;br>".replace("&lt;", "<")):
+            self.assertTrue(marks(wrong), wrong)
+        self.assertFalse(marks("a * b, C# and (c) | 2 < 3"))
+        with self.assertRaises(AssertionError):
+            Page("<p><em>a</p></em>")
+
+    def test_answers(self):
+        """pages have a strict policy, a strong entity tag and the type of their file; they come compressed or not"""
+        for at, content_type in (("/docs/", "text/html; charset=utf-8"), ("/docs/quickstart", "text/html; charset=utf-8"),
+                                 ("/docs/manual.css", "text/css; charset=utf-8"), ("/docs/gallery/still.png", "image/png")):
+            status, headers, data = self.daemon.send(at, Accept_Encoding="gzip")
+            self.assertEqual((status, headers["Content-Type"], headers["X-Content-Type-Options"]), (200, content_type, "nosniff"))
+            self.assertTrue(headers["Content-Security-Policy"].startswith("default-src 'none'; style-src 'self'; img-src 'self' data:;"))
+            self.assertNotIn("script", headers["Content-Security-Policy"])
+            is_text = content_type.startswith("text/")
+            self.assertEqual(headers["Content-Encoding"], "gzip" if is_text else None)
+            _, plain_headers, plain = self.daemon.send(at, Accept_Encoding="identity")
+            self.assertEqual(gzip.decompress(data) if is_text else data, plain)
+            self.assertEqual(headers["ETag"] != plain_headers["ETag"], is_text)
+            self.assertEqual(self.daemon.send(at, Accept_Encoding="gzip", If_None_Match=headers["ETag"])[0], 304)
+            self.assertEqual(self.daemon.send(at, b"", "POST")[0], 405)
+
+    def test_addresses(self):
+        """/docs leads to /docs/, and other addresses are not found"""
+        connection = http.client.HTTPConnection(urllib.parse.urlsplit(self.daemon.address).netloc)
+        connection.request("GET", "/docs")
+        answer = connection.getresponse()
+        self.assertEqual((answer.status, answer.headers["Location"]), (308, "docs/"))
+        connection.close()
+        for at in ("/docs/nothing", "/docs/quickstart.md", "/docs/../docs/", "/docs/index", "/docs/quickstart/"):
+            status, headers, data = self.daemon.send(at)
+            self.assertEqual((status, headers["Content-Type"]), (404, "application/problem+json"), at)
+        self.assertIn("/docs/", json.loads(data)["detail"])
+
+    def test_build(self):
+        """two builds give the same bytes, of at most 4 MB"""
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("one.c", "two.c"):
+                subprocess.run(["server/manual/build.sh", f"{folder}/{name}"], cwd=ROOT, check=True)
+            self.assertTrue(filecmp.cmp(f"{folder}/one.c", f"{folder}/two.c", shallow=False))
+            with open(f"{folder}/one.c", encoding="utf-8") as file:
+                sizes = [int(size) for size in re.findall(r"bytes_\d+\[(\d+)\]", file.read())]
+        self.assertLessEqual(sum(sizes), ALL_BYTES_MOST)
+
+
+class Off(Case):
+    flags = ["--page=off"]
+
+    def test_off(self):
+        """with --page=off there is no manual"""
+        for at in ("/docs", "/docs/", "/docs/quickstart"):
+            self.assertEqual(self.daemon.send(at)[0], 404)
+
+
+class Token(Case):
+    flags = ["--token=secret"]
+
+    def test_open(self):
+        """the manual needs no token"""
+        self.assertEqual(self.daemon.send("/docs/quickstart")[0], 200)
+
+
+class Link(Case):
+    def test_link(self):
+        """the page at / links to the manual"""
+        self.assertIn(b'href="docs/"', self.daemon.send("/")[2])
