@@ -29,11 +29,12 @@ for name in gear housing; do object $name >$name.obj; done
 object base axle bearing wheel washer cap >assembly.obj
 # An OBJ whose y points up becomes an STL whose z does, of the triangles of its faces.
 awk 'function corner(k) { return sprintf("vertex %s %s %s ", x[k], -z[k], y[k]) }
-    BEGIN { print "solid part" }
+    BEGIN { print "solid housing" }
     /^v/ { x[++n] = $2; y[n] = $3; z[n] = $4 }
     /^f/ { for (i = 3; i < NF; i++) print "facet normal 0 0 0 outer loop", corner($2) corner($i) corner($(i + 1)) "endloop endfacet" }
-    END { print "endsolid part" }' housing.obj >part.stl
-cp "$gallery"/bricks*.png "$docs/pictures/"*.obj .
+    END { print "endsolid housing" }' housing.obj >housing.stl
+[ -f "$root/tests/support/part.awk" ] && awk -f "$root/tests/support/part.awk" >part.stl
+cp "$gallery"/bricks*.png "$docs/pictures/"*.obj "$docs/pictures/"*.awk .
 
 # ---- scenes ----
 
