@@ -33,7 +33,7 @@ awk 'function corner(k) { return sprintf("vertex %s %s %s ", x[k], -z[k], y[k]) 
     /^v/ { x[++n] = $2; y[n] = $3; z[n] = $4 }
     /^f/ { for (i = 3; i < NF; i++) print "facet normal 0 0 0 outer loop", corner($2) corner($i) corner($(i + 1)) "endloop endfacet" }
     END { print "endsolid housing" }' housing.obj >housing.stl
-[ -f "$root/tests/support/part.awk" ] && awk -f "$root/tests/support/part.awk" >part.stl
+awk -f "$root/tests/support/part.awk" >part.stl
 cp "$gallery"/bricks*.png "$docs/pictures/"*.obj "$docs/pictures/"*.awk .
 
 # ---- scenes ----
