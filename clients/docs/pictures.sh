@@ -34,7 +34,7 @@ awk 'function corner(k) { return sprintf("vertex %s %s %s ", x[k], -z[k], y[k]) 
     /^f/ { for (i = 3; i < NF; i++) print "facet normal 0 0 0 outer loop", corner($2) corner($i) corner($(i + 1)) "endloop endfacet" }
     END { print "endsolid housing" }' housing.obj >housing.stl
 awk -f "$root/tests/support/part.awk" >part.stl
-cp "$gallery"/bricks*.png "$docs/pictures/"*.obj "$docs/pictures/"*.awk .
+cp "$gallery"/bricks*.png "$docs/pictures/"*.obj "$docs/pictures/"*.awk "$docs/pictures/"*.map .
 
 # ---- scenes ----
 
