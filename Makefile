@@ -165,6 +165,14 @@ gallery: ## a picture of each feature beside its scene: build/gallery/index.html
 	@$(MAKE) -s -j$(JOBS) all
 	@DATA="$(DATA)" clients/gallery/gallery.sh $(BUILD)
 
+.PHONY: doc-pictures
+doc-pictures: ## draws the pictures of the manual anew: clients/docs/pictures/*.png
+	@.ci/need $(NEED_BUILD)
+	@$(MAKE) -s -j$(JOBS) all
+	@rm -rf $(BUILD)/doc-pictures
+	@clients/docs/pictures.sh $(BUILD) $(BUILD)/doc-pictures
+	@cp $(BUILD)/doc-pictures/*.png clients/docs/pictures/
+
 .PHONY: test
 test: ## installs what tests need and runs every test
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)

@@ -136,6 +136,7 @@ for part in "$@"; do
         run encodings tests/clients/test_encodings.sh "$build"
         run wrong-lines tests/clients/test_wrong_lines.sh "$build"
         run gallery tests/clients/test_gallery.sh "$build"
+        run pictures tests/clients/test_pictures.sh "$build"
         run docs tests/clients/test_docs.sh "$build"
         run reference-pages tests/clients/test_reference.sh "$build"
         run guide "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/clients/test_guide.py

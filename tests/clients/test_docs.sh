@@ -6,7 +6,7 @@
 # The first word behind the fence is the language; a block without one fails:
 #   sh       sh -e; "sh skip=WHAT" is left out, and says so
 #   python   with the package zraster
-#   json     a whole scene: the daemon draws it, without a warning
+#   json     a whole scene: the daemon draws it, without a warning; assets that it names are files of the folder or of /v1/examples
 #   jsonc    a part of a scene, or another document: it parses
 #   c, cpp   compiled, not run
 #   text     output, or a sketch: not run
@@ -103,8 +103,20 @@ except ValueError:
 END
 }
 
+# The body of a scene for curl: files that it names as assets are sent with it, from the folder or from the daemon's examples.
+body_of() { # FILE
+    names=$(grep -o '"asset": "[a-z][^"]*"' "$1" | sed 's/.*: "\(.*\)"/\1/' | sort -u)
+    [ -n "$names" ] || { echo "-H Content-Type:application/json --data-binary @$1"; return; }
+    echo "-F scene=@$1;type=application/json"
+    for name in $names; do
+        [ -e "$name" ] || curl -s -f -o "$name" "$server/v1/examples/$name"
+        echo "-F $name=@$name"
+    done
+}
+
 draws_without_warning() { # FILE
-    status=$(curl -s -D "$work/head" -o "$work/answer" -w '%{http_code}' "$server/v1/render" -H 'Content-Type: application/json' --data-binary @"$1")
+    # shellcheck disable=SC2046
+    status=$(curl -s -D "$work/head" -o "$work/answer" -w '%{http_code}' "$server/v1/render" $(body_of "$1"))
     grep -i '^Zraster-Warnings' "$work/head"
     if [ "$status" != 200 ]; then
         cat "$work/answer"
