@@ -22,7 +22,8 @@
         "serves the tools render, facts and pick to an agent, by the Model Context Protocol on standard input and "    \
         "output")                                                                                                      \
     ROW(looks, 'l', "", "lists the looks")                                                                             \
-    ROW(help, 'h', "[COMMAND|KEY]", "explains a command, or a key of scenes: its meaning, value, default and place")
+    ROW(help, 'h', "[COMMAND|KEY|WORD]",                                                                               \
+        "explains a command, a key of scenes, or a word such as masks, nocs, studio or stl")
 
 /* Letters of the commands that draw. They accept parameters of pictures. */
 #define DRAWING_COMMANDS "ribwvst"

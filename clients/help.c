@@ -121,9 +121,9 @@ int command_help(struct options *options)
     }
     if (keys_explain(name)) return 0;
     keys_offer(&near);
-    if (near.best) return options_wrong("there is no command and no key %s; did you mean %s?", name, near.best);
+    if (near.best) return options_wrong("there is no command, key or word %s; did you mean %s?", name, near.best);
     return options_wrong(
-        "there is no command and no key %s; \"zraster help\" lists all commands, \"zraster help scene\" "
+        "there is no command, key or word %s; \"zraster help\" lists all commands, \"zraster help scene\" "
         "all keys of a scene",
         name);
 }

@@ -5,9 +5,10 @@
 #include <string.h>
 
 #include "library/zraster.h"
+#include "tables.h"
 #include "values.h"
 
-enum { NAME_SIZE = 80 };
+enum { NAME_SIZE = 80, DEPTH_MAX = 8 };
 
 /* The definitions of the schema, and the schema that owns them. */
 struct keys {
@@ -88,6 +89,46 @@ static bool list_types(const struct keys *keys, const cJSON *object)
     return any;
 }
 
+/* ---- words that keys accept ---- */
+
+/* Returns true if a word is among the values of a schema, not counting those of objects in it. */
+static bool accepts(const struct keys *keys, const cJSON *schema, const char *word, int depth)
+{
+    static const char *const lists[] = {"enum", "anyOf", "oneOf", "prefixItems"};
+    const cJSON *to = values_follow(keys->all, schema), *items = values_member(schema, "items"), *item;
+    if (depth == 0) return false;
+    if (strcmp(values_text(schema, "const"), word) == 0) return true;
+    if (to && !values_member(to, "properties") && accepts(keys, to, word, depth - 1)) return true;
+    if (items && accepts(keys, items, word, depth - 1)) return true;
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+        cJSON_ArrayForEach(item, values_member(schema, lists[i]))
+        {
+            if (cJSON_IsString(item) ? strcmp(item->valuestring, word) == 0 : accepts(keys, item, word, depth - 1))
+                return true;
+        }
+    return false;
+}
+
+/* Prints the places of all keys that accept a word. */
+static bool explain_word(const struct keys *keys, const char *word)
+{
+    const cJSON *object, *key;
+    char path[VALUES_PATH_SIZE] = "";
+    bool any = false;
+    cJSON_ArrayForEach(object, keys->all)
+    {
+        cJSON_ArrayForEach(key, values_member(object, "properties"))
+        {
+            if (!accepts(keys, key, word, DEPTH_MAX) || !values_path(keys->all, object->string, path)) continue;
+            if (!any) printf("%s: value of", word);
+            printf("%s %s (%s/%s)", any ? "," : "", key->string, path, key->string);
+            any = true;
+        }
+    }
+    if (any) puts("");
+    return any;
+}
+
 bool keys_explain(const char *name)
 {
     struct keys keys = keys_open();
@@ -104,6 +145,8 @@ bool keys_explain(const char *name)
     if (!end) {
         object = values_member(keys.all, name);
         any |= list_object(&keys, object) || list_types(&keys, object);
+        any |= tables_explain(name);
+        any |= explain_word(&keys, name);
     }
     cJSON_Delete(keys.schema);
     return any;
@@ -120,6 +163,7 @@ void keys_offer(struct near_word *near)
         if (values_member(object, "properties")) near_offer(near, object->string);
         cJSON_ArrayForEach(key, values_member(object, "properties")) near_offer(near, key->string);
     }
+    tables_offer(near);
     if (near->best != before) {
         snprintf(best, sizeof best, "%s", near->best);
         near->best = best;

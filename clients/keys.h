@@ -1,4 +1,4 @@
-/* keys.h - client: help for keys of scenes, from the library's schema. */
+/* keys.h - client: help for keys of scenes and their values, from the library's schema and tables. */
 #ifndef KEYS_H
 #define KEYS_H
 
@@ -6,10 +6,11 @@
 
 #include "words.h"
 
-/* Explains a key ("znear", "view.znear") or lists the keys of an object ("light"). False: the name is unknown. */
+/* Explains a key ("znear", "view.znear") or a word that is a value ("nocs"), or lists the keys of an object ("light").
+ * False: the name is unknown. */
 bool keys_explain(const char *name);
 
-/* Offers all names of keys and objects. near->best may point to static memory. */
+/* Offers all names of keys, objects and words. near->best may point to static memory. */
 void keys_offer(struct near_word *near);
 
 #endif

@@ -1,6 +1,8 @@
 #include "tables.h"
 
 #include <cjson/cJSON.h>
+#include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "library/zraster.h"
@@ -69,6 +71,77 @@ const char *tables_extension(const char *name, const char *encoding)
         }
     }
     return NULL;
+}
+
+/* ---- words with their meaning ---- */
+
+/* Prints the encodings of a channel, or the versions of a look. */
+static void print_list(const char *title, const cJSON *list, const char *pins_of)
+{
+    const cJSON *item;
+    const char *before = title;
+    cJSON_ArrayForEach(item, list)
+    {
+        const char *text = text_of(item, NULL);
+        const size_t length = strcspn(text, "@");
+        if (pins_of && (strlen(pins_of) != length || strncmp(text, pins_of, length) != 0)) continue;
+        printf("%s%s", before, text);
+        before = ", ";
+    }
+    if (before != title) putchar('.');
+}
+
+static void print_word(const cJSON *word)
+{
+    const char *name = text_of(word, "name"), *kind = text_of(word, "kind"), *text = text_of(word, "text");
+    printf("%s: %s\n    %c%s.", name, kind, toupper((unsigned char)*text), text + (*text != '\0'));
+    const cJSON *channel;
+    if (strcmp(kind, "channel") == 0)
+        cJSON_ArrayForEach(channel, list_of("channels")) if (strcmp(text_of(channel, "name"), name) == 0)
+            print_list(" Encodings: ", cJSON_GetObjectItemCaseSensitive(channel, "encodings"), NULL);
+    if (strcmp(kind, "look") == 0) print_list(" Versions: ", list_of("looks"), name);
+    putchar('\n');
+}
+
+static bool is_kind(const char *kind, const char *name)
+{
+    const size_t length = strlen(kind);
+    return strncmp(name, kind, length) == 0 && (!name[length] || strcmp(name + length, "s") == 0);
+}
+
+/* A look may have a version: "studio@2". */
+static bool is_named(const cJSON *word, const char *name)
+{
+    const char *known = text_of(word, "name");
+    const size_t length = strlen(known);
+    const cJSON *pin;
+    if (strncmp(known, name, length) != 0) return false;
+    if (name[length] == '@' && strcmp(text_of(word, "kind"), "look") == 0)
+        cJSON_ArrayForEach(pin, list_of("looks")) if (strcmp(text_of(pin, NULL), name) == 0) return true;
+    return !name[length];
+}
+
+bool tables_explain(const char *name)
+{
+    const cJSON *word;
+    bool any = false;
+    cJSON_ArrayForEach(word, list_of("words"))
+    {
+        if (is_named(word, name))
+            print_word(word);
+        else if (is_kind(text_of(word, "kind"), name))
+            printf("  %-14s %s\n", text_of(word, "name"), text_of(word, "text"));
+        else
+            continue;
+        any = true;
+    }
+    return any;
+}
+
+void tables_offer(struct near_word *near)
+{
+    const cJSON *word;
+    cJSON_ArrayForEach(word, list_of("words")) near_offer(near, text_of(word, "name"));
 }
 
 void tables_values(struct words *words, enum parameter parameter)

@@ -4,16 +4,20 @@
 #define ZR_FORMAT_ROWS_H
 
 /* ROW(ID, extension of files, media types (the preferred one first), true if it describes a whole scene,
- *     may be binary, triangles share no corners, z is up unless the query has `up`) */
+ *     may be binary, triangles share no corners, z is up unless the query has `up`, meaning for people) */
 #define ZR_FORMAT_ROWS(ROW)                                                                                            \
-    ROW(JSON, "json", "application/json", true, false, false, false)                                                   \
-    ROW(OBJ, "obj", "model/obj", false, false, false, false)                                                           \
-    ROW(3MF, "3mf", "model/3mf application/vnd.ms-package.3dmanufacturing-3dmodel+xml", false, true, false, true)      \
-    ROW(ZIP, "zip", "application/zip application/x-zip-compressed", false, true, false, false)                         \
+    ROW(JSON, "json", "application/json", true, false, false, false,                                                   \
+        "scene in JSON: geometry or files, camera, lights, outputs")                                                   \
+    ROW(OBJ, "obj", "model/obj", false, false, false, false, "Wavefront OBJ with its materials (MTL) and textures")    \
+    ROW(3MF, "3mf", "model/3mf application/vnd.ms-package.3dmanufacturing-3dmodel+xml", false, true, false, true,      \
+        "3D manufacturing format: parts, colours and textures for printing")                                           \
+    ROW(ZIP, "zip", "application/zip application/x-zip-compressed", false, true, false, false,                         \
+        "archive of one model and the files that it refers to")                                                        \
     ROW(STL, "stl", "model/stl application/sla application/vnd.ms-pki.stl model/x.stl-binary model/x.stl-ascii",       \
-        false, true, true, true)                                                                                       \
-    ROW(PLY, "ply", "model/ply application/ply application/x-ply model/x-ply", false, true, false, false)              \
-    ROW(GLB, "glb", "model/gltf-binary", false, true, false, false)                                                    \
-    ROW(GLTF, "gltf", "model/gltf+json", false, false, false, false)
+        false, true, true, true, "triangles of a part, binary or text")                                                \
+    ROW(PLY, "ply", "model/ply application/ply application/x-ply model/x-ply", false, true, false, false,              \
+        "mesh or cloud of points, binary or text")                                                                     \
+    ROW(GLB, "glb", "model/gltf-binary", false, true, false, false, "glTF 2.0 in one binary file")                     \
+    ROW(GLTF, "gltf", "model/gltf+json", false, false, false, false, "glTF 2.0 as JSON")
 
 #endif

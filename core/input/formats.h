@@ -15,6 +15,7 @@ struct zr_format_row {
     bool is_binary;          /* may be binary: a byte order mark is not skipped */
     bool is_soup;            /* triangles share no corners */
     bool z_is_up;            /* default up axis of a bare mesh: z, else y; the parameter `up` overrides it */
+    const char *text;        /* meaning for people */
     zr_looks_so_fn *looks_so;
     zr_format_read_fn *read;
 };

@@ -13,6 +13,10 @@ extern const struct zr_names zr_channel_names;  /* enum zr_channel */
 extern const struct zr_names zr_encoding_names; /* enum zr_encoding */
 extern const struct zr_names zr_space_names;    /* enum zr_space */
 
+/* Meaning of each word, for people. */
+extern const char *const zr_encoding_texts[ZR_ENCODING_COUNT];
+extern const char *const zr_space_texts[ZR_SPACE_COUNT];
+
 /* Lists the encodings of a channel, for a message. */
 struct zr_names_text zr_channel_encodings_join(enum zr_channel channel);
 

@@ -92,6 +92,38 @@ static void print_formats(struct zr_print *print)
     zr_print_end(print, ']');
 }
 
+/* ---- words: values of keys with their meaning ---- */
+
+static void print_word(struct zr_print *print, const char *kind, const char *name, const char *text)
+{
+    zr_print_begin(print, NULL, '{');
+    zr_print_string(print, "kind", kind);
+    zr_print_string(print, "name", name);
+    zr_print_string(print, "text", text);
+    zr_print_end(print, '}');
+}
+
+static void print_words(struct zr_print *print)
+{
+#define TEXT(ID, word, text, ...) text,
+    static const char *const shading_texts[] = {ZR_SHADINGS(TEXT)};
+#undef TEXT
+    zr_print_begin(print, "words", '[');
+    for (int i = 0; i < ZR_CHANNEL_COUNT; i++)
+        print_word(print, "channel", zr_channel_rows[i].name, zr_channel_rows[i].text);
+    for (int i = 0; i < ZR_ENCODING_COUNT; i++)
+        print_word(print, "encoding", zr_encoding_names.words[i], zr_encoding_texts[i]);
+    for (int i = 0; i < ZR_SPACE_COUNT; i++)
+        print_word(print, "space", zr_space_names.words[i], zr_space_texts[i]);
+    for (int i = 0; i < zr_look_count; i++)
+        if (zr_looks[i].text) print_word(print, "look", zr_looks[i].name, zr_looks[i].text);
+    for (int i = 0; i < ZR_SHADING_COUNT; i++)
+        print_word(print, "shading", zr_shading_names.words[i], shading_texts[i]);
+    for (int i = 0; i < ZR_FORMAT_COUNT; i++)
+        print_word(print, "format", zr_format_rows[i].suffix, zr_format_rows[i].text);
+    zr_print_end(print, ']');
+}
+
 static void print_limits(struct zr_print *print, const zraster *renderer)
 {
     const struct zr_limits *limits = &renderer->limits;
@@ -113,6 +145,7 @@ static void print_tables(const zraster *renderer, struct zr_buffer *out)
     print_looks(&print);
     print_channels(&print);
     print_formats(&print);
+    print_words(&print);
     print_limits(&print, renderer);
     zr_print_end(&print, '}');
 }

@@ -5,8 +5,8 @@
     {                                                                                                                  \
         __VA_ARGS__                                                                                                    \
     }
-#define CHANNEL(ID, NAME, VALUES, WORDS, CLEAR, OF_POINTS, SPACES, ...)                                                \
-    [ZR_CHANNEL_##ID] = {NAME, ZR_VALUES_##VALUES, WORDS, ZR_CLEAR_##CLEAR, OF_POINTS, SPACES, ENCODINGS(__VA_ARGS__)},
+#define CHANNEL(ID, NAME, TEXT, VALUES, WORDS, CLEAR, OF_POINTS, SPACES, ...)                                          \
+    {NAME, TEXT, ZR_VALUES_##VALUES, WORDS, ZR_CLEAR_##CLEAR, OF_POINTS, SPACES, ENCODINGS(__VA_ARGS__)},
 
 const struct zr_channel_row zr_channel_rows[ZR_CHANNEL_COUNT] = {ZR_CHANNEL_ROWS(CHANNEL)};
 

@@ -53,50 +53,46 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS 
 #define ZR_CLEAR_INFINITY UINT32_C(0x7f800000)
 #define ZR_CLEAR_NAN      UINT32_C(0x7fc00000)
 
-/* ROW(ID, name, values, words per pixel, clear value, computed from visible points (shade/visible_points.h),
- *     number of spaces to choose from, the first ones of enum zr_space,
- *     encodings, the default one first) */
+/* ROW(ID, name, meaning for people, values, words per pixel, clear value, computed from visible points
+ * (shade/visible_points.h), number of spaces to choose from, the first ones of enum zr_space, encodings, the default
+ * one first) */
 #define ZR_CHANNEL_ROWS(ROW)                                                                                           \
-    /* RGB, or RGBA if the background is not opaque; uncovered pixels show the background */                           \
-    ROW(COLOR, "color", RGBA, 1, ZERO, false, 0, ZR_ENCODING_PNG, ZR_ENCODING_PNG32, ZR_ENCODING_SVG,                  \
-        ZR_ENCODING_APNG, ZR_ENCODING_JPEG, ZR_ENCODING_WEBP)                                                          \
-    /* eye-space depth along the view axis, scene units */                                                             \
-    ROW(DEPTH, "depth", FLOAT32, 1, INFINITY, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM,           \
+    ROW(COLOR, "color", "the picture; RGBA if the background is not opaque, else RGB", RGBA, 1, ZERO, false, 0,        \
+        ZR_ENCODING_PNG, ZR_ENCODING_PNG32, ZR_ENCODING_SVG, ZR_ENCODING_APNG, ZR_ENCODING_JPEG, ZR_ENCODING_WEBP)     \
+    ROW(DEPTH, "depth", "depth in eye space along the view axis, in scene units", FLOAT32, 1, INFINITY, false, 0,      \
+        ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                                         \
+    ROW(WINDOW_DEPTH, "windowDepth", "value of the z-buffer, 0 to 1", FLOAT32, 1, ONE, false, 0, ZR_ENCODING_NPY,      \
+        ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                                                                             \
+    ROW(FACE_ID, "faceId", "1 + number of the face, line or point, counted over all instances in order", UINT32, 1,    \
+        ZERO, false, 0, ZR_ENCODING_NPY)                                                                               \
+    ROW(INFO, "info", "facts: camera, bounds, counts, parts and warnings", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)  \
+    ROW(DISTANCE, "distance", "length of the ray from the eye, in scene units; the depth if rays are parallel",        \
+        FLOAT32, 1, INFINITY, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)          \
+    ROW(INSTANCE_ID, "instanceId", "1 + number of the instance", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)           \
+    ROW(FRONT_FACING, "frontFacing", "1: front of a face, 2: back of a face, 0: line or point", UINT32, 1, ZERO,       \
+        false, 0, ZR_ENCODING_NPY)                                                                                     \
+    /* as given, or (i - 1, i, 0) in the fan of a polygon */                                                           \
+    ROW(BARYCENTRICS, "barycentrics", "weights of the three corners of the triangle", FLOAT32, 3, ZERO, true, 0,       \
+        ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                                                            \
+    /* PNG in the space nocs only */                                                                                   \
+    ROW(POSITION, "position", "visible point, in a space of choice", FLOAT32, 3, ZERO, true, 4, ZR_ENCODING_NPY,       \
+        ZR_ENCODING_PFM, ZR_ENCODING_TIFF, ZR_ENCODING_PNG)                                                            \
+    ROW(NORMALS, "normals", "unit normal of the visible side, in the space camera or world; 0 on lines", FLOAT32, 3,   \
+        ZERO, false, 2, ZR_ENCODING_NPY, ZR_ENCODING_PNG, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                           \
+    ROW(TEXCOORD, "texcoord", "u and v of the texture coordinates", FLOAT32, 2, ZERO, true, 0, ZR_ENCODING_NPY,        \
         ZR_ENCODING_TIFF)                                                                                              \
-    /* the z-buffer, 0..1 */                                                                                           \
-    ROW(WINDOW_DEPTH, "windowDepth", FLOAT32, 1, ONE, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)    \
-    /* 1 + number of the face, line or point, counted over all instances in order */                                   \
-    ROW(FACE_ID, "faceId", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                                 \
-    /* JSON: camera, counts and warnings */                                                                            \
-    ROW(INFO, "info", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)                                                       \
-    /* length of the ray from the eye; depth if rays are parallel */                                                   \
-    ROW(DISTANCE, "distance", FLOAT32, 1, INFINITY, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM,      \
-        ZR_ENCODING_TIFF)                                                                                              \
-    /* 1 + number of the instance */                                                                                   \
-    ROW(INSTANCE_ID, "instanceId", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                         \
-    /* 1: front of a face, 2: back of a face, 0: line or point */                                                      \
-    ROW(FRONT_FACING, "frontFacing", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                       \
-    /* weights of the corners of the triangle: as given, or (i - 1, i, 0) in the fan of a polygon */                   \
-    ROW(BARYCENTRICS, "barycentrics", FLOAT32, 3, ZERO, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)   \
-    /* the visible point; PNG in the space nocs only */                                                                \
-    ROW(POSITION, "position", FLOAT32, 3, ZERO, true, 4, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF,           \
-        ZR_ENCODING_PNG)                                                                                               \
-    /* shading normal of the visible side; unit length, 0 on lines */                                                  \
-    ROW(NORMALS, "normals", FLOAT32, 3, ZERO, false, 2, ZR_ENCODING_NPY, ZR_ENCODING_PNG, ZR_ENCODING_PFM,             \
-        ZR_ENCODING_TIFF)                                                                                              \
-    /* u and v of texcoord 0; 0 on lines and on meshes without texcoords */                                            \
-    ROW(TEXCOORD, "texcoord", FLOAT32, 2, ZERO, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_TIFF)                            \
-    /* number of faces and lines that cover the pixel, hidden ones included */                                         \
-    ROW(LAYERS, "layers", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)                                                  \
-    /* length of the ray inside closed meshes, scene units */                                                          \
-    ROW(THICKNESS, "thickness", FLOAT32, 1, ZERO, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM,       \
-        ZR_ENCODING_TIFF)                                                                                              \
-    /* JSON: all fragments of one pixel, nearest first */                                                              \
-    ROW(FRAGMENTS, "fragments", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)                                             \
-    /* pixels of each instance, drawn alone and visible, as PNG or JSON */                                             \
-    ROW(MASKS, "masks", NONE, 0, ZERO, false, 0, ZR_ENCODING_ZIP, ZR_ENCODING_JSON)                                    \
-    /* way of the visible point to the other view, in pixels: x, y, and whether it is visible there (scene/flow.h) */  \
-    ROW(FLOW, "flow", FLOAT32, 3, NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)
+    ROW(LAYERS, "layers", "number of fragments over the centre of the pixel, hidden ones included", UINT32, 1, ZERO,   \
+        false, 0, ZR_ENCODING_NPY)                                                                                     \
+    ROW(THICKNESS, "thickness", "length of the ray inside closed meshes, in scene units", FLOAT32, 1, ZERO, false, 0,  \
+        ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                                         \
+    ROW(FRAGMENTS, "fragments", "all fragments of one pixel, nearest first", NONE, 0, ZERO, false, 0,                  \
+        ZR_ENCODING_JSON)                                                                                              \
+    ROW(MASKS, "masks", "pixels of each instance, drawn alone and visible", NONE, 0, ZERO, false, 0, ZR_ENCODING_ZIP,  \
+        ZR_ENCODING_JSON)                                                                                              \
+    /* scene/flow.h */                                                                                                 \
+    ROW(FLOW, "flow",                                                                                                  \
+        "motion of the visible point to another view or pose, in pixels, and whether it is visible there", FLOAT32, 3, \
+        NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)
 
 enum zr_channel {
 #define ZR_CHANNEL_ENUM(ID, ...) ZR_CHANNEL_##ID,
@@ -106,7 +102,7 @@ enum zr_channel {
 };
 
 struct zr_channel_row {
-    const char *name;
+    const char *name, *text;
     enum zr_values values;
     uint32_t words;       /* per pixel */
     uint32_t clear_value; /* of uncovered pixels, ZR_CLEAR_* */

@@ -25,22 +25,22 @@ enum zr_shading_light {
     ZR_SHADED_BY_NORMALS /* none: normals are shown as colours */
 };
 
-/* ROW(ID, word, rate, light, needs smooth normals: vertex normals are computed if none are given,
+/* ROW(ID, word, meaning for people, rate, light, needs smooth normals: vertex normals are computed if none are given,
  *     has the keys specular and shininess, needs linear light, is translucent in the channel color,
- *     model: zr_shade_by_MODEL, per pixel, without linear light (shade/models/models_simd.h))
- * unlit   colours as given
- * phong   normals interpolated, lit at each pixel
- * gooch   from a cool colour to the surface's own, by the angle to a light that moves with the camera
- * xray    two-sided and translucent; opacity rises towards grazing angles */
+ *     model: zr_shade_by_MODEL, per pixel, without linear light (shade/models/models_simd.h)) */
 #define ZR_SHADINGS(ROW)                                                                                               \
-    ROW(UNLIT, "unlit", NEVER, BY_NOTHING, false, false, false, false, colors)                                         \
-    ROW(FLAT, "flat", PER_FACE, BY_LAMPS, false, false, false, false, colors)                                          \
-    ROW(GOURAUD, "gouraud", PER_VERTEX, BY_LAMPS, true, false, false, false, colors)                                   \
-    ROW(PHONG, "phong", PER_PIXEL, BY_LAMPS, true, true, false, false, phong)                                          \
-    ROW(NORMALS, "normals", PER_PIXEL, BY_NORMALS, true, false, false, false, normals)                                 \
-    ROW(PBR, "pbr", PER_PIXEL, PHYSICALLY, false, false, true, false, colors)                                          \
-    ROW(GOOCH, "gooch", PER_PIXEL, BY_OWN_LAMP, false, false, true, false, colors)                                     \
-    ROW(XRAY, "xray", PER_PIXEL, BY_NOTHING, false, false, true, true, colors)
+    ROW(UNLIT, "unlit", "colours as given", NEVER, BY_NOTHING, false, false, false, false, colors)                     \
+    ROW(FLAT, "flat", "one lit colour per polygon", PER_FACE, BY_LAMPS, false, false, false, false, colors)            \
+    ROW(GOURAUD, "gouraud", "lit at vertices, interpolated", PER_VERTEX, BY_LAMPS, true, false, false, false, colors)  \
+    ROW(PHONG, "phong", "normals interpolated, lit at each pixel", PER_PIXEL, BY_LAMPS, true, true, false, false,      \
+        phong)                                                                                                         \
+    ROW(NORMALS, "normals", "normals in camera space as colours", PER_PIXEL, BY_NORMALS, true, false, false, false,    \
+        normals)                                                                                                       \
+    ROW(PBR, "pbr", "metals and plastics, as in glTF 2.0", PER_PIXEL, PHYSICALLY, false, false, true, false, colors)   \
+    ROW(GOOCH, "gooch", "from a cool colour to the surface's own, by the angle to a light that moves with the camera", \
+        PER_PIXEL, BY_OWN_LAMP, false, false, true, false, colors)                                                     \
+    ROW(XRAY, "xray", "two-sided and translucent; opacity rises towards grazing angles", PER_PIXEL, BY_NOTHING, false, \
+        false, true, true, colors)
 
 enum zr_shading {
 #define ZR_SHADING_ENUM(ID, ...) ZR_SHADING_##ID,
@@ -59,22 +59,22 @@ enum zr_shading {
 
 static inline unsigned zr_shadings_at(enum zr_shading_rate wanted)
 {
-#define ZR_SHADING_BIT(ID, word, rate, ...) (unsigned)(ZR_SHADED_##rate == wanted) << ZR_SHADING_##ID |
+#define ZR_SHADING_BIT(ID, word, text, rate, ...) (unsigned)(ZR_SHADED_##rate == wanted) << ZR_SHADING_##ID |
     return ZR_SHADINGS(ZR_SHADING_BIT) 0;
 #undef ZR_SHADING_BIT
 }
 
 static inline unsigned zr_shadings_lit(enum zr_shading_light wanted)
 {
-#define ZR_SHADING_BIT(ID, word, rate, light, ...) (unsigned)(ZR_SHADED_##light == wanted) << ZR_SHADING_##ID |
+#define ZR_SHADING_BIT(ID, word, text, rate, light, ...) (unsigned)(ZR_SHADED_##light == wanted) << ZR_SHADING_##ID |
     return ZR_SHADINGS(ZR_SHADING_BIT) 0;
 #undef ZR_SHADING_BIT
 }
 
-#define ZR_SHADING_BIT_SMOOTH(ID, w, r, l, smooth, ...)              (unsigned)(smooth) << ZR_SHADING_##ID |
-#define ZR_SHADING_BIT_SPECULAR(ID, w, r, l, s, specular, ...)       (unsigned)(specular) << ZR_SHADING_##ID |
-#define ZR_SHADING_BIT_LINEAR(ID, w, r, l, s, p, linear, ...)        (unsigned)(linear) << ZR_SHADING_##ID |
-#define ZR_SHADING_BIT_LAYERED(ID, w, r, l, s, p, n, layered, model) (unsigned)(layered) << ZR_SHADING_##ID |
+#define ZR_SHADING_BIT_SMOOTH(ID, w, t, r, l, smooth, ...)              (unsigned)(smooth) << ZR_SHADING_##ID |
+#define ZR_SHADING_BIT_SPECULAR(ID, w, t, r, l, s, specular, ...)       (unsigned)(specular) << ZR_SHADING_##ID |
+#define ZR_SHADING_BIT_LINEAR(ID, w, t, r, l, s, p, linear, ...)        (unsigned)(linear) << ZR_SHADING_##ID |
+#define ZR_SHADING_BIT_LAYERED(ID, w, t, r, l, s, p, n, layered, model) (unsigned)(layered) << ZR_SHADING_##ID |
 enum {
     ZR_SHADINGS_SMOOTH = ZR_SHADINGS(ZR_SHADING_BIT_SMOOTH) 0,
     ZR_SHADINGS_SPECULAR = ZR_SHADINGS(ZR_SHADING_BIT_SPECULAR) 0,

@@ -9,7 +9,7 @@
 #   json     a whole scene: the daemon draws it, without a warning; assets that it names are files of the folder or of /v1/examples
 #   jsonc    a part of a scene, or another document: it parses
 #   c, cpp   compiled, not run
-#   text     output, or a sketch: not run
+#   text     output, or a sketch: not run; "text same" is the output of the block before, whatever its line breaks, with ... for any text
 #   others   checked if a program for them is there (toml, yaml, js, nginx), else left out
 set -u
 build=$(realpath "$1")
@@ -51,12 +51,14 @@ make_fixtures() {
     # A daemon without a port takes the place of the page's.
     cat >"$work/zrasterd" <<END
 #!/bin/sh
+export ZRASTER_PORT=\$ZRASTER_TEST_PORT
 case " \$* " in *' --help '* | *' --version '* | *' --health '* | *' --port'*) exec "$build/zrasterd" "\$@" ;; esac
 kill "\$(cat "$work/daemon.pid")" 2>/dev/null
 tries=0
-while kill -0 "\$(cat "$work/daemon.pid")" 2>/dev/null && [ \$((tries += 1)) -lt 500 ]; do sleep 0.02; done
+# An ended process that nobody waits for is still there, as a zombie.
+while kill -0 "\$(cat "$work/daemon.pid")" 2>/dev/null && ! grep -qs '^State:.*zombie' "/proc/\$(cat "$work/daemon.pid")/status" && [ \$((tries += 1)) -lt 500 ]; do sleep 0.02; done
 echo \$\$ >"$work/daemon.pid"
-ZRASTER_PORT=\${ZRASTER_TEST_PORT} exec "$build/zrasterd" "\$@"
+exec "$build/zrasterd" "\$@"
 END
     chmod +x "$work/zrasterd"
 }
@@ -155,6 +157,18 @@ lacks() { # LANGUAGE FILE
     esac
 }
 
+# True if the file is the output of the block that ran last.
+is_last_output() { # FILE
+    "$python" - "$1" "$work/last" "$server" >"$said" 2>"$complained" <<'END'
+import re, sys
+wanted, got = (open(name, encoding="utf-8", errors="replace").read().strip() for name in sys.argv[1:3])
+got = "".join(line.strip() for line in got.replace(sys.argv[3].partition("//")[2], "127.0.0.1:8080").splitlines())
+wanted = "".join(line.strip() for line in wanted.splitlines())
+if not re.fullmatch(".*".join(map(re.escape, wanted.split("..."))), got, re.S):
+    sys.exit("the block printed:\n" + got)
+END
+}
+
 run_blocks() { # PAGE
     list_blocks "$root/$1" >blocks
     while read -r number line language info; do
@@ -167,7 +181,11 @@ run_blocks() { # PAGE
             verdict "$at has a language" false
             continue
             ;;
-        text,*) continue ;;
+        text,same)
+            verdict "$at is the output of the block before" is_last_output "$block"
+            continue
+            ;;
+        text,) continue ;;
         sh,skip=* | python,skip=*)
             left_out=$((left_out + 1))
             skip "$at: $language" "needs ${info#skip=}"
@@ -193,6 +211,7 @@ run_blocks() { # PAGE
         fi
         run_block "$language" "$block" >"$said" 2>"$complained" </dev/null
         status=$?
+        cp "$said" "$work/last"
         verdict "$at: $language: $(grep -v '^ *$' "$block" | head -n 1 | sed 's/^ *//; s/#/-/g' | cut -c 1-70)" [ "$status" = 0 ]
     done <blocks
 }

@@ -83,6 +83,26 @@ class Contract(unittest.TestCase):
         self.assertIn("did you mean znear?", help_of("zneer").stderr)
         self.assertEqual(help_of("zneer").returncode, 2)
 
+    def test_help_explains_the_words_of_keys(self):
+        key = self.schema["$defs"]["scene"]["properties"]
+        output = self.schema["$defs"]["output"]["properties"]
+        words = {"channel": rows("channel"), "look": rows("look"), "shading": key["shading"]["enum"], "encoding": output["encoding"]["enum"],
+                 "space": output["space"]["enum"], "format": ["json", "obj", "3mf", "zip", "stl", "ply", "glb", "gltf"]}
+        for kind, names in words.items():
+            listed = help_of(kind + "s").stdout if kind != "look" else ""
+            for name in names:
+                with self.subTest(name):
+                    told = help_of(name).stdout
+                    if name not in ["info", "render"]:  # commands of these names come first
+                        self.assertRegex(told, rf"(?m)^{name}: {kind}\n    [A-Z0-9].{{4,}}\.$")
+                    if listed:
+                        self.assertRegex(listed, rf"(?m)^  {name} +[^ ].{{4,}}$")
+        self.assertIn("nocs: value of space (/outputs/N/space)\n", help_of("nocs").stdout)
+        self.assertIn("halfspace: value of algorithm (/algorithm)\n", help_of("halfspace").stdout)
+        self.assertIn("studio: look\n", help_of("studio@2").stdout)
+        self.assertEqual(help_of("studio@99").returncode, 2)
+        self.assertIn("did you mean masks?", help_of("maskz").stderr)
+
     def test_every_parameter_channel_and_type_shows_in_openapi_and_in_the_contract(self):
         post = self.openapi["paths"]["/v1/render"]["post"]
         parameters = {one["name"]: one for one in post["parameters"]}

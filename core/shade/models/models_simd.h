@@ -37,7 +37,7 @@ static inline struct zr_vec3_v zr_model_color(const struct zr_model_context *con
                                               const struct zr_material *material, const struct zr_model_inputs *in)
 {
     switch (material->shading) {
-#define ZR_MODEL_CASE(ID, word, rate, light, smooth, specular, linear, layered, model)                                 \
+#define ZR_MODEL_CASE(ID, word, text, rate, light, smooth, specular, linear, layered, model)                           \
     case ZR_SHADING_##ID:                                                                                              \
         return zr_shade_by_##model(context, material, in);
         ZR_SHADINGS(ZR_MODEL_CASE)
