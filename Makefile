@@ -286,6 +286,7 @@ page-test: ## the page at / in chromium (apt, npm): every control, copied comman
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster library
 	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/page-test $(PAGE_PACKAGES)
 	@PYTHON="$(PYTHON)" node tests/page/test_page.js $(BUILD) $(ONLY)
+	@node tests/page/test_manual.js $(BUILD)
 
 .PHONY: mutants
 mutants:
@@ -549,7 +550,7 @@ $(BUILD)/server/site_files.c: server/page/build.sh $(wildcard server/page/*.* se
 	$(Q)server/page/build.sh $@
 
 # The manual, likewise.
-$(BUILD)/server/manual_files.c: $(wildcard server/manual/*) README.md CHANGELOG.md clients/python/README.md server/api/v1.md \
+$(BUILD)/server/manual_files.c: $(wildcard server/manual/*) server/page/index.html README.md CHANGELOG.md clients/python/README.md server/api/v1.md \
 		$(wildcard clients/docs/*.md clients/docs/*/*.md clients/docs/pictures/*.png clients/gallery/*.png)
 	@mkdir -p $(@D)
 	$(Q)server/manual/build.sh $@

@@ -3,7 +3,7 @@
 #
 #   awk -v list=LIST -v out=FOLDER -v pictures=FILE -f markdown.awk
 #
-# LIST has a line "= TITLE" for each section and "FILE|ADDRESS" for each page, in the order of the sidebar. The page goes to
+# LIST has a line "= TITLE" for each section and "FILE|ADDRESS" or "FILE|ADDRESS|LABEL" for each page, in the order of the sidebar. The page goes to
 # OUT/ADDRESS.html, the first to OUT/index.html. PICTURES gets a line "FILE|ADDRESS" for each picture. Addresses are relative, so that
 # the manual may lie below any path. A link to a file that is no page becomes text.
 
@@ -220,17 +220,20 @@ function split_row(row, n, i, c, is_code) {
     }
     return n
 }
-function put_row(row, tag, n, i) {
+function put_row(row, tag, n, i, html, cell) {
     n = split_row(row)
-    html_row = "<tr>"
-    for (i = 1; i <= n; i++) html_row = html_row "<" tag (align[i] == "" || tag == "th" ? "" : " class=\"" align[i] "\"") ">" inline(trim(cells[i])) "</" tag ">"
-    put(html_row "</tr>")
+    html = "<tr>"
+    for (i = 1; i <= n; i++) {
+        cell = trim(cells[i]) == "" ? "td" : tag # an empty head would be read out
+        html = html "<" cell (align[i] == "" || tag == "th" ? "" : " class=\"" align[i] "\"") ">" inline(trim(cells[i])) "</" cell ">"
+    }
+    put(html "</tr>")
 }
 function begin_table(head, border, n, i, parts) {
     end_paragraph()
     n = split_row(border)
     for (i = 1; i <= n; i++) align[i] = trim(cells[i]) ~ /:$/ ? "right" : ""
-    put("<div class=\"table\"><table><thead>")
+    put("<div class=\"table\" tabindex=\"0\"><table><thead>")
     put_row(head, "th")
     put("</thead><tbody>")
     in_table = 1
@@ -360,7 +363,7 @@ function put_contents(current, i) {
     put("<p><a href=\"" relative("../") "\">Draw in the browser</a></p>")
     for (i = 1; i <= count; i++) {
         if (kind[i] == "=") put((i > 1 ? "</ul>" : "") "<h2>" escape(line_of[i]) "</h2><ul>")
-        else put("<li><a href=\"" relative(address[line_of[i]]) "\"" (line_of[i] == current ? " aria-current=\"page\"" : "") ">" escape(title[line_of[i]]) "</a></li>")
+        else put("<li><a href=\"" relative(address[line_of[i]]) "\"" (line_of[i] == current ? " aria-current=\"page\"" : "") ">" escape(label[line_of[i]]) "</a></li>")
     }
     put("</ul></nav>")
 }
@@ -368,8 +371,8 @@ function put_neighbours(i, before, after) {
     for (before = i - 1; before > 0 && kind[before] == "="; before--);
     for (after = i + 1; after <= count && kind[after] == "="; after++);
     put("<p class=\"neighbours\">")
-    if (before > 0) put("<a rel=\"prev\" href=\"" relative(address[line_of[before]]) "\">← " escape(title[line_of[before]]) "</a>")
-    if (after <= count) put("<a rel=\"next\" href=\"" relative(address[line_of[after]]) "\">" escape(title[line_of[after]]) " →</a>")
+    if (before > 0) put("<a rel=\"prev\" href=\"" relative(address[line_of[before]]) "\">← " escape(label[line_of[before]]) "</a>")
+    if (after <= count) put("<a rel=\"next\" href=\"" relative(address[line_of[after]]) "\">" escape(label[line_of[after]]) " →</a>")
     put("</p>")
 }
 function make_page(i, line) {
@@ -381,7 +384,7 @@ function make_page(i, line) {
     delete names
     put("<!doctype html>")
     put("<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">")
-    put("<title>" escape(title[source]) (title[source] == "zraster" ? "" : " – zraster") "</title><link rel=\"stylesheet\" href=\"" relative("manual.css") "\"></head>")
+    put("<title>" escape(title[source]) (title[source] == "zraster" ? "" : " – zraster") "</title><link rel=\"stylesheet\" href=\"" relative("manual.css") "\">" icon "</head>")
     put("<body><header><a class=\"home\" href=\"" relative("") "\">zraster manual</a><a class=\"to-contents\" href=\"#contents\">Contents</a></header><div class=\"page\"><main>")
     paragraph = held = ""
     lists = in_table = in_code = in_quote = is_tight = 0
@@ -398,6 +401,8 @@ function make_page(i, line) {
 }
 BEGIN {
     printf "" >pictures
+    while ((getline line <"server/page/index.html") > 0)
+        if (line ~ /<link rel="icon"/) icon = trim(line)
     while ((getline line <list) > 0) {
         if (line ~ /^= /) {
             kind[++count] = "="
@@ -409,6 +414,7 @@ BEGIN {
         line_of[count] = fields[1]
         address[fields[1]] = fields[2]
         title[fields[1]] = title_of(fields[1])
+        label[fields[1]] = fields[3] == "" ? title[fields[1]] : fields[3]
     }
     for (number = 1; number <= count; number++)
         if (kind[number] == "page") make_page(number)

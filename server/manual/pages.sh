@@ -14,17 +14,17 @@ grep -v '^#' $here/pages.txt | while IFS= read -r line; do
     =*) echo "$line" ;;
     *'*')
         for file in $line.md; do
-            [ -e "$file" ] && ! grep -qxF "$file" $here/pages.txt && echo "$file|$(address "$file")"
+            [ -e "$file" ] && ! grep -q "^$file\(|.*\)*\$" $here/pages.txt && echo "$file|$(address "$file")"
         done
         ;;
     *'|'*) [ ! -e "${line%%|*}" ] || echo "$line" ;;
     *) [ ! -e "$line" ] || echo "$line|$(address "$line")" ;;
     esac
 done >"$out/list"
-sed -n 's/.*|//p' "$out/list" | grep / | sed 's|/[^/]*$||' | sort -u | while read -r folder; do mkdir -p "$out/$folder"; done
+sed -n 's/^[^=|]*|\([^|]*\).*/\1/p' "$out/list" | grep / | sed 's|/[^/]*$||' | sort -u | while read -r folder; do mkdir -p "$out/$folder"; done
 LC_ALL=C awk -v list="$out/list" -v out="$out" -v pictures="$out/pictures" -f $here/markdown.awk
 
-sed -n 's/^[^=].*|//p' "$out/list" | while read -r address; do
+sed -n 's/^[^=|]*|\([^|]*\).*/\1/p' "$out/list" | while read -r address; do
     echo "$out/${address:-index}.html|$address|text/html; charset=utf-8"
 done
 echo "$here/manual.css|manual.css|text/css; charset=utf-8"
