@@ -74,6 +74,7 @@ BEGIN {
     if (figure == "large") print_scene(0, 0, 24, 16, 16, "walk.png")
     if (figure == "owner") { ring(ink, 1, a); ring(ink, 1, b); print_scene(0, 0, 24, 16, 16, "walk-ids.png") }
     if (figure == "depth") { ring("white", 1, a); ring("white", 1, b); print_scene(0, 0, 24, 16, 16, "walk-depths.png") }
+    if (figure == "diff") print_scene(0, 0, 96, 96, 2, "diff.png")
     if (figure == "samples") print_scene(0, 0, 24, 16, 16, "walk-fine.png")
     if (figure == "average") print_scene(0, 0, 24, 16, 16, "walk-mean.png")
     if (figure == "clip") {
