@@ -7,7 +7,9 @@
 
 #include "tree.h"
 
-enum { PARTS_MAX = 50, PARTS_DESCRIBED = 12 };
+enum { PARTS_MAX = 50, PARTS_DESCRIBED = 12, SHELL_KINDS = 3 };
+
+static const char *const SHELLS[SHELL_KINDS] = {"outward", "inward", "open"};
 
 /* Returns a number of a float's digits. */
 static cJSON *make_number(double value)
@@ -62,7 +64,7 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
 {
     const cJSON *parts = mcp_get(info, "parts"), *part;
     const double omitted = mcp_number_of(info, "partsOmitted");
-    double area = 0, volume = 0;
+    double area = 0, volume = 0, shells[SHELL_KINDS] = {0};
     bool is_closed = omitted == 0 && cJSON_GetArraySize(parts) > 0;
     mcp_facts_add_unit(content, info);
     cJSON_AddItemToObject(content, "box", make_box(mcp_get(info, "bounds")));
@@ -72,11 +74,16 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
         area += mcp_number_of(part, "area");
         volume += mcp_number_of(part, "volume");
         is_closed = is_closed && cJSON_IsTrue(mcp_get(part, "closed"));
+        for (int i = 0; i < SHELL_KINDS; i++)
+            shells[i] += mcp_number_of(mcp_get(part, "shells"), SHELLS[i]);
         if (cJSON_GetArraySize(list) < PARTS_MAX) cJSON_AddItemToArray(list, make_part(part));
     }
     cJSON_AddItemToObject(content, "volume", is_closed ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
     cJSON_AddItemToObject(content, "area", omitted == 0 ? cJSON_CreateNumber(area) : cJSON_CreateNull());
     cJSON_AddBoolToObject(content, "closed", is_closed);
+    cJSON *sum = omitted == 0 ? cJSON_AddObjectToObject(content, "shells") : cJSON_AddNullToObject(content, "shells");
+    for (int i = 0; i < SHELL_KINDS && omitted == 0; i++)
+        cJSON_AddNumberToObject(sum, SHELLS[i], shells[i]);
     cJSON_AddItemToObject(content, "parts", list);
     const double more = omitted + cJSON_GetArraySize(parts) - cJSON_GetArraySize(list);
     if (more > 0) cJSON_AddNumberToObject(content, "partsOmitted", more);
@@ -178,6 +185,24 @@ static void describe_box(struct mcp_text *text, const cJSON *box, const char *un
                    mcp_number_at(min, 1), mcp_number_at(max, 1), mcp_number_at(min, 2), mcp_number_at(max, 2));
 }
 
+/* Writes the numbers of shells, unless there is one alone, whose kind is told. */
+static void describe_shells(struct mcp_text *text, const cJSON *shells)
+{
+    static const char *const words[SHELL_KINDS][2] = {
+        {"closed shell", "closed shells"},
+        {"inward shell (a void, or inside out)", "inward shells (voids, or inside out)"},
+        {"open shell", "open shells"}};
+    const double outward = mcp_number_of(shells, SHELLS[0]), inward = mcp_number_of(shells, SHELLS[1]);
+    const char *between = "; ";
+    if (inward == 0 && outward + mcp_number_of(shells, SHELLS[2]) <= 1) return;
+    for (int i = 0; i < SHELL_KINDS; i++) {
+        const double count = mcp_number_of(shells, SHELLS[i]);
+        if (count == 0) continue;
+        mcp_text_print(text, "%s%.0f %s", between, count, words[i][count > 1]);
+        between = ", ";
+    }
+}
+
 static void describe_part(struct mcp_text *text, const cJSON *part, const char *unit)
 {
     const cJSON *name = mcp_get(part, "name"), *volume = mcp_get(part, "volume");
@@ -189,6 +214,7 @@ static void describe_part(struct mcp_text *text, const cJSON *part, const char *
         mcp_text_print(text, ", closed, volume %.6g %s^3", volume->valuedouble, unit);
     else
         mcp_text_put(text, ", not closed");
+    describe_shells(text, mcp_get(part, "shells"));
 }
 
 void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
@@ -203,6 +229,7 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
         mcp_text_print(text, "; closed, volume %.6g %s^3", volume->valuedouble, unit);
     else
         mcp_text_put(text, "; not closed, so there is no volume");
+    describe_shells(text, mcp_get(content, "shells"));
     const int count = cJSON_GetArraySize(parts) + (int)mcp_number_of(content, "partsOmitted");
     mcp_text_print(text, "; %d part%s", count, count == 1 ? "" : "s");
     if (strcmp(unit, "units") == 0) mcp_text_put(text, "; the format names no unit");

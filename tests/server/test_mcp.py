@@ -334,6 +334,9 @@ class Http(unittest.TestCase):
         content = result["structuredContent"]
         self.assertEqual((content["volume"], content["closed"], content["box"]["size"]), (None, False, [40, 10, 5]))
         self.assertEqual([(part["name"], part["closed"], part["volume"]) for part in content["parts"]], [("block", True, 1000), ("plate", False, None)])
+        self.assertEqual(content["shells"], {"outward": 1, "inward": 0, "open": 1})
+        self.assertEqual(content["parts"][1]["shells"], {"outward": 0, "inward": 0, "open": 1})
+        self.assertIn("; 1 closed shell, 1 open shell; 2 parts", texts(result)[0])
         self.assertIn("part 2 'plate': box 10 x 10 x 0 units", texts(result)[0])
         stl = b"\0" * 80 + struct.pack("<I", 1) + struct.pack("<12fH", 0, 0, 1, 0, 0, 2, 1, 0, 2, 0, 1, 2, 0)
         content = self.call("facts", model={"base64": base64.b64encode(stl).decode()})["structuredContent"]
