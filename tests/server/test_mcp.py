@@ -411,6 +411,48 @@ class Http(unittest.TestCase):
         del scene["views"]
         self.refused("render", ["/scene/turntable"], model={"text": BOX}, scene={**scene, "turntable": {}})
 
+    def test_scene_and_model(self):
+        """A scene without meshes sets how the model is drawn, and every other key as without a scene"""
+        cases = (
+            ({"look": "clay"}, {"look": "clay"}), ({"background": "#ffffff"}, None), ({"view": {"preset": "top", "orthographic": {}}}, {"views": ["top"]}),
+            ({"views": ["front", "top"]}, {"views": ["front", "top"]}), ({"sheet": "threeView"}, {"sheet": "threeView"}),
+        )
+        for scene, arguments in cases:
+            own = self.call("render", model={"text": BOX}, scene=scene)
+            self.assertEqual(own["structuredContent"]["volume"], 1000)
+            if arguments:
+                self.assertEqual([image for image, _ in images(own)], [image for image, _ in images(self.call("render", model={"text": BOX}, **arguments))], scene)
+        self.assertEqual(own["structuredContent"]["picture"]["look"], "studio@2")  # of the sheet
+        both = self.call("facts", model={"text": BOX}, scene={"polygons": [{"vertices": [[0, 0, 9], [1, 0, 9], [0, 1, 9]]}]})
+        self.assertEqual(len(both["structuredContent"]["parts"]), 2)
+
+    def test_no_key_is_dropped(self):
+        """Keys of a scene that an answer cannot follow are refused, with what to do instead"""
+        square = {"vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0]]}
+        for expected, scene in (
+            (["/scene/outputs/0/channel", "'depth'", "pick tells the depth"], {"outputs": [{"channel": "depth"}]}),
+            (["/scene/outputs/1/channel", "'normals'", "shading"], {"outputs": [{"channel": "color"}, {"channel": "normals"}]}),
+            (["/scene/outputs/0/channel", "'colour'"], {"outputs": [{"channel": "colour"}]}),
+            (["/scene/outputs/0/quality", "png, jpeg or webp"], {"outputs": [{"channel": "color", "encoding": "jpeg", "quality": 9}]}),
+            (["/scene/outputs/0/encoding"], {"outputs": [{"channel": "color", "encoding": "svg"}]}),
+            (["/scene/outputs/1", "one picture"], {"outputs": [{"channel": "color"}, {"channel": "color"}]}),
+            (["/scene/outputs", "leave it out"], {"outputs": []}),
+            (["/scene/outputs/0", "channel"], {"outputs": [7]}),
+            (["/scene/visibility", "pixels"], {"visibility": True}),
+            (["/scene/render", "color"], {"render": False}),
+            (["/scene/turntable", "many pictures"], {"turntable": {"frames": 4}}),
+            (["/scene/orbit", "many pictures"], {"orbit": {"count": 4}}),
+            (["/scene/animate"], {"animate": {"frames": 2}}),
+            (["/scene/base"], {"base": {}}),
+            (["/scene/version"], {"version": 99}),
+        ):
+            with self.subTest(expected[0]):
+                self.refused("render", expected, scene={"polygons": [square], **scene})
+        self.refused("facts", ["/scene/meshes", '"asset": "model"'], model={"text": BOX}, scene={"meshes": [{"asset": "other.obj"}]})
+        self.refused("render", ["/annotate"], scene={"polygons": [square], "sheet": "threeView"}, annotate=False)
+        picture = self.call("render", scene={"polygons": [square], "outputs": [{"channel": "color", "encoding": "webp"}, {"channel": "info"}]})
+        self.assertEqual(picture["structuredContent"]["picture"]["mimeType"], "image/webp")
+
     def test_bytes(self):
         """All pictures of a result have up to 700 kB and 1568 pixels a side: JPEG, WebP or fewer pixels instead"""
         scene, kinds = noise(), set()
