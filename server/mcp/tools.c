@@ -16,9 +16,10 @@ const char mcp_instructions[] =
 #define MODEL_TEXTS                                                                                                    \
     "\"base64\":{\"type\":\"string\",\"description\":\"The file's bytes in base64.\"},"                                \
     "\"text\":{\"type\":\"string\",\"description\":\"The file's text, of OBJ, STL, PLY or glTF.\"},"
-static const char model_of_files[] = MODEL_HEAD
-    " below the server's folder: give a path, or the bytes or text of a file.\",\"properties\":{"
-    "\"path\":{\"type\":\"string\",\"description\":\"Path of the file from the server's folder.\"}," MODEL_TEXTS;
+static const char model_of_files[] =
+    MODEL_HEAD " below the server's folder: give a path, or the bytes or text of a file.\",\"properties\":{"
+               "\"path\":{\"type\":\"string\",\"description\":\"Path of the file from the server's folder. The path "
+               "'.' gets the list of its models.\"}," MODEL_TEXTS;
 static const char model_of_assets[] =
     MODEL_HEAD ": give its bytes, its text or an uploaded asset.\",\"properties\":{" MODEL_TEXTS
                "\"asset\":{\"type\":\"string\",\"description\":\"'sha256:' and the hash of an asset that "

@@ -585,7 +585,13 @@ class Stdio(unittest.TestCase):
             self.assertTrue(result["isError"], path)
             self.assertIn("is no file below the folder", texts(result)[0])
         self.assertIn("did you mean box.obj?", texts(self.pipe.call("facts", model={"path": "bxo.obj"}))[0])
-        self.assertIn("is no file", texts(self.pipe.call("facts", model={"path": "sub"}))[0])
+        self.assertIn("; the folder has 4 models and folders: box.obj, inside.obj, link.obj, sub/", texts(self.pipe.call("facts", model={"path": "part.stl"}))[0])
+        self.assertIn("is no file; the folder has 1 model or folder: both.obj", texts(self.pipe.call("facts", model={"path": "sub"}))[0])
+        for i in range(30):
+            open(os.path.join(self.root, "sub", f"{'a' * (200 if i == 3 else 9)}{i:02}.stl"), "w").close()
+        for path in ("sub", "sub/none.stl"):
+            listed = texts(self.pipe.call("facts", model={"path": path}))[0]
+            self.assertRegex(listed, r"has 31 models and folders: a{9}00\.stl, a{9}01\.stl, .*, \.\.\.$")
         for scene, is_error in (({"meshes": [{"asset": "sub/both.obj"}]}, False), ({"meshes": [{"asset": "../secret.obj"}]}, True), ({"meshes": [{"asset": "link.obj"}]}, True)):
             self.assertEqual(self.pipe.call("facts", scene=scene)["isError"], is_error, scene)
         result = self.pipe.call("facts", model={"path": "box.obj"}, scene={"meshes": [{"name": "a", "asset": "box.obj"}, {"asset": "sub/both.obj"}]})
