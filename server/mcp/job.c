@@ -68,10 +68,17 @@ static void check_names(struct mcp_job *job)
     cJSON_ArrayForEach(item, job->message->arguments)
     {
         snprintf(pointer, sizeof pointer, "/%.100s", item->string);
-        if (!is_in(ARGUMENTS[job->tool], item->string))
+        if (is_in(ARGUMENTS[job->tool], item->string)) continue;
+        if (is_in(mcp_model_keys, item->string))
+            mcp_fault(&job->faults, pointer, "it is a key of model: {\"model\": {\"%s\": ...}}", item->string);
+        else
             mcp_fault_unknown(&job->faults, pointer, "the argument", item->string, ARGUMENTS[job->tool]);
     }
-    const cJSON *parts = mcp_job_argument(job, "parts");
+    if (job->faults.count > 0)
+        mcp_fault(&job->faults, "",
+                  "other keys, such as background and lights, go into scene; a model may be beside it");
+    const cJSON *parts = mcp_job_argument(job, "parts"), *annotate = mcp_job_argument(job, "annotate");
+    if (annotate && !cJSON_IsBool(annotate)) mcp_fault(&job->faults, "/annotate", "true or false is expected");
     if (parts && !cJSON_IsObject(parts))
         mcp_fault(&job->faults, "/parts", "an object is expected, such as {\"hide\": [\"cover\"]}");
     cJSON_ArrayForEach(item, parts)
