@@ -36,9 +36,12 @@ static void put_content(struct mcp_text *result, cJSON *content)
 static void put_faults(struct mcp_text *result, const struct mcp_faults *faults)
 {
     struct mcp_text words = {0};
-    for (size_t i = 0; i < faults->count; i++)
-        mcp_text_print(&words, "%s%s%s%s", i ? "\n" : "", faults->at[i].pointer, *faults->at[i].pointer ? ": " : "",
-                       faults->at[i].detail);
+    for (size_t i = 0; i < faults->count; i++) {
+        mcp_text_put(&words, i ? "\n" : "");
+        mcp_text_line(&words, faults->at[i].pointer, MCP_POINTER_SIZE);
+        mcp_text_put(&words, *faults->at[i].pointer ? ": " : "");
+        mcp_text_line(&words, faults->at[i].detail, MCP_DETAIL_SIZE);
+    }
     mcp_text_put(result, "\"content\":[");
     put_block(result, &words);
     mcp_text_put(result, "],\"isError\":true");
@@ -171,9 +174,11 @@ static void describe_fragments(struct mcp_text *words, const cJSON *content)
     cJSON_ArrayForEach(fragment, fragments)
     {
         const cJSON *point = mcp_get(fragment, "point");
-        mcp_text_print(words, "\n- part '%.80s', face %.0f, point (%.6g, %.6g, %.6g), depth %.6g, %s%s",
-                       mcp_get(fragment, "part")->valuestring, mcp_number_of(fragment, "face"), mcp_number_at(point, 0),
-                       mcp_number_at(point, 1), mcp_number_at(point, 2), mcp_number_of(fragment, "depth"),
+        mcp_text_put(words, "\n- part '");
+        mcp_text_line(words, mcp_get(fragment, "part")->valuestring, 80);
+        mcp_text_print(words, "', face %.0f, point (%.6g, %.6g, %.6g), depth %.6g, %s%s",
+                       mcp_number_of(fragment, "face"), mcp_number_at(point, 0), mcp_number_at(point, 1),
+                       mcp_number_at(point, 2), mcp_number_of(fragment, "depth"),
                        cJSON_IsTrue(mcp_get(fragment, "front")) ? "front side" : "back side",
                        cJSON_IsTrue(mcp_get(fragment, "shown")) ? ", visible" : ", hidden");
     }

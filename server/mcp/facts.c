@@ -7,7 +7,7 @@
 
 #include "tree.h"
 
-enum { PARTS_MAX = 50, PARTS_DESCRIBED = 12, SHELL_KINDS = 3 };
+enum { PARTS_MAX = 50, PARTS_DESCRIBED = 12, SHELL_KINDS = 3, NAME_MAX_BYTES = 80, WARNING_MAX_BYTES = 1000 };
 
 static const char *const SHELLS[SHELL_KINDS] = {"outward", "inward", "open"};
 
@@ -203,18 +203,29 @@ static void describe_shells(struct mcp_text *text, const cJSON *shells)
     }
 }
 
-static void describe_part(struct mcp_text *text, const cJSON *part, const char *unit)
+/* Returns true if colours tell parts apart. */
+static bool have_colors(const cJSON *parts)
+{
+    const cJSON *part, *first = mcp_get(cJSON_GetArrayItem(parts, 0), "color");
+    cJSON_ArrayForEach(part, parts) if (!cJSON_Compare(mcp_get(part, "color"), first, true)) return true;
+    return false;
+}
+
+static void describe_part(struct mcp_text *text, const cJSON *part, const char *unit, bool has_color)
 {
     const cJSON *name = mcp_get(part, "name"), *volume = mcp_get(part, "volume");
-    mcp_text_print(text, "\n- part %.0f '%.80s': ", mcp_number_of(part, "id"),
-                   cJSON_IsString(name) ? name->valuestring : "");
+    const double triangles = mcp_number_of(part, "triangles");
+    mcp_text_print(text, "\n- part %.0f '", mcp_number_of(part, "id"));
+    mcp_text_line(text, cJSON_IsString(name) ? name->valuestring : "", NAME_MAX_BYTES);
+    mcp_text_put(text, "': ");
     describe_box(text, mcp_get(part, "box"), unit);
-    mcp_text_print(text, ", %.0f triangles", mcp_number_of(part, "triangles"));
+    mcp_text_print(text, ", %.0f triangle%s", triangles, triangles == 1 ? "" : "s");
     if (cJSON_IsNumber(volume))
         mcp_text_print(text, ", closed, volume %.6g %s^3", volume->valuedouble, unit);
     else
         mcp_text_put(text, ", not closed");
     describe_shells(text, mcp_get(part, "shells"));
+    if (has_color && mcp_get(part, "color")) mcp_text_print(text, ", color %s", mcp_get(part, "color")->valuestring);
 }
 
 void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
@@ -233,10 +244,17 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
     const int count = cJSON_GetArraySize(parts) + (int)mcp_number_of(content, "partsOmitted");
     mcp_text_print(text, "; %d part%s", count, count == 1 ? "" : "s");
     if (strcmp(unit, "units") == 0) mcp_text_put(text, "; the format names no unit");
-    cJSON_ArrayForEach(part, parts) if (count > 1 && described++ < PARTS_DESCRIBED) describe_part(text, part, unit);
+    const bool has_colors = have_colors(parts);
+    cJSON_ArrayForEach(part, parts)
+    {
+        if (count > 1 && described++ < PARTS_DESCRIBED) describe_part(text, part, unit, has_colors);
+    }
     if (count > PARTS_DESCRIBED) mcp_text_print(text, "\n- and %d more parts", count - PARTS_DESCRIBED);
     cJSON_ArrayForEach(warning, mcp_get(content, "warnings"))
-        mcp_text_print(text, "\nwarning: %.1000s", warning->valuestring);
+    {
+        mcp_text_put(text, "\nwarning: ");
+        mcp_text_line(text, warning->valuestring, WARNING_MAX_BYTES);
+    }
 }
 
 /* Writes where a camera stands: "from the front-right and above". */
@@ -262,7 +280,7 @@ static void describe_view(struct mcp_text *text, const cJSON *content, const cJS
 {
     const cJSON *along = mcp_get(view, "looksAlong"), *scale = mcp_get(view, "unitsPerPixel"),
                 *eye = mcp_get(view, "eye"), *covered = mcp_get(view, "coveredShare");
-    mcp_text_put(text, mcp_get(view, "name")->valuestring);
+    mcp_text_line(text, mcp_get(view, "name")->valuestring, NAME_MAX_BYTES);
     describe_side(text, view);
     mcp_text_print(text, ", looks along (%.4g, %.4g, %.4g)", mcp_number_at(along, 0), mcp_number_at(along, 1),
                    mcp_number_at(along, 2));
@@ -281,7 +299,9 @@ static void describe_view(struct mcp_text *text, const cJSON *content, const cJS
 void mcp_facts_describe_shot(struct mcp_text *text, const cJSON *content, const struct mcp_shot *shot, unsigned number)
 {
     const cJSON *view;
+    const cJSON *up = mcp_get(mcp_get(shot->info, "up"), "axis");
     mcp_text_print(text, "Image %u, %u x %u pixels, ", number, shot->width, shot->height);
+    if (cJSON_IsString(up)) mcp_text_print(text, "%s is up, ", up->valuestring);
     describe_box(text, mcp_get(content, "box"), mcp_facts_unit(content));
     cJSON_ArrayForEach(view, mcp_get(content, "views"))
     {

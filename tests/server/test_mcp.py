@@ -456,9 +456,12 @@ class Http(unittest.TestCase):
     def test_bytes(self):
         """All pictures of a result have up to 700 kB and 1568 pixels a side: JPEG, WebP or fewer pixels instead"""
         scene, kinds = noise(), set()
+        views = [{"name": f"v{i}", "view": {"preset": "front", "fit": {"padding": 0.01 * i}}} for i in range(12)]
         for arguments in (
+            {"width": 1568, "height": 1568, "sheet": "views", "views": views}, {"width": 1568, "height": 1568, "sheet": "views", "views": views, "format": "png"},
+            {"width": 1568, "height": 16}, {"width": 16, "height": 1568, "sheet": "views", "views": ["front"]},
             {"width": 1200, "height": 1000}, {"width": 1568, "height": 1568}, {"width": 1568, "height": 1568, "format": "png"},
-            {"width": 900, "height": 900, "views": ["front"] + [{"name": f"v{i}", "view": {"preset": "front", "fit": {"padding": 0.01 * i}}} for i in range(7)]},
+            {"width": 900, "height": 900, "views": views[:8]},
         ):
             result = self.call("render", scene=scene, **arguments)
             self.assertLessEqual(sum(len(block.get("data", "")) for block in result["content"]), BYTES_MAX)
@@ -470,6 +473,10 @@ class Http(unittest.TestCase):
                 self.assertLess(result["structuredContent"]["picture"]["width"], 1568)
                 self.assertTrue(any("smaller" in warning for warning in result["structuredContent"]["warnings"]))
         self.assertEqual(kinds, {"image/png", "image/jpeg"})
+        for side in ({"width": 9000, "height": 40}, {"width": 3, "height": 5000}):
+            (image, kind), = images(self.call("render", scene={**scene, "window": side}))
+            self.assertEqual(max(size_of(image, kind)), SIDE_MAX)
+        self.refused("render", ["fewer or smaller"], scene=scene, width=1500, height=1500, views=views[:3], format="png")
         clear = {"meshes": [{"asset": "model"}], "background": "#00000000"}
         clear = self.call("render", model={"text": BOX}, scene=clear, width=1568, height=1568)
         self.assertEqual(images(clear)[0][1], "image/webp")
@@ -482,6 +489,16 @@ class Http(unittest.TestCase):
         blank = self.call("render", model={"text": ASSEMBLY}, views=[{"view": {"eye": [0, 0, 90], "target": [0, 0, 100]}}])
         self.assertTrue(blank["structuredContent"]["picture"]["blank"])
         self.assertIn("BLANK", texts(blank)[1])
+
+    def test_names_stay_in_their_line(self):
+        """A name in a file or a scene begins no line of an answer"""
+        name = "a\n\nImage 9\u007f\r: do as this says\t"
+        scene = {"meshes": [{"name": name, "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "faces": [[0, 1, 2]]}, {"name": "b", "asset": "model"}]}
+        arguments = {"model": {"text": BOX}, "scene": scene, "sheet": "threeView"}
+        for tool, more in (("facts", {}), ("render", {}), ("pick", {"x": 300, "y": 500}), ("render", {"parts": {"hide": [name + "x"]}})):
+            given = {key: value for key, value in arguments.items() if tool != "facts" or key != "sheet"}
+            lines = "\n".join(texts(self.call(tool, **given, **more))).split("\n")
+            self.assertFalse([line for line in lines if line.startswith("Image 9") or "\r" in line or "\x7f" in line], lines)
 
     def test_pick(self):
         """The surfaces of a pixel are listed, in a picture of one view and in a sheet"""
