@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "faults.h"
+#include "memory.h"
 #include "shots.h"
 #include "tree.h"
 
@@ -12,7 +13,8 @@
 
 static void put_block(struct mcp_text *result, const struct mcp_text *words)
 {
-    mcp_text_print(result, "%s{\"type\":\"text\",\"text\":", result->data[result->size - 1] == '[' ? "" : ",");
+    mcp_text_print(
+        result, "%s{\"type\":\"text\",\"text\":", result->size > 0 && result->data[result->size - 1] != '[' ? "," : "");
     mcp_text_json(result, words->data ? words->data : "");
     mcp_text_put(result, "}");
     result->failed |= words->failed;
@@ -61,16 +63,15 @@ static cJSON *make_content(const struct mcp_job *job, const struct mcp_shots *sh
         mcp_facts_add_warnings(warnings, shots->at[i].info);
     }
     if (shots->is_smaller)
-        cJSON_AddItemToArray(warnings,
-                             cJSON_CreateString("the picture is smaller than asked for, to fit into a message"));
+        mcp_append(warnings, cJSON_CreateString("the picture is smaller than asked for, to fit into a message"));
     if (job->is_resized)
-        cJSON_AddItemToArray(warnings, cJSON_CreateString("the scene's window is larger than 1568 pixels; the picture "
-                                                          "is smaller"));
+        mcp_append(warnings, cJSON_CreateString("the scene's window is larger than 1568 pixels; the picture "
+                                                "is smaller"));
     if (job->tool != MCP_FACTS)
-        cJSON_AddItemToObject(content, "views", views);
+        mcp_add(content, "views", views);
     else
         cJSON_Delete(views);
-    cJSON_AddItemToObject(content, "warnings", warnings);
+    mcp_add(content, "warnings", warnings);
     return content;
 }
 
@@ -92,7 +93,24 @@ static void add_picture(cJSON *content, const struct mcp_shots *shots)
     cJSON_AddNumberToObject(picture, "bytes", (double)bytes);
     cJSON_AddBoolToObject(picture, "blank", is_blank);
     const cJSON *look = mcp_get(shots->at[0].info, "look");
-    if (look) cJSON_AddItemToObject(picture, "look", cJSON_Duplicate(look, true));
+    if (look) mcp_add(picture, "look", cJSON_Duplicate(look, true));
+}
+
+/* Puts the texts, the pictures and the structured content of a complete tree. */
+static void put_shown(const struct mcp_job *job, const struct mcp_shots *shots, cJSON *content, struct mcp_text *result)
+{
+    struct mcp_text words = {0};
+    mcp_facts_describe(&words, content);
+    mcp_text_put(result, "\"content\":[");
+    put_block(result, &words);
+    mcp_text_free(&words);
+    for (unsigned i = 0; job->tool == MCP_RENDER && i < shots->count; i++) {
+        mcp_facts_describe_shot(&words, content, &shots->at[i], i);
+        put_block(result, &words);
+        put_image(result, &shots->at[i]);
+        mcp_text_free(&words);
+    }
+    put_content(result, content);
 }
 
 static enum mcp_draw_status show(struct mcp_job *job, struct mcp_text *result)
@@ -101,20 +119,12 @@ static enum mcp_draw_status show(struct mcp_job *job, struct mcp_text *result)
     const bool is_render = job->tool == MCP_RENDER;
     const enum mcp_draw_status status = mcp_shots_draw(job, !is_render, &shots);
     if (status == MCP_DRAWN) {
-        struct mcp_text words = {0};
         cJSON *content = make_content(job, &shots);
         if (is_render) add_picture(content, &shots);
-        mcp_facts_describe(&words, content);
-        mcp_text_put(result, "\"content\":[");
-        put_block(result, &words);
-        mcp_text_free(&words);
-        for (unsigned i = 0; is_render && i < shots.count; i++) {
-            mcp_facts_describe_shot(&words, content, &shots.at[i], i);
-            put_block(result, &words);
-            put_image(result, &shots.at[i]);
-            mcp_text_free(&words);
-        }
-        put_content(result, content);
+        if (mcp_memory_has_failed())
+            result->failed = true;
+        else
+            put_shown(job, &shots, content, result);
         cJSON_Delete(content);
     }
     mcp_shots_free(job->host, &shots);
@@ -148,7 +158,7 @@ static enum mcp_draw_status find_target(struct mcp_job *job, struct mcp_shots *s
         cJSON *view = cJSON_CreateObject();
         static const char *const keys[] = {"worldToCamera", "projectionMatrix"};
         for (int i = 0; i < 2; i++)
-            cJSON_AddItemToObject(view, keys[i], cJSON_Duplicate(mcp_get(cell, keys[i]), true));
+            mcp_add(view, keys[i], cJSON_Duplicate(mcp_get(cell, keys[i]), true));
         *target = (struct target){cJSON_PrintUnformatted(view), x1 - x0, y1 - y0, job->x - x0, job->y - y0, false};
         cJSON_Delete(view);
     }
@@ -163,7 +173,7 @@ static cJSON *make_fragment(const cJSON *given)
     cJSON *made = cJSON_CreateObject();
     cJSON_AddStringToObject(made, "part", cJSON_IsString(part) ? part->valuestring : "");
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        cJSON_AddItemToObject(made, keys[i][1], cJSON_Duplicate(mcp_get(given, keys[i][0]), true));
+        mcp_add(made, keys[i][1], cJSON_Duplicate(mcp_get(given, keys[i][0]), true));
     cJSON_AddBoolToObject(made, "front", side && side->valuedouble == 1);
     return made;
 }
@@ -199,13 +209,16 @@ static void put_pick(const struct mcp_job *job, const struct target *target, con
     cJSON *made = cJSON_AddArrayToObject(content, "fragments");
     cJSON_ArrayForEach(fragment, list)
     {
-        if (cJSON_GetArraySize(made) < FRAGMENTS_MAX) cJSON_AddItemToArray(made, make_fragment(fragment));
+        if (cJSON_GetArraySize(made) < FRAGMENTS_MAX) mcp_append(made, make_fragment(fragment));
     }
     mcp_text_print(&words, "pixel (%u, %u) of image %u: %s", job->x, job->y, job->image,
                    target->is_paper           ? "paper between the views of the sheet"
                    : cJSON_GetArraySize(made) ? "surfaces, the nearest first:"
                                               : "nothing, the background");
-    describe_fragments(&words, content);
+    if (mcp_memory_has_failed())
+        result->failed = true;
+    else
+        describe_fragments(&words, content);
     mcp_text_put(result, "\"content\":[");
     put_block(result, &words);
     put_content(result, content);

@@ -22,7 +22,7 @@ static cJSON *make_number(double value)
 static void copy(cJSON *to, const cJSON *from, const char *name)
 {
     const cJSON *item = mcp_get(from, name);
-    if (item) cJSON_AddItemToObject(to, name, cJSON_Duplicate(item, true));
+    if (item) mcp_add(to, name, cJSON_Duplicate(item, true));
 }
 
 /* ---- the model ---- */
@@ -35,11 +35,11 @@ static cJSON *make_box(const cJSON *bounds)
     cJSON *box = cJSON_CreateObject();
     for (int i = 0; i < 3; i++)
         size[i] = mcp_number_at(max, i) - mcp_number_at(min, i);
-    cJSON_AddItemToObject(box, "min", cJSON_Duplicate(min, true));
-    cJSON_AddItemToObject(box, "max", cJSON_Duplicate(max, true));
+    mcp_add(box, "min", cJSON_Duplicate(min, true));
+    mcp_add(box, "max", cJSON_Duplicate(max, true));
     cJSON *list = cJSON_AddArrayToObject(box, "size");
     for (int i = 0; i < 3; i++)
-        cJSON_AddItemToArray(list, make_number(size[i]));
+        mcp_append(list, make_number(size[i]));
     return box;
 }
 
@@ -50,14 +50,14 @@ static cJSON *make_part(const cJSON *part)
     cJSON *made = cJSON_CreateObject();
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         copy(made, part, keys[i]);
-    cJSON_AddItemToObject(made, "box", make_box(mcp_get(part, "box")));
+    mcp_add(made, "box", make_box(mcp_get(part, "box")));
     return made;
 }
 
 void mcp_facts_add_unit(cJSON *content, const cJSON *info)
 {
     const cJSON *unit = mcp_get(info, "unit");
-    cJSON_AddItemToObject(content, "units", unit ? cJSON_Duplicate(unit, true) : cJSON_CreateNull());
+    mcp_add(content, "units", unit ? cJSON_Duplicate(unit, true) : cJSON_CreateNull());
 }
 
 void mcp_facts_add(cJSON *content, const cJSON *info)
@@ -67,7 +67,7 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
     double area = 0, volume = 0, shells[SHELL_KINDS] = {0};
     bool is_closed = omitted == 0 && cJSON_GetArraySize(parts) > 0;
     mcp_facts_add_unit(content, info);
-    cJSON_AddItemToObject(content, "box", make_box(mcp_get(info, "bounds")));
+    mcp_add(content, "box", make_box(mcp_get(info, "bounds")));
     cJSON *list = cJSON_CreateArray();
     cJSON_ArrayForEach(part, parts)
     {
@@ -76,16 +76,16 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
         is_closed = is_closed && cJSON_IsTrue(mcp_get(part, "closed"));
         for (int i = 0; i < SHELL_KINDS; i++)
             shells[i] += mcp_number_of(mcp_get(part, "shells"), SHELLS[i]);
-        if (cJSON_GetArraySize(list) < PARTS_MAX) cJSON_AddItemToArray(list, make_part(part));
+        if (cJSON_GetArraySize(list) < PARTS_MAX) mcp_append(list, make_part(part));
     }
-    cJSON_AddItemToObject(content, "volume", is_closed ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
-    cJSON_AddItemToObject(content, "area", omitted == 0 ? cJSON_CreateNumber(area) : cJSON_CreateNull());
+    mcp_add(content, "volume", is_closed ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
+    mcp_add(content, "area", omitted == 0 ? cJSON_CreateNumber(area) : cJSON_CreateNull());
     cJSON_AddBoolToObject(content, "closed", is_closed);
     cJSON *sum = omitted == 0 ? cJSON_AddObjectToObject(content, "shells") : cJSON_AddNullToObject(content, "shells");
     for (int i = 0; i < SHELL_KINDS && omitted == 0; i++)
         cJSON_AddNumberToObject(sum, SHELLS[i], shells[i]);
-    cJSON_AddItemToObject(content, "parts", list);
     const double more = omitted + cJSON_GetArraySize(parts) - cJSON_GetArraySize(list);
+    mcp_add(content, "parts", list);
     if (more > 0) cJSON_AddNumberToObject(content, "partsOmitted", more);
 }
 
@@ -102,7 +102,7 @@ static cJSON *make_vector(double x, double y, double z)
     const double values[] = {x, y, z};
     cJSON *list = cJSON_CreateArray();
     for (int i = 0; i < 3; i++)
-        cJSON_AddItemToArray(list, cJSON_CreateNumber(values[i] == 0 ? 0 : round(values[i] * 1e4) / 1e4));
+        mcp_append(list, cJSON_CreateNumber(values[i] == 0 ? 0 : round(values[i] * 1e4) / 1e4));
     return list;
 }
 
@@ -115,17 +115,16 @@ static void add_view(cJSON *views, const cJSON *camera, const char *name, unsign
     const bool is_parallel = mcp_number_at(projection, 15) == 1 && mcp_number_at(projection, 0) != 0;
     cJSON_AddStringToObject(view, "name", *name ? name : "view");
     cJSON_AddNumberToObject(view, "image", number);
-    if (box) cJSON_AddItemToObject(view, "box", cJSON_Duplicate(box, true));
+    if (box) mcp_add(view, "box", cJSON_Duplicate(box, true));
     copy(view, camera, "azimuthDegrees");
     copy(view, camera, "elevationDegrees");
-    cJSON_AddItemToObject(view, "looksAlong",
-                          make_vector(-mcp_number_at(pose, 2), -mcp_number_at(pose, 6), -mcp_number_at(pose, 10)));
+    mcp_add(view, "looksAlong",
+            make_vector(-mcp_number_at(pose, 2), -mcp_number_at(pose, 6), -mcp_number_at(pose, 10)));
     cJSON_AddStringToObject(view, "projection", is_parallel ? "orthographic" : "perspective");
-    cJSON_AddItemToObject(view, "unitsPerPixel",
-                          is_parallel ? make_number(2 / fabs(mcp_number_at(projection, 0) * pixels))
-                                      : cJSON_CreateNull());
+    mcp_add(view, "unitsPerPixel",
+            is_parallel ? make_number(2 / fabs(mcp_number_at(projection, 0) * pixels)) : cJSON_CreateNull());
     copy(view, camera, "eye");
-    cJSON_AddItemToArray(views, view);
+    mcp_append(views, view);
 }
 
 void mcp_facts_add_views(cJSON *views, const struct mcp_shot *shot, unsigned number, bool is_sheet)
@@ -157,7 +156,7 @@ void mcp_facts_add_warnings(cJSON *warnings, const cJSON *info)
     {
         bool is_there = !cJSON_IsString(warning);
         cJSON_ArrayForEach(there, warnings) is_there |= strcmp(there->valuestring, warning->valuestring) == 0;
-        if (!is_there) cJSON_AddItemToArray(warnings, cJSON_Duplicate(warning, true));
+        if (!is_there) mcp_append(warnings, cJSON_Duplicate(warning, true));
     }
 }
 
