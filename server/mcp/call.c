@@ -77,14 +77,23 @@ static cJSON *make_content(const struct mcp_job *job, const struct mcp_shots *sh
 
 /* ---- render, facts ---- */
 
-static void add_picture(cJSON *content, const struct mcp_shots *shots)
+/* Returns true if all views of a sheet are blank. */
+static bool is_sheet_blank(const cJSON *content)
+{
+    const cJSON *view;
+    cJSON_ArrayForEach(view, mcp_get(content, "views")) if (!cJSON_IsTrue(mcp_get(view, "blank"))) return false;
+    return true;
+}
+
+static void add_picture(const struct mcp_job *job, cJSON *content, const struct mcp_shots *shots)
 {
     cJSON *picture = cJSON_AddObjectToObject(content, "picture");
     size_t bytes = 0;
     bool is_blank = false;
     for (unsigned i = 0; i < shots->count; i++) {
         bytes += shots->at[i].size;
-        is_blank |= cJSON_IsTrue(mcp_get(mcp_get(shots->at[i].info, "picture"), "blank"));
+        is_blank |= job->is_sheet ? is_sheet_blank(content)
+                                  : cJSON_IsTrue(mcp_get(mcp_get(shots->at[i].info, "picture"), "blank"));
     }
     cJSON_AddNumberToObject(picture, "images", shots->count);
     cJSON_AddNumberToObject(picture, "width", shots->at[0].width);
@@ -120,7 +129,7 @@ static enum mcp_draw_status show(struct mcp_job *job, struct mcp_text *result)
     const enum mcp_draw_status status = mcp_shots_draw(job, !is_render, &shots);
     if (status == MCP_DRAWN) {
         cJSON *content = make_content(job, &shots);
-        if (is_render) add_picture(content, &shots);
+        if (is_render) add_picture(job, content, &shots);
         if (mcp_memory_has_failed())
             result->failed = true;
         else

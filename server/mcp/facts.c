@@ -124,6 +124,9 @@ static void add_view(cJSON *views, const cJSON *camera, const char *name, unsign
     mcp_add(view, "unitsPerPixel",
             is_parallel ? make_number(2 / fabs(mcp_number_at(projection, 0) * pixels)) : cJSON_CreateNull());
     copy(view, camera, "eye");
+    copy(view, camera, "coveredShare");
+    if (mcp_get(camera, "coveredShare"))
+        cJSON_AddBoolToObject(view, "blank", mcp_number_of(camera, "coveredShare") == 0);
     mcp_append(views, view);
 }
 
@@ -149,14 +152,28 @@ void mcp_facts_add_views(cJSON *views, const struct mcp_shot *shot, unsigned num
     copy(view, picture, "blank");
 }
 
+/* Copies a warning. Each view of a sheet says whether it is blank, so the first one's warning of that is left out. */
+static cJSON *copy_warning(const cJSON *warning, bool is_sheet)
+{
+    static const char blank[] = "nothing is seen";
+    if (!cJSON_IsString(warning)) return NULL;
+    if (is_sheet && strncmp(warning->valuestring, blank, sizeof blank - 1) == 0) return NULL;
+    return cJSON_Duplicate(warning, true);
+}
+
 void mcp_facts_add_warnings(cJSON *warnings, const cJSON *info)
 {
+    const bool is_sheet = mcp_get(info, "sheet");
     const cJSON *warning, *there;
     cJSON_ArrayForEach(warning, mcp_get(info, "warnings"))
     {
-        bool is_there = !cJSON_IsString(warning);
-        cJSON_ArrayForEach(there, warnings) is_there |= strcmp(there->valuestring, warning->valuestring) == 0;
-        if (!is_there) mcp_append(warnings, cJSON_Duplicate(warning, true));
+        cJSON *made = copy_warning(warning, is_sheet);
+        bool is_there = !made;
+        cJSON_ArrayForEach(there, warnings) is_there |= made && strcmp(there->valuestring, made->valuestring) == 0;
+        if (is_there)
+            cJSON_Delete(made);
+        else
+            mcp_append(warnings, made);
     }
 }
 

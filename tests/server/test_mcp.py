@@ -500,6 +500,20 @@ class Http(unittest.TestCase):
             lines = "\n".join(texts(self.call(tool, **given, **more))).split("\n")
             self.assertFalse([line for line in lines if line.startswith("Image 9") or "\r" in line or "\x7f" in line], lines)
 
+    def test_blank_views_of_a_sheet(self):
+        """Each view of a sheet says what it covers; the sheet is blank if all of its views are"""
+        away = {"name": "away", "view": {"eye": [0, 0, 90], "target": [0, 0, 100]}}
+        result = self.call("render", model={"text": BOX}, sheet="views", views=[away, "front"])
+        views = result["structuredContent"]["views"]
+        self.assertEqual([view["blank"] for view in views], [True, False])
+        self.assertEqual((views[0]["coveredShare"], result["structuredContent"]["picture"]["blank"]), (0, False))
+        alone = self.call("render", model={"text": BOX}, views=["front"], width=views[1]["box"][2] - views[1]["box"][0], height=views[1]["box"][3] - views[1]["box"][1])
+        self.assertAlmostEqual(views[1]["coveredShare"], alone["structuredContent"]["views"][0]["coveredShare"], places=5)
+        self.assertEqual(result["structuredContent"]["warnings"], [])
+        self.assertEqual(texts(result)[1].count("BLANK"), 1)
+        blank = self.call("render", model={"text": BOX}, sheet="views", views=[away])
+        self.assertTrue(blank["structuredContent"]["picture"]["blank"])
+
     def test_pick(self):
         """The surfaces of a pixel are listed, in a picture of one view and in a sheet"""
         arguments = {"model": {"text": ASSEMBLY}, "up": "z"}
