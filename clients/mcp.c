@@ -14,6 +14,7 @@
 #include "engine.h"
 #include "interruption.h"
 #include "mcp/faults.h"
+#include "mcp/memory.h"
 #include "mcp/message.h"
 #include "mcp_files.h"
 
@@ -275,6 +276,7 @@ static int serve(struct serving *serving)
 {
     pthread_t thread;
     serving->last = &serving->first;
+    mcp_memory_watch();
     pthread_mutex_init(&serving->lock, NULL);
     pthread_cond_init(&serving->changed, NULL);
     interruption_catch();

@@ -25,29 +25,102 @@ static bool refuse_outside(const char *given, struct mcp_faults *faults)
                      given);
 }
 
-/* Refuses a path that names nothing, with the nearest name of its folder. */
-static bool refuse_missing(const char *root, char *path, const char *given, int why, struct mcp_faults *faults)
+/* ---- names of a folder ---- */
+
+enum { LISTED_MAX = 24 };
+
+/* The first names of models and folders in alphabetical order, and the name that is nearest to a wrong one. */
+struct listing {
+    char names[LISTED_MAX][NAME_MAX + 2];
+    size_t listed, total;
+    struct near_word near;
+    char best[NAME_MAX + 1];
+};
+
+static void list_name(struct listing *listing, const char *name, const char *mark)
 {
-    char *slash = strrchr(path, '/');
-    struct near_word near = {.word = slash + 1};
-    char best[NAME_MAX + 1] = "";
-    *slash = '\0';
-    char *folder = realpath(slash == path ? "/" : path, NULL);
-    const bool is_inside = folder && is_below(root, folder);
-    DIR *entries = is_inside ? opendir(folder) : NULL;
+    size_t at = listing->listed;
+    listing->total++;
+    while (at > 0 && strcmp(name, listing->names[at - 1]) < 0)
+        at--;
+    if (at == LISTED_MAX) return;
+    if (listing->listed < LISTED_MAX) listing->listed++;
+    memmove(listing->names[at + 1], listing->names[at], (listing->listed - at - 1) * sizeof *listing->names);
+    snprintf(listing->names[at], sizeof *listing->names, "%s%s", name, mark);
+}
+
+static void list_near(struct listing *listing, const char *name)
+{
+    const char *const before = listing->near.best;
+    near_offer(&listing->near, name);
+    if (listing->near.best == before) return;
+    snprintf(listing->best, sizeof listing->best, "%s", listing->near.best);
+    listing->near.best = listing->best;
+}
+
+/* Lists a folder. `word`: the name that was looked for, or NULL. */
+static void list_folder(struct listing *listing, const char *folder, const char *word)
+{
+    DIR *entries = opendir(folder);
+    *listing = (struct listing){.near = {.word = word}};
     for (const struct dirent *entry; entries && (entry = readdir(entries)) != NULL;) {
-        const char *const before = near.best;
-        if (input_has_ending(entry->d_name)) near_offer(&near, entry->d_name);
-        if (near.best == before) continue;
-        snprintf(best, sizeof best, "%s", near.best);
-        near.best = best;
+        const char *name = entry->d_name;
+        struct stat status;
+        if (*name == '.' || fstatat(dirfd(entries), name, &status, 0) != 0) continue;
+        const bool is_folder = S_ISDIR(status.st_mode);
+        if (!is_folder && !(S_ISREG(status.st_mode) && input_has_ending(name))) continue;
+        list_name(listing, name, is_folder ? "/" : "");
+        if (word && !is_folder) list_near(listing, name);
     }
     if (entries) closedir(entries);
-    free(folder);
-    if (!is_inside) return refuse_outside(given, faults);
-    return mcp_fault(faults, "/model/path", "'%.200s' cannot be read: %s%s%.200s%s", given, strerror(why),
-                     near.best ? " (did you mean " : "", best, near.best ? "?)" : "");
 }
+
+/* Writes "the folder has 3 models and folders: a.obj, b.stl, parts/". Names that have no room are left out. */
+static void describe_listing(const struct listing *listing, char *text, size_t size)
+{
+    enum { ROOM_OF_MORE = 8 };
+    size_t used = (size_t)snprintf(text, size, "; the folder has %zu model%s", listing->total,
+                                   listing->total == 1 ? " or folder" : "s and folders");
+    for (size_t i = 0; i < listing->total; i++) {
+        const char *name = i < listing->listed ? listing->names[i] : NULL;
+        const bool has_room = name && strlen(name) + ROOM_OF_MORE < size - used;
+        used += (size_t)snprintf(text + used, size - used, "%s%s", i ? ", " : ": ", has_room ? name : "...");
+        if (!has_room) return;
+    }
+}
+
+/* Refuses a path that names nothing, with the names of its folder. */
+static bool refuse_missing(const char *root, char *path, const char *given, int why, struct mcp_faults *faults)
+{
+    char *slash = strrchr(path, '/'), names[MCP_DETAIL_SIZE / 2] = "";
+    *slash = '\0';
+    char *folder = realpath(slash == path ? "/" : path, NULL);
+    if (!folder || !is_below(root, folder)) {
+        free(folder);
+        return refuse_outside(given, faults);
+    }
+    struct listing listing;
+    list_folder(&listing, folder, slash + 1);
+    free(folder);
+    describe_listing(&listing, names, sizeof names);
+    return mcp_fault(faults, "/model/path", "'%.200s' cannot be read: %s%s%.200s%s%s", given, strerror(why),
+                     listing.near.best ? " (did you mean " : "", listing.best, listing.near.best ? "?)" : "", names);
+}
+
+/* Refuses a folder, or a file that is no regular one. */
+static bool refuse_folder(const char *path, const char *given, struct mcp_faults *faults)
+{
+    char names[MCP_DETAIL_SIZE / 2] = "";
+    struct listing listing;
+    struct stat status;
+    if (stat(path, &status) == 0 && S_ISDIR(status.st_mode)) {
+        list_folder(&listing, path, NULL);
+        describe_listing(&listing, names, sizeof names);
+    }
+    return mcp_fault(faults, "/model/path", "'%.200s' is no file%s", given, names);
+}
+
+/* ---- the model ---- */
 
 /* Finds the path of the model, and checks that it is a file below the root. */
 static bool find_model(const char *root, const char *given, char path[PATH_MAX], struct mcp_faults *faults)
@@ -59,9 +132,9 @@ static bool find_model(const char *root, const char *given, char path[PATH_MAX],
     char *real = realpath(path, NULL);
     if (!real) return refuse_missing(root, path, given, errno, faults);
     const bool is_inside = is_below(root, real), is_file = stat(real, &status) == 0 && S_ISREG(status.st_mode);
+    const bool is_taken = !is_inside ? refuse_outside(given, faults) : is_file || refuse_folder(real, given, faults);
     free(real);
-    if (!is_inside) return refuse_outside(given, faults);
-    return is_file || mcp_fault(faults, "/model/path", "'%.200s' is no file", given);
+    return is_taken;
 }
 
 bool mcp_files_read(struct input *input, const char *root, const struct mcp_draw *draw, struct mcp_faults *faults)

@@ -15,6 +15,7 @@
 #include "images.h"
 #include "log.h"
 #include "log_writer.h"
+#include "mcp/memory.h"
 #include "meshes.h"
 #include "request.h"
 #include "slowness.h"
@@ -146,5 +147,6 @@ int main(int argc, char **argv)
     case CONFIG_SERVE:
         break;
     }
+    mcp_memory_watch();
     return serve(&config);
 }

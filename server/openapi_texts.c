@@ -430,7 +430,11 @@ const char openapi_problem[] = ZR_SCHEMA({
                 "type": "object", "required": ["pointer", "detail"],
                 "properties": {
                     "pointer": {"description": "JSON Pointer (RFC 6901) to the key.", "type": "string"},
-                    "detail": {"type": "string"}
+                    "detail": {"type": "string"},
+                    "offset": {
+                        "description": "Of broken JSON: the byte at which it breaks, from 0.",
+                        "type": "integer", "minimum": 0
+                    }
                 }
             }
         },

@@ -9,7 +9,9 @@
 #define EXPOSED                                                                                                        \
     "Location, Retry-After, Server-Timing, X-Request-Id, Zraster-Encoder, Zraster-Look, Zraster-Version, "             \
     "Zraster-Warnings"
-#define TAKEN "Authorization, Content-Encoding, Content-Type, If-None-Match, X-Request-Id"
+#define TAKEN                                                                                                          \
+    "Authorization, Content-Encoding, Content-Type, If-None-Match, MCP-Protocol-Version, Mcp-Method, Mcp-Name, "       \
+    "X-Request-Id"
 
 static bool is_text(const char *value, const char *text)
 {

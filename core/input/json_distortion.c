@@ -22,7 +22,7 @@ static bool read_radial(struct zr_json *json, const struct zr_json_path *path, c
                         void *out)
 {
     struct given_lens *given = out;
-    return zr_json_numbers(json, path, 1, RADIAL_MAX, field->low, field->high, given->k, &given->k_count);
+    return zr_json_numbers(json, path, 0, RADIAL_MAX, field->low, field->high, given->k, &given->k_count);
 }
 
 /* double[2] */
@@ -39,7 +39,7 @@ static const struct zr_json_field distortion_fields[] = {
     [MODEL] = {"model", zr_json_choice, offsetof(struct given_lens, model), .words = &model_names,
                .otherwise = "opencv", .text = "opencv: the rational model of Brown and Conrady; or OpenCV's fisheye"},
     [K] = {"k", read_radial, 0, COEFFICIENTS, .otherwise = "[0]", .text = "k1 to k6, of a fisheye k1 to k4",
-           .schema = ZR_SCHEMA({"$ref" : "#/$defs/coefficients", "minItems" : 1, "maxItems" : 6})},
+           .schema = ZR_SCHEMA({"$ref" : "#/$defs/coefficients", "maxItems" : 6})},
     [P] = {"p", read_tangential, offsetof(struct given_lens, p), COEFFICIENTS, .otherwise = "[0,0]",
            .text = "p1 and p2 of the model opencv",
            .schema = ZR_SCHEMA({"$ref" : "#/$defs/coefficients", "minItems" : 2, "maxItems" : 2})}};

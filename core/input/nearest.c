@@ -1,9 +1,11 @@
 #include "input/nearest.h"
 
+#include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 /* OFFERS_MAX: a scene may have any number of names, and each comparison takes microseconds. */
-enum { LETTERS_MAX = 40, OFFERS_MAX = 1000, DISTANCE_MAX = 2 };
+enum { LETTERS_MAX = 40, OFFERS_MAX = 1000, DISTANCE_MAX = 2, BEGIN_MIN = 3 };
 
 /* Copies a word without '_' and '-', in lower case. Returns its length, or LETTERS_MAX + 1 if it is longer. */
 static size_t fold(const char *word, char out[LETTERS_MAX])
@@ -44,15 +46,25 @@ static size_t distance_of(const char *a, size_t a_count, const char *b, size_t b
     return last[b_count];
 }
 
+/* Returns the distance of a near word, or SIZE_MAX. Words that begin with the misspelt one are farther than all others.
+ */
+static size_t nearness(const char *a, size_t a_count, const char *b, size_t b_count)
+{
+    if (a_count >= BEGIN_MIN && a_count < b_count && memcmp(a, b, a_count) == 0)
+        return b_count - a_count + (b_count - a_count > 1 ? DISTANCE_MAX : 0);
+    if (a_count > b_count + DISTANCE_MAX || b_count > a_count + DISTANCE_MAX) return SIZE_MAX;
+    const size_t distance = distance_of(a, a_count, b, b_count);
+    return distance > least(DISTANCE_MAX, (b_count - 1) / 3) ? SIZE_MAX : distance;
+}
+
 void zr_nearest_offer(struct zr_nearest *nearest, const char *known)
 {
     char a[LETTERS_MAX], b[LETTERS_MAX];
     if (nearest->offers++ >= OFFERS_MAX) return;
     const size_t a_count = fold(nearest->word, a), b_count = fold(known, b);
     if (a_count > LETTERS_MAX || b_count > LETTERS_MAX || a_count == 0) return;
-    if (a_count > b_count + DISTANCE_MAX || b_count > a_count + DISTANCE_MAX) return;
-    const size_t distance = distance_of(a, a_count, b, b_count);
-    if (distance > least(DISTANCE_MAX, (b_count - 1) / 3) || (nearest->known && distance >= nearest->distance)) return;
+    const size_t distance = b_count > 0 ? nearness(a, a_count, b, b_count) : SIZE_MAX;
+    if (distance == SIZE_MAX || (nearest->known && distance >= nearest->distance)) return;
     nearest->known = known;
     nearest->distance = distance;
 }

@@ -16,8 +16,8 @@ struct zr_nearest {
 };
 
 /* Compares a known word by edit distance: letters left out, added, changed or swapped with the next. A word is near at
- * a distance of 1 or 2, less for short words. Case, '_' and '-' do not count: base_color_factor equals baseColorFactor.
- * Ignores words after the first thousand. */
+ * a distance of 1 or 2, less for short words, or if it begins with the misspelt one, of three letters or more. Case,
+ * '_' and '-' do not count: base_color_factor equals baseColorFactor. Ignores words after the first thousand. */
 void zr_nearest_offer(struct zr_nearest *nearest, const char *known);
 
 /* Formats " (did you mean WORD?)", or "". */

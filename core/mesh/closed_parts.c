@@ -4,12 +4,13 @@
 
 #include "base/cancel.h"
 #include "base/sort.h"
+#include "mesh/shells.h"
 #include "mesh/weld.h"
 #include "scene/part_list.h"
 
 enum { FACES_A_CANCEL_CHECK = 1 << 14, VERTICES_A_RANGE = 1 << 12 };
 
-/* An occurrence of an edge, listed at its lower vertex: the higher vertex, the part, and the direction in bit 0. */
+/* An occurrence of an edge, listed at its lower vertex: the higher vertex, the face, and the direction in bit 0. */
 typedef uint64_t use;
 
 struct finding {
@@ -20,55 +21,62 @@ struct finding {
     uint32_t *ends; /* per vertex: end of its list in `uses` */
     use *uses;
     atomic_uchar *closed;
+    const struct zr_shell_forest *forest; /* NULL: shells are not counted */
 };
+
+static uint32_t part_of(const struct finding *f, uint32_t face)
+{
+    return f->mesh->face_parts ? f->mesh->face_parts[face] : 0;
+}
 
 /* ---- edges ---- */
 
-typedef void visit_fn(struct finding *f, uint32_t from, uint32_t to, uint32_t part);
+typedef void visit_fn(struct finding *f, uint32_t from, uint32_t to, uint32_t face);
 
-static void count_edge(struct finding *f, uint32_t from, uint32_t to, uint32_t part)
+static void count_edge(struct finding *f, uint32_t from, uint32_t to, uint32_t face)
 {
     f->ends[from < to ? from : to]++;
-    atomic_store_explicit(&f->closed[part], 1, memory_order_relaxed);
+    atomic_store_explicit(&f->closed[part_of(f, face)], 1, memory_order_relaxed);
+    if (f->forest) zr_shell_forest_plant(f->forest, face);
 }
 
 /* Fills each list from its end, which becomes its begin. */
-static void put_edge(struct finding *f, uint32_t from, uint32_t to, uint32_t part)
+static void put_edge(struct finding *f, uint32_t from, uint32_t to, uint32_t face)
 {
     const uint32_t low = from < to ? from : to, high = from < to ? to : from;
-    f->uses[--f->ends[low]] = (use)high << 32 | (use)part << 1 | (from < to);
+    f->uses[--f->ends[low]] = (use)high << 32 | (use)face << 1 | (from < to);
 }
 
-struct place {
-    double x, y, z;
-};
-
-static struct place place_of(const struct zr_mesh *mesh, uint32_t slot)
+static void place_of(const struct zr_mesh *mesh, uint32_t slot, double place[3])
 {
     const zr_vec3 at = zr_vec4_over_w(mesh->positions[mesh->indices[slot]]);
-    return (struct place){(double)at.x, (double)at.y, (double)at.z};
+    place[0] = (double)at.x;
+    place[1] = (double)at.y;
+    place[2] = (double)at.z;
 }
 
-/* Returns twice the area, as a vector. */
-static struct place area_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end)
+struct zr_ring_area zr_ring_area_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end)
 {
-    const struct place o = place_of(mesh, begin);
-    struct place sum = {0, 0, 0};
+    struct zr_ring_area ring = {.area = {0, 0, 0}};
+    const double *o = ring.first;
+    place_of(mesh, begin, ring.first);
     for (uint32_t i = begin + 1; i + 1 < end; i++) {
-        const struct place p = place_of(mesh, i), q = place_of(mesh, i + 1);
-        const double a[3] = {p.x - o.x, p.y - o.y, p.z - o.z}, b[3] = {q.x - o.x, q.y - o.y, q.z - o.z};
-        sum.x += a[1] * b[2] - a[2] * b[1];
-        sum.y += a[2] * b[0] - a[0] * b[2];
-        sum.z += a[0] * b[1] - a[1] * b[0];
+        double p[3], q[3];
+        place_of(mesh, i, p);
+        place_of(mesh, i + 1, q);
+        const double a[3] = {p[0] - o[0], p[1] - o[1], p[2] - o[2]}, b[3] = {q[0] - o[0], q[1] - o[1], q[2] - o[2]};
+        ring.area[0] += a[1] * b[2] - a[2] * b[1];
+        ring.area[1] += a[2] * b[0] - a[0] * b[2];
+        ring.area[2] += a[0] * b[1] - a[1] * b[0];
     }
-    return sum;
+    return ring;
 }
 
 bool zr_ring_turns_as_first(const struct zr_mesh *mesh, const struct zr_rings *rings, uint32_t ring)
 {
-    const struct place first = area_of(mesh, rings->offsets[0], rings->offsets[1]),
-                       own = area_of(mesh, rings->offsets[ring], rings->offsets[ring + 1]);
-    return (first.x * own.x + first.y * own.y) + first.z * own.z > 0.0;
+    const struct zr_ring_area first = zr_ring_area_of(mesh, rings->offsets[0], rings->offsets[1]),
+                              own = zr_ring_area_of(mesh, rings->offsets[ring], rings->offsets[ring + 1]);
+    return (first.area[0] * own.area[0] + first.area[1] * own.area[1]) + first.area[2] * own.area[2] > 0.0;
 }
 
 /* True if the ring has three different vertices. */
@@ -90,7 +98,6 @@ static void visit_face(struct finding *f, uint32_t face, visit_fn *visit)
 {
     const struct zr_mesh *mesh = f->mesh;
     const struct zr_rings rings = zr_mesh_rings(mesh, face);
-    const uint32_t part = mesh->face_parts ? mesh->face_parts[face] : 0;
     const bool is_cap = zr_mesh_face_is_cap(mesh, face);
     for (uint32_t r = 0; r < rings.count; r++) {
         const uint32_t *corners = mesh->indices + rings.offsets[r], count = rings.offsets[r + 1] - rings.offsets[r];
@@ -99,7 +106,7 @@ static void visit_face(struct finding *f, uint32_t face, visit_fn *visit)
         uint32_t from = f->vertices[corners[count - 1]];
         for (uint32_t i = 0; i < count; i++) {
             const uint32_t to = f->vertices[corners[i]];
-            if (from != to) visit(f, is_reversed ? to : from, is_reversed ? from : to, part);
+            if (from != to) visit(f, is_reversed ? to : from, is_reversed ? from : to, face);
             from = to;
         }
     }
@@ -115,16 +122,46 @@ static void visit_faces(struct finding *f, visit_fn *visit)
 
 /* ---- lists of vertices ---- */
 
-/* Marks the parts that use an edge of the list more often in one direction. */
+static uint32_t face_of(use edge)
+{
+    return (uint32_t)(edge >> 1) & INT32_MAX;
+}
+
+/* Marks the part and the shell if they use the edge more often in one direction. All uses are those of one part. */
+static void check_edge(const struct finding *f, const use *uses, uint32_t count)
+{
+    uint32_t upwards = 0;
+    for (uint32_t i = 0; i < count; i++)
+        upwards += uses[i] & 1u;
+    for (uint32_t i = 1; f->forest && i < count; i++)
+        zr_shell_forest_join(f->forest, face_of(uses[i - 1]), face_of(uses[i]));
+    if (2 * (uint64_t)upwards == count) return;
+    atomic_store_explicit(&f->closed[part_of(f, face_of(*uses))], 0, memory_order_relaxed);
+    if (f->forest) atomic_store_explicit(&f->forest->is_open[face_of(*uses)], 1, memory_order_relaxed);
+}
+
+/* Checks the uses of one edge. With several parts, sorts them by part. */
+static void check_parts(const struct finding *f, use *uses, uint32_t count)
+{
+    if (f->mesh->face_parts) {
+        for (uint32_t i = 0; i < count; i++)
+            uses[i] = (use)part_of(f, face_of(uses[i])) << 32 | (uses[i] & UINT32_MAX);
+        zr_sort_u64(uses, count);
+    }
+    for (uint32_t i = 0, next; i < count; i = next) {
+        for (next = i + 1; next < count && uses[next] >> 32 == uses[i] >> 32; next++) {
+        }
+        check_edge(f, uses + i, next - i);
+    }
+}
+
 static void check_list(const struct finding *f, use *uses, uint32_t count)
 {
     zr_sort_u64(uses, count);
     for (uint32_t i = 0, next; i < count; i = next) {
-        uint32_t upwards = 0;
-        for (next = i; next < count && uses[next] >> 1 == uses[i] >> 1; next++)
-            upwards += uses[next] & 1u;
-        if (2 * (uint64_t)upwards != next - i)
-            atomic_store_explicit(&f->closed[(uint32_t)uses[i] >> 1], 0, memory_order_relaxed);
+        for (next = i + 1; next < count && uses[next] >> 32 == uses[i] >> 32; next++) {
+        }
+        check_parts(f, uses + i, next - i);
     }
 }
 
@@ -157,44 +194,58 @@ struct rooms {
     zr_vec4 *positions;
     uint64_t *rest;
     uint32_t *vertices, *ends;
+    struct zr_shell_forest forest; /* if shells are counted */
     atomic_uchar *closed;
 };
 
-static bool make_rooms(struct zr_arena *arena, const struct zr_mesh *mesh, uint32_t parts,
+static bool make_rooms(struct zr_arena *arena, const struct zr_mesh *mesh, uint32_t parts, bool has_shells,
                        const struct zr_mesh_extent *extent, struct rooms *rooms)
 {
+    const size_t faces = has_shells ? mesh->face_count : 0;
     const size_t positions = mesh->position_count, corners = mesh->face_offsets[mesh->face_count];
     const size_t welding = zr_weld_room(mesh->position_count), copied = extent->needs_copy ? positions : 0;
     const size_t rest = welding > corners ? welding : corners;
     rooms->size = copied * sizeof *rooms->positions + rest * sizeof *rooms->rest + positions * sizeof *rooms->vertices +
-                  (positions + 1) * sizeof *rooms->ends + parts * sizeof *rooms->closed;
+                  (positions + 1) * sizeof *rooms->ends + faces * sizeof *rooms->forest.parents +
+                  faces * sizeof *rooms->forest.is_open + parts * sizeof *rooms->closed;
     rooms->all = zr_arena_alloc(arena, rooms->size, 1);
     if (!rooms->all) return false;
     rooms->positions = (zr_vec4 *)(void *)rooms->all;
     rooms->rest = (uint64_t *)(void *)(rooms->positions + copied);
     rooms->vertices = (uint32_t *)(void *)(rooms->rest + rest);
     rooms->ends = rooms->vertices + positions;
-    rooms->closed = (atomic_uchar *)(void *)(rooms->ends + positions + 1);
+    rooms->forest.mesh = mesh;
+    rooms->forest.parents = (_Atomic uint32_t *)(void *)(rooms->ends + positions + 1);
+    rooms->forest.is_open = (atomic_uchar *)(void *)(rooms->forest.parents + faces);
+    rooms->closed = rooms->forest.is_open + faces;
+    if (has_shells) zr_shell_forest_clear(&rooms->forest);
     for (uint32_t p = 0; p < parts; p++)
         atomic_init(&rooms->closed[p], 0);
     return true;
 }
 
 bool zr_closed_parts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                          const struct zr_mesh *mesh, uint8_t *closed)
+                          const struct zr_mesh *mesh, uint8_t *closed, struct zr_shells *shells)
 {
     const uint32_t parts = zr_mesh_part_count(mesh);
     memset(closed, 0, parts);
+    if (shells) memset(shells, 0, parts * sizeof *shells);
     if (mesh->face_count == 0 || parts > INT32_MAX) return true;
     const struct zr_mesh_extent extent = zr_mesh_extent_of(team, mesh);
     struct rooms rooms;
-    if (!make_rooms(arena, mesh, parts, &extent, &rooms)) return false;
+    if (!make_rooms(arena, mesh, parts, shells, &extent, &rooms)) return false;
     const struct zr_weld_input input = zr_weld_input_make(team, mesh, &extent, rooms.positions);
-    struct finding f = {
-        .cancel = cancel, .mesh = mesh, .vertices = rooms.vertices, .ends = rooms.ends, .closed = rooms.closed};
+    struct finding f = {.cancel = cancel,
+                        .mesh = mesh,
+                        .vertices = rooms.vertices,
+                        .ends = rooms.ends,
+                        .closed = rooms.closed,
+                        .forest = shells ? &rooms.forest : NULL};
     f.vertex_count = zr_weld_make(team, cancel, &input, rooms.rest, rooms.vertices);
     f.uses = rooms.rest;
     if (f.vertex_count > 0) find(team, &f);
+    if (shells && !zr_is_cancelled(cancel))
+        zr_shells_count(&rooms.forest, cancel, (double *)(void *)rooms.rest, shells);
     for (uint32_t p = 0; p < parts; p++)
         closed[p] = atomic_load_explicit(&rooms.closed[p], memory_order_relaxed);
     zr_arena_trim(arena, rooms.all, rooms.size, 0, 1);

@@ -16,11 +16,20 @@
 #include "core.h"
 #include "scene/scene.h"
 
-/* Sets closed[p] to 1 or 0 for each part; a mesh without face_parts has one. Takes about 28 bytes per position of
- * scratch from the arena, or 8 per corner and 8 per position, and gives them back. False without memory. If cancelled,
+struct zr_shells;
+
+/* Sets closed[p] to 1 or 0 for each part; a mesh without face_parts has one. Counts the shells of each part
+ * (mesh/shells.h), unless `shells` is NULL. Takes about 28 bytes per position of scratch from the arena, or 8 per
+ * corner and 8 per position, and 5 per face for shells, and gives them back. False without memory. If cancelled,
  * returns early with undefined values. */
 bool zr_closed_parts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                          const struct zr_mesh *mesh, uint8_t *closed);
+                          const struct zr_mesh *mesh, uint8_t *closed, struct zr_shells *shells);
+
+/* The first corner of a ring, and twice the ring's area as a vector, in object space. */
+struct zr_ring_area {
+    double first[3], area[3];
+};
+struct zr_ring_area zr_ring_area_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end);
 
 /* Returns true if a hole runs in the same direction as the first ring. Ring 0 is the first one. */
 bool zr_ring_turns_as_first(const struct zr_mesh *mesh, const struct zr_rings *rings, uint32_t ring);

@@ -10,6 +10,7 @@ struct sorted_mesh {
     const uint32_t *faces; /* NULL: all faces in order */
     const uint32_t *ends;  /* per part: end of its faces; NULL: one part */
     uint8_t *closed;       /* per part; NULL: not made yet */
+    struct zr_shells *shells;
 };
 
 /* Sums over the faces of a task. */
@@ -247,8 +248,9 @@ static enum zr_status sort_meshes(struct zr_arena *arena, struct zr_team *team, 
         struct sorted_mesh *sorted = &meshes[number];
         if (sorted->closed) continue;
         sorted->closed = zr_arena_alloc(arena, zr_mesh_part_count(mesh), 1);
+        sorted->shells = zr_arena_alloc(arena, zr_mesh_part_count(mesh), sizeof *sorted->shells);
         if (mesh->face_parts) sort_faces(arena, mesh, m->cancel, sorted);
-        if (!zr_arena_ok(arena) || !zr_closed_parts_find(arena, team, m->cancel, mesh, sorted->closed))
+        if (!zr_arena_ok(arena) || !zr_closed_parts_find(arena, team, m->cancel, mesh, sorted->closed, sorted->shells))
             return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
         if (zr_is_cancelled(m->cancel)) return ZR_CANCELLED;
     }
@@ -313,6 +315,13 @@ static float clamped(double value)
     return value > 0.0 ? value < 1.0 ? (float)value : 1.0f : 0.0f;
 }
 
+/* A part with a lost face has open shells alone. */
+static struct zr_shells shells_of(const struct zr_shells *found, bool is_lost)
+{
+    if (!is_lost) return *found;
+    return (struct zr_shells){.open = found->outward + found->inward + found->flat + found->open};
+}
+
 /* Sets the centre of mass of a closed part with a volume. */
 static void find_center(const struct measuring *m, const struct zr_part *part, const struct sums *sums,
                         struct zr_part_facts *facts)
@@ -351,6 +360,7 @@ static struct zr_part_facts facts_of(const struct measuring *m, const struct zr_
                                   .triangles = sums->triangles,
                                   .area = sums->area,
                                   .is_closed = m->meshes[part->mesh].closed[part->number] && !sums->is_lost};
+    facts.shells = shells_of(&m->meshes[part->mesh].shells[part->number], sums->is_lost);
     facts.color = (zr_vec3){clamped(color[0] / weight), clamped(color[1] / weight), clamped(color[2] / weight)};
     if (facts.is_closed) facts.volume = zr_mat4_is_mirror(matrix) ? 0.0 - sums->volume : sums->volume + 0.0;
     find_center(m, part, sums, &facts);

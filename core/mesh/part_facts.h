@@ -17,6 +17,7 @@
 #include "base/team.h"
 #include "core.h"
 #include "mesh/least_wall.h"
+#include "mesh/shells.h"
 #include "scene/part_list.h"
 
 enum { ZR_FACES_A_TASK = 4096 };
@@ -29,8 +30,9 @@ struct zr_part_facts {
     zr_vec3 min, max;
     uint64_t triangles; /* sum over its faces: corners - 2, plus 2 per hole */
     double area;
-    bool is_closed; /* by the rule of mesh/closed_parts.h */
-    double volume;  /* if closed; negative if its faces are turned inside out */
+    bool is_closed;          /* by the rule of mesh/closed_parts.h */
+    struct zr_shells shells; /* open if a face has a corner beyond the range of float */
+    double volume;           /* if closed; negative if its faces are turned inside out */
     bool has_center;
     double center[3];                /* centre of mass of the volume, if closed and the volume is not 0 */
     struct zr_least_wall least_wall; /* of a closed part whose volume is not 0 */

@@ -109,7 +109,7 @@ static enum zr_status find_closed(struct cutting *c, uint32_t mesh)
     const uint32_t parts = zr_mesh_part_count(&c->scene->meshes[mesh]);
     uint8_t *closed = zr_arena_alloc(c->arena, parts, sizeof *closed);
     if (!closed) return ZR_NO_MEMORY;
-    if (!zr_closed_parts_find(c->arena, c->team, c->cancel, &c->scene->meshes[mesh], closed)) return ZR_NO_MEMORY;
+    if (!zr_closed_parts_find(c->arena, c->team, c->cancel, &c->scene->meshes[mesh], closed, NULL)) return ZR_NO_MEMORY;
     c->closed[mesh] = closed;
     return zr_is_cancelled(c->cancel) ? ZR_CANCELLED : ZR_OK;
 }

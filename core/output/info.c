@@ -207,6 +207,16 @@ static void print_box(struct zr_print *print, const char *key, zr_vec3 min, zr_v
     zr_print_end(print, '}');
 }
 
+/* A flat shell has no inside, and is outward. */
+static void print_shells(struct zr_print *print, const struct zr_shells *shells)
+{
+    zr_print_begin(print, "shells", '{');
+    zr_print_count(print, "outward", (uint64_t)shells->outward + shells->flat);
+    zr_print_count(print, "inward", shells->inward);
+    zr_print_count(print, "open", shells->open);
+    zr_print_end(print, '}');
+}
+
 /* The id equals the value of the channel instanceId as long as all meshes before it are one part. */
 static void print_part(struct zr_print *print, const struct zr_frame_parts *parts, uint32_t number)
 {
@@ -236,6 +246,7 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
         zr_print_null(print, "leastWall");
     if (facts->least_wall.is_omitted) zr_print_bool(print, "leastWallOmitted", true);
     zr_print_bool(print, "closed", facts->is_closed);
+    print_shells(print, &facts->shells);
     if (parts->cap_areas) zr_print_double(print, "capArea", parts->cap_areas[number]);
     if (parts->pixels) zr_print_count(print, "pixels", parts->pixels[number]);
     print_color(print, facts->color);

@@ -16,8 +16,9 @@ enum zr_status zr_sheet_picture_make(struct zr_arena *arena, const struct zr_vie
         .canvas = {zr_arena_alloc(arena, (size_t)window->width * window->height, sizeof *sheet->canvas.pixels),
                    (int32_t)window->width, (int32_t)window->height},
         .cameras = zr_arena_zero(arena, views->set->count, sizeof *sheet->cameras),
-        .ymags = zr_arena_zero(arena, views->set->count, sizeof *sheet->ymags)};
-    if (!sheet->canvas.pixels || !sheet->cameras || !sheet->ymags) return ZR_NO_MEMORY;
+        .ymags = zr_arena_zero(arena, views->set->count, sizeof *sheet->ymags),
+        .shares = zr_arena_zero(arena, views->set->count, sizeof *sheet->shares)};
+    if (!sheet->canvas.pixels || !sheet->cameras || !sheet->ymags || !sheet->shares) return ZR_NO_MEMORY;
     zr_canvas_fill(&sheet->canvas, (struct zr_box){0, 0, sheet->canvas.width, sheet->canvas.height},
                    zr_rgba_make(views->scene->background));
     return ZR_OK;
@@ -62,10 +63,19 @@ static void write_caption(const struct zr_sheet_picture *sheet, uint32_t number)
     zr_sheet_write(&views->layout, number, texts, 3, &sheet->canvas);
 }
 
+static float covered_share(const struct zr_frame *frame)
+{
+    const double pixels = (double)frame->width * (double)frame->height;
+    if (!frame->color && !frame->face_id) return -1.0f;
+    if (frame->samples_a_pixel == 0) return (float)((double)frame->covered_pixels / pixels);
+    return (float)((double)frame->covered_samples / (pixels * (double)frame->samples_a_pixel));
+}
+
 void zr_sheet_picture_add(struct zr_sheet_picture *sheet, uint32_t number, const struct zr_frame *frame)
 {
     const struct zr_views *views = sheet->views;
     sheet->cameras[number] = frame->camera;
+    sheet->shares[number] = covered_share(frame);
     if (frame->view->projection == ZR_PROJECTION_ORTHOGRAPHIC)
         sheet->ymags[number] = 1.0f / frame->camera.projection.m[5];
     if (!frame->color) return;
@@ -110,6 +120,7 @@ static void print_view(struct zr_print *print, const struct zr_sheet_picture *sh
     }
     if (sheet->ymags[number] > 0.0f)
         zr_print_float(print, "unitsPerPixel", 2.0f * sheet->ymags[number] / (float)views->layout.height);
+    if (sheet->shares[number] >= 0.0f) zr_print_float(print, "coveredShare", sheet->shares[number]);
     zr_print_floats(print, "worldToCamera", camera->world_to_eye.m, 16);
     zr_print_floats(print, "projectionMatrix", camera->projection.m, 16);
     zr_print_end(print, '}');

@@ -10,6 +10,7 @@ struct zr_sheet_picture {
     struct zr_canvas canvas;
     struct zr_camera *cameras; /* by view */
     float *ymags;              /* by view: half of its height, scene units; 0: it has no scale */
+    float *shares;             /* by view: covered share of its samples, or of its pixels; below 0: not drawn */
 };
 
 /* Makes an empty sheet in the arena. Returns ZR_OK or ZR_NO_MEMORY. */

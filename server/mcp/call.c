@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "faults.h"
+#include "memory.h"
 #include "shots.h"
 #include "tree.h"
 
@@ -12,7 +13,8 @@
 
 static void put_block(struct mcp_text *result, const struct mcp_text *words)
 {
-    mcp_text_print(result, "%s{\"type\":\"text\",\"text\":", result->data[result->size - 1] == '[' ? "" : ",");
+    mcp_text_print(
+        result, "%s{\"type\":\"text\",\"text\":", result->size > 0 && result->data[result->size - 1] != '[' ? "," : "");
     mcp_text_json(result, words->data ? words->data : "");
     mcp_text_put(result, "}");
     result->failed |= words->failed;
@@ -36,9 +38,12 @@ static void put_content(struct mcp_text *result, cJSON *content)
 static void put_faults(struct mcp_text *result, const struct mcp_faults *faults)
 {
     struct mcp_text words = {0};
-    for (size_t i = 0; i < faults->count; i++)
-        mcp_text_print(&words, "%s%s%s%s", i ? "\n" : "", faults->at[i].pointer, *faults->at[i].pointer ? ": " : "",
-                       faults->at[i].detail);
+    for (size_t i = 0; i < faults->count; i++) {
+        mcp_text_put(&words, i ? "\n" : "");
+        mcp_text_line(&words, faults->at[i].pointer, MCP_POINTER_SIZE);
+        mcp_text_put(&words, *faults->at[i].pointer ? ": " : "");
+        mcp_text_line(&words, faults->at[i].detail, MCP_DETAIL_SIZE);
+    }
     mcp_text_put(result, "\"content\":[");
     put_block(result, &words);
     mcp_text_put(result, "],\"isError\":true");
@@ -58,29 +63,37 @@ static cJSON *make_content(const struct mcp_job *job, const struct mcp_shots *sh
         mcp_facts_add_warnings(warnings, shots->at[i].info);
     }
     if (shots->is_smaller)
-        cJSON_AddItemToArray(warnings,
-                             cJSON_CreateString("the picture is smaller than asked for, to fit into a message"));
+        mcp_append(warnings, cJSON_CreateString("the picture is smaller than asked for, to fit into a message"));
     if (job->is_resized)
-        cJSON_AddItemToArray(warnings, cJSON_CreateString("the scene's window is larger than 1568 pixels; the picture "
-                                                          "is smaller"));
+        mcp_append(warnings, cJSON_CreateString("the scene's window is larger than 1568 pixels; the picture "
+                                                "is smaller"));
     if (job->tool != MCP_FACTS)
-        cJSON_AddItemToObject(content, "views", views);
+        mcp_add(content, "views", views);
     else
         cJSON_Delete(views);
-    cJSON_AddItemToObject(content, "warnings", warnings);
+    mcp_add(content, "warnings", warnings);
     return content;
 }
 
 /* ---- render, facts ---- */
 
-static void add_picture(cJSON *content, const struct mcp_shots *shots)
+/* Returns true if all views of a sheet are blank. */
+static bool is_sheet_blank(const cJSON *content)
+{
+    const cJSON *view;
+    cJSON_ArrayForEach(view, mcp_get(content, "views")) if (!cJSON_IsTrue(mcp_get(view, "blank"))) return false;
+    return true;
+}
+
+static void add_picture(const struct mcp_job *job, cJSON *content, const struct mcp_shots *shots)
 {
     cJSON *picture = cJSON_AddObjectToObject(content, "picture");
     size_t bytes = 0;
     bool is_blank = false;
     for (unsigned i = 0; i < shots->count; i++) {
         bytes += shots->at[i].size;
-        is_blank |= cJSON_IsTrue(mcp_get(mcp_get(shots->at[i].info, "picture"), "blank"));
+        is_blank |= job->is_sheet ? is_sheet_blank(content)
+                                  : cJSON_IsTrue(mcp_get(mcp_get(shots->at[i].info, "picture"), "blank"));
     }
     cJSON_AddNumberToObject(picture, "images", shots->count);
     cJSON_AddNumberToObject(picture, "width", shots->at[0].width);
@@ -89,7 +102,24 @@ static void add_picture(cJSON *content, const struct mcp_shots *shots)
     cJSON_AddNumberToObject(picture, "bytes", (double)bytes);
     cJSON_AddBoolToObject(picture, "blank", is_blank);
     const cJSON *look = mcp_get(shots->at[0].info, "look");
-    if (look) cJSON_AddItemToObject(picture, "look", cJSON_Duplicate(look, true));
+    if (look) mcp_add(picture, "look", cJSON_Duplicate(look, true));
+}
+
+/* Puts the texts, the pictures and the structured content of a complete tree. */
+static void put_shown(const struct mcp_job *job, const struct mcp_shots *shots, cJSON *content, struct mcp_text *result)
+{
+    struct mcp_text words = {0};
+    mcp_facts_describe(&words, content);
+    mcp_text_put(result, "\"content\":[");
+    put_block(result, &words);
+    mcp_text_free(&words);
+    for (unsigned i = 0; job->tool == MCP_RENDER && i < shots->count; i++) {
+        mcp_facts_describe_shot(&words, content, &shots->at[i], i);
+        put_block(result, &words);
+        put_image(result, &shots->at[i]);
+        mcp_text_free(&words);
+    }
+    put_content(result, content);
 }
 
 static enum mcp_draw_status show(struct mcp_job *job, struct mcp_text *result)
@@ -98,20 +128,12 @@ static enum mcp_draw_status show(struct mcp_job *job, struct mcp_text *result)
     const bool is_render = job->tool == MCP_RENDER;
     const enum mcp_draw_status status = mcp_shots_draw(job, !is_render, &shots);
     if (status == MCP_DRAWN) {
-        struct mcp_text words = {0};
         cJSON *content = make_content(job, &shots);
-        if (is_render) add_picture(content, &shots);
-        mcp_facts_describe(&words, content);
-        mcp_text_put(result, "\"content\":[");
-        put_block(result, &words);
-        mcp_text_free(&words);
-        for (unsigned i = 0; is_render && i < shots.count; i++) {
-            mcp_facts_describe_shot(&words, content, &shots.at[i], i);
-            put_block(result, &words);
-            put_image(result, &shots.at[i]);
-            mcp_text_free(&words);
-        }
-        put_content(result, content);
+        if (is_render) add_picture(job, content, &shots);
+        if (mcp_memory_has_failed())
+            result->failed = true;
+        else
+            put_shown(job, &shots, content, result);
         cJSON_Delete(content);
     }
     mcp_shots_free(job->host, &shots);
@@ -145,7 +167,7 @@ static enum mcp_draw_status find_target(struct mcp_job *job, struct mcp_shots *s
         cJSON *view = cJSON_CreateObject();
         static const char *const keys[] = {"worldToCamera", "projectionMatrix"};
         for (int i = 0; i < 2; i++)
-            cJSON_AddItemToObject(view, keys[i], cJSON_Duplicate(mcp_get(cell, keys[i]), true));
+            mcp_add(view, keys[i], cJSON_Duplicate(mcp_get(cell, keys[i]), true));
         *target = (struct target){cJSON_PrintUnformatted(view), x1 - x0, y1 - y0, job->x - x0, job->y - y0, false};
         cJSON_Delete(view);
     }
@@ -160,7 +182,7 @@ static cJSON *make_fragment(const cJSON *given)
     cJSON *made = cJSON_CreateObject();
     cJSON_AddStringToObject(made, "part", cJSON_IsString(part) ? part->valuestring : "");
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        cJSON_AddItemToObject(made, keys[i][1], cJSON_Duplicate(mcp_get(given, keys[i][0]), true));
+        mcp_add(made, keys[i][1], cJSON_Duplicate(mcp_get(given, keys[i][0]), true));
     cJSON_AddBoolToObject(made, "front", side && side->valuedouble == 1);
     return made;
 }
@@ -171,9 +193,11 @@ static void describe_fragments(struct mcp_text *words, const cJSON *content)
     cJSON_ArrayForEach(fragment, fragments)
     {
         const cJSON *point = mcp_get(fragment, "point");
-        mcp_text_print(words, "\n- part '%.80s', face %.0f, point (%.6g, %.6g, %.6g), depth %.6g, %s%s",
-                       mcp_get(fragment, "part")->valuestring, mcp_number_of(fragment, "face"), mcp_number_at(point, 0),
-                       mcp_number_at(point, 1), mcp_number_at(point, 2), mcp_number_of(fragment, "depth"),
+        mcp_text_put(words, "\n- part '");
+        mcp_text_line(words, mcp_get(fragment, "part")->valuestring, 80);
+        mcp_text_print(words, "', face %.0f, point (%.6g, %.6g, %.6g), depth %.6g, %s%s",
+                       mcp_number_of(fragment, "face"), mcp_number_at(point, 0), mcp_number_at(point, 1),
+                       mcp_number_at(point, 2), mcp_number_of(fragment, "depth"),
                        cJSON_IsTrue(mcp_get(fragment, "front")) ? "front side" : "back side",
                        cJSON_IsTrue(mcp_get(fragment, "shown")) ? ", visible" : ", hidden");
     }
@@ -194,13 +218,16 @@ static void put_pick(const struct mcp_job *job, const struct target *target, con
     cJSON *made = cJSON_AddArrayToObject(content, "fragments");
     cJSON_ArrayForEach(fragment, list)
     {
-        if (cJSON_GetArraySize(made) < FRAGMENTS_MAX) cJSON_AddItemToArray(made, make_fragment(fragment));
+        if (cJSON_GetArraySize(made) < FRAGMENTS_MAX) mcp_append(made, make_fragment(fragment));
     }
     mcp_text_print(&words, "pixel (%u, %u) of image %u: %s", job->x, job->y, job->image,
                    target->is_paper           ? "paper between the views of the sheet"
                    : cJSON_GetArraySize(made) ? "surfaces, the nearest first:"
                                               : "nothing, the background");
-    describe_fragments(&words, content);
+    if (mcp_memory_has_failed())
+        result->failed = true;
+    else
+        describe_fragments(&words, content);
     mcp_text_put(result, "\"content\":[");
     put_block(result, &words);
     put_content(result, content);

@@ -122,7 +122,8 @@ static void put_views(const struct mcp_job *job, const struct mcp_picture *pictu
         drop_views(head);
     }
     /* Parallel rays show lengths; the presets of a list keep the projection of the view. */
-    if (!job->message->scene.at && !picture->view) put(head, "view", "{\"preset\":\"isometric\",\"orthographic\":{}}");
+    if (job->is_bare && !job->own[MCP_OWN_VIEW].at && !picture->view)
+        put(head, "view", "{\"preset\":\"isometric\",\"orthographic\":{}}");
 }
 
 /* Puts what concerns pictures alone. */
@@ -130,19 +131,18 @@ static void put_picture(const struct mcp_job *job, const struct mcp_picture *pic
 {
     char window[64];
     const cJSON *item;
-    const bool is_bare = !job->message->scene.at;
     snprintf(window, sizeof window, "{\"width\":%u,\"height\":%u}", picture->width, picture->height);
     put(head, "window", window);
     put_views(job, picture, head);
     item = mcp_job_argument(job, "look");
     if (item)
         put_item(head, "look", item);
-    else if (is_bare)
+    else if (job->is_bare && !job->own[MCP_OWN_LOOK].at)
         put(head, "look", "\"studio\"");
     item = mcp_job_argument(job, "up");
     if (item)
         put_item(head, "up", item);
-    else if (is_bare)
+    else if (job->is_bare && !job->own[MCP_OWN_UP].at)
         put(head, "up", job->model.z_is_up ? "\"z\"" : "\"y\"");
     put_item(head, "sections", mcp_job_argument(job, "sections"));
     cJSON_ArrayForEach(item, mcp_job_argument(job, "parts")) put_item(head, item->string, item);
@@ -175,7 +175,7 @@ bool mcp_compose(const struct mcp_job *job, const struct mcp_picture *picture, s
     struct head head = {.count = 0};
     mcp_text_put(&head.text, "{");
     put(&head, "outputs", picture->outputs);
-    if (!own.at) put_meshes(job, &head);
+    if (job->is_bare) put_meshes(job, &head);
     if (picture->width > 0) {
         put_picture(job, picture, &head);
     } else {

@@ -7,7 +7,9 @@
 
 #include "tree.h"
 
-enum { PARTS_MAX = 50, PARTS_DESCRIBED = 12 };
+enum { PARTS_MAX = 50, PARTS_DESCRIBED = 12, SHELL_KINDS = 3, NAME_MAX_BYTES = 80, WARNING_MAX_BYTES = 1000 };
+
+static const char *const SHELLS[SHELL_KINDS] = {"outward", "inward", "open"};
 
 /* Returns a number of a float's digits. */
 static cJSON *make_number(double value)
@@ -20,7 +22,7 @@ static cJSON *make_number(double value)
 static void copy(cJSON *to, const cJSON *from, const char *name)
 {
     const cJSON *item = mcp_get(from, name);
-    if (item) cJSON_AddItemToObject(to, name, cJSON_Duplicate(item, true));
+    if (item) mcp_add(to, name, cJSON_Duplicate(item, true));
 }
 
 /* ---- the model ---- */
@@ -33,11 +35,11 @@ static cJSON *make_box(const cJSON *bounds)
     cJSON *box = cJSON_CreateObject();
     for (int i = 0; i < 3; i++)
         size[i] = mcp_number_at(max, i) - mcp_number_at(min, i);
-    cJSON_AddItemToObject(box, "min", cJSON_Duplicate(min, true));
-    cJSON_AddItemToObject(box, "max", cJSON_Duplicate(max, true));
+    mcp_add(box, "min", cJSON_Duplicate(min, true));
+    mcp_add(box, "max", cJSON_Duplicate(max, true));
     cJSON *list = cJSON_AddArrayToObject(box, "size");
     for (int i = 0; i < 3; i++)
-        cJSON_AddItemToArray(list, make_number(size[i]));
+        mcp_append(list, make_number(size[i]));
     return box;
 }
 
@@ -48,37 +50,42 @@ static cJSON *make_part(const cJSON *part)
     cJSON *made = cJSON_CreateObject();
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         copy(made, part, keys[i]);
-    cJSON_AddItemToObject(made, "box", make_box(mcp_get(part, "box")));
+    mcp_add(made, "box", make_box(mcp_get(part, "box")));
     return made;
 }
 
 void mcp_facts_add_unit(cJSON *content, const cJSON *info)
 {
     const cJSON *unit = mcp_get(info, "unit");
-    cJSON_AddItemToObject(content, "units", unit ? cJSON_Duplicate(unit, true) : cJSON_CreateNull());
+    mcp_add(content, "units", unit ? cJSON_Duplicate(unit, true) : cJSON_CreateNull());
 }
 
 void mcp_facts_add(cJSON *content, const cJSON *info)
 {
     const cJSON *parts = mcp_get(info, "parts"), *part;
     const double omitted = mcp_number_of(info, "partsOmitted");
-    double area = 0, volume = 0;
+    double area = 0, volume = 0, shells[SHELL_KINDS] = {0};
     bool is_closed = omitted == 0 && cJSON_GetArraySize(parts) > 0;
     mcp_facts_add_unit(content, info);
-    cJSON_AddItemToObject(content, "box", make_box(mcp_get(info, "bounds")));
+    mcp_add(content, "box", make_box(mcp_get(info, "bounds")));
     cJSON *list = cJSON_CreateArray();
     cJSON_ArrayForEach(part, parts)
     {
         area += mcp_number_of(part, "area");
         volume += mcp_number_of(part, "volume");
         is_closed = is_closed && cJSON_IsTrue(mcp_get(part, "closed"));
-        if (cJSON_GetArraySize(list) < PARTS_MAX) cJSON_AddItemToArray(list, make_part(part));
+        for (int i = 0; i < SHELL_KINDS; i++)
+            shells[i] += mcp_number_of(mcp_get(part, "shells"), SHELLS[i]);
+        if (cJSON_GetArraySize(list) < PARTS_MAX) mcp_append(list, make_part(part));
     }
-    cJSON_AddItemToObject(content, "volume", is_closed ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
-    cJSON_AddItemToObject(content, "area", omitted == 0 ? cJSON_CreateNumber(area) : cJSON_CreateNull());
+    mcp_add(content, "volume", is_closed ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
+    mcp_add(content, "area", omitted == 0 ? cJSON_CreateNumber(area) : cJSON_CreateNull());
     cJSON_AddBoolToObject(content, "closed", is_closed);
-    cJSON_AddItemToObject(content, "parts", list);
+    cJSON *sum = omitted == 0 ? cJSON_AddObjectToObject(content, "shells") : cJSON_AddNullToObject(content, "shells");
+    for (int i = 0; i < SHELL_KINDS && omitted == 0; i++)
+        cJSON_AddNumberToObject(sum, SHELLS[i], shells[i]);
     const double more = omitted + cJSON_GetArraySize(parts) - cJSON_GetArraySize(list);
+    mcp_add(content, "parts", list);
     if (more > 0) cJSON_AddNumberToObject(content, "partsOmitted", more);
 }
 
@@ -95,7 +102,7 @@ static cJSON *make_vector(double x, double y, double z)
     const double values[] = {x, y, z};
     cJSON *list = cJSON_CreateArray();
     for (int i = 0; i < 3; i++)
-        cJSON_AddItemToArray(list, cJSON_CreateNumber(values[i] == 0 ? 0 : round(values[i] * 1e4) / 1e4));
+        mcp_append(list, cJSON_CreateNumber(values[i] == 0 ? 0 : round(values[i] * 1e4) / 1e4));
     return list;
 }
 
@@ -108,17 +115,19 @@ static void add_view(cJSON *views, const cJSON *camera, const char *name, unsign
     const bool is_parallel = mcp_number_at(projection, 15) == 1 && mcp_number_at(projection, 0) != 0;
     cJSON_AddStringToObject(view, "name", *name ? name : "view");
     cJSON_AddNumberToObject(view, "image", number);
-    if (box) cJSON_AddItemToObject(view, "box", cJSON_Duplicate(box, true));
+    if (box) mcp_add(view, "box", cJSON_Duplicate(box, true));
     copy(view, camera, "azimuthDegrees");
     copy(view, camera, "elevationDegrees");
-    cJSON_AddItemToObject(view, "looksAlong",
-                          make_vector(-mcp_number_at(pose, 2), -mcp_number_at(pose, 6), -mcp_number_at(pose, 10)));
+    mcp_add(view, "looksAlong",
+            make_vector(-mcp_number_at(pose, 2), -mcp_number_at(pose, 6), -mcp_number_at(pose, 10)));
     cJSON_AddStringToObject(view, "projection", is_parallel ? "orthographic" : "perspective");
-    cJSON_AddItemToObject(view, "unitsPerPixel",
-                          is_parallel ? make_number(2 / fabs(mcp_number_at(projection, 0) * pixels))
-                                      : cJSON_CreateNull());
+    mcp_add(view, "unitsPerPixel",
+            is_parallel ? make_number(2 / fabs(mcp_number_at(projection, 0) * pixels)) : cJSON_CreateNull());
     copy(view, camera, "eye");
-    cJSON_AddItemToArray(views, view);
+    copy(view, camera, "coveredShare");
+    if (mcp_get(camera, "coveredShare"))
+        cJSON_AddBoolToObject(view, "blank", mcp_number_of(camera, "coveredShare") == 0);
+    mcp_append(views, view);
 }
 
 void mcp_facts_add_views(cJSON *views, const struct mcp_shot *shot, unsigned number, bool is_sheet)
@@ -143,14 +152,28 @@ void mcp_facts_add_views(cJSON *views, const struct mcp_shot *shot, unsigned num
     copy(view, picture, "blank");
 }
 
+/* Copies a warning. Each view of a sheet says whether it is blank, so the first one's warning of that is left out. */
+static cJSON *copy_warning(const cJSON *warning, bool is_sheet)
+{
+    static const char blank[] = "nothing is seen";
+    if (!cJSON_IsString(warning)) return NULL;
+    if (is_sheet && strncmp(warning->valuestring, blank, sizeof blank - 1) == 0) return NULL;
+    return cJSON_Duplicate(warning, true);
+}
+
 void mcp_facts_add_warnings(cJSON *warnings, const cJSON *info)
 {
+    const bool is_sheet = mcp_get(info, "sheet");
     const cJSON *warning, *there;
     cJSON_ArrayForEach(warning, mcp_get(info, "warnings"))
     {
-        bool is_there = !cJSON_IsString(warning);
-        cJSON_ArrayForEach(there, warnings) is_there |= strcmp(there->valuestring, warning->valuestring) == 0;
-        if (!is_there) cJSON_AddItemToArray(warnings, cJSON_Duplicate(warning, true));
+        cJSON *made = copy_warning(warning, is_sheet);
+        bool is_there = !made;
+        cJSON_ArrayForEach(there, warnings) is_there |= made && strcmp(there->valuestring, made->valuestring) == 0;
+        if (is_there)
+            cJSON_Delete(made);
+        else
+            mcp_append(warnings, made);
     }
 }
 
@@ -178,17 +201,47 @@ static void describe_box(struct mcp_text *text, const cJSON *box, const char *un
                    mcp_number_at(min, 1), mcp_number_at(max, 1), mcp_number_at(min, 2), mcp_number_at(max, 2));
 }
 
-static void describe_part(struct mcp_text *text, const cJSON *part, const char *unit)
+/* Writes the numbers of shells, unless there is one alone, whose kind is told. */
+static void describe_shells(struct mcp_text *text, const cJSON *shells)
+{
+    static const char *const words[SHELL_KINDS][2] = {
+        {"closed shell", "closed shells"},
+        {"inward shell (a void, or inside out)", "inward shells (voids, or inside out)"},
+        {"open shell", "open shells"}};
+    const double outward = mcp_number_of(shells, SHELLS[0]), inward = mcp_number_of(shells, SHELLS[1]);
+    const char *between = "; ";
+    if (inward == 0 && outward + mcp_number_of(shells, SHELLS[2]) <= 1) return;
+    for (int i = 0; i < SHELL_KINDS; i++) {
+        const double count = mcp_number_of(shells, SHELLS[i]);
+        if (count == 0) continue;
+        mcp_text_print(text, "%s%.0f %s", between, count, words[i][count > 1]);
+        between = ", ";
+    }
+}
+
+/* Returns true if colours tell parts apart. */
+static bool have_colors(const cJSON *parts)
+{
+    const cJSON *part, *first = mcp_get(cJSON_GetArrayItem(parts, 0), "color");
+    cJSON_ArrayForEach(part, parts) if (!cJSON_Compare(mcp_get(part, "color"), first, true)) return true;
+    return false;
+}
+
+static void describe_part(struct mcp_text *text, const cJSON *part, const char *unit, bool has_color)
 {
     const cJSON *name = mcp_get(part, "name"), *volume = mcp_get(part, "volume");
-    mcp_text_print(text, "\n- part %.0f '%.80s': ", mcp_number_of(part, "id"),
-                   cJSON_IsString(name) ? name->valuestring : "");
+    const double triangles = mcp_number_of(part, "triangles");
+    mcp_text_print(text, "\n- part %.0f '", mcp_number_of(part, "id"));
+    mcp_text_line(text, cJSON_IsString(name) ? name->valuestring : "", NAME_MAX_BYTES);
+    mcp_text_put(text, "': ");
     describe_box(text, mcp_get(part, "box"), unit);
-    mcp_text_print(text, ", %.0f triangles", mcp_number_of(part, "triangles"));
+    mcp_text_print(text, ", %.0f triangle%s", triangles, triangles == 1 ? "" : "s");
     if (cJSON_IsNumber(volume))
         mcp_text_print(text, ", closed, volume %.6g %s^3", volume->valuedouble, unit);
     else
         mcp_text_put(text, ", not closed");
+    describe_shells(text, mcp_get(part, "shells"));
+    if (has_color && mcp_get(part, "color")) mcp_text_print(text, ", color %s", mcp_get(part, "color")->valuestring);
 }
 
 void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
@@ -203,13 +256,21 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
         mcp_text_print(text, "; closed, volume %.6g %s^3", volume->valuedouble, unit);
     else
         mcp_text_put(text, "; not closed, so there is no volume");
+    describe_shells(text, mcp_get(content, "shells"));
     const int count = cJSON_GetArraySize(parts) + (int)mcp_number_of(content, "partsOmitted");
     mcp_text_print(text, "; %d part%s", count, count == 1 ? "" : "s");
     if (strcmp(unit, "units") == 0) mcp_text_put(text, "; the format names no unit");
-    cJSON_ArrayForEach(part, parts) if (count > 1 && described++ < PARTS_DESCRIBED) describe_part(text, part, unit);
+    const bool has_colors = have_colors(parts);
+    cJSON_ArrayForEach(part, parts)
+    {
+        if (count > 1 && described++ < PARTS_DESCRIBED) describe_part(text, part, unit, has_colors);
+    }
     if (count > PARTS_DESCRIBED) mcp_text_print(text, "\n- and %d more parts", count - PARTS_DESCRIBED);
     cJSON_ArrayForEach(warning, mcp_get(content, "warnings"))
-        mcp_text_print(text, "\nwarning: %.1000s", warning->valuestring);
+    {
+        mcp_text_put(text, "\nwarning: ");
+        mcp_text_line(text, warning->valuestring, WARNING_MAX_BYTES);
+    }
 }
 
 /* Writes where a camera stands: "from the front-right and above". */
@@ -235,7 +296,7 @@ static void describe_view(struct mcp_text *text, const cJSON *content, const cJS
 {
     const cJSON *along = mcp_get(view, "looksAlong"), *scale = mcp_get(view, "unitsPerPixel"),
                 *eye = mcp_get(view, "eye"), *covered = mcp_get(view, "coveredShare");
-    mcp_text_put(text, mcp_get(view, "name")->valuestring);
+    mcp_text_line(text, mcp_get(view, "name")->valuestring, NAME_MAX_BYTES);
     describe_side(text, view);
     mcp_text_print(text, ", looks along (%.4g, %.4g, %.4g)", mcp_number_at(along, 0), mcp_number_at(along, 1),
                    mcp_number_at(along, 2));
@@ -254,7 +315,9 @@ static void describe_view(struct mcp_text *text, const cJSON *content, const cJS
 void mcp_facts_describe_shot(struct mcp_text *text, const cJSON *content, const struct mcp_shot *shot, unsigned number)
 {
     const cJSON *view;
+    const cJSON *up = mcp_get(mcp_get(shot->info, "up"), "axis");
     mcp_text_print(text, "Image %u, %u x %u pixels, ", number, shot->width, shot->height);
+    if (cJSON_IsString(up)) mcp_text_print(text, "%s is up, ", up->valuestring);
     describe_box(text, mcp_get(content, "box"), mcp_facts_unit(content));
     cJSON_ArrayForEach(view, mcp_get(content, "views"))
     {

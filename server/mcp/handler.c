@@ -7,6 +7,7 @@
 #include "call.h"
 #include "faults.h"
 #include "header.h"
+#include "memory.h"
 #include "near.h"
 #include "tools.h"
 
@@ -232,6 +233,7 @@ enum mcp_draw_status mcp_handle(const struct mcp_host *host, struct mcp_span tex
     enum mcp_walk_fault fault;
     enum mcp_draw_status status = MCP_DRAWN;
     *reply = (struct mcp_reply){.http_status = 202};
+    mcp_memory_clear();
     const int code = mcp_message_read(message, text, host, &why, &fault);
     /* The header alone also marks a modern request. */
     if (code == 0 && headers && headers->version && mcp_header_is(headers->version, MCP_MODERN) &&
@@ -242,13 +244,13 @@ enum mcp_draw_status mcp_handle(const struct mcp_host *host, struct mcp_span tex
     } else if (code == MCP_WRONG_PARAMS && !message->id.at) {
         /* a notification has no answer */
     } else if (code != 0) {
-        refuse(&exchange, code, code == MCP_WRONG_PARAMS ? 200 : 400, why, NULL);
+        refuse(&exchange, code, code == MCP_WRONG_PARAMS ? 200 : code == MCP_INTERNAL ? 500 : 400, why, NULL);
     } else if (message->id.at) {
         if (host->begin) host->begin(host->context, message->id);
         status = run(&exchange);
     }
     mcp_message_free(message);
-    if (status == MCP_DRAWN && reply->text.failed) {
+    if (status == MCP_DRAWN && (reply->text.failed || mcp_memory_has_failed())) {
         mcp_text_free(&reply->text);
         refuse(&exchange, MCP_INTERNAL, 500, "out of memory", NULL);
     }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "faults.h"
+#include "given.h"
 
 /* Arguments of each tool. */
 #define OF_ALL      "model", "scene", "up"
@@ -14,8 +15,10 @@ static const char *const ARGUMENTS[MCP_TOOLS][16] = {
 static const char *const PARTS[] = {"hide", "isolate", "ghost", "highlight", "explode", "colors", NULL};
 
 static const char *const OWN[MCP_OWN_COUNT] = {
-    [MCP_OWN_WINDOW] = "window",       [MCP_OWN_VIEWS] = "views", [MCP_OWN_SHEET] = "sheet",
-    [MCP_OWN_TURNTABLE] = "turntable", [MCP_OWN_ORBIT] = "orbit", [MCP_OWN_ANIMATE] = "animate"};
+    [MCP_OWN_LOOK] = "look",           [MCP_OWN_UP] = "up",           [MCP_OWN_VIEW] = "view",
+    [MCP_OWN_MESHES] = "meshes",       [MCP_OWN_OUTPUTS] = "outputs", [MCP_OWN_VISIBILITY] = "visibility",
+    [MCP_OWN_WINDOW] = "window",       [MCP_OWN_VIEWS] = "views",     [MCP_OWN_SHEET] = "sheet",
+    [MCP_OWN_TURNTABLE] = "turntable", [MCP_OWN_ORBIT] = "orbit",     [MCP_OWN_ANIMATE] = "animate"};
 
 const cJSON *mcp_job_argument(const struct mcp_job *job, const char *name)
 {
@@ -65,10 +68,17 @@ static void check_names(struct mcp_job *job)
     cJSON_ArrayForEach(item, job->message->arguments)
     {
         snprintf(pointer, sizeof pointer, "/%.100s", item->string);
-        if (!is_in(ARGUMENTS[job->tool], item->string))
+        if (is_in(ARGUMENTS[job->tool], item->string)) continue;
+        if (is_in(mcp_model_keys, item->string))
+            mcp_fault(&job->faults, pointer, "it is a key of model: {\"model\": {\"%s\": ...}}", item->string);
+        else
             mcp_fault_unknown(&job->faults, pointer, "the argument", item->string, ARGUMENTS[job->tool]);
     }
-    const cJSON *parts = mcp_job_argument(job, "parts");
+    if (job->faults.count > 0)
+        mcp_fault(&job->faults, "",
+                  "other keys, such as background and lights, go into scene; a model may be beside it");
+    const cJSON *parts = mcp_job_argument(job, "parts"), *annotate = mcp_job_argument(job, "annotate");
+    if (annotate && !cJSON_IsBool(annotate)) mcp_fault(&job->faults, "/annotate", "true or false is expected");
     if (parts && !cJSON_IsObject(parts))
         mcp_fault(&job->faults, "/parts", "an object is expected, such as {\"hide\": [\"cover\"]}");
     cJSON_ArrayForEach(item, parts)
@@ -110,7 +120,9 @@ static void read_format(struct mcp_job *job)
 static void read_views(struct mcp_job *job)
 {
     const cJSON *views = mcp_job_argument(job, "views"), *sheet = mcp_job_argument(job, "sheet");
-    job->has_own_views = !views && job->message->scene.at != NULL;
+    job->has_own_views = !views && !job->is_bare;
+    for (int i = MCP_OWN_VIEWS; i < MCP_OWN_COUNT && !views; i++)
+        job->has_own_views = job->has_own_views || job->own[i].at || job->own[MCP_OWN_VIEW].at;
     if (views && (!cJSON_IsArray(views) || cJSON_GetArraySize(views) == 0)) {
         mcp_fault(&job->faults, "/views", "a list is expected, such as [\"front\", \"isometric\"]");
         return;
@@ -181,13 +193,15 @@ bool mcp_job_read(struct mcp_job *job, const struct mcp_host *host, const struct
     if (!scene && !mcp_job_argument(job, "model"))
         mcp_fault(&job->faults, "", "give a model, a scene, or a scene that names the model");
     if (!mcp_model_read(host, message, &job->model, &job->faults)) return false;
+    find_own(job);
+    job->is_bare = !job->message->scene.at || (job->model.is_given && !job->own[MCP_OWN_MESHES].at);
+    if (tool == MCP_RENDER) read_format(job);
+    mcp_given_check(job);
     if (tool != MCP_FACTS) {
-        find_own(job);
         read_views(job);
         if (job->images > MCP_IMAGES_MAX) return false;
         read_window(job);
     }
-    if (tool == MCP_RENDER) read_format(job);
     if (tool == MCP_PICK) read_pixel(job);
     return job->faults.count == 0;
 }
@@ -216,8 +230,8 @@ void mcp_job_point(const struct mcp_job *job, char pointer[MCP_POINTER_SIZE])
         replace(pointer, strlen(pointer), mcp_job_argument(job, "format") ? "/format" : "");
     else if (mcp_job_argument(job, key))
         return;
+    else if (job->is_bare && strcmp(key, "meshes") == 0)
+        replace(pointer, strlen(pointer), "/model");
     else if (job->message->scene.at)
         replace(pointer, 0, "/scene");
-    else if (strcmp(key, "meshes") == 0)
-        replace(pointer, strlen(pointer), "/model");
 }

@@ -10,8 +10,15 @@ enum { MCP_IMAGES_MAX = 8, MCP_SIDE_MIN = 16, MCP_SIDE_MAX = 1568 };
 
 enum mcp_tool { MCP_RENDER, MCP_FACTS, MCP_PICK, MCP_TOOLS };
 
-/* Keys of a given scene that decide about its pictures. Those from MCP_OWN_TURNTABLE on make several. */
+/* Keys of a given scene that decide about its pictures and its model. Those from MCP_OWN_TURNTABLE on make several
+ * views. */
 enum mcp_own {
+    MCP_OWN_MESHES,
+    MCP_OWN_LOOK,
+    MCP_OWN_UP,
+    MCP_OWN_VIEW,
+    MCP_OWN_OUTPUTS,
+    MCP_OWN_VISIBILITY,
     MCP_OWN_WINDOW,
     MCP_OWN_VIEWS,
     MCP_OWN_SHEET,
@@ -33,8 +40,9 @@ struct mcp_job {
     unsigned images;
     const char *format;                 /* "png", "jpeg" or "webp"; NULL: by the size */
     unsigned image, x, y;               /* of MCP_PICK */
+    bool is_bare;                       /* the model is drawn as without a scene, but for the scene's keys */
     bool has_own_views;                 /* the scene's views are drawn, not those of the arguments */
-    struct mcp_span own[MCP_OWN_COUNT]; /* values of the scene's keys; not read for MCP_FACTS */
+    struct mcp_span own[MCP_OWN_COUNT]; /* values of the scene's keys */
 };
 
 /* Reads and checks the arguments. False: the job has faults, memory is exhausted or the request is cancelled. */

@@ -79,15 +79,15 @@ static void walk_over(struct mcp_message *message, struct mcp_walk *walk, struct
             mcp_walk_value(walk, mcp_span_is(key, "id") ? &message->id : NULL);
 }
 
-/* Makes the tree of the rest. */
-static cJSON *parse_rest(struct mcp_span text, const struct cuts *cuts, bool *is_too_large)
+/* Makes the tree of the rest. Without it, `code` has the reason. */
+static cJSON *parse_rest(struct mcp_span text, const struct cuts *cuts, int *code)
 {
     struct mcp_text rest = {0};
     size_t size = (size_t)(text.end - text.at);
     for (size_t i = 0; i < cuts->count; i++)
         size -= (size_t)(cuts->at[i].end - cuts->at[i].at);
-    *is_too_large = size > REST_MAX;
-    if (*is_too_large) return NULL;
+    *code = MCP_NOT_A_REQUEST;
+    if (size > REST_MAX) return NULL;
     const char *at = text.at;
     for (size_t i = 0; i < cuts->count; i++) {
         mcp_text_add(&rest, at, (size_t)(cuts->at[i].at - at));
@@ -95,6 +95,7 @@ static cJSON *parse_rest(struct mcp_span text, const struct cuts *cuts, bool *is
         at = cuts->at[i].end;
     }
     mcp_text_add(&rest, at, (size_t)(text.end - at));
+    *code = rest.failed ? MCP_INTERNAL : MCP_NOT_JSON;
     cJSON *root = rest.failed ? NULL : cJSON_ParseWithLength(rest.data, rest.size);
     mcp_text_free(&rest);
     return root;
@@ -153,7 +154,7 @@ int mcp_message_read(struct mcp_message *message, struct mcp_span text, const st
 {
     struct cuts cuts = {.count = 0};
     struct mcp_walk walk = mcp_walk_open(text, host);
-    bool is_too_large;
+    int code;
     *message = (struct mcp_message){.root = NULL};
     walk_over(message, &walk, &cuts);
     *why = "the message is not JSON in UTF-8, or is nested too deep, or has a \\u0000";
@@ -163,11 +164,12 @@ int mcp_message_read(struct mcp_message *message, struct mcp_span text, const st
         return MCP_NOT_JSON;
     }
     *fault = MCP_WALK_OK;
-    message->root = parse_rest(text, &cuts, &is_too_large);
+    message->root = parse_rest(text, &cuts, &code);
     if (message->root) return take(message, why);
     if (message->id.at && !is_id(message->id)) message->id = (struct mcp_span){NULL, NULL};
-    *why = is_too_large ? "the message has more than 262144 bytes beside its scene and model" : *why;
-    return is_too_large ? MCP_NOT_A_REQUEST : MCP_NOT_JSON;
+    if (code == MCP_NOT_A_REQUEST) *why = "the message has more than 262144 bytes beside its scene and model";
+    if (code == MCP_INTERNAL) *why = "out of memory";
+    return code;
 }
 
 void mcp_message_free(struct mcp_message *message)

@@ -180,7 +180,7 @@ static bool is_z_up(const struct mcp_model *model)
 
 /* ---- the argument ---- */
 
-static const char *const KEYS[] = {"base64", "text", "path", "asset", NULL};
+const char *const mcp_model_keys[] = {"base64", "text", "path", "asset", NULL};
 
 static bool take_path(const struct mcp_host *host, const char *path, struct mcp_model *model, struct mcp_faults *faults)
 {
@@ -213,11 +213,11 @@ static const cJSON *find_source(const cJSON *given, struct mcp_faults *faults)
     {
         size_t i = 0;
         char pointer[MCP_POINTER_SIZE];
-        while (KEYS[i] && strcmp(KEYS[i], item->string) != 0)
+        while (mcp_model_keys[i] && strcmp(mcp_model_keys[i], item->string) != 0)
             i++;
         snprintf(pointer, sizeof pointer, "/model/%.100s", item->string);
-        if (!KEYS[i])
-            mcp_fault_unknown(faults, pointer, "the key", item->string, KEYS);
+        if (!mcp_model_keys[i])
+            mcp_fault_unknown(faults, pointer, "the key", item->string, mcp_model_keys);
         else if (!cJSON_IsString(item))
             mcp_fault(faults, pointer, "a string is expected");
         else if (found)

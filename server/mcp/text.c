@@ -58,6 +58,14 @@ void mcp_text_print(struct mcp_text *text, const char *format, ...)
     va_end(again);
 }
 
+void mcp_text_line(struct mcp_text *text, const char *string, size_t most)
+{
+    const size_t size = strnlen(string, most), before = text->size;
+    mcp_text_add(text, string, size);
+    for (size_t i = before; i < text->size; i++)
+        if ((unsigned char)text->data[i] < ' ' || text->data[i] == 0x7f) text->data[i] = ' ';
+}
+
 void mcp_text_json(struct mcp_text *text, const char *string)
 {
     const char *const end = string + strlen(string);

@@ -16,6 +16,10 @@ void mcp_text_add(struct mcp_text *text, const void *bytes, size_t size);
 void mcp_text_put(struct mcp_text *text, const char *words);
 void mcp_text_print(struct mcp_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Adds up to `most` bytes of a string as a part of one line: control characters become spaces, so that a name in a
+ * model's file cannot begin a line of its own. */
+void mcp_text_line(struct mcp_text *text, const char *string, size_t most);
+
 /* Adds a JSON string, with its quotes. Bytes that are no UTF-8 become '?'. */
 void mcp_text_json(struct mcp_text *text, const char *string);
 

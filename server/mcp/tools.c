@@ -3,8 +3,9 @@
 const char *const mcp_tool_names[MCP_TOOLS + 1] = {"render", "facts", "pick", NULL};
 
 const char mcp_instructions[] =
-    "zraster measures and draws 3D models. Measure before you look: facts gives box, volume, closedness and parts "
-    "without a picture. render draws pictures with numbers beside them; its default is one sheet of four views from "
+    "zraster measures and draws 3D models. Measure before you look: facts gives box, volume, closedness, shells and "
+    "parts without a picture. render draws pictures with numbers beside them; its default is one sheet of four views "
+    "from "
     "all sides at one scale. pick tells what a pixel of such a picture shows. Coordinates are those of the file. The "
     "same call gives the same pixels on every machine.";
 
@@ -15,9 +16,10 @@ const char mcp_instructions[] =
 #define MODEL_TEXTS                                                                                                    \
     "\"base64\":{\"type\":\"string\",\"description\":\"The file's bytes in base64.\"},"                                \
     "\"text\":{\"type\":\"string\",\"description\":\"The file's text, of OBJ, STL, PLY or glTF.\"},"
-static const char model_of_files[] = MODEL_HEAD
-    " below the server's folder: give a path, or the bytes or text of a file.\",\"properties\":{"
-    "\"path\":{\"type\":\"string\",\"description\":\"Path of the file from the server's folder.\"}," MODEL_TEXTS;
+static const char model_of_files[] =
+    MODEL_HEAD " below the server's folder: give a path, or the bytes or text of a file.\",\"properties\":{"
+               "\"path\":{\"type\":\"string\",\"description\":\"Path of the file from the server's folder. The path "
+               "'.' gets the list of its models.\"}," MODEL_TEXTS;
 static const char model_of_assets[] =
     MODEL_HEAD ": give its bytes, its text or an uploaded asset.\",\"properties\":{" MODEL_TEXTS
                "\"asset\":{\"type\":\"string\",\"description\":\"'sha256:' and the hash of an asset that "
@@ -71,19 +73,28 @@ static const char pixel[] =
 #define BOX                                                                                                            \
     "{\"type\":[\"object\",\"null\"],\"required\":[\"min\",\"max\",\"size\"],\"properties\":{\"min\":" VECTOR          \
     ",\"max\":" VECTOR ",\"size\":" VECTOR "}}"
+#define SHELL_COUNTS                                                                                                   \
+    ",\"required\":[\"outward\",\"inward\",\"open\"],\"properties\":{\"outward\":{\"type\":\"integer\"},"              \
+    "\"inward\":{\"type\":\"integer\"},\"open\":{\"type\":\"integer\"}},\"description\":\"Connected surfaces. "        \
+    "outward: "                                                                                                        \
+    "closed. inward: closed, with faces that look inwards (a void, or inside out). open: the rest.\"}"
+#define SHELLS       "{\"type\":\"object\"" SHELL_COUNTS
+#define MAYBE_SHELLS "{\"type\":[\"object\",\"null\"]" SHELL_COUNTS
 #define FACTS                                                                                                          \
     "\"units\":{\"type\":[\"string\",\"null\"],\"description\":\"Unit of lengths; null: the format names none.\"},"    \
     "\"box\":" BOX                                                                                                     \
     ",\"volume\":{\"type\":[\"number\",\"null\"],\"description\":\"Sum over the parts; null unless all "               \
     "are closed; negative if faces are turned inside out.\"},\"area\":" MAYBE_NUMBER                                   \
     ",\"closed\":{\"type\":\"boolean\",\"description\":\"Every edge is used equally often in both directions.\"},"     \
-    "\"parts\":{\"type\":\"array\",\"items\":{\"type\":\"object\",\"required\":[\"name\",\"id\",\"box\",\"closed\"],"  \
+    "\"shells\":" MAYBE_SHELLS                                                                                         \
+    ",\"parts\":{\"type\":\"array\",\"items\":{\"type\":\"object\",\"required\":[\"name\",\"id\",\"box\",\"closed\"]," \
     "\"properties\":{\"name\":" TEXT ",\"id\":{\"type\":\"integer\"},\"box\":" BOX                                     \
     ",\"triangles\":{\"type\":\"integer\"},\"area\":" NUMBER ",\"volume\":" MAYBE_NUMBER                               \
-    ",\"closed\":{\"type\":\"boolean\"},\"leastWall\":" MAYBE_NUMBER ",\"centerOfMass\":" MAYBE_VECTOR                 \
-    ",\"color\":" TEXT ",\"pixels\":{\"type\":\"integer\"}}}},\"partsOmitted\":{\"type\":\"integer\"},"                \
+    ",\"closed\":{\"type\":\"boolean\"},\"shells\":" SHELLS ",\"leastWall\":" MAYBE_NUMBER                             \
+    ",\"centerOfMass\":" MAYBE_VECTOR ",\"color\":" TEXT                                                               \
+    ",\"pixels\":{\"type\":\"integer\"}}}},\"partsOmitted\":{\"type\":\"integer\"},"                                   \
     "\"warnings\":{\"type\":\"array\",\"items\":" TEXT "}"
-#define FACTS_REQUIRED "\"units\",\"box\",\"volume\",\"area\",\"closed\",\"parts\",\"warnings\""
+#define FACTS_REQUIRED "\"units\",\"box\",\"volume\",\"area\",\"closed\",\"shells\",\"parts\",\"warnings\""
 #define VIEW                                                                                                           \
     "{\"type\":\"object\",\"required\":[\"name\",\"image\",\"looksAlong\",\"projection\",\"unitsPerPixel\"],"          \
     "\"properties\":{\"name\":" TEXT ",\"image\":{\"type\":\"integer\"},\"box\":{\"type\":\"array\",\"items\":"        \
@@ -121,7 +132,8 @@ static const struct tool TOOLS[MCP_TOOLS] = {
      "and sheet, it is one sheet of four corners, two from above and two from below.",
      format, "", render_schema},
     {"Measure a 3D model",
-     "Measures a model or a scene without drawing: box, volume, area, whether it is closed, and the same of each part.",
+     "Measures a model or a scene without drawing: box, volume, area, whether it is closed, its shells, and the same "
+     "of each part.",
      NULL, "", facts_schema},
     {"Look up a pixel",
      "Tells what a pixel of a picture shows: part, face, depth and point of each surface there, the nearest first. "
@@ -138,7 +150,7 @@ void mcp_tools_list(struct mcp_text *text, const struct mcp_host *host)
                        "\"object\",\"properties\":{",
                        i ? "," : "", mcp_tool_names[i], tool->title, tool->description);
         mcp_text_put(text, host->reads_files ? model_of_files : model_of_assets);
-        text->size -= 1; /* the comma behind the last property */
+        if (text->size > 0) text->size -= 1; /* the comma behind the last property */
         mcp_text_print(text, "},\"additionalProperties\":false},%s", scene);
         if (tool->more) mcp_text_print(text, "%s%s", pictures, tool->more);
         mcp_text_print(text,

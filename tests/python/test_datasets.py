@@ -282,6 +282,21 @@ class Coco(unittest.TestCase):
             self.assertEqual([c for c, _ in found[number]], [c for c, _ in wanted])
             self.assertTrue(all((a == b).all() for (_, a), (_, b) in zip(found[number], wanted)))
 
+    def test_no_mask(self):
+        """decode says which masks are none"""
+        size = [2, 3]
+        self.assertEqual(coco.decode({"size": size, "counts": "132"}).sum(), 3)
+        self.assertEqual(coco.decode({"size": size, "counts": b"132"}).sum(), 3)
+        self.assertEqual(coco.decode({"size": [0, 3], "counts": ""}).shape, (0, 3))
+        for mask, expected in (
+            ({}, "size"), ([], "size"), (None, "size"), ({"size": size}, "counts"), ({"size": [2], "counts": "6"}, "size"), ({"size": [-2, -3], "counts": "6"}, "size"),
+            ({"size": [2.0, 3], "counts": "6"}, "size"), ({"size": size, "counts": [6]}, "list"), ({"size": size, "counts": "5"}, "5 pixels, not 2 x 3"),
+            ({"size": size, "counts": "7"}, "7 pixels"), ({"size": size, "counts": "6 "}, "no string of run lengths"), ({"size": size, "counts": "P"}, "cut short"),
+            ({"size": size, "counts": "\u00e9"}, "no string"), ({"size": size, "counts": "O7"}, "less than 0"),
+        ):
+            with self.subTest(mask), self.assertRaisesRegex(ValueError, expected):
+                coco.decode(mask)
+
     def test_holes(self):
         """outlines leave holes out, and pixels that meet at corners are apart"""
         rows = ["11100", "10100", "11101", "00010"]

@@ -1,5 +1,5 @@
-"""`facts` beside the reference figures of the 15 tasks that RobertCoop/openscad-mcp (MIT) measures agents by: box, volume or area, and
-closedness, in millimetres. The models are made here, from the tasks' dimensions."""
+"""`facts` beside the reference figures of the 15 tasks that RobertCoop/openscad-mcp (MIT) measures agents by: box, volume or area,
+closedness, solids and voids, in millimetres. The models are made here, from the tasks' dimensions."""
 import json
 import math
 import os
@@ -116,17 +116,49 @@ def gear():
 
 
 def handle():
-    arc = [(7 * math.cos(math.radians(a)), 7 * math.sin(math.radians(a))) for a in range(0, 91, 5)]
-    profile = [(0, 67), (0, -7)] + [(r, -z) for r, z in arc[::-1][1:]] + [(r, 60 + z) for r, z in arc[:-1]]
-    bar = moved(along_x(turned(profile)), lambda p: [p[0], p[1], p[2] + 18])
-    return bar + [face for x in (0, 60) for face in prism(ring(5, (x, 0)), 0, 11.5)]
+    """A bar with round ends on two posts: fans around each post, from its rim to the bar's outline, above and below."""
+    angles = sorted([2 * math.pi * i / 64 - math.pi for i in range(64)] + [math.atan2(7, 30), -math.atan2(7, 30)])
+    rows = [math.sin(math.pi / 2 * k / 8) for k in range(9)]
+
+    def ray(angle):
+        x, y = math.cos(angle), math.sin(angle)
+        end = 7 if x <= 0 else min(30 / x, 7 / abs(y) if y else 60)
+        return [((5 + (end - 5) * t) * x, (5 + (end - 5) * t) * y) for t in rows]
+
+    def at(point, side):
+        rest = 49 - point[1] ** 2 - min(point[0], 0) ** 2
+        return [*point, 18 + side * math.sqrt(rest if rest > 1e-6 else 0)]
+
+    faces = [cap([ray(angle)[0] for angle in angles], 0, False)]
+    for angle, following in zip(angles, angles[1:] + angles[:1]):
+        a, b = ray(angle), ray(following)
+        faces += [{"vertices": [at((0, 0), 1), at(a[0], 1), at(b[0], 1)]}, {"vertices": [[*a[0], 0], [*b[0], 0], at(b[0], -1), at(a[0], -1)]}]
+        for k in range(8):
+            for side in (1, -1):
+                for corners in ((a[k], a[k + 1], b[k + 1]), (a[k], b[k + 1], b[k])):
+                    faces.append({"vertices": [at(corner, side) for corner in corners[::side]]})
+    return faces + moved(faces, lambda p: [60 - p[0], -p[1], p[2]])
+
+
+def leaf(sections):
+    """Returns a plate along x with knuckles; `sections`: begin, end, and whether there is a knuckle."""
+    start = math.atan2(1.5, -math.sqrt(16 - 1.5**2))
+    knuckle = [(4 * math.cos(a), 4 * math.sin(a)) for a in (start * (i / 24 - 1) for i in range(49))] + [(-6, 1.5), (-6, -1.5)]
+    plate, bore, faces = [(-6, 1.5), (-26, 1.5), (-26, -1.5), (-6, -1.5)], ring(2.1), []
+    whole = knuckle[:-2] + plate
+    for i, (x0, x1, is_knuckle) in enumerate(sections):
+        outline, holes = (whole, [bore]) if is_knuckle else (plate, [])
+        faces += wall(outline, x0, outline, x1) + [face for hole in holes for face in wall(hole, x0, hole, x1, True)]
+        for x, up, is_end in ((x0, False, i == 0), (x1, True, i + 1 == len(sections))):
+            if is_end or is_knuckle:
+                faces.append(cap(outline if is_end else knuckle, x, up, holes))
+    return along_x(faces)
 
 
 def hinge():
-    tube = lambda x0, x1: along_x(prism(ring(4), x0, x1, [ring(2.1)]))
-    box = lambda x0, y0, x1, y1: prism(square(x0, y0, x1, y1), -1.5, 1.5)
-    a = tube(0, 12) + tube(24, 36) + box(0, -26, 36, -6) + box(0, -6, 12, -3) + box(24, -6, 36, -3)
-    return a + tube(12.3, 23.7) + box(0, 6, 36, 26) + box(12.3, 3, 23.7, 6)
+    a = leaf([(0, 12, True), (12, 24, False), (24, 36, True)])
+    b = leaf([(0, 12.3, False), (12.3, 23.7, True), (23.7, 36, False)])
+    return a + moved(b, lambda p: [p[0], -p[1], -p[2]])
 
 
 def enclosure():
@@ -147,30 +179,30 @@ def lid():
     return [cap(plate, 0, False), *wall(plate, 0, plate, 3), cap(plate, 3, True, [lip]), *wall(lip, 3, lip, 7), cap(lip, 7, True)]
 
 
-# Sides of the box and their tolerance; volume and its tolerance in percent; whether the surface is closed.
+# Sides of the box and their tolerance; volume and its tolerance in percent; whether the surface is closed; its solids and voids.
 TASKS = {
-    "box_with_lid": (tub(square(0, 0, 60, 40), square(2, 2, 58, 38), 25, 2) + lid(), (130, 40, 25), 0.2, 28749.4, 3, True),
-    "bracket_l": (bracket(), (60, 40, 40), 0.2, 22025.6, 2, True),
-    "chain_link_pair": (torus(10, 2.5) + moved(torus(10, 2.5), lambda p: [p[0] + 10, -p[2], p[1]]), (35, 25, 25), 0.3, 2447.6, 5, True),
-    "countersunk_plate": (countersunk(), (60, 40, 6), 0.2, 13885.8, 3, True),
-    "gear_polygon": (gear(), (35.95, 35.95, 6), 0.3, 4660.5, 10, True),
-    "gridfinity_bin": (tub(rounded(41.5, 4), rounded(39.1, 2.8), 40, 2), (41.5, 41.5, 40), 0.2, 10498.5, 5, True),
-    "handle_hull": (handle(), (74, 14, 25), 0.2, 12478.6, 8, True),
-    "hinge_two_leaves": (hinge(), (36, 52, 8), 0.2, None, 0, True),
-    "hollow_enclosure": (enclosure(), (50, 40, 30), 0.2, 20625, 1, True),
-    "insert_boss": (boss(), (30, 30, 13), 0.2, 3101.5, 2, True),
+    "box_with_lid": (tub(square(0, 0, 60, 40), square(2, 2, 58, 38), 25, 2) + lid(), (130, 40, 25), 0.2, 28749.4, 3, True, (2, 0)),
+    "bracket_l": (bracket(), (60, 40, 40), 0.2, 22025.6, 2, True, (1, 0)),
+    "chain_link_pair": (torus(10, 2.5) + moved(torus(10, 2.5), lambda p: [p[0] + 10, -p[2], p[1]]), (35, 25, 25), 0.3, 2447.6, 5, True, (2, 0)),
+    "countersunk_plate": (countersunk(), (60, 40, 6), 0.2, 13885.8, 3, True, (1, 0)),
+    "gear_polygon": (gear(), (35.95, 35.95, 6), 0.3, 4660.5, 10, True, (1, 0)),
+    "gridfinity_bin": (tub(rounded(41.5, 4), rounded(39.1, 2.8), 40, 2), (41.5, 41.5, 40), 0.2, 10498.5, 5, True, (1, 0)),
+    "handle_hull": (handle(), (74, 14, 25), 0.2, 12478.6, 8, True, (1, 0)),
+    "hinge_two_leaves": (hinge(), (36, 52, 8), 0.2, None, 0, True, (2, 0)),
+    "hollow_enclosure": (enclosure(), (50, 40, 30), 0.2, 20625, 1, True, (1, 1)),
+    "insert_boss": (boss(), (30, 30, 13), 0.2, 3101.5, 2, True, (1, 0)),
     "laser_plate_2d": (
         [cap(square(0, 0, 120, 80), 0, True, [ring(2.5, (x, y)) for x in (10, 110) for y in (10, 70)] + [square(40, 30, 80, 50)])],
-        (120, 80, 0), 0.2, 8721.6, 2, False,
+        (120, 80, 0), 0.2, 8721.6, 2, False, (0, 0),
     ),
     "nameplate_chamfer": (
         [cap(square(0, 0, 80, 30), 0, False)] + wall(square(0, 0, 80, 30), 0, square(0, 0, 80, 30), 2.5)
         + wall(square(0, 0, 80, 30), 2.5, square(1.5, 1.5, 78.5, 28.5), 4) + [cap(square(1.5, 1.5, 78.5, 28.5), 4, True)],
-        (80, 30, 4), 0.2, 9357, 3, True,
+        (80, 30, 4), 0.2, 9357, 3, True, (1, 0),
     ),
-    "peg_and_hole": (prism(square(-15, -15, 15, 15), 0, 10, [ring(4.2)]) + prism(ring(4), 0, 20), (30, 30, 20), 0.2, 9450.4, 2, True),
-    "plate_simple": (prism(square(0, 0, 60, 40), 0, 5), (60, 40, 5), 0.2, 12000, 1, True),
-    "vase_rotate_extrude": (turned([(0, 0), (22, 0), (18, 50), (16, 50), (19.76, 3), (0, 3)]), (44, 44, 50), 0.2, 16087.4, 10, True),
+    "peg_and_hole": (prism(square(-15, -15, 15, 15), 0, 10, [ring(4.2)]) + prism(ring(4), 0, 20), (30, 30, 20), 0.2, 9450.4, 2, True, (2, 0)),
+    "plate_simple": (prism(square(0, 0, 60, 40), 0, 5), (60, 40, 5), 0.2, 12000, 1, True, (1, 0)),
+    "vase_rotate_extrude": (turned([(0, 0), (22, 0), (18, 50), (16, 50), (19.76, 3), (0, 3)]), (44, 44, 50), 0.2, 16087.4, 10, True, (1, 0)),
 }
 
 
@@ -185,11 +217,12 @@ class Tasks(unittest.TestCase):
         ran = subprocess.run(command, input="\n".join(lines) + "\n", capture_output=True, text=True, check=True)
         answers = {answer["id"]: answer["result"] for answer in map(json.loads, ran.stdout.splitlines())}
         self.assertEqual(len(answers), 15)
-        for name, (_, sides, tolerance, measure, percent, is_closed) in TASKS.items():
+        for name, (_, sides, tolerance, measure, percent, is_closed, shells) in TASKS.items():
             with self.subTest(name):
                 self.assertFalse(answers[name]["isError"], answers[name]["content"])
                 facts = answers[name]["structuredContent"]
                 self.assertEqual(facts["closed"], is_closed)
+                self.assertEqual(facts["shells"], {"outward": shells[0], "inward": shells[1], "open": 0 if is_closed else 1})
                 for side, wanted in zip(facts["box"]["size"], sides):
                     self.assertAlmostEqual(side, wanted, delta=tolerance)
                 if measure:

@@ -237,4 +237,60 @@ TEST(many_allocations_fail_in_a_request)
         assert_true(run_all(EVERY[i]) > 20);
 }
 
+/* ---- tools of agents ---- */
+
+#define CALL(tool, more)                                                                                               \
+    "{\"jsonrpc\":\"2.0\",\"id\":7,\"method\":\"tools/call\",\"params\":{\"name\":\"" tool                             \
+    "\",\"arguments\":{\"scene\":" SCENE "}" more "}}}"
+
+/* The same answer as with memory, or one that says that there is none. Returns true for an internal error. */
+static bool assert_same_or_none(const struct request *request, const char *wanted, const char *text, unsigned turn)
+{
+    const char *body = strstr(text, "\r\n\r\n"), *whole = strstr(wanted, "\r\n\r\n");
+    const int status = raw_status(text);
+    const bool is_internal = status == 500 && strstr(text, "\"code\":-32603");
+    if (is_internal || status == 503) return is_internal;
+    if (status == 200 && body && strcmp(body, whole) == 0) return false;
+    if (status == 200 && strstr(text, "memory") && strstr(text, "\"isError\":true")) return false;
+    fail_msg("%s, allocation %u:\n%.900s", request->name, turn, text);
+    return false;
+}
+
+TEST(a_tool_without_memory_says_so)
+{
+    struct request requests[] = {
+        with_text("facts", "POST /mcp HTTP/1.1\r\nContent-Type: application/json\r\n", CALL("facts", "")),
+        with_text("render", "POST /mcp HTTP/1.1\r\nContent-Type: application/json\r\n",
+                  CALL("render", ",\"views\":[\"front\",\"left\"]")),
+        with_text("pick", "POST /mcp HTTP/1.1\r\nContent-Type: application/json\r\n",
+                  CALL("pick", ",\"sheet\":\"threeView\",\"x\":10,\"y\":9")),
+        with_text("list", "POST /mcp HTTP/1.1\r\nContent-Type: application/json\r\n",
+                  "{\"jsonrpc\":\"2.0\",\"id\":7,\"method\":\"tools/list\"}")};
+    unsigned internal = 0, failed = 0;
+    for (size_t i = 0; i < sizeof requests / sizeof *requests; i++) {
+        begin_connection();
+        char *wanted = ask(&requests[i]);
+        assert_int_equal(raw_status(wanted), 200);
+        for (unsigned turn = 1, more = 1; turn < TURNS_MAX && more > 0; turn++) {
+            begin_connection();
+            failing_malloc_arm(control, turn, turn % 2 ? 0 : 3);
+            char *text = ask(&requests[i]);
+            more = atomic_load(&control->failed);
+            atomic_store(&control->first, 0);
+            internal += assert_same_or_none(&requests[i], wanted, text, turn);
+            failed += more;
+            free(text);
+        }
+        free(wanted);
+        free(requests[i].body);
+    }
+    end_connection();
+#if defined __clang__ && defined __has_feature
+#if __has_feature(address_sanitizer)
+    if (failed == 0) skip();
+#endif
+#endif
+    assert_true(internal > 20 && failed > 100);
+}
+
 RUN_TESTS(start, stop)

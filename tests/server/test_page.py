@@ -175,7 +175,7 @@ class Sites(Case):
     def test_refused(self):
         """a page of another origin draws and stores nothing"""
         for site in ("cross-site", "same-site"):
-            for path, method in (("/v1/render", "POST"), ("/v1/assets", "POST"), ("/v1/assets/" + "0" * 64, "PUT")):
+            for path, method in (("/v1/render", "POST"), ("/v1/assets", "POST"), ("/v1/assets/" + "0" * 64, "PUT"), ("/mcp", "POST")):
                 status, headers, data = self.daemon.send(path, TRIANGLE, method, Sec_Fetch_Site=site, Origin="https://two.example")
                 self.assertEqual((status, headers["Content-Type"]), (403, "application/problem+json"))
                 self.assertIn("https://two.example", json.loads(data)["detail"])
@@ -205,7 +205,8 @@ class Sites(Case):
         """a preflight of such an origin is answered without a token; others get 405"""
         status, headers, data = self.daemon.send("/v1/render", None, "OPTIONS", Origin="https://one.example", Access_Control_Request_Method="POST")
         self.assertEqual((status, headers["Access-Control-Allow-Methods"], data), (204, "POST", b""))
-        self.assertIn("Authorization", headers["Access-Control-Allow-Headers"])
+        for name in ("Authorization", "MCP-Protocol-Version", "Mcp-Method", "Mcp-Name"):
+            self.assertIn(name, headers["Access-Control-Allow-Headers"])
         self.assertEqual(self.daemon.send("/v1/render", None, "OPTIONS", Origin="https://two.example")[0], 405)
 
 

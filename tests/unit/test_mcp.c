@@ -138,10 +138,9 @@ TEST(arguments_make_a_scene)
 TEST(own_keys_of_a_scene_stay_as_written_unless_an_argument_gives_them)
 {
     assert_string_equal(
-        scene_of(
-            "render",
-            "{\"scene\":{ \"polygons\" : [1.50, {\"a\":\"\\u00e9\"}],\"look\":\"clay\",\"outputs\":[], \"view\":{}},"
-            "\"look\":\"dark\",\"width\":20,\"height\":30}"),
+        scene_of("render", "{\"scene\":{ \"polygons\" : [1.50, "
+                           "{\"a\":\"\\u00e9\"}],\"look\":\"clay\",\"outputs\":[{\"channel\":\"color\"}], \"view\":{}},"
+                           "\"look\":\"dark\",\"width\":20,\"height\":30}"),
         "{\"outputs\":[{\"channel\":\"color\",\"encoding\":\"png\"},{\"channel\":\"info\"}],\"window\":{\"width\":20,"
         "\"height\":30},"
         "\"look\":\"dark\",\"polygons\" : [1.50, {\"a\":\"\\u00e9\"}],\"view\":{}}");

@@ -22,7 +22,10 @@ TEST(slips_of_the_finger_and_other_spellings_are_known)
                                            {"elevation-degrees", "elevationDegrees"},
                                            {"zNear", "znear"},
                                            {"nera", "near"},
-                                           {"elevatonDegres", "elevationDegrees"}};
+                                           {"elevatonDegres", "elevationDegrees"},
+                                           {"elevation", "elevationDegrees"},
+                                           {"base", "baseColorFactor"},
+                                           {"col", "color"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         assert_string_equal(meant_by(cases[i][0]), cases[i][1]);
 }
@@ -30,7 +33,7 @@ TEST(slips_of_the_finger_and_other_spellings_are_known)
 TEST(words_that_are_far_from_all_mean_none)
 {
     static const char *const others[] = {
-        "", "_", "y", "light", "ear drum", "zz", "doubleSided", "aWordThatIsLongerThanAllWordsThatAnyTableHas"};
+        "", "_", "y", "el", "light", "ear drum", "zz", "doubleSided", "aWordThatIsLongerThanAllWordsThatAnyTableHas"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         assert_string_equal(meant_by(others[i]), "");
     struct zr_nearest nearest = {.word = "light"};

@@ -120,6 +120,7 @@ TEST_AROUND(a_cube_has_its_area_and_volume_in_world_space, open_arena, close_are
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         assert_int_equal(facts[i].triangles, 12);
         assert_true(facts[i].is_closed && facts[i].has_box);
+        assert_true(facts[i].shells.outward == 1 && facts[i].shells.inward == 0 && facts[i].shells.open == 0);
         assert_near(facts[i].area, cases[i].area);
         assert_near(facts[i].volume, cases[i].volume);
         assert_int_equal(facts[i].has_center, cases[i].volume > 0);
@@ -419,7 +420,7 @@ TEST_AROUND(closed_parts_are_those_of_a_plain_count, open_arena, close_arena)
                                      .part_count = RANDOM_PARTS,
                                      .part_names = names};
         find_closed_plainly(&mesh, want);
-        assert_true(zr_closed_parts_find(&arena, NULL, NULL, &mesh, found));
+        assert_true(zr_closed_parts_find(&arena, NULL, NULL, &mesh, found, NULL));
         for (int p = 0; p < RANDOM_PARTS; p++) {
             if (found[p] != want[p]) fail_msg("round %d, part %d", round, p);
             closed_count += found[p];

@@ -80,7 +80,7 @@ static void assert_both_sides(const struct zr_mesh *mesh, const struct zr_sectio
     if (exactly && fabs(cap_area(&kept.mesh) - cap_area(&gone.mesh)) > 2e-5)
         fail_msg("%s: caps of %.9g and %.9g", name, cap_area(&kept.mesh), cap_area(&gone.mesh));
     uint8_t closed = 1;
-    assert_true(zr_closed_parts_find(&arena, NULL, NULL, &kept.mesh, &closed));
+    assert_true(zr_closed_parts_find(&arena, NULL, NULL, &kept.mesh, &closed, NULL));
     if (!closed && kept.mesh.face_count > 0 && sign > 0.0) fail_msg("%s: the kept side is open", name);
 }
 

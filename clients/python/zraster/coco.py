@@ -113,12 +113,36 @@ def _runs(text: str) -> List[int]:
     return runs
 
 
+def _size(mask: Any) -> Tuple[int, int]:
+    size = mask.get("size") if isinstance(mask, Mapping) else None
+    if not isinstance(size, (list, tuple)) or len(size) != 2 or not all(type(n) is int and n >= 0 for n in size):
+        raise ValueError('a mask has "size": [height, width] and "counts": a string of run lengths')
+    return size[0], size[1]
+
+
+def _checked_runs(counts: Any, height: int, width: int) -> List[int]:
+    text = counts.decode("latin-1") if isinstance(counts, bytes) else counts
+    if not isinstance(text, str):
+        raise ValueError(f'"counts" of a mask is a string of run lengths, not {type(counts).__name__}')
+    if any(not 48 <= ord(character) < 112 for character in text) or (text and (ord(text[-1]) - 48) & 32):
+        raise ValueError('"counts" of a mask is no string of run lengths, or is cut short')
+    runs = _runs(text)
+    if min(runs, default=0) < 0:
+        raise ValueError('"counts" of a mask has a run of less than 0 pixels')
+    if sum(runs) != height * width:
+        raise ValueError(f"the runs of a mask have {sum(runs)} pixels, not {height} x {width}")
+    return runs
+
+
 def decode(mask: Mapping[str, Any]) -> Any:
-    """Returns the mask {"size", "counts"} as an array of booleans (h, w)."""
+    """Returns the mask {"size", "counts"} as an array of booleans (h, w).
+
+    Raises ValueError if it is none, such as one whose runs do not fill its size.
+    """
     import numpy
 
-    height, width = mask["size"]
-    runs = _runs(mask["counts"])
+    height, width = _size(mask)
+    runs = _checked_runs(mask.get("counts"), height, width)
     return numpy.repeat(numpy.arange(len(runs)) % 2 == 1, runs).reshape(width, height).T
 
 

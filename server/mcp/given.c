@@ -1,0 +1,119 @@
+#include "given.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "faults.h"
+#include "text.h"
+#include "tree.h"
+
+/* OUTPUTS_BYTES: of a list that is read. */
+enum { OUTPUTS_BYTES = 64 << 10 };
+
+/* How a language model gets the values of a channel, which are no picture. */
+static const char *const INSTEAD[][2] = {
+    {"depth", "pick tells the depth of a pixel"},
+    {"windowDepth", "pick tells the depth of a pixel"},
+    {"distance", "pick tells the point of a pixel"},
+    {"position", "pick tells the point of a pixel"},
+    {"thickness", "pick tells the points of all surfaces at a pixel"},
+    {"fragments", "pick tells all surfaces at a pixel"},
+    {"faceId", "pick tells part and face of a pixel"},
+    {"instanceId", "{\"parts\": {\"colors\": \"parts\"}} gives each part a colour, which parts tell"},
+    {"masks", "{\"parts\": {\"colors\": \"parts\"}} gives each part a colour, and parts count its pixels"},
+    {"normals", "{\"shading\": \"normals\"} in the scene draws them as colours"},
+    {"frontFacing", "pick tells the side of each surface at a pixel"},
+    {"layers", "{\"look\": \"xray\"} shows what is hidden, and pick counts the surfaces at a pixel"}};
+
+static void refuse_channel(struct mcp_job *job, int number, const char *channel)
+{
+    char pointer[48];
+    const char *instead = NULL;
+    snprintf(pointer, sizeof pointer, "/scene/outputs/%d/channel", number);
+    for (size_t i = 0; i < sizeof INSTEAD / sizeof *INSTEAD; i++)
+        if (strcmp(channel, INSTEAD[i][0]) == 0) instead = INSTEAD[i][1];
+    mcp_fault(&job->faults, pointer, "'%.40s' is no picture here, color is%s%s; POST /v1/render answers all channels",
+              channel, instead ? ": " : "", instead ? instead : "");
+}
+
+static void take_color(struct mcp_job *job, int number, const cJSON *output)
+{
+    static const char *const formats[] = {"png", "jpeg", "webp"};
+    const cJSON *key;
+    cJSON_ArrayForEach(key, output)
+    {
+        char pointer[96];
+        bool is_taken = strcmp(key->string, "channel") == 0;
+        for (size_t i = 0; i < sizeof formats / sizeof *formats && strcmp(key->string, "encoding") == 0; i++)
+            if (cJSON_IsString(key) && strcmp(key->valuestring, formats[i]) == 0) {
+                is_taken = true;
+                if (!job->format) job->format = formats[i];
+            }
+        snprintf(pointer, sizeof pointer, "/scene/outputs/%d/%.40s", number, key->string);
+        if (!is_taken)
+            mcp_fault(&job->faults, pointer,
+                      "a picture here is a png, jpeg or webp whose size is chosen for a message; POST /v1/render has "
+                      "the other encodings");
+    }
+}
+
+static void check_outputs(struct mcp_job *job, const cJSON *outputs)
+{
+    const cJSON *output;
+    int number = 0, pictures = 0;
+    if (!cJSON_IsArray(outputs) || cJSON_GetArraySize(outputs) == 0) {
+        mcp_fault(&job->faults, "/scene/outputs", "leave it out: render draws the color, and tells the facts of info");
+        return;
+    }
+    cJSON_ArrayForEach(output, outputs)
+    {
+        const cJSON *channel = mcp_get(output, "channel");
+        char pointer[48];
+        snprintf(pointer, sizeof pointer, "/scene/outputs/%d", number);
+        if (!cJSON_IsString(channel))
+            mcp_fault(&job->faults, pointer, "an object with a channel is expected, such as {\"channel\": \"color\"}");
+        else if (strcmp(channel->valuestring, "color") == 0 && pictures++ == 0)
+            take_color(job, number, output);
+        else if (strcmp(channel->valuestring, "color") == 0)
+            mcp_fault(&job->faults, pointer, "an answer has one picture of a view");
+        else if (strcmp(channel->valuestring, "info") != 0)
+            refuse_channel(job, number, channel->valuestring);
+        number++;
+    }
+}
+
+static void read_outputs(struct mcp_job *job, struct mcp_span outputs)
+{
+    const size_t size = (size_t)(outputs.end - outputs.at);
+    cJSON *tree = size <= OUTPUTS_BYTES ? cJSON_ParseWithLength(outputs.at, size) : NULL;
+    check_outputs(job, tree);
+    cJSON_Delete(tree);
+}
+
+/* Returns true if a text has the model's name as a string. Others than ASCII may be written in several ways. */
+static bool has_name(const struct mcp_job *job, struct mcp_span scene)
+{
+    struct mcp_text name = {0};
+    for (const char *at = job->model.name; *at; at++)
+        if (*at < ' ' || *at > '~') return true;
+    mcp_text_json(&name, job->model.name);
+    const bool has = name.failed || memmem(scene.at, (size_t)(scene.end - scene.at), name.data, name.size);
+    mcp_text_free(&name);
+    return has;
+}
+
+void mcp_given_check(struct mcp_job *job)
+{
+    const struct mcp_span visibility = job->own[MCP_OWN_VISIBILITY], meshes = job->own[MCP_OWN_MESHES];
+    if (meshes.at && job->model.is_given && !has_name(job, meshes))
+        mcp_fault(&job->faults, "/scene/meshes",
+                  "no mesh is the model: give one as {\"asset\": \"%.100s\"}, or leave the model out", job->model.name);
+    if (job->tool == MCP_FACTS) return;
+    if (job->own[MCP_OWN_SHEET].at && !mcp_job_argument(job, "sheet") && !mcp_job_argument(job, "views") &&
+        mcp_job_argument(job, "annotate"))
+        mcp_fault(&job->faults, "/annotate", "the scene has a sheet: give captions there, or a sheet here");
+    if (visibility.at && *visibility.at == 't')
+        mcp_fault(&job->faults, "/scene/visibility",
+                  "leave it out: parts of the answer count their visible pixels; POST /v1/render answers masks");
+    if (job->tool == MCP_RENDER && job->own[MCP_OWN_OUTPUTS].at) read_outputs(job, job->own[MCP_OWN_OUTPUTS]);
+}
