@@ -39,7 +39,7 @@ configure() { # PORT
         [ "$(id -u)" != 0 ] || echo 'user root;'
         echo "daemon off; pid $work/pid; error_log $work/errors; events {}"
         echo "http { access_log off; client_body_temp_path $work/body; proxy_temp_path $work/proxy; fastcgi_temp_path $work/f; uwsgi_temp_path $work/u; scgi_temp_path $work/s;"
-        sed -n '/^```nginx$/,/^```$/p' $page | sed -e '/^```/d' -e "s|listen 80;|listen 127.0.0.1:$1;|" -e "s|/var/cache/nginx/|$work/|" \
+        sed -n '/^```nginx$/,/^```$/p' $page | sed -e '/^```/d' -e "s|listen 80;|listen 127.0.0.1:$1;|" -e "s|/var/lib/nginx/|$work/|" \
             -e "s|127.0.0.1:8081|${address_1#http://}|" -e "s|127.0.0.1:8082|${address_2#http://}|"
         echo '}'
     } >"$work/nginx.conf"
@@ -47,6 +47,10 @@ configure() { # PORT
 configure 1
 check "nginx accepts the configuration of the page" 0 "$nginx" -t -p "$work" -e "$work/errors" -c "$work/nginx.conf"
 is_up() { curl -sf -o /dev/null "$front/healthz"; }
+folder=$(sed -n 's/^proxy_cache_path \([^ ]*\) .*/\1/p' $page)
+if [ -e /etc/debian_version ] && [ "$nginx" = /usr/sbin/nginx ]; then
+    verdict "Debian has the folder in which nginx makes that of the cache" [ -d "${folder%/*}" ]
+fi
 tries=0
 until [ $((tries += 1)) -gt 9 ]; do
     port=$((20000 + ($$ * 13 + tries * 997) % 12000))
