@@ -47,6 +47,8 @@ NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck cu
 	/usr/share/i18n/charmaps=locales /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/tifffile=python3-tifffile? dwebp=webp djpeg=libjpeg-turbo-progs \
 	update-mime-database=shared-mime-info $(NEED_REFERENCE) \
 	$(NEED_PYTHON)
+# Debian starts it as a service once it is installed, so only CI installs it; elsewhere its test is left out, and says so.
+NEED_SERVICE := /usr/sbin/nginx=nginx
 NEED_BROWSER := chromium=chromium /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/numpy=python3-numpy
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
@@ -452,7 +454,7 @@ tests: checks $(BUILD)/zraster-bench $(bench_alone)
 
 .PHONY: needs
 needs:
-	@echo $(NEED_BUILD) $(NEED_TEST)
+	@echo $(NEED_BUILD) $(NEED_TEST) $(NEED_SERVICE)
 
 .PHONY: container
 container: all ## builds the image, runs it hardened, and stops it; brings an engine of its own (root)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # pictures.sh BUILD OUT [NAME...]: draws the pictures of the manual, OUT/NAME.png; without names all of them. A picture is one of
-#   - a block ```json of a page, in the line below <!-- picture: NAME -->: a whole scene;
+#   - a block ```json of a page, with or without a file's name, in the line below <!-- picture: NAME -->: a whole scene;
 #   - pictures/NAME.json: a scene that no page shows;
 #   - a line "NAME | COMMAND" of pictures.txt: the command writes NAME.png; "-o NAME.png" is added to its end.
 # Scenes may name these files as assets: part.stl, a solid part; assembly.obj, six named parts; pawn.obj, ball.obj and egg.obj,
@@ -54,7 +54,7 @@ for scene in "$docs"/pictures/*.json; do
 done
 find "$docs" -name '*.md' -exec awk '
     /^<!-- picture: [a-z0-9-]* -->$/ { name = $3; if (taken[name]++) fail("a second picture " name); next }
-    name && /^```json$/ { file = name ".json"; printf "" >file; inside = 1; name = ""; next }
+    name && /^```json( [^ ]+)?$/ { file = name ".json"; printf "" >file; inside = 1; name = ""; next }
     /^```/ { if (inside) close(file); inside = 0 }
     inside { print >file }
     name && !/^$/ { fail("no block of JSON follows the picture " name) }

@@ -6,11 +6,13 @@
 # The first word behind the fence is the language; a block without one fails:
 #   sh       sh -e; "sh skip=WHAT" is left out, and says so
 #   python   with the package zraster
-#   json     a whole scene: the daemon draws it, without a warning; assets that it names are files of the folder or of /v1/examples
+#   json     a whole scene: the daemon draws it, without a warning; assets that it names are files of the folder or of /v1/examples;
+#            "json FILE" is saved as FILE, too
 #   jsonc    a part of a scene, or another document: it parses
 #   c, cpp   compiled, not run
 #   text     output, or a sketch: not run; "text same" is the output of the block before, whatever its line breaks, with ... for any text
-#   others   checked if a program for them is there (toml, yaml, js, nginx), else left out
+#   nginx    checked by tests/server/test_nginx.sh
+#   others   checked if a program for them is there (toml, yaml, js), else left out
 set -u
 build=$(realpath "$1")
 shift
@@ -185,14 +187,15 @@ run_blocks() { # PAGE
             verdict "$at is the output of the block before" is_last_output "$block"
             continue
             ;;
-        text,) continue ;;
+        text, | nginx,) continue ;; # nginx: tests/server/test_nginx.sh
         sh,skip=* | python,skip=*)
             left_out=$((left_out + 1))
             skip "$at: $language" "needs ${info#skip=}"
             continue
             ;;
+        json,*.json) cp "$block" "$info" ;; # for the blocks behind it
         sh, | python, | json, | jsonc, | c, | cpp, | toml, | yaml, | js,) ;;
-        nginx, | ini, | xml, | html, | dockerfile,)
+        ini, | xml, | html, | dockerfile,)
             left_out=$((left_out + 1))
             skip "$at: $language" "no program here checks it"
             continue
