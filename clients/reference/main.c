@@ -1,6 +1,6 @@
 /* zraster-reference TEMPLATES OUT: writes the reference pages of the manual, OUT/NAME.md from TEMPLATES/NAME.md. A line
  * "@object view" of a template becomes the table of that object's keys; likewise @values, @parameters, @index,
- * @channels, @looks and @formats. Each object of a scene is on one page. */
+ * @channels, @looks, @formats, @commands and @options. Each object of a scene is on one page. */
 #include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,9 +58,10 @@ static void print_directive(const struct tables *tables, const char *word, const
     static const struct {
         const char *word;
         void (*print)(const struct tables *);
-    } lists[] = {{"values", tables_print_values}, {"parameters", tables_print_parameters},
-                 {"index", tables_print_index},   {"channels", tables_print_channels},
-                 {"looks", tables_print_looks},   {"formats", tables_print_formats}};
+    } lists[] = {{"values", tables_print_values},     {"parameters", tables_print_parameters},
+                 {"index", tables_print_index},       {"channels", tables_print_channels},
+                 {"looks", tables_print_looks},       {"formats", tables_print_formats},
+                 {"commands", tables_print_commands}, {"options", tables_print_options}};
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         if (strcmp(word, lists[i].word) == 0) {
             lists[i].print(tables);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../command_rows.h"
 #include "contract/kinds.h"
 #include "contract/schema.h"
 #include "format_rows.h"
@@ -25,6 +26,17 @@ static void put(FILE *out, const char *text)
         if (strchr("|*<", *text)) fputc('\\', out);
         fputc(*text, out);
     }
+}
+
+/* Prints code for a cell, where only | has to be marked. */
+static void put_code(FILE *out, const char *code)
+{
+    fputc('`', out);
+    for (; *code; code++) {
+        if (*code == '|') fputc('\\', out);
+        fputc(*code, out);
+    }
+    fputc('`', out);
 }
 
 /* Prints a meaning from its row as a sentence. */
@@ -376,7 +388,7 @@ void tables_print_channels(const struct tables *tables)
 {
     static const char *const values[] = {"4 bytes", "float32", "uint32", "–"};
     FILE *out = tables->values.out;
-    fputs("| channel | values per pixel | encodings | spaces |\n|---|---|---|---|\n", out);
+    fputs("| channel | values per pixel | encodings | spaces | meaning |\n|---|---|---|---|---|\n", out);
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
         const struct zr_channel_row *row = &zr_channel_rows[c];
         fputs("| ", out);
@@ -390,6 +402,8 @@ void tables_print_channels(const struct tables *tables)
         for (int i = 0; i < row->space_count; i++)
             fprintf(out, "%s`%s`", i ? ", " : "", zr_space_names.words[i]);
         if (row->space_count == 0) fputs("–", out);
+        fputs(" | ", out);
+        put_sentence(out, row->text);
         fputs(" |\n", out);
     }
 }
@@ -411,20 +425,74 @@ void tables_print_looks(const struct tables *tables)
     }
 }
 
+/* ---- the command ---- */
+
+/* As in options.h. */
+#define ENDING(ID, ending, ...) " " ending
+#define OPTIONS_TYPES           ZR_FORMAT_ROWS(ENDING)
+
+void tables_print_commands(const struct tables *tables)
+{
+    static const struct {
+        const char *name, *arguments, *summary;
+    } rows[] = {
+#define ROW(name, letter, arguments, summary) {#name, arguments, summary},
+        COMMAND_ROWS(ROW)
+#undef ROW
+    };
+    FILE *out = tables->values.out;
+    fputs("| command | arguments | meaning |\n|---|---|---|\n", out);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        fputs("| ", out);
+        put_anchor(out, "command", rows[i].name);
+        fprintf(out, "`%s` | ", rows[i].name);
+        if (*rows[i].arguments) put_code(out, rows[i].arguments);
+        fputs(" | ", out);
+        put_sentence(out, rows[i].summary);
+        fputs(" |\n", out);
+    }
+}
+
+void tables_print_options(const struct tables *tables)
+{
+    static const struct {
+        const char *name, *value, *help;
+        char letter;
+    } rows[] = {
+#define ROW(ID, name, letter, value, commands, help) {name, value, help, letter},
+        OPTION_ROWS(ROW)
+#undef ROW
+    };
+    FILE *out = tables->values.out;
+    fputs("| option | value | meaning |\n|---|---|---|\n", out);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        fputs("| ", out);
+        put_anchor(out, "option", rows[i].name);
+        if (rows[i].letter) fprintf(out, "`-%c`, ", rows[i].letter);
+        fprintf(out, "`--%s` | ", rows[i].name);
+        if (rows[i].value) put_code(out, rows[i].value);
+        fputs(" | ", out);
+        put_sentence(out, rows[i].help);
+        fputs(" |\n", out);
+    }
+}
+
 void tables_print_formats(const struct tables *tables)
 {
     static const struct {
-        const char *ending, *types;
-        bool is_binary, is_z_up;
+        const char *ending, *types, *text;
+        bool is_z_up;
     } rows[] = {
-#define ROW(ID, ending, types, is_scene, is_binary, is_separate, is_z_up) {ending, types, is_binary, is_z_up},
+#define ROW(ID, ending, types, is_scene, is_binary, is_separate, is_z_up, text) {ending, types, text, is_z_up},
         ZR_FORMAT_ROWS(ROW)
 #undef ROW
     };
     FILE *out = tables->values.out;
-    fputs("| ending | content types | up |\n|---|---|---|\n", out);
+    fputs("| ending | format | content types | up |\n|---|---|---|---|\n", out);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         fprintf(out, "| `.%s` | ", rows[i].ending);
+        put_sentence(out, rows[i].text);
+        fputs(" | ", out);
         for (const char *type = rows[i].types; *type;) {
             const size_t length = strcspn(type, " ");
             fprintf(out, "%s`%.*s`", type > rows[i].types ? ", " : "", (int)length, type);

@@ -65,7 +65,8 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS 
         ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                                                                             \
     ROW(FACE_ID, "faceId", "1 + number of the face, line or point, counted over all instances in order", UINT32, 1,    \
         ZERO, false, 0, ZR_ENCODING_NPY)                                                                               \
-    ROW(INFO, "info", "facts: camera, bounds, counts, parts and warnings", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)  \
+    ROW(INFO, "info", "facts about the scene: camera, bounds, counts, parts and warnings", NONE, 0, ZERO, false, 0,    \
+        ZR_ENCODING_JSON)                                                                                              \
     ROW(DISTANCE, "distance", "length of the ray from the eye, in scene units; the depth if rays are parallel",        \
         FLOAT32, 1, INFINITY, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)          \
     ROW(INSTANCE_ID, "instanceId", "1 + number of the instance", UINT32, 1, ZERO, false, 0, ZR_ENCODING_NPY)           \
