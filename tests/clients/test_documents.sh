@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_documents.sh BUILD: man pages and completion have every option, and their readers accept them. Prints TAP.
+# test_documents.sh BUILD: man pages, completion and pages of the manual have every option, command and status; readers of the former accept them. Prints TAP.
 set -u
 build=$1
 work=$(mktemp -d)
@@ -21,6 +21,17 @@ verdict "there are at least 50 options" [ "$(echo "$options" | wc -l)" -ge 50 ]
 verdict "zraster.1 has all" has_all "$build/zraster.1" $options
 verdict "zrasterd.8 has all flags of the daemon" has_all "$build/zrasterd.8" $flags
 verdict "libzraster.3 has all functions" has_all "$build/libzraster.3" $(sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)(.*/\1/p' core/library/zraster.h)
+commands=$("$build/zraster" help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/**\1**/p')
+verdict "cli.md has all commands" has_all clients/docs/cli.md $commands
+# "| `--port` | 8080" of "--port=N", two lines and "(default: 8080)".
+defaults() { "$build/zrasterd" --help | awk '/^  --[a-z-]+=/ { sub(/=.*/, "", $1); flag = $1 } /\(default: / { sub(/.*\(default: /, ""); sub(/\)$/, ""); print "| `" flag "` | " $0 " " }'; }
+defaults >"$work/defaults"
+limits_are_those() {
+    [ -s "$work/defaults" ] || return 1
+    while IFS= read -r row; do grep -qF -e "$row" clients/docs/limits.md || { echo "# no $row" >>"$complained"; return 1; }; done <"$work/defaults"
+}
+verdict "limits.md has all flags of the daemon, with their defaults" limits_are_those
+verdict "errors.md has all statuses" has_all clients/docs/errors.md $(sed -n 's/^| \([1-5][0-9][0-9]\)\(, .*\)* | .*/\1/p' server/api/v1.md)
 verdict "and a missing one is found" eval '! has_all "$build/zraster.1" --not-an-option'
 for shell in bash zsh fish; do
     dashes=--
