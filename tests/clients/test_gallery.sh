@@ -52,6 +52,15 @@ all_there() {
 }
 verdict "with its picture, and its scene or command beside it" all_there
 
+# Commands of the manual's page are those that draw its pictures, by pictures.txt.
+page_commands() { # PAGE: lines NAME | COMMAND
+    awk '/<img src="pictures\// { sub(/.*pictures\//, ""); sub(/\.png.*/, ""); name = $0; next }
+         name && /^zraster / { sub(/ -o [a-z.-]*$/, ""); print name " | " $0; name = "" }' "$1"
+}
+page_commands clients/docs/gallery.md >"$work/shown"
+grep '^gallery-' clients/docs/pictures.txt >"$work/drawn"
+verdict "the commands of gallery.md are those of its pictures" cmp "$work/shown" "$work/drawn"
+
 # A feature that a look has by default shows the same picture twice.
 twins() {
     for name in $names; do
