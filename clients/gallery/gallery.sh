@@ -1,7 +1,7 @@
 #!/bin/sh
-# gallery.sh BUILD: draws every line of scenes.txt, grids of balls, and the pictures of the README. Writes the page
-# BUILD/gallery/index.html, with each picture's scene beside it. Printed parts are meshes of DATA, which is no part of the
-# repository: without them, their three pictures are left out.
+# gallery.sh BUILD: draws an assembly, every line of scenes.txt, grids of balls, and the pictures of the README. Writes the page
+# BUILD/gallery/index.html: real parts first, below each picture the command that draws it in that folder. Printed parts are
+# meshes of DATA, which is no part of the repository: without them, their three pictures are left out.
 set -eu
 build=$1
 here=clients/gallery
@@ -23,21 +23,51 @@ render() { # NAME OPTION...: NAME.json -> NAME.png
 }
 count=0
 
-# ---- the page ----
+# ---- the page, in sections ----
 
-cat >"$page" <<'END'
-<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>zraster: one picture per feature</title>
-<style>body{font:15px/1.4 sans-serif;margin:2em auto;max-width:1320px;color:#222}h2{clear:both;padding-top:1em}
-figure{float:left;width:300px;margin:0 14px 18px 0}figure.wide{width:620px}figcaption{height:8em;overflow:auto}
-img{width:100%;image-rendering:pixelated;background:repeating-conic-gradient(#eee 0 25%,#fff 0 50%) 0 0/20px 20px}
-code{font-size:12px;color:#456;overflow-wrap:anywhere}</style>
-<h1>zraster: one picture per feature</h1>
-<p>Below each picture: its scene without mesh, view and window. The name links to the complete scene.</p>
-END
+# section ID TITLE SENTENCE: what follows belongs to it. The page has the sections in the order of `order`.
+order='assembly views printed looks lights materials textures transparency numbers cuts sections-of-parts points animation samples lines effects backgrounds shading shading-bytes light tone normals data'
+section() {
+    part=$out/section-$1.part
+    printf '<section id="%s"><h2>%s</h2>\n<p>%s</p>\n<div class="pictures">\n' "$1" "$2" "$3" >"$part"
+    printf '%s' "$2" >"$out/section-$1.title"
+}
 escape() { sed 's/&/\&amp;/g; s/</\&lt;/g'; }
-figure() { # NAME CLASS WHAT MEMBERS
-    printf '<figure class="%s"><img src="%s.png" alt="%s"><figcaption><a href="%s.json"><b>%s</b></a> %s<br><code>%s</code></figcaption></figure>\n' \
-        "$2" "$1" "$1" "$1" "$1" "$(printf %s "$3" | escape)" "$(printf %s "$4" | escape)" >>"$page"
+# NAME CLASS WHAT COMMAND FILE MEMBERS: the picture NAME.png, and the file that the command draws
+put_figure() {
+    printf '<figure class="%s"><a href="%s.png"><img src="%s.png" alt="%s" loading="lazy"></a><figcaption><b>%s</b> %s<br><code class="command">%s</code>' \
+        "$2" "$1" "$1" "$1" "$1" "$3" "$(printf %s "$4" | escape)" >>"$part"
+    printf ' <a href="%s">%s</a>' "$5" "$5" >>"$part"
+    [ -z "$6" ] || printf '<details><summary>keys</summary><code>%s</code></details>' "$(printf %s "$6" | escape)" >>"$part"
+    printf '</figcaption></figure>\n' >>"$part"
+}
+figure() { put_figure "$1" "$2" "$(printf %s "$3" | escape)" "zraster $1.json" "$1.json" "$4"; } # NAME CLASS WHAT MEMBERS
+write_page() {
+    cat <<'END'
+<!DOCTYPE html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>zraster: gallery</title>
+<style>:root{color-scheme:light dark;--ink:#1d2530;--soft:#566272;--paper:#f7f8fa;--card:#fff;--line:#dde2e8}
+@media(prefers-color-scheme:dark){:root{--ink:#e4e8ee;--soft:#9aa6b5;--paper:#14181d;--card:#1c2229;--line:#2d353f}}
+body{font:15px/1.45 system-ui,sans-serif;margin:0 auto;padding:1.5em;max-width:1300px;color:var(--ink);background:var(--paper)}
+h1{margin:0;font-size:1.9em}h2{margin:1.8em 0 .2em}p{margin:.3em 0 1em;color:var(--soft);max-width:60em}a{color:inherit}
+nav{display:flex;flex-wrap:wrap;gap:.4em;margin:1em 0}nav a{border:1px solid var(--line);border-radius:1em;padding:.15em .8em;text-decoration:none;background:var(--card)}
+.pictures{display:grid;grid-template-columns:repeat(auto-fill,minmax(270px,1fr));gap:16px;align-items:start}
+figure{margin:0;background:var(--card);border:1px solid var(--line);border-radius:8px;overflow:hidden}figure.wide{grid-column:span 2}
+@media(max-width:620px){figure.wide{grid-column:auto}}
+figcaption{padding:.6em .8em .8em;font-size:14px}code{font-size:12px;overflow-wrap:anywhere;color:var(--soft)}code.command{color:var(--ink)}
+img{display:block;width:100%;background:repeating-conic-gradient(#ddd 0 25%,#fff 0 50%) 0 0/20px 20px}figure.samples img{image-rendering:pixelated}</style>
+<h1>What zraster draws</h1>
+<p>Find a picture like the one that you need, and copy its command. Each picture was drawn by the command below it, on a processor, in milliseconds. The commands run in the folder of this page.</p>
+END
+    printf '<nav>'
+    for id in $order; do
+        [ -f "$out/section-$id.part" ] && grep -q '<figure' "$out/section-$id.part" && printf '<a href="#%s">%s</a>' "$id" "$(cat "$out/section-$id.title")"
+    done
+    printf '</nav>\n'
+    for id in $order; do
+        [ -f "$out/section-$id.part" ] && grep -q '<figure' "$out/section-$id.part" || continue
+        cat "$out/section-$id.part"
+        printf '</div></section>\n'
+    done
 }
 
 # ---- one scene per line ----
@@ -59,7 +89,11 @@ with_images() { sed -f "$out/images.sed"; }
 while IFS= read -r line; do
     case $line in
     '#'* | '') continue ;;
-    =*) printf '<h2>%s</h2>\n' "${line#= }" >>"$page" ;;
+    =*) # ID | TITLE | SENTENCE
+        line=${line#= }
+        rest=${line#*| }
+        section "${line%% |*}" "${rest%% |*}" "${rest#*| }"
+        ;;
     @*) model=$(awk -v model="${line#@ }" -f $here/models.awk) ;;
     *)
         rest=${line#*| }
@@ -67,7 +101,9 @@ while IFS= read -r line; do
         name=${line%% |*}
         scene "$members" "$model" >"$out/$name.json"
         render "$name"
-        figure "$name" "" "${rest%%|*}" "$members"
+        class=
+        case $name in samples-*) class=samples ;; esac
+        figure "$name" "$class" "${rest%%|*}" "$members"
         ;;
     esac
 done <$here/scenes.txt
@@ -91,7 +127,7 @@ balls() { # ENVIRONMENT: metallic 0, 0.5 and 1 from the front to the back, rough
         printf "\"materials\": [%s], \"nodes\": [%s], \"meshes\": [%s]}\n", materials, nodes, meshes
     }'
 }
-echo '<h2>Metals and plastics</h2>' >>"$page"
+section materials "Metals and plastics" "The factors of a material, as in glTF: from mirror to matt, from plastic to metal."
 for environment in studio outdoor; do
     balls $environment >"$out/balls-$environment.json"
     render balls-$environment
@@ -108,23 +144,48 @@ nodes='"nodes": [{"mesh": "floor"}, {"mesh": "pawn"}, {"mesh": "pawn", "translat
 meshes="{\"name\": \"floor\", \"material\": \"floor\", \"positions\": [[-12, 0, -12], [12, 0, -12], [12, 0, 12], [-12, 0, 12]], \"faces\": [[0, 3, 2, 1]]}, {\"name\": \"pawn\", \"material\": \"white\", $pawn}, {\"name\": \"gold\", \"material\": \"gold\", $ball}, {\"name\": \"bulb\", \"material\": \"bulb\", $ball}"
 printf '{"look": "studio", "environment": false, "groundShadow": false, "background": "#0f1216", "ambient": [0.02, 0.022, 0.03], "window": {"width": 620, "height": 400}, "view": {"eye": [1.4, 4.2, 12.5], "target": [0.1, 0.85, 0], "perspective": {"yfovDegrees": 24}}, %s, %s, %s, "meshes": [%s]}\n' \
     "$lights" "$materials" "$nodes" "$meshes" >"$out/lamps.json"
-echo '<h2>Point and spot lights</h2>' >>"$page"
+section lights "Point and spot lights" "Lights with a place, a range and shadows, in place of the look&rsquo;s."
 render lamps
 figure lamps wide "Two spot lights with shadows, and a point light near the floor." "$lights"
 
-# ---- parts of an assembly ----
+# ---- an assembly, by the command ----
 
-meshes=
 for part in base axle bearing wheel washer cap; do
-    meshes="$meshes${meshes:+, }{\"name\": \"$part\", $(awk -v model=$part -f $here/models.awk)}"
-done
-echo '<h2>Parts</h2>' >>"$page"
+    printf '%s|%s\n' "$part" "$(awk -v model=$part -f $here/models.awk)"
+done >"$out/assembly.lines"
+meshes=$(awk -F'|' '{ printf "%s{\"name\": \"%s\", %s}", comma, $1, $2; comma = ", " }' "$out/assembly.lines")
+awk -f $here/obj.awk <"$out/assembly.lines" >"$out/assembly.obj"
+rm "$out/assembly.lines"
+zraster=$(realpath "$build/zraster")
+command() { # NAME CLASS WHAT FILE COMMAND...: the picture NAME.png, and the command as NAME.sh
+    name=$1 class=$2 what=$3 file=$4
+    shift 4
+    echo "zraster $*" >"$out/$name.sh"
+    (cd "$out" && "$zraster" "$@" --compress small) >"$out/client.log" 2>&1 || { cat "$out/client.log" >&2; exit 1; }
+    put_figure "$name" "$class" "$what" "$(cat "$out/$name.sh")" "$file" ""
+    count=$((count + 1))
+}
+assembly() { # NAME CLASS WHAT OPTION...
+    name=$1 class=$2 what=$3
+    shift 3
+    command "$name" "$class" "$what" assembly.obj assembly.obj -o "$name.png" "$@"
+}
+section assembly "An assembly" "A wheel on an axle, of six named parts. Cut it open, take it apart, or draw its lines."
+corner="--section x:0.5:negative,z:0.5:negative --section-corner"
+assembly cutaway wide "a corner cut away: each part has a hatch of its own" -s 640x480 --colors parts $corner --azimuth 38 --elevation 26
+assembly exploded "" "an exploded view along the axle" -s 400x500 --colors parts --explode 1.5 --explode-axis y
+assembly ghosts "" "translucent outer parts, and one part highlighted" -s 400x500 --ghost base,wheel --highlight axle
+assembly cutaway-metal "" "a half section in metal" -s 400x500 --look metal --section z:0.5:negative
+assembly lines "" "an illustration with ink lines" -s 400x500 --look technical --colors parts
+assembly blueprint-exploded "" "white lines on blue paper" -s 400x500 --look blueprint --explode 1.5 --explode-axis y
+assembly xray-assembly "" "the inside of all parts" -s 400x500 --look xray
 parts() { # NAME LOOK WHAT MEMBERS
     printf '{"look": "%s", "window": {"width": 300, "height": 400}, "view": {"azimuthDegrees": 35, "elevationDegrees": 22, "perspective": {"yfovDegrees": 26}}, %s, "meshes": [%s]}\n' \
         "$2" "$4" "$meshes" >"$out/$1.json"
     render "$1"
-    figure "$1" "" "$3" "$4"
+    figure "$1" "" "$3" "\"look\": \"$2\", $4"
 }
+section sections-of-parts "Parts in scenes" "The same choices as keys of a scene in JSON."
 parts parts-colors studio "one colour per part, chosen by its name" '"colors": "parts"'
 parts parts-exploded studio "the same, moved apart along y" '"colors": "parts", "explode": {"factor": 1.5, "axis": "y"}'
 parts parts-ghost studio "translucent outer parts and a highlighted axle" '"ghost": ["base", "wheel"], "highlight": "axle"'
@@ -136,26 +197,14 @@ parts parts-blueprint blueprint "an exploded view" '"explode": {"factor": 1.5, "
 
 # ---- several views, by the command ----
 
-for part in base axle bearing wheel washer cap; do
-    printf '%s|%s\n' "$part" "$(awk -v model=$part -f $here/models.awk)"
-done | awk -f $here/obj.awk >"$out/assembly.obj"
-command() { # NAME WHAT COMMAND...: the picture NAME.png, and the command as NAME.sh
-    name=$1 what=$2
-    shift 2
-    echo "zraster $*" >"$out/$name.sh"
-    (cd "$out" && "$zraster" "$@" --compress small) >"$out/client.log" 2>&1 || { cat "$out/client.log" >&2; exit 1; }
-    printf '<figure><img src="%s.png" alt="%s"><figcaption><a href="%s.sh"><b>%s</b></a> %s<br><code>%s</code></figcaption></figure>\n' \
-        "$name" "$name" "$name" "$name" "$what" "$(escape <"$out/$name.sh")" >>"$page"
-    count=$((count + 1))
-}
-zraster=$(realpath "$build/zraster")
-echo '<h2>Several views</h2>' >>"$page"
-command turntable "an animation: the camera turns around <a href=\"assembly.obj\">assembly.obj</a>" \
-    turntable assembly.obj -o turntable.png --turntable 20 -s 200x170 --colors parts --section z:0.5:negative --background white
-command sheet "views at one scale" sheet assembly.obj -o sheet.png -s 480x360 --colors parts --look technical
+section views "Several views" "Sides at one scale, for a page of a catalogue, and animations for the web."
+command sheet "" "views at one scale" assembly.obj sheet assembly.obj -o sheet.png -s 480x360 --colors parts --look technical
+command balanced "" "all sides in four views" assembly.obj sheet assembly.obj -o balanced.png -s 480x360 --colors parts --sheet balanced
+command turntable "" "an animation: the camera turns around it" assembly.obj turntable assembly.obj -o turntable.png --turntable 20 -s 200x170 --colors parts --section z:0.5:negative --background white
+section animation "Motion" "Nodes that turn, or move through keys."
 sed -e 's/"width": 320, "height": 320/"width": 160, "height": 160/' -e 's/"frames": 36/"frames": 24/' \
     clients/examples/cube.json >"$out/cube.json"
-command cube "nodes that move by <a href=\"cube.json\">\"animate\"</a>, in fog" cube.json -o cube.png
+command cube "" "nodes that move by \"animate\", in fog" cube.json cube.json -o cube.png
 
 # ---- printed parts ----
 
@@ -170,10 +219,10 @@ printed() { # NAME LOOK FILE WHAT MEMBERS
     printf '{"look": "%s", "up": "z", "window": {"width": 330, "height": 250}, %s, %s"meshes": [{"asset": "part"}]}\n' \
         "$2" "$printed_view" "${5:+$5, }" >"$out/$1.json"
     render "$1" --part "part=$printed/$3.stl" --compress small
-    figure "$1" "" "$4; by Patrick Barrett (azdle/printables, CC0)" "$5"
+    put_figure "$1" "" "$4; by Patrick Barrett (azdle/printables, CC0)" "zraster $1.json --part part=$3.stl" "$1.json" "$5"
 }
 printed_view='"view": {"azimuthDegrees": 35, "elevationDegrees": 28, "perspective": {"yfovDegrees": 30}, "fit": {"padding": 0.04}}'
-echo '<h2>Printed parts</h2>' >>"$page"
+section printed "Printed parts" "STL files for printers, drawn as a print service shows them."
 printed printed-fan studio fan_adaptor "An adaptor for a fan" ''
 printed printed-mount technical pc-board-mount "A mount for a board, with dashed hidden lines" '"edges": {"from": "mesh", "hiddenLines": true}'
 printed printed-spool metal enclosed-spool-holder "The base of a spool holder, a corner cut away" '"sections": {"planes": [{"axis": "x", "fraction": 0.5, "keep": "negative"}, {"axis": "z", "fraction": 0.5, "keep": "negative"}], "corner": true}'
@@ -184,7 +233,7 @@ waves=$(awk -v model="waves viridis" -f $here/models.awk)
 bar='"colorBar": {"title": "height, mm"}'
 printf '{"look": "studio", "up": "z", "window": {"width": 620, "height": 400}, "view": {"azimuthDegrees": 35, "elevationDegrees": 30, "perspective": {"yfovDegrees": 30}, "fit": {"padding": 0.12}}, %s, "meshes": [{%s}]}\n' \
     "$bar" "$waves" >"$out/color-bar.json"
-echo '<h2>A colour bar</h2>' >>"$page"
+part=$out/section-numbers.part
 render color-bar
 figure color-bar wide "The colormap with its numbers, over any look in its own colours." "$bar"
 
@@ -203,4 +252,6 @@ for look in studio technical clay dark metal outdoor blueprint xray; do
     scene "\"look\": \"$look\", \"window\": {\"width\": 128, \"height\": 160}" "$pawn" >"$out/look-$look.json"
     render look-$look --compress small
 done
+write_page >"$page"
+rm "$out"/section-*.part "$out"/section-*.title
 echo "$count pictures: $page"

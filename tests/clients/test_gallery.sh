@@ -27,9 +27,23 @@ without_parts() {
 verdict "without the meshes of printed parts, their pictures are left out, and it is said" without_parts
 
 scenes=$(grep -c '^[a-z][a-z0-9.-]* |' clients/gallery/scenes.txt)
-names=$(sed -n 's/^<figure[^>]*><img src="\([^"]*\)\.png".*/\1/p' "$out/index.html")
+names=$(sed -n 's/^<figure[^>]*><a href="\([^"]*\)\.png".*/\1/p' "$out/index.html")
 shown=$(echo "$names" | wc -l)
-verdict "the page shows $scenes scenes, 2 grids of balls, lamps, parts, several views, printed parts, and a colour bar" [ "$shown" = $((scenes + 18 - left_out)) ]
+verdict "the page shows an assembly, $scenes scenes, 2 grids of balls, lamps, parts, several views, printed parts, and a colour bar" [ "$shown" = $((7 + scenes + 19 - left_out)) ]
+verdict "the assembly is first" [ "$(echo "$names" | head -n 1)" = cutaway ]
+anchors_lead() { for id in $(sed -n 's/<a href="#/\n#/gp' "$out/index.html" | sed -n 's/^#\([a-z-]*\)".*/\1/p'); do grep -q "<section id=\"$id\"" "$out/index.html" || return 1; done; }
+verdict "its contents lead to the sections" anchors_lead
+# The command below a picture, run beside the files.
+draws_again() { # NAME
+    rm -rf "$work/again" && mkdir "$work/again" && cp "$out"/*.json "$out"/*.obj "$work/again"
+    line=$(sed -n "s|^<figure[^>]*><a href=\"$1\.png\".*<code class=\"command\">zraster \([^<]*\)</code>.*|\1|p" "$out/index.html")
+    zraster=$(realpath "$build/zraster")
+    # shellcheck disable=SC2086
+    (cd "$work/again" && "$zraster" $line) >>"$said" 2>>"$complained" && "$zraster" compare "$work/again/$1.png" "$out/$1.png" >>"$said" 2>>"$complained"
+}
+for name in cutaway sheet studio parts-ghost; do
+    verdict "the command below $name draws it" draws_again $name
+done
 verdict "each under a name of its own" [ "$(echo "$names" | sort -u | wc -l)" = "$shown" ]
 all_there() {
     for name in $names; do
@@ -37,6 +51,15 @@ all_there() {
     done
 }
 verdict "with its picture, and its scene or command beside it" all_there
+
+# Commands of the manual's page are those that draw its pictures, by pictures.txt.
+page_commands() { # PAGE: lines NAME | COMMAND
+    awk '/<img src="pictures\// { sub(/.*pictures\//, ""); sub(/\.png.*/, ""); name = $0; next }
+         name && /^zraster / { sub(/ -o [a-z.-]*$/, ""); print name " | " $0; name = "" }' "$1"
+}
+page_commands clients/docs/gallery.md >"$work/shown"
+grep '^gallery-' clients/docs/pictures.txt >"$work/drawn"
+verdict "the commands of gallery.md are those of its pictures" cmp "$work/shown" "$work/drawn"
 
 # A feature that a look has by default shows the same picture twice.
 twins() {
