@@ -116,7 +116,7 @@ static void put_shape(struct zr_trace *trace, const struct zr_geometry *geometry
     const enum zr_draw_kind kind = primitive->draw->kind;
     zr_trace_text(trace, "kind", names[kind]);
     if (kind == ZR_DRAW_SHAPES) zr_trace_begin(trace, "triangles", '[');
-    for (uint32_t i = 0; i < primitive->count; i++) {
+    for (uint32_t i = 0; i < primitive->count && !trace->is_beyond; i++) {
         const struct zr_triangle triangle = zr_primitive_triangle(geometry, primitive, primitive->first + i);
         put_corners(trace, kind == ZR_DRAW_SHAPES ? NULL : "corners", geometry, &triangle,
                     kind == ZR_DRAW_POINTS                 ? 1
@@ -130,7 +130,7 @@ static void put_edges(struct zr_trace *trace, const struct zr_primitive *primiti
 {
     const struct zr_grid_edge *edges = zr_primitive_edges(primitive);
     zr_trace_begin(trace, "edges", '[');
-    for (uint32_t i = 0; i < primitive->edge_count; i++) {
+    for (uint32_t i = 0; i < primitive->edge_count && !trace->is_beyond; i++) {
         zr_trace_begin(trace, NULL, '[');
         zr_trace_place(trace, NULL, edges[i].x0);
         zr_trace_place(trace, NULL, edges[i].y0);
