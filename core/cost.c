@@ -51,8 +51,9 @@ static struct passes passes_of(const struct zr_scene *scene, const struct zr_res
 {
     const struct zr_picture *picture = &scene->picture;
     const struct zr_view *view = &scene->views[0];
-    /* Passes of the masks, and of the target of a flow. */
-    const double more = (double)zr_view_has_masks(view) + (double)zr_view_wants(view, ZR_CHANNEL_FLOW);
+    /* Passes of the masks, of the target of a flow, and of a trace. */
+    const double more = (double)zr_view_has_masks(view) + (double)zr_view_wants(view, ZR_CHANNEL_FLOW) +
+                        (double)zr_view_wants(view, ZR_CHANNEL_TRACE);
     struct passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0 + more, .side = 1.0};
     if (!zr_view_has_pixels(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
     passes.samples = 1.0;
@@ -244,6 +245,15 @@ static double layer_walks(const struct zr_view *view)
            (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0) + (zr_view_has_masks(view) ? 1.0 : 0.0);
 }
 
+/* Beyond its bounds, a trace ends. Algorithms without a z-buffer do not list the depths of pixels. */
+static double traced_pixels(const struct zr_cost_sample *sample)
+{
+    const enum zr_algorithm algorithm = sample->scene->algorithm;
+    const bool has_depths = algorithm != ZR_ALGORITHM_SCANLINE && algorithm != ZR_ALGORITHM_PAINTER;
+    const double most = (double)ZR_TRACE_PRIMITIVES_MAX * sample->width * sample->height;
+    return (has_depths ? 1.0 : 0.2) * fmin(sample->scale * (sample->fragments + sample->line_fragments), most);
+}
+
 static double square(double value)
 {
     return value * value;
@@ -271,6 +281,7 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
         counts[ZR_COST_SHAPE_CORNER] += 0.25 * caps * caps / fmax((double)scene->instance_count, 1.0);
     counts[ZR_COST_LAYER] = drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
     counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
+    if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) counts[ZR_COST_TRACED_PIXEL] = traced_pixels(sample);
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;
     counts[ZR_COST_MAP_FRAGMENT] = passes->map_texels * scale * sample->fragments / pixels;
     if (scene->algorithm == ZR_ALGORITHM_PAINTER && sample->faces > 0.0) {

@@ -52,6 +52,7 @@
     ROW(SECTION_CORNER, 60.0, "corners of faces times planes of sections")                                             \
     ROW(CAP_TILE, 6.0, "corners of caps times tiles of the window")                                                    \
     ROW(LENS_PIXEL, 100.0, "pixels that a lens distorts")                                                              \
+    ROW(TRACED_PIXEL, 550.0, "pixels of faces, hidden ones too, in a trace")                                           \
     ROW(OUTPUT_WORD, 1.6, "words of outputs")                                                                          \
     ROW(PNG_PIXEL, 0.4, "pixels of PNG files")                                                                         \
     ROW(SMALL_PNG_PIXEL, 18.0, "pixels of PNG files that are compressed well")                                         \

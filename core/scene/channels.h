@@ -93,7 +93,9 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS 
     /* scene/flow.h */                                                                                                 \
     ROW(FLOW, "flow",                                                                                                  \
         "motion of the visible point to another view or pose, in pixels, and whether it is visible there", FLOAT32, 3, \
-        NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)
+        NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                                              \
+    ROW(TRACE, "trace", "steps of the hidden-surface algorithm, for small windows", NONE, 0, ZERO, false, 0,           \
+        ZR_ENCODING_JSON)
 
 enum zr_channel {
 #define ZR_CHANNEL_ENUM(ID, ...) ZR_CHANNEL_##ID,

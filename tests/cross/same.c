@@ -21,7 +21,7 @@
 #include "support/geometries.h"
 #include "support/random_scenes.h"
 
-enum { NAME_SIZE = 200, LOOK_SIDE = 100 };
+enum { NAME_SIZE = 200, LOOK_SIDE = 100, TRACE_SIDE = 48 };
 
 static const char *const encodings[ZR_ENCODING_COUNT] = {"png",  "png16", "png32", "npy",  "json", "svg",
                                                          "tiff", "apng",  "pfm",   "jpeg", "webp", "zip"};
@@ -110,7 +110,8 @@ static void ask_channel(const struct scene_file *file, enum zr_channel channel, 
         if (channel == ZR_CHANNEL_FRAGMENTS)
             snprintf(output, sizeof output, "\"channel\":\"%s\",\"x\":%d,\"y\":%d", row->name, file->window[0] / 2,
                      file->window[1] / 2);
-        ask_variant(file, what, output, file->look, file->window, algorithm);
+        const int small[2] = {TRACE_SIDE, TRACE_SIDE};
+        ask_variant(file, what, output, file->look, channel == ZR_CHANNEL_TRACE ? small : file->window, algorithm);
     }
 }
 
@@ -129,7 +130,8 @@ static void ask_looks(const struct scene_file *file)
 
 static void ask_algorithms(const struct scene_file *file)
 {
-    static const enum zr_channel some[] = {ZR_CHANNEL_COLOR, ZR_CHANNEL_DEPTH, ZR_CHANNEL_NORMALS, ZR_CHANNEL_INFO};
+    static const enum zr_channel some[] = {ZR_CHANNEL_COLOR, ZR_CHANNEL_DEPTH, ZR_CHANNEL_NORMALS, ZR_CHANNEL_INFO,
+                                           ZR_CHANNEL_TRACE};
     for (int a = 0; a < ZR_ALGORITHM_COUNT; a++)
         for (size_t c = 0; a != ZR_ALGORITHM_HALFSPACE && c < sizeof some / sizeof *some; c++)
             ask_channel(file, some[c], algorithm_words[a]);

@@ -160,6 +160,9 @@ static void write_scenes(void)
          "{" WINDOW ",\"visibility\":true," TETRAHEDRA "\"materials\":[{\"name\":\"m\",\"alphaMode\":\"MASK\"}],"
          "\"outputs\":[{\"channel\":\"info\"},{\"channel\":\"masks\"},{\"channel\":\"masks\",\"encoding\":"
          "\"json\"}]}"},
+        {"trace", "{" WINDOW "," TRIANGLE ",\"algorithm\":\"trapezoid\",\"outputs\":[{\"channel\":\"trace\"}]}"},
+        {"trace-painter", "{" WINDOW "," TETRAHEDRA
+                          "\"algorithm\":\"painter\",\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"trace\"}]}"},
         {"orbit-of-views",
          "{" WINDOW "," TRIANGLE ",\"orbit\":{\"count\":4,\"distance\":3},\"view\":{\"perspective\":{\"yfov\":0.6}}}"},
     };

@@ -384,6 +384,8 @@ class Pictures(unittest.TestCase):
         self.assertIsNone(zraster.render(SCENE, "depth")._repr_png_())
         fragments = zraster.render(SCENE, channel="fragments", x=30, y=20)
         self.assertEqual(fragments["fragments"]["x"], 30)
+        trace = zraster.render(SCENE, channel="trace", algorithm="scanline")["trace"]
+        self.assertEqual((trace["algorithm"], trace["window"]), ("scanline", {"width": 60, "height": 40}))
 
     @needs_numpy
     def test_arrays(self):
@@ -391,7 +393,7 @@ class Pictures(unittest.TestCase):
         names = ["color", "depth", "windowDepth", "distance", "normals", "position", "texcoord", "barycentrics"]
         names += ["instanceId", "faceId", "frontFacing", "layers", "thickness"]
         all_of_them = zraster.Renderer().tables["channels"]
-        self.assertEqual({row["name"] for row in all_of_them} - set(names), {"info", "fragments", "masks", "flow"})
+        self.assertEqual({row["name"] for row in all_of_them} - set(names), {"info", "fragments", "masks", "flow", "trace"})
         last = {"color": 3, "normals": 3, "position": 3, "barycentrics": 3, "texcoord": 2}
         types = dict.fromkeys(names[1:8], "float32") | {"color": "uint8", "thickness": "float32"}
         picture = zraster.render(SCENE, names)

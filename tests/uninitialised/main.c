@@ -31,6 +31,7 @@ static uint32_t list_outputs(const struct zr_scene *scene)
         const struct zr_output *given = zr_view_output(view, channel);
         const bool needs_layers =
             channel == ZR_CHANNEL_LAYERS || channel == ZR_CHANNEL_THICKNESS || channel == ZR_CHANNEL_FRAGMENTS;
+        if (channel == ZR_CHANNEL_TRACE && !given) continue; /* few scenes are that small */
         if (needs_layers && scene->algorithm == ZR_ALGORITHM_PAINTER) continue;
         if (scene->base && !given) continue; /* the base may lack it */
         outputs[count] = given ? *given

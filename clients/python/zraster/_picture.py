@@ -152,7 +152,7 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
     picture["distance"]: (h, w) float32, length of the ray from the eye in scene units
     picture["normals"], picture["position"]: (h, w, 3) float32
     picture["instanceId"], picture["faceId"]: (h, w) uint32, counted from 1
-    picture["info"], picture["fragments"]: dicts
+    picture["info"], picture["fragments"], picture["trace"]: dicts
     picture["masks"]: {1: {"amodal": (h, w) bool, "visible": ...}, ...} by instanceId; as json, a dict
     Several views: picture["front.color"], ...; picture["depth"]: (views, h, w); file("color"): the animation or the sheet
     Background pixels are inf in depth and distance, and 0 in normals, position and ids.
@@ -230,7 +230,7 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
         return array
 
     def __getitem__(self, channel: str) -> Any:
-        array = self._made.array(channel) if channel not in ("info", "fragments", "masks") else None
+        array = self._made.array(channel) if channel not in ("info", "fragments", "masks", "trace") else None
         if array is not None:
             return array.copy()
         data, type_ = self._encode(channel)
