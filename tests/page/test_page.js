@@ -1,9 +1,9 @@
 // test_page.js BUILD [TEST...]: the page at / in a browser, as a person uses it. Prints TAP; pictures land in
-// BUILD/page-test/shots.
+// BUILD/page-test/shots/BROWSER.
 'use strict';
 const fs = require('fs');
 const path = require('path');
-const { work, check, daemon, open, drawn, redrawn, violations, saved, run, shot, main } = require('./browser.js');
+const { work, check, daemon, open, drawn, redrawn, violations, saved, doubleClick, run, shot, main } = require('./browser.js');
 
 const assets = path.join(work, 'assets');
 fs.mkdirSync(assets);
@@ -74,7 +74,7 @@ const tests = {
     await page.mouse.down({ button: 'right' });
     await redrawn(page, async () => { await page.mouse.move(460, 320, { steps: 4 }); await page.mouse.up({ button: 'right' }); });
     check('the right button moves the target', String((await sceneOf(page)).view.target) !== String(target));
-    await redrawn(page, () => page.mouse.dblclick(400, 300));
+    await redrawn(page, () => doubleClick(page, 400, 300));
     check('a double click shows everything', (await sceneOf(page)).view === undefined);
     check('moves: nothing in the console', page.faults.length === 0, page.faults);
   },
@@ -430,7 +430,11 @@ const tests = {
       await page.waitForFunction(() => /busy; trying again in 1 s/.test(byId('note').textContent));
     });
     check('a busy daemon is asked again', await page.isHidden('#note'), await page.textContent('#note'));
-    await page.unroute('**/v1/render*');
+  },
+
+  async offline(browser) {
+    const page = await open(browser, address);
+    await drawn(page);
     await page.context().setOffline(true);
     await page.check('input[value=dark]');
     await page.waitForFunction(() => /Is the daemon running/.test(byId('note').textContent));
