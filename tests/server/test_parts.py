@@ -83,4 +83,4 @@ class Parts(unittest.TestCase):
     def test_refusal(self):
         """a refusal is a problem as ever"""
         status, headers, _ = self.daemon.send("/v1/render?channel=color,depths", SCENE % b"", Content_Type="application/json", Accept=FORM)
-        self.assertEqual((status, headers.get_content_type()), (422, "application/problem+json"))
+        self.assertEqual((status, headers.get_content_type()), (400, "application/problem+json"))
