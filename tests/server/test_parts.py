@@ -8,9 +8,9 @@ import zipfile
 import daemon
 
 SCENE = b"""{"window": {"width": 160, "height": 120}, "polygons": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]%s}"""
-CHANNELS = "color,depth,faceId,info"
-FILES = ["color.png", "depth.npy", "faceId.npy", "info.json"]
-TYPES = ["image/png", "application/x-npy", "application/x-npy", "application/json"]
+CHANNELS = "color,depth,faceId"
+FILES = ["color.png", "depth.npy", "faceId.npy"]
+TYPES = ["image/png", "application/x-npy", "application/x-npy"]
 MIXED, FORM = "multipart/mixed", "multipart/form-data"
 
 
