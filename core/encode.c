@@ -16,6 +16,7 @@
 #include "output/pfm.h"
 #include "output/png.h"
 #include "output/tiff.h"
+#include "output/trace_json.h"
 #include "scene/looks.h"
 #include "scene/scene.h"
 #include "scene/validate.h"
@@ -212,6 +213,7 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
                             row->words, values, out);
     case ZR_ENCODING_JSON:
         if (output->channel == ZR_CHANNEL_FRAGMENTS) return zr_fragments_json_write(e->scene, f, out);
+        if (output->channel == ZR_CHANNEL_TRACE) return zr_trace_json_write(f->trace, e->cancel, out);
         if (output->channel == ZR_CHANNEL_MASKS) return zr_masks_json_write(e->scene, f, e->cancel, out);
         return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, e->encoders, e->cancel, out);
     case ZR_ENCODING_SVG:

@@ -113,6 +113,14 @@ void zr_print_count(struct zr_print *print, const char *key, uint64_t count)
     put(print, text);
 }
 
+void zr_print_integer(struct zr_print *print, const char *key, int64_t value)
+{
+    char text[24];
+    begin_value(print, key);
+    snprintf(text, sizeof text, "%" PRId64, value);
+    put(print, text);
+}
+
 /* Replaces the decimal separator of the locale, one or more bytes, by a point. */
 static void put_point(char *text)
 {

@@ -29,6 +29,7 @@ void zr_print_string(struct zr_print *print, const char *key, const char *text);
 
 void zr_print_bool(struct zr_print *print, const char *key, bool value);
 void zr_print_count(struct zr_print *print, const char *key, uint64_t count);
+void zr_print_integer(struct zr_print *print, const char *key, int64_t value);
 
 /* Prints the shortest of the decimals with 6 to 9 digits that reads back as the same float, as "%g" formats it. The
  * value is finite. */

@@ -7,12 +7,15 @@
 #include "raster/fragments.h"
 #include "raster/primitive.h"
 
+struct zr_trace; /* textbook/trace.h */
+
 struct zr_samples {
     uint32_t width, height;
     float *depth;                   /* window depth */
     uint32_t *owner;                /* 1 + number of the primitive, 0 if uncovered */
     enum zr_alpha_mode drawn;       /* alpha mode of the drawn primitives; others are skipped */
     struct zr_fragments *fragments; /* receives fragments in place of depth and owner; NULL for opaque primitives */
+    struct zr_trace *trace;         /* receives the steps of the algorithm; NULL: they are not recorded */
 };
 
 static inline bool zr_samples_take(const struct zr_samples *samples, const struct zr_draw *draw)

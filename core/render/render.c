@@ -19,6 +19,7 @@
 #include "render/pixel_fragments.h"
 #include "render/sections.h"
 #include "render/stage.h"
+#include "render/trace.h"
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
 #include "shade/nocs.h"
@@ -132,6 +133,8 @@ static enum zr_status draw(struct zr_arena *arena, struct zr_arena *scratch, str
     if (status == ZR_OK) zr_color_bar_draw(drawn, frame);
     STAGE(list_fragments(arena, scratch, team, drawn, cancel, frame));
     STAGE(zr_render_sections_restore(arena, cancel, frame));
+    if (zr_view_wants(frame->view, ZR_CHANNEL_TRACE))
+        STAGE(zr_trace_make(arena, scratch, team, scene, cancel, frame, error));
     return status;
 }
 

@@ -96,7 +96,9 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS 
     /* pixels of each instance, drawn alone and visible, as PNG or JSON */                                             \
     ROW(MASKS, "masks", NONE, 0, ZERO, false, 0, ZR_ENCODING_ZIP, ZR_ENCODING_JSON)                                    \
     /* way of the visible point to the other view, in pixels: x, y, and whether it is visible there (scene/flow.h) */  \
-    ROW(FLOW, "flow", FLOAT32, 3, NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)
+    ROW(FLOW, "flow", FLOAT32, 3, NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                    \
+    /* JSON: steps of the hidden-surface algorithm */                                                                  \
+    ROW(TRACE, "trace", NONE, 0, ZERO, false, 0, ZR_ENCODING_JSON)
 
 enum zr_channel {
 #define ZR_CHANNEL_ENUM(ID, ...) ZR_CHANNEL_##ID,

@@ -165,6 +165,30 @@ static void check_svg(const struct zr_scene *scene, const struct zr_view *view, 
         zr_error_add(error, ZR_BAD_SCENE, NULL, "the encoding svg has the lines of faces, and the scene has no face");
 }
 
+/* Steps are those of one pass over opaque faces at the centres of a small window's pixels. */
+static void check_trace(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    static const char pointers[2][16] = {"/window/width", "/window/height"};
+    const uint32_t sides[] = {view->width, view->height};
+    char pointer[24];
+    if (!zr_view_wants(view, ZR_CHANNEL_TRACE)) return;
+    snprintf(pointer, sizeof pointer, "/outputs/%u",
+             (unsigned)(zr_view_output(view, ZR_CHANNEL_TRACE) - view->outputs));
+    for (int i = 0; i < 2; i++)
+        if (sides[i] > ZR_TRACE_SIDE_MAX)
+            zr_error_add(error, ZR_BAD_SCENE, pointers[i],
+                         "%" PRIu32 " pixels; the channel trace goes up to a window of %d x %d", sides[i],
+                         ZR_TRACE_SIDE_MAX, ZR_TRACE_SIDE_MAX);
+    if (zr_any_is_see_through(scene->materials, scene->material_count))
+        zr_error_add(error, ZR_BAD_SCENE, pointer,
+                     "the channel trace does not go with the alphaMode MASK or BLEND, whose layers are drawn apart");
+    if (scene->sections.count > 0)
+        zr_error_add(error, ZR_BAD_SCENE, "/sections", "does not go with the channel trace, which needs whole faces");
+    if (view->lens.model != ZR_LENS_NONE)
+        zr_error_add(error, ZR_BAD_SCENE, "/view/distortion",
+                     "does not go with the channel trace: algorithms draw the picture of the pinhole");
+}
+
 /* A lens distorts a pinhole's pixels. */
 static void check_lens(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
@@ -266,6 +290,7 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     check_flow(scene, view, error);
     check_svg(scene, view, error);
     check_lens(scene, view, error);
+    check_trace(scene, view, error);
     check_formats(scene, view, error);
     check_undrawn(scene, view, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;

@@ -58,6 +58,9 @@ struct zr_output {
 
 #define ZR_QUALITY_DEFAULT 85
 
+/* Bounds of the channel trace: sides of the window, primitives, and steps. */
+enum { ZR_TRACE_SIDE_MAX = 64, ZR_TRACE_PRIMITIVES_MAX = 64, ZR_TRACE_STEPS_MAX = 20000 };
+
 struct zr_view {
     uint32_t width, height; /* of the window, pixels */
     uint32_t output_count;
@@ -124,13 +127,15 @@ static inline bool zr_view_has_masks(const struct zr_view *view)
     return view->has_visibility || zr_view_wants(view, ZR_CHANNEL_MASKS);
 }
 
-/* True if an output has pixels of the channel, or if `info` or `fragments` is computed from them. */
+/* True if an output has pixels of the channel, or if `info`, `fragments` or the covered pixels of a `trace` are
+ * computed from them. */
 static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel channel)
 {
     const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS);
     return zr_view_has_pixels(view, channel) || (lists && channel == ZR_CHANNEL_WINDOW_DEPTH) ||
            (channel == ZR_CHANNEL_INSTANCE_ID && zr_view_has_masks(view)) ||
-           (channel == ZR_CHANNEL_FACE_ID && (lists || zr_view_wants(view, ZR_CHANNEL_INFO)));
+           (channel == ZR_CHANNEL_FACE_ID &&
+            (lists || zr_view_wants(view, ZR_CHANNEL_INFO) || zr_view_wants(view, ZR_CHANNEL_TRACE)));
 }
 
 /* Returns the space of the view's outputs of a channel. */

@@ -227,6 +227,8 @@ static enum zr_status check_sheet(const struct zr_scene *scene, struct zr_error 
     if (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS))
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
                             "does not go with the channel fragments, which is of a pixel of one view");
+    if (zr_view_wants(view, ZR_CHANNEL_TRACE))
+        return zr_error_add(error, ZR_BAD_SCENE, "/sheet", "does not go with the channel trace, which is of one view");
     if (scene->base)
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
                             "does not go with a base, whose pictures have the size of one view");

@@ -9,6 +9,7 @@
  * Exact:  an x is the first sample not left of the edge, by one integer division per row, rounded up. So a pair of them
  *         encloses exactly the samples that have an odd number of edges on their left. */
 #include "raster/textbook/algorithms.h"
+#include "raster/textbook/trace.h"
 
 /* Lists of all rows, stored one after the other. */
 struct lists {
@@ -116,6 +117,20 @@ static void fill_row(const struct zr_geometry *geometry, const struct zr_primiti
     }
 }
 
+static void trace_row(struct zr_trace *trace, const struct zr_geometry *geometry, const struct zr_primitive *primitive,
+                      int32_t y, const int32_t *xs, uint32_t count, const struct zr_samples *samples)
+{
+    zr_trace_step(trace);
+    zr_trace_integer(trace, "primitive", zr_trace_id(trace, primitive->first));
+    zr_trace_integer(trace, "row", y);
+    zr_trace_begin(trace, "xs", '[');
+    for (uint32_t i = 0; i < count; i++)
+        zr_trace_integer(trace, NULL, xs[i]);
+    zr_trace_end(trace, ']');
+    zr_trace_spans(trace, geometry, primitive, y, xs, count, samples);
+    zr_trace_end(trace, '}');
+}
+
 static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geometry,
                            const struct zr_primitive *primitive, const struct zr_cancel *cancel, struct lists *lists,
                            struct zr_samples *samples)
@@ -127,6 +142,8 @@ static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geo
         const uint32_t *ends = &lists->ends[y - primitive->min_y];
         if (ends[0] == ends[1]) continue; /* if all lists are empty, xs may be NULL */
         sort(lists->xs + ends[0], ends[1] - ends[0]);
+        if (samples->trace)
+            trace_row(samples->trace, geometry, primitive, y, lists->xs + ends[0], ends[1] - ends[0], samples);
         fill_row(geometry, primitive, y, lists, samples);
     }
     return ZR_OK;

@@ -20,6 +20,7 @@
 #include <assert.h>
 
 #include "raster/textbook/piece.h"
+#include "raster/textbook/trace.h"
 
 enum { PIECES_A_CANCEL_CHECK = 4096 };
 
@@ -123,6 +124,97 @@ static void put_in_place(struct painting *painting, uint32_t whole, uint32_t fir
     link_up(items, second, items[whole].next);
 }
 
+/* ---- trace ---- */
+
+static struct zr_trace *trace_of(const struct painting *painting)
+{
+    return painting->pieces.samples->trace;
+}
+
+static int64_t id_of(const struct painting *painting, uint32_t piece)
+{
+    return painting->pieces.items[piece].id;
+}
+
+static void trace_piece(const struct painting *painting, uint32_t number)
+{
+    const struct zr_piece *piece = &painting->pieces.items[number];
+    struct zr_trace *trace = trace_of(painting);
+    zr_trace_begin(trace, NULL, '{');
+    zr_trace_integer(trace, "piece", piece->id);
+    zr_trace_integer(trace, "primitive", piece->primitive + 1);
+    zr_trace_float(trace, "near", piece->near);
+    zr_trace_float(trace, "far", piece->far);
+    zr_trace_begin(trace, "spans", '[');
+    for (uint32_t s = piece->first_span; s > 0; s = painting->pieces.spans[s].next) {
+        const struct zr_span *span = &painting->pieces.spans[s];
+        zr_trace_integers(trace, NULL, (int64_t[]){span->y, span->begin, span->end}, 3);
+    }
+    zr_trace_end(trace, ']');
+    zr_trace_end(trace, '}');
+}
+
+/* Records the list before anything is painted. */
+static void trace_list(const struct painting *painting)
+{
+    struct zr_trace *trace = trace_of(painting);
+    zr_trace_step(trace);
+    zr_trace_begin(trace, "order", '[');
+    for (uint32_t i = 1; i < painting->pieces.count; i++)
+        trace_piece(painting, i);
+    zr_trace_end(trace, ']');
+    zr_trace_end(trace, '}');
+}
+
+/* Records a step of one or two pieces; 0: no second one. */
+static void trace_pieces(const struct painting *painting, const char *key, uint32_t a, uint32_t b)
+{
+    struct zr_trace *trace = trace_of(painting);
+    zr_trace_step(trace);
+    if (b == 0)
+        zr_trace_integer(trace, key, id_of(painting, a));
+    else
+        zr_trace_integers(trace, key, (int64_t[]){id_of(painting, a), id_of(painting, b)}, 2);
+}
+
+/* Records which test has compared two pieces. overlap: of their common samples, NULL: not looked at. */
+static void trace_compare(const struct painting *painting, uint32_t p, uint32_t q, const struct zr_overlap *overlap)
+{
+    const struct zr_piece *a = &painting->pieces.items[p], *b = &painting->pieces.items[q];
+    struct zr_trace *trace = trace_of(painting);
+    trace_pieces(painting, "compare", p, q);
+    zr_trace_text(trace, "test", overlap ? "pixels" : b->far < a->near ? "depth" : "box");
+    zr_trace_bool(trace, "nearer", overlap && overlap->nearer > 0);
+    zr_trace_bool(trace, "farther", overlap && overlap->farther > 0);
+    zr_trace_end(trace, '}');
+}
+
+static void trace_cycle(const struct painting *painting, uint32_t start)
+{
+    struct zr_trace *trace = trace_of(painting);
+    bool is_in = false;
+    zr_trace_step(trace);
+    zr_trace_begin(trace, "cycle", '[');
+    for (uint32_t i = 0; i < painting->length; i++) {
+        is_in |= painting->chain[i] == start;
+        if (is_in) zr_trace_integer(trace, NULL, id_of(painting, painting->chain[i]));
+    }
+    zr_trace_end(trace, ']');
+    zr_trace_end(trace, '}');
+}
+
+static void trace_cut(const struct painting *painting, uint32_t piece, uint32_t other, uint32_t first, uint32_t second)
+{
+    struct zr_trace *trace = trace_of(painting);
+    trace_pieces(painting, "split", piece, 0);
+    zr_trace_integer(trace, "by", id_of(painting, other));
+    zr_trace_begin(trace, "into", '[');
+    trace_piece(painting, first);
+    trace_piece(painting, second);
+    zr_trace_end(trace, ']');
+    zr_trace_end(trace, '}');
+}
+
 /* ---- the chain ---- */
 
 static bool push(struct painting *painting, uint32_t piece)
@@ -139,6 +231,16 @@ static bool push(struct painting *painting, uint32_t piece)
     return true;
 }
 
+/* Tries a piece in place of the last of the chain, which hides a part of it. */
+static bool try_first(struct painting *painting, uint32_t piece)
+{
+    if (trace_of(painting)) {
+        trace_pieces(painting, "swap", painting->chain[painting->length - 1], piece);
+        zr_trace_end(trace_of(painting), '}');
+    }
+    return push(painting, piece);
+}
+
 static void shorten(struct painting *painting, uint32_t length)
 {
     while (painting->length > length)
@@ -149,6 +251,10 @@ static void shorten(struct painting *painting, uint32_t length)
 static void paint_last(struct painting *painting)
 {
     uint32_t piece = painting->chain[painting->length - 1];
+    if (trace_of(painting)) {
+        trace_pieces(painting, "draw", piece, 0);
+        zr_trace_end(trace_of(painting), '}');
+    }
     zr_pieces_paint(&painting->pieces, piece);
     shorten(painting, painting->length - 1);
     take_out(painting, piece);
@@ -162,6 +268,7 @@ static bool cut(struct painting *painting, uint32_t place, uint32_t other, bool 
     uint32_t piece = painting->chain[place], inside, rest;
     shorten(painting, place);
     if (!zr_pieces_split(&painting->pieces, piece, other, nearer, &inside, &rest)) return false;
+    if (trace_of(painting)) trace_cut(painting, piece, other, rest, inside);
     put_in_place(painting, piece, rest, inside);
     zr_pieces_free(&painting->pieces, piece);
     return true;
@@ -172,10 +279,12 @@ static enum zr_status cut_cycle(struct painting *painting, uint32_t start)
 {
     struct zr_pieces *pieces = &painting->pieces;
     uint32_t hidden = start;
+    if (trace_of(painting)) trace_cycle(painting, start);
     for (uint32_t place = painting->length; place-- > 0;) {
         uint32_t piece = painting->chain[place];
         struct zr_overlap overlap = zr_pieces_compare(pieces, &pieces->items[piece], &pieces->items[hidden]);
         if (zr_is_cancelled(pieces->cancel)) return ZR_CANCELLED;
+        if (trace_of(painting)) trace_compare(painting, piece, hidden, &overlap);
         if (overlap.nearer < pieces->items[piece].size)
             return cut(painting, place, hidden, false) ? ZR_OK : ZR_NO_MEMORY;
         assert(piece != start); /* the head of this file shows that some piece extends beyond the next */
@@ -195,16 +304,25 @@ static bool boxes_overlap(const struct zr_piece *p, const struct zr_piece *q)
 static uint32_t find_hidden(struct painting *painting, struct zr_overlap *overlap)
 {
     struct zr_pieces *pieces = &painting->pieces;
-    struct zr_piece *p = &pieces->items[painting->chain[painting->length - 1]];
+    const uint32_t last = painting->chain[painting->length - 1];
+    const bool is_traced = trace_of(painting);
+    struct zr_piece *p = &pieces->items[last];
     uint32_t steps = 0;
     for (uint32_t number = first_from(painting, p->clear); number > 0; number = pieces->items[number].next) {
         const struct zr_piece *q = &pieces->items[number];
-        if (q->order < p->near) return 0;
+        if (q->order < p->near) {
+            if (is_traced) trace_compare(painting, last, number, NULL);
+            return 0;
+        }
         if (++steps % PIECES_A_CANCEL_CHECK == 0 && zr_is_cancelled(pieces->cancel)) return 0;
         pieces->work++;
-        if (q->far < p->near || q == p || !boxes_overlap(p, q)) continue;
+        if (q->far < p->near || q == p || !boxes_overlap(p, q)) {
+            if (is_traced && q != p) trace_compare(painting, last, number, NULL);
+            continue;
+        }
         p->clear = q->rank;
         *overlap = zr_pieces_compare(pieces, p, q);
+        if (is_traced) trace_compare(painting, last, number, overlap);
         if (overlap->nearer > 0) return number;
     }
     return 0;
@@ -226,7 +344,7 @@ static enum zr_status paint(struct painting *painting, uint64_t work_max)
         else if (painting->pieces.items[hidden].in_chain)
             status = cut_cycle(painting, hidden);
         else
-            status = push(painting, hidden) ? ZR_OK : ZR_NO_MEMORY;
+            status = try_first(painting, hidden) ? ZR_OK : ZR_NO_MEMORY;
         if (status != ZR_OK) return status;
     }
     return zr_is_cancelled(painting->pieces.cancel) ? ZR_CANCELLED : ZR_OK;
@@ -239,6 +357,7 @@ enum zr_status zr_painter_within(struct zr_arena *arena, const struct zr_geometr
     enum zr_status status = zr_pieces_make(arena, geometry, cancel, samples, &painting.pieces);
     if (status != ZR_OK) return status;
     if (!sort(&painting.pieces) || !make_list(&painting)) return ZR_NO_MEMORY;
+    if (samples->trace) trace_list(&painting);
     return paint(&painting, work_max);
 }
 

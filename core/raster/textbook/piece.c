@@ -17,7 +17,7 @@ static bool reserve(struct zr_arena *arena, void **items, uint32_t count, uint32
 }
 
 /* Returns an empty piece, or 0 if memory ran out. */
-static uint32_t new_piece(struct zr_pieces *pieces, uint32_t primitive)
+static uint32_t new_piece(struct zr_pieces *pieces, uint32_t primitive, uint32_t id)
 {
     uint32_t number = pieces->free;
     if (number > 0) {
@@ -28,7 +28,8 @@ static uint32_t new_piece(struct zr_pieces *pieces, uint32_t primitive)
         pieces->items = items;
         number = pieces->count++;
     }
-    pieces->items[number] = (struct zr_piece){.primitive = primitive,
+    pieces->items[number] = (struct zr_piece){.id = id,
+                                              .primitive = primitive,
                                               .min_x = UINT16_MAX,
                                               .min_y = UINT16_MAX,
                                               .near = 1.0f}; /* far and max are 0: an empty range */
@@ -172,13 +173,14 @@ enum zr_status zr_pieces_make(struct zr_arena *arena, const struct zr_geometry *
     pieces->marks = zr_arena_zero(arena, (size_t)samples->width + 1, sizeof *pieces->marks);
     pieces->hits = zr_arena_alloc(arena, samples->width, sizeof *pieces->hits);
     pieces->other_hits = zr_arena_alloc(arena, samples->width, sizeof *pieces->other_hits);
+    pieces->last_id = pieces->primitives.count;
     pieces->room = pieces->span_room = pieces->primitives.count + 1;
     pieces->items = zr_arena_zero(arena, pieces->room, sizeof *pieces->items);
     pieces->spans = zr_arena_zero(arena, pieces->span_room, sizeof *pieces->spans);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     for (uint32_t p = 0; p < pieces->primitives.count; p++) {
         const struct zr_primitive *primitive = &pieces->primitives.items[p];
-        uint32_t number = new_piece(pieces, p), last = 0;
+        uint32_t number = new_piece(pieces, p, p + 1), last = 0;
         if (number == 0) return ZR_NO_MEMORY;
         for (int32_t y = primitive->min_y; y <= primitive->max_y; y++) {
             if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
@@ -247,7 +249,10 @@ bool zr_pieces_split(struct zr_pieces *pieces, uint32_t p, uint32_t q, bool near
 {
     pieces->work += pieces->items[p].size;
     uint32_t primitive = pieces->items[p].primitive, in_q = pieces->items[q].first_span;
-    uint32_t last[2] = {0, 0}, parts[2] = {new_piece(pieces, primitive), new_piece(pieces, primitive)};
+    uint32_t last[2] = {0, 0};
+    uint32_t parts[2] = {new_piece(pieces, primitive, pieces->last_id + 1),
+                         new_piece(pieces, primitive, pieces->last_id + 2)};
+    pieces->last_id += 2;
     if (parts[0] == 0 || parts[1] == 0) return false;
     for (uint32_t number = pieces->items[p].first_span, next; number > 0 && !zr_is_cancelled(pieces->cancel);
          number = next) {

@@ -16,6 +16,7 @@ struct zr_span {
 };
 
 struct zr_piece {
+    uint32_t id; /* 1 + primitive; of parts: the next number that no primitive and no part has */
     uint32_t primitive;
     uint32_t first_span;
     uint32_t size; /* samples */
@@ -43,6 +44,7 @@ struct zr_pieces {
     bool *marks;                      /* of one row, and one column more */
     struct zr_piece *items;
     struct zr_span *spans;
+    uint32_t last_id;
     uint32_t count, room, free; /* of items; free items are linked by `next` */
     uint32_t span_count, span_room, free_span;
 };

@@ -12,6 +12,7 @@
  *         interval. If more remain, they may intersect, and each sample decides.
  * Memory: all edges, and the data of one row. */
 #include "raster/textbook/algorithms.h"
+#include "raster/textbook/trace.h"
 
 enum { EDGES_A_CANCEL_CHECK = 1024 };
 
@@ -220,6 +221,79 @@ static uint32_t make_layers(struct sweep *sweep, int32_t y, int32_t begin, int32
     return kept;
 }
 
+/* ---- trace ---- */
+
+/* Records the active edges from left to right, except those right of the window. */
+static void trace_edges(const struct sweep *sweep, int32_t y)
+{
+    struct zr_trace *trace = sweep->samples->trace;
+    zr_trace_step(trace);
+    zr_trace_integer(trace, "row", y);
+    zr_trace_begin(trace, "active", '[');
+    for (uint32_t x = 0; x < sweep->samples->width; x++)
+        for (size_t i = sweep->at[x]; i > 0; i = sweep->passing[i - 1].same_x) {
+            const struct passing *edge = &sweep->passing[i - 1];
+            zr_trace_integers(trace, NULL, (int64_t[]){edge->owner + 1, edge->x}, 2);
+        }
+    zr_trace_end(trace, ']');
+    zr_trace_begin(trace, "spans", '[');
+}
+
+/* Records the primitives that contain the interval, with their depths at its ends. */
+static void trace_inside(const struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
+{
+    struct zr_trace *trace = sweep->samples->trace;
+    zr_trace_begin(trace, "inside", '[');
+    for (uint32_t i = 0; i < sweep->inside_count; i++) {
+        const struct zr_primitive *primitive = &sweep->primitives[sweep->inside[i]];
+        zr_trace_begin(trace, NULL, '[');
+        zr_trace_integer(trace, NULL, sweep->inside[i] + 1);
+        zr_trace_float(trace, NULL, zr_primitive_hit(sweep->geometry, primitive, begin, y).depth);
+        zr_trace_float(trace, NULL, zr_primitive_hit(sweep->geometry, primitive, end - 1, y).depth);
+        zr_trace_end(trace, ']');
+    }
+    zr_trace_end(trace, ']');
+}
+
+/* Returns the primitive that the sample shows, 0: none. */
+static uint32_t shown_at(const struct sweep *sweep, int32_t y, int32_t x, struct zr_hit hit)
+{
+    const struct zr_samples *samples = sweep->samples;
+    const bool is_shown = hit.depth < samples->depth[(size_t)y * samples->width + (size_t)x];
+    return is_shown ? zr_trace_id(samples->trace, hit.owner - 1) : 0;
+}
+
+/* Records an interval before its samples are stored. */
+static void trace_interval(const struct sweep *sweep, int32_t y, int32_t begin, int32_t end, uint32_t layers)
+{
+    struct zr_trace *trace = sweep->samples->trace;
+    zr_trace_begin(trace, NULL, '{');
+    zr_trace_integer(trace, "x0", begin);
+    zr_trace_integer(trace, "x1", end);
+    trace_inside(sweep, y, begin, end);
+    zr_trace_begin(trace, "left", '[');
+    for (uint32_t i = 0; i < layers; i++)
+        zr_trace_integer(trace, NULL, sweep->layers[i].primitive + 1);
+    zr_trace_end(trace, ']');
+    zr_trace_begin(trace, "shown", '[');
+    for (int32_t x = begin, to; x < end; x = to) {
+        const uint32_t shown = shown_at(sweep, y, x, sweep->nearest[x - begin]);
+        for (to = x + 1; to < end && shown_at(sweep, y, to, sweep->nearest[to - begin]) == shown;)
+            to++;
+        zr_trace_integers(trace, NULL, (int64_t[]){x, to, shown}, 3);
+    }
+    zr_trace_end(trace, ']');
+    zr_trace_end(trace, '}');
+}
+
+static void trace_end_of_row(struct zr_trace *trace)
+{
+    zr_trace_end(trace, ']');
+    zr_trace_end(trace, '}');
+}
+
+/* ---- samples ---- */
+
 /* Finds the nearest layer at each sample, on a tie the earliest. A single layer fills the interval. */
 static void resolve(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
 {
@@ -233,6 +307,7 @@ static void resolve(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
                 (hits[k].depth == nearest[k].depth && hits[k].owner < nearest[k].owner))
                 nearest[k] = hits[k];
     }
+    if (sweep->samples->trace) trace_interval(sweep, y, begin, end, count);
     for (int32_t x = begin; x < end; x++)
         zr_samples_put(sweep->samples, x, y, nearest[x - begin]); /* once per sample */
 }
@@ -289,7 +364,9 @@ enum zr_status zr_scanline(struct zr_arena *arena, const struct zr_geometry *geo
         if ((status = begin_edges(arena, &table, y, &sweep)) != ZR_OK) return status;
         if (sweep.passing_count == 0) continue;
         sort_row(&sweep);
+        if (samples->trace) trace_edges(&sweep, y);
         sweep_row(&sweep, y);
+        if (samples->trace) trace_end_of_row(samples->trace);
     }
     return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -10,6 +10,7 @@
  *         that a step is an integer number of columns and parts. Nothing is rounded, so no error accumulates. With
  *         corners below 2^22 in magnitude, a column has less than 2^31 parts. */
 #include "raster/textbook/algorithms.h"
+#include "raster/textbook/trace.h"
 
 /* An edge: its rows, and where it crosses the current one. */
 struct side {
@@ -140,13 +141,62 @@ static void fill(const struct zr_geometry *geometry, const struct zr_primitive *
         zr_samples_put(samples, x, y, hits[x - left]);
 }
 
+static void trace_side(struct zr_trace *trace, const char *key, const struct polygon *polygon, const struct side *side)
+{
+    zr_trace_begin(trace, key, '{');
+    zr_trace_integer(trace, "edge", side - polygon->sides);
+    zr_trace_integer(trace, "x", side->x);
+    zr_trace_integer(trace, "excess", side->excess);
+    zr_trace_integer(trace, "step", side->step);
+    zr_trace_integer(trace, "rest", side->step_rest);
+    zr_trace_integer(trace, "parts", side->whole);
+    zr_trace_end(trace, '}');
+}
+
+/* Records the trapezoids that begin in row y. */
+static void trace_trapezoids(struct zr_trace *trace, const struct zr_primitive *primitive,
+                             const struct polygon *polygon, int32_t y, int32_t end)
+{
+    zr_trace_step(trace);
+    zr_trace_integer(trace, "primitive", zr_trace_id(trace, primitive->first));
+    zr_trace_integer(trace, "bottom", y);
+    zr_trace_integer(trace, "top", end);
+    zr_trace_begin(trace, "trapezoids", '[');
+    for (uint32_t i = 0; i + 1 < polygon->passing_count; i += 2) {
+        zr_trace_begin(trace, NULL, '{');
+        trace_side(trace, "left", polygon, polygon->passing[i]);
+        trace_side(trace, "right", polygon, polygon->passing[i + 1]);
+        zr_trace_end(trace, '}');
+    }
+    zr_trace_end(trace, ']');
+    zr_trace_end(trace, '}');
+}
+
+static void trace_row(struct zr_trace *trace, const struct zr_geometry *geometry, const struct zr_primitive *primitive,
+                      const struct polygon *polygon, int32_t y, const struct zr_samples *samples)
+{
+    const int32_t width = (int32_t)samples->width;
+    int32_t *xs = zr_trace_crossings(trace, polygon->passing_count);
+    for (uint32_t i = 0; xs && i < polygon->passing_count; i++) {
+        const int32_t x = polygon->passing[i]->x;
+        xs[i] = x < 0 ? 0 : x < width ? x : width;
+    }
+    zr_trace_step(trace);
+    zr_trace_integer(trace, "primitive", zr_trace_id(trace, primitive->first));
+    zr_trace_integer(trace, "row", y);
+    zr_trace_spans(trace, geometry, primitive, y, xs, xs ? polygon->passing_count : 0, samples);
+    zr_trace_end(trace, '}');
+}
+
 /* Draws the trapezoids from row y on, and returns the row at which they end: `end`, or that in which two sides have
  * crossed. */
 static int32_t draw_trapezoids(const struct zr_geometry *geometry, const struct zr_primitive *primitive,
                                struct polygon *polygon, int32_t y, int32_t end, const struct zr_cancel *cancel,
                                struct zr_samples *samples)
 {
+    if (samples->trace) trace_trapezoids(samples->trace, primitive, polygon, y, end);
     do {
+        if (samples->trace) trace_row(samples->trace, geometry, primitive, polygon, y, samples);
         for (uint32_t i = 0; i + 1 < polygon->passing_count; i += 2)
             fill(geometry, primitive, y, polygon->passing[i]->x, polygon->passing[i + 1]->x, polygon->hits, samples);
         for (uint32_t i = 0; i < polygon->passing_count; i++)

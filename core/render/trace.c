@@ -1,0 +1,91 @@
+#include "render/trace.h"
+
+#include <stdio.h>
+
+#include "geometry/build.h"
+#include "input/names.h"
+#include "raster/textbook/algorithms.h"
+#include "raster/textbook/trace.h"
+#include "render/pass.h"
+#include "render/stage.h"
+
+static bool make_samples(struct zr_arena *arena, const struct zr_window *window, struct zr_trace *trace,
+                         struct zr_samples *samples)
+{
+    const size_t pixels = (size_t)window->width * window->height;
+    *samples = (struct zr_samples){.width = window->width,
+                                   .height = window->height,
+                                   .depth = zr_arena_alloc(arena, pixels, sizeof *samples->depth),
+                                   .owner = zr_arena_zero(arena, pixels, sizeof *samples->owner),
+                                   .trace = trace};
+    for (size_t i = 0; zr_arena_ok(arena) && i < pixels; i++)
+        samples->depth[i] = 1.0f;
+    return zr_arena_ok(arena);
+}
+
+/* Adds a fault at the output. */
+static enum zr_status refuse(const struct zr_frame *frame, struct zr_error *error, const char *reason)
+{
+    char pointer[24];
+    const struct zr_output *output = zr_view_output(frame->view, ZR_CHANNEL_TRACE);
+    snprintf(pointer, sizeof pointer, "/outputs/%u", (unsigned)(output - frame->view->outputs));
+    return zr_error_add(error, ZR_BAD_SCENE, pointer, "%s", reason);
+}
+
+static enum zr_status refuse_primitives(const struct zr_frame *frame, uint32_t count, struct zr_error *error)
+{
+    char reason[160];
+    snprintf(reason, sizeof reason,
+             "the channel trace goes up to %d primitives in the window, and these are %u: faces, lines and points, and "
+             "pieces of clipped ones",
+             ZR_TRACE_PRIMITIVES_MAX, (unsigned)count);
+    return refuse(frame, error, reason);
+}
+
+static enum zr_status refuse_steps(const struct zr_frame *frame, struct zr_error *error)
+{
+    char reason[160];
+    snprintf(
+        reason, sizeof reason,
+        "the channel trace goes up to %d steps and %d values, and this scene takes more: show fewer or simpler faces",
+        ZR_TRACE_STEPS_MAX, ZR_TRACE_VALUES_MAX);
+    return refuse(frame, error, reason);
+}
+
+/* Runs the algorithm. A trace that raised its own flag is beyond its bounds, or without memory. */
+static enum zr_status record(struct zr_arena *scratch, const struct zr_geometry *geometry, enum zr_algorithm algorithm,
+                             const struct zr_cancel *cancel, struct zr_samples *samples)
+{
+    zr_visibility_fn *window_at_once = zr_visibility_of(algorithm);
+    struct zr_trace *trace = samples->trace;
+    const enum zr_status status =
+        (window_at_once ? window_at_once : zr_plain_halfspace)(scratch, geometry, &trace->cancel, samples);
+    zr_trace_close(trace);
+    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    if (!zr_arena_ok(trace->arena)) return ZR_NO_MEMORY;
+    return trace->is_beyond ? ZR_OK : status;
+}
+
+enum zr_status zr_trace_make(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
+                             const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame,
+                             struct zr_error *error)
+{
+    const struct zr_window window = zr_window_of(scene, frame->width, frame->height, 1);
+    struct zr_geometry *geometry = zr_arena_alloc(scratch, 1, sizeof *geometry);
+    struct zr_trace *trace = zr_arena_zero(arena, 1, sizeof *trace);
+    struct zr_primitives primitives = {.count = 0};
+    struct zr_samples samples;
+    enum zr_status status = ZR_OK;
+    if (!geometry || !trace || !make_samples(scratch, &window, trace, &samples)) return ZR_NO_MEMORY;
+    trace->arena = arena;
+    trace->cancel.parent = cancel;
+    STAGE(zr_geometry_build(scratch, team, scene, &frame->camera, &window, cancel, true, geometry));
+    STAGE(zr_primitives_make(scratch, geometry, &samples, cancel, &primitives));
+    if (status == ZR_OK && primitives.count > ZR_TRACE_PRIMITIVES_MAX)
+        return refuse_primitives(frame, primitives.count, error);
+    if (status == ZR_OK) zr_trace_open(trace, zr_algorithm_names.words[scene->algorithm], geometry, &primitives);
+    STAGE(record(scratch, geometry, scene->algorithm, cancel, &samples));
+    if (status == ZR_OK && trace->is_beyond) return refuse_steps(frame, error);
+    frame->trace = trace;
+    return status;
+}
