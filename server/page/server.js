@@ -106,10 +106,10 @@ let bundle = { text: null };
 async function prepare(text) {
   if (bundle.text === text) return bundle;
   const assets = assetsOf(text);
-  for (const { name } of assets) if (!files.has(name)) await find(name);
+  await Promise.all(assets.map(({ name }) => name).filter((name) => !files.has(name)).map(find));
   const used = assets.map(({ name }) => files.get(name)).filter((file) => file && file.blob);
   const isTogether = used.some((file) => file.together);
-  if (server.keepsAssets && !isTogether) for (const file of used) if (!file.sha256) await upload(file);
+  if (server.keepsAssets && !isTogether) await Promise.all([...new Set(used)].filter((file) => !file.sha256).map(upload));
   let parts = [];
   if (!server.keepsAssets || isTogether) {
     const names = new Set(assets.map(({ name }) => name));

@@ -114,7 +114,7 @@ const tests = {
 
   async tabs(browser) {
     const page = await open(browser, address);
-    await drawn(page);
+    await redrawn(page, () => page.selectOption('#example', 'pawns'));
     await page.click('#tab-channels');
     await page.waitForFunction(() => drawnChannels !== '');
     await redrawnChannel(page);
