@@ -281,13 +281,14 @@ gltf-variants: ## models beside their sparse, meshopt, quantized, WebP and Draco
 	@$(npm_install) @gltf-transform/cli@4.5.1
 	@$(PYTHON) tests/reference/loaders/variants.py $(BUILD) $(or $(FILES),$(DATA)/gltf/asset-generator)
 
-PAGE_PACKAGES := playwright-core@1.65.1 axe-core@4.14.1
+# playwright-core 1.65 asks of firefox a command that firefox-esr 153 does not have.
+PAGE_PACKAGES := playwright-core@1.64.1 axe-core@4.14.1
 .PHONY: page-test
-page-test: ## the page at / in chromium (apt, npm): every control, copied commands byte for byte, axe, pictures in build/page-test/shots; ONLY="keys touch"
-	@.ci/need $(NEED_BUILD) $(NEED_NODE) chromium=chromium curl=curl $(PYTHON)=python3
+page-test: ## the page at / in chromium and firefox-esr (apt, npm): every control, copied commands byte for byte, axe, pictures in build/page-test/shots; BROWSERS=firefox ONLY="keys touch"
+	@.ci/need $(NEED_BUILD) $(NEED_NODE) chromium=chromium 'firefox-esr=firefox-esr?' curl=curl $(PYTHON)=python3
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster library
 	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/page-test $(PAGE_PACKAGES)
-	@PYTHON="$(PYTHON)" node tests/page/test_page.js $(BUILD) $(ONLY)
+	@PYTHON="$(PYTHON)" BROWSERS="$(BROWSERS)" node tests/page/test_page.js $(BUILD) $(ONLY)
 	@node tests/page/test_manual.js $(BUILD)
 
 .PHONY: mutants

@@ -339,13 +339,20 @@ enum zr_status zr_encode_files(struct zr_arena *arena, struct zr_team *team, con
     return explain(arena, make_files(&encoding, files), error);
 }
 
-enum zr_status zr_files_answer(struct zr_arena *arena, const struct zr_files *files, const struct zr_scene *scene,
-                               struct zr_answer *answer, struct zr_error *error)
+enum zr_status zr_files_describe(struct zr_arena *arena, const struct zr_files *files, const struct zr_scene *scene,
+                                 struct zr_answer *answer, struct zr_error *error)
 {
     answer->warnings = zr_warnings_join(arena, &files->warnings);
     answer->look = pin_look(arena, scene);
     answer->encoders = files->encoders;
-    return explain(arena, zr_files_join(arena, files, answer, error), error);
+    return explain(arena, ZR_OK, error);
+}
+
+enum zr_status zr_files_answer(struct zr_arena *arena, const struct zr_files *files, const struct zr_scene *scene,
+                               struct zr_answer *answer, struct zr_error *error)
+{
+    const enum zr_status status = zr_files_describe(arena, files, scene, answer, error);
+    return status == ZR_OK ? explain(arena, zr_files_join(arena, files, answer, error), error) : status;
 }
 
 enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,

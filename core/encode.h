@@ -33,6 +33,10 @@ extern const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT];
 enum zr_status zr_files_join(struct zr_arena *arena, const struct zr_files *files, struct zr_answer *answer,
                              struct zr_error *error);
 
+/* Sets the warnings, the look and the encoders of an answer. Fails with ZR_NO_MEMORY. */
+enum zr_status zr_files_describe(struct zr_arena *arena, const struct zr_files *files, const struct zr_scene *scene,
+                                 struct zr_answer *answer, struct zr_error *error);
+
 /* Makes the whole answer of files, with the warnings and the look of the scene. */
 enum zr_status zr_files_answer(struct zr_arena *arena, const struct zr_files *files, const struct zr_scene *scene,
                                struct zr_answer *answer, struct zr_error *error);

@@ -1,5 +1,6 @@
 #include "accept.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 #include <strings.h>
@@ -59,7 +60,8 @@ static void read_range(struct accept *accept, const char *text, const char *end)
         const size_t size = token_length(parameter, next);
         if (size >= 2 && strncasecmp(parameter, "q=", 2) == 0) weight = read_weight(parameter + 2, size - 2);
     }
-    if (is_name(name, length, PARTS_TYPE)) accept->mixed = weight;
+    if (is_name(name, length, PARTS_MIXED)) accept->mixed = weight;
+    if (is_name(name, length, PARTS_FORM)) accept->form = weight;
     if (is_name(name, length, "application/zip")) accept->zip = weight;
 }
 
@@ -72,7 +74,9 @@ void accept_read(struct accept *accept, const char *value)
     }
 }
 
-bool accept_wants_stream(const struct accept *accept)
+enum accept_parts accept_parts(const struct accept *accept)
 {
-    return accept->mixed > 0 && accept->mixed >= accept->zip;
+    const int most = accept->mixed > accept->form ? accept->mixed : accept->form;
+    if (most == 0 || most < accept->zip) return ACCEPT_NO_PARTS;
+    return accept->mixed == most ? ACCEPT_MIXED : ACCEPT_FORM;
 }

@@ -125,6 +125,7 @@ static enum mcp_draw_status draw(void *context, const struct mcp_draw *draw, str
         return MCP_REFUSED;
     }
     request.stream = NULL;
+    request.parts = ACCEPT_NO_PARTS;
     request.render = (struct zr_request){.format = ZR_FORMAT_JSON,
                                          .bytes = draw->scene,
                                          .size = draw->scene_size,

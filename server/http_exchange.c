@@ -288,7 +288,7 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.origin = header(exchange, "Origin");
     exchange->request.fetch_site = header(exchange, "Sec-Fetch-Site");
     MHD_get_connection_values(exchange->mhd, MHD_HEADER_KIND, read_accept, &accept);
-    exchange->request.accepts_stream = accept_wants_stream(&accept);
+    exchange->request.parts = accept_parts(&accept);
     const char *trace = header(exchange, "traceparent");
     if (trace && log_is_traceparent(trace)) snprintf(exchange->traceparent, TRACEPARENT_SIZE, "%s", trace);
     request_take_id(&exchange->request, http->service, header(exchange, "X-Request-Id"));

@@ -89,7 +89,7 @@ static void wait_for_reader(void *context, bool begins)
 static void prepare_stream(struct exchange *exchange)
 {
     const struct stream_owner owner = {open_stream, begin_stream, wake_reader, wait_for_reader, exchange};
-    if (!exchange->request.accepts_stream) return;
+    if (exchange->request.parts == ACCEPT_NO_PARTS) return;
     stream_init(&exchange->stream, &owner);
     exchange->request.stream = &exchange->stream;
 }

@@ -99,8 +99,16 @@ static void print_pictures(struct zr_print *print)
         },
         "multipart/mixed": {
             "schema": {
-                "description": "Files of several views, each as soon as it is drawn.",
+                "description": "Files of several outputs, and those of several views as soon as each is drawn.",
                 "type": "string", "contentMediaType": "multipart/mixed"
+            }
+        },
+        "multipart/form-data": {
+            "schema": {
+                "description": "The same for browsers: the field CHANNEL has the file CHANNEL.EXTENSION.",
+                "type": "object", "additionalProperties": {
+                    "type": "string", "contentMediaType": "application/octet-stream"
+                }
             }
         }
     }));
@@ -123,7 +131,7 @@ static void print_render(struct zr_print *print, const struct zr_limits *limits)
     zr_print_begin(print, "post", '{');
     zr_print_members(print, ZR_SCHEMA({
         "operationId": "render", "tags": ["render"], "summary": "Draw a scene or a model",
-        "description": "One output is answered as its file, several as a ZIP archive. Parameters set keys of the scene."
+        "description": "One output is answered as its file, several as a ZIP archive or in parts. Parameters set keys of the scene."
     }));
     zr_parameters_print(print, limits);
     print_body(print);

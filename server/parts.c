@@ -2,6 +2,7 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
 
@@ -10,12 +11,37 @@
 enum { HEAD_SIZE = 4096 };
 
 /* Random, since files may have any bytes. */
-static void choose_boundary(struct stream *stream)
+static void choose_boundary(char boundary[STREAM_BOUNDARY_SIZE])
 {
     uint64_t random[2];
     if (getrandom(random, sizeof random, 0) != sizeof random) random[0] = random[1] = (uint64_t)clock_us();
-    snprintf(stream->boundary, sizeof stream->boundary, "%016" PRIx64 "%016" PRIx64, random[0], random[1]);
+    snprintf(boundary, STREAM_BOUNDARY_SIZE, "%016" PRIx64 "%016" PRIx64, random[0], random[1]);
 }
+
+static const char *type_of(bool is_form)
+{
+    return is_form ? PARTS_FORM : PARTS_MIXED;
+}
+
+/* Writes the header of a part, with the line end behind the delimiter before it. Returns its length. */
+static size_t print_head(char head[HEAD_SIZE], bool is_form, const struct part *part)
+{
+    int used = snprintf(head, HEAD_SIZE, "\r\nContent-Type: %s\r\nContent-Length: %zu\r\n", part->type, part->size);
+    if (part->name && is_form) {
+        const char *dot = strrchr(part->name, '.');
+        used += snprintf(head + used, HEAD_SIZE - (size_t)used,
+                         "Content-Disposition: form-data; name=\"%.*s\"; filename=\"%s\"\r\n",
+                         dot ? (int)(dot - part->name) : -1, part->name, part->name);
+    } else if (part->name) {
+        used += snprintf(head + used, HEAD_SIZE - (size_t)used, "Content-Disposition: attachment; filename=\"%s\"\r\n",
+                         part->name);
+    }
+    if (*part->warnings)
+        used += snprintf(head + used, HEAD_SIZE - (size_t)used, "Zraster-Warnings: %s\r\n", part->warnings);
+    return (size_t)(used + snprintf(head + used, HEAD_SIZE - (size_t)used, "\r\n"));
+}
+
+/* ---- a stream ---- */
 
 /* Without a line end, which begins the next part. */
 static bool add_delimiter(struct stream *stream)
@@ -23,11 +49,12 @@ static bool add_delimiter(struct stream *stream)
     return stream_write(stream, "--", 2) && stream_write(stream, stream->boundary, strlen(stream->boundary));
 }
 
-void parts_begin(struct stream *stream, struct answer *answer)
+void parts_begin(struct stream *stream, enum accept_parts parts, struct answer *answer)
 {
-    choose_boundary(stream);
+    choose_boundary(stream->boundary);
+    stream->is_form = parts == ACCEPT_FORM;
     answer->status = 200;
-    answer_header(answer, "Content-Type", PARTS_TYPE "; boundary=%s", stream->boundary);
+    answer_header(answer, "Content-Type", "%s; boundary=%s", type_of(stream->is_form), stream->boundary);
     stream_begin(stream, answer);
     add_delimiter(stream);
 }
@@ -35,14 +62,8 @@ void parts_begin(struct stream *stream, struct answer *answer)
 bool parts_add(struct stream *stream, const struct part *part)
 {
     char head[HEAD_SIZE];
-    int used = snprintf(head, sizeof head, "\r\nContent-Type: %s\r\nContent-Length: %zu\r\n", part->type, part->size);
-    if (part->name)
-        used += snprintf(head + used, sizeof head - (size_t)used,
-                         "Content-Disposition: attachment; filename=\"%s\"\r\n", part->name);
-    if (*part->warnings)
-        used += snprintf(head + used, sizeof head - (size_t)used, "Zraster-Warnings: %s\r\n", part->warnings);
-    used += snprintf(head + used, sizeof head - (size_t)used, "\r\n");
-    return stream_write(stream, head, (size_t)used) && stream_write(stream, part->bytes, part->size) &&
+    const size_t length = print_head(head, stream->is_form, part);
+    return stream_write(stream, head, length) && stream_write(stream, part->bytes, part->size) &&
            stream_write(stream, "\r\n", 2) && add_delimiter(stream);
 }
 
@@ -56,4 +77,57 @@ void parts_end(struct stream *stream, const struct answer *problem)
     const struct part part = {NULL, "application/problem+json", "", problem->bytes, problem->size};
     if (!problem->is_broken) parts_add(stream, &part);
     stream_finish(stream, STREAM_BROKEN);
+}
+
+/* ---- in one piece ---- */
+
+/* Bytes so far; `to` is NULL while they are only counted. */
+struct pen {
+    char *to;
+    size_t size;
+};
+
+static void put(struct pen *pen, const void *bytes, size_t size)
+{
+    if (pen->to) memcpy(pen->to + pen->size, bytes, size);
+    pen->size += size;
+}
+
+static void put_delimiter(struct pen *pen, const char *boundary)
+{
+    put(pen, "--", 2);
+    put(pen, boundary, strlen(boundary));
+}
+
+static void put_files(struct pen *pen, bool is_form, const char *boundary, const struct zr_files *files)
+{
+    char head[HEAD_SIZE];
+    put_delimiter(pen, boundary);
+    for (uint32_t i = 0; i < files->count; i++) {
+        const struct zr_zip_entry *entry = &files->entries[i];
+        const struct part part = {entry->name, files->types[i], "", entry->bytes, entry->size};
+        put(pen, head, print_head(head, is_form, &part));
+        put(pen, part.bytes, part.size);
+        put(pen, "\r\n", 2);
+        put_delimiter(pen, boundary);
+    }
+    put(pen, "--\r\n", 4);
+}
+
+void parts_answer(struct answer *answer, enum accept_parts parts, const struct zr_files *files)
+{
+    const bool is_form = parts == ACCEPT_FORM;
+    char boundary[STREAM_BOUNDARY_SIZE], type[80];
+    struct pen count = {0};
+    choose_boundary(boundary);
+    put_files(&count, is_form, boundary, files);
+    struct pen pen = {.to = malloc(count.size)};
+    if (!pen.to) {
+        answer_to_no_memory(answer);
+        return;
+    }
+    put_files(&pen, is_form, boundary, files);
+    snprintf(type, sizeof type, "%s; boundary=%s", type_of(is_form), boundary);
+    answer->status = 200;
+    answer_body(answer, type, pen.to, pen.size);
 }

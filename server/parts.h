@@ -1,29 +1,37 @@
-/* parts.h - writes the body of a streamed answer: multipart/mixed (RFC 2046, 5.1.3), a part for each file.
+/* parts.h - writes files as the parts of an answer: multipart/mixed (RFC 2046, 5.1.3), or multipart/form-data (RFC
+ * 7578), which browsers read by Response.formData().
  *
- * The delimiter behind a part follows at once, so that a reader which looks for it has the part without delay.
+ * A stream: the delimiter behind a part follows at once, so that a reader which looks for it has the part without
+ * delay. An answer in one piece: all files are there.
  */
 #ifndef ZRASTERD_PARTS_H
 #define ZRASTERD_PARTS_H
 
+#include "accept.h"
+#include "encode.h"
 #include "stream.h"
 
-#define PARTS_TYPE "multipart/mixed"
+#define PARTS_MIXED "multipart/mixed"
+#define PARTS_FORM  "multipart/form-data"
 
 struct part {
-    const char *name; /* of the file; NULL: none */
+    const char *name; /* of the file; NULL: none. In a form, the field has it without its extension */
     const char *type;
     const char *warnings; /* printable ASCII; "": none */
     const void *bytes;
     size_t size;
 };
 
-/* Completes the answer and begins the stream with it. */
-void parts_begin(struct stream *stream, struct answer *answer);
+/* Completes the answer and begins the stream with it. `parts` is not ACCEPT_NO_PARTS. */
+void parts_begin(struct stream *stream, enum accept_parts parts, struct answer *answer);
 
 /* False: the stream is closed. */
 bool parts_add(struct stream *stream, const struct part *part);
 
 /* Ends the body. `problem`, if its status is not 0, becomes a last part without a final delimiter behind it. */
 void parts_end(struct stream *stream, const struct answer *problem);
+
+/* Sets status 200 and a body with a part for each file. */
+void parts_answer(struct answer *answer, enum accept_parts parts, const struct zr_files *files);
 
 #endif

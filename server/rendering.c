@@ -107,6 +107,7 @@ struct rendering {
     struct meshes_use meshes;
     struct zr_cost cost; /* predicted cost; all 0 before the prediction */
     struct answer *answer;
+    struct zr_files files;   /* drawn */
     struct zr_look_pin look; /* of a stream */
     const char *busy;        /* reason why there can be no stream now */
 };
@@ -236,6 +237,14 @@ static enum zr_status predict(struct rendering *r, struct zr_views *views, const
                         most.words);
 }
 
+/* Several files stay as they are if they are sent in parts. */
+static enum zr_status join_files(struct rendering *r, const struct zr_scene *scene, struct zr_answer *result,
+                                 struct zr_error *error)
+{
+    const bool is_joined = r->request->parts == ACCEPT_NO_PARTS || r->files.count == 1;
+    return (is_joined ? zr_files_answer : zr_files_describe)(r->arena, &r->files, scene, result, error);
+}
+
 /* Draws and encodes the scene's view. */
 static enum zr_status draw_one(struct rendering *r, const struct zr_scene *scene,
                                const struct zr_resolved_view *resolved, struct zr_answer *result,
@@ -247,7 +256,8 @@ static enum zr_status draw_one(struct rendering *r, const struct zr_scene *scene
     enum zr_status status = zr_render(r->arena, team, scene, resolved, r->cancel, &frame, error);
     r->times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    status = zr_encode(r->arena, team, scene, frame, r->cancel, result, error);
+    status = zr_encode_files(r->arena, team, scene, frame, NULL, r->cancel, &r->files, error);
+    if (status == ZR_OK) status = join_files(r, scene, result, error);
     r->times->encode_ms = ms_since(&mark);
     return status;
 }
@@ -256,12 +266,11 @@ static enum zr_status draw_one(struct rendering *r, const struct zr_scene *scene
 static enum zr_status draw_several(struct rendering *r, struct zr_views *views, struct zr_answer *result,
                                    struct zr_error *error)
 {
-    struct zr_files files;
     int64_t mark = clock_us();
-    enum zr_status status = zr_views_draw(r->arena, r->service->team, views, r->cancel, &files, error);
+    enum zr_status status = zr_views_draw(r->arena, r->service->team, views, r->cancel, &r->files, error);
     r->times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    status = zr_files_answer(r->arena, &files, views->scene, result, error);
+    status = join_files(r, views->scene, result, error);
     r->times->encode_ms = ms_since(&mark);
     return status;
 }
@@ -282,7 +291,7 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
     if (view->number == 0) {
         add_look(r->answer, r->look.text);
         add_timing(r->answer, r->times);
-        parts_begin(stream, r->answer);
+        parts_begin(stream, r->request->parts, r->answer);
     }
     for (uint32_t i = 0; i < files->count; i++) {
         const struct zr_zip_entry *entry = &files->entries[i];
@@ -323,9 +332,13 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
     return is_stream(r, &views) ? stream_several(r, &views, error) : draw_several(r, &views, result, error);
 }
 
-static void answer_image(struct answer *answer, const struct zr_answer *result)
+static void answer_image(const struct rendering *r, const struct zr_answer *result)
 {
-    answer_copy(answer, result->content_type, result->bytes, result->size);
+    struct answer *answer = r->answer;
+    if (result->bytes)
+        answer_copy(answer, result->content_type, result->bytes, result->size);
+    else
+        parts_answer(answer, r->request->parts, &r->files);
     add_look(answer, result->look);
     if (*result->encoders) answer_header(answer, "Zraster-Encoder", "%s", result->encoders);
     if (result->warnings && *result->warnings) {
@@ -378,7 +391,7 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
         return REQUEST_LARGE;
     times->parse_ms += unpack_ms;
     if (status == ZR_OK) {
-        if (result.bytes) answer_image(answer, &result); /* else it is streamed */
+        if (result.look) answer_image(&r, &result); /* else it is streamed */
     } else if (r.busy) {
         problem_busy(answer, 1, r.busy);
     } else if (status == ZR_NO_MEMORY) {

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "accept.h"
 #include "answer.h"
 #include "config.h"
 #include "core.h"
@@ -65,8 +66,8 @@ struct request {
     const char *if_none_match, *accept, *accept_encoding;        /* NULL if not sent */
     const char *origin, *fetch_site;                             /* of browsers; NULL if not sent */
     struct mcp_headers mcp;                                      /* of POST /mcp */
-    bool accepts_stream;                                         /* Accept names the type of streams */
-    struct stream *stream;                                       /* for such a request, on a worker; else NULL */
+    enum accept_parts parts;                                     /* several files are sent in these */
+    struct stream *stream;                                       /* with parts, on a worker; else NULL */
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */
     bool small_only; /* set on the express (queue.h): a request that turns out to be large is given up */

@@ -44,6 +44,7 @@ struct stream {
     bool is_begun;
     int64_t waited_us;
     char boundary[STREAM_BOUNDARY_SIZE]; /* of its parts (parts.h) */
+    bool is_form;                        /* its parts are those of a form */
 };
 
 void stream_init(struct stream *stream, const struct stream_owner *owner);

@@ -33,22 +33,30 @@ function imageOf(values, width, height, channel) {
   return image;
 }
 
-// Draws a channel into a canvas of the window's size.
-async function drawChannel(channel, canvas, changes, signal) {
-  const isPicture = channel === 'color' || channel === 'normals';
-  const answer = await render(state.text, changes, `?channel=${channel}${channel === 'normals' ? '&encoding=png' : ''}`, signal);
+const isPicture = (channel) => channel === 'color' || channel === 'normals';
+
+// Draws channels, each into a canvas of the window's size.
+async function drawChannels(canvases, changes, signal) {
+  const outputs = [...canvases.keys()].map((channel) => isPicture(channel) ? { channel, encoding: 'png' } : { channel });
+  const answer = await render(state.text, { ...changes, outputs }, '', signal);
   const { width, height } = changes.window || state.scene.window;
-  const image = isPicture ? await createImageBitmap(answer.blob) : imageOf(await npy(answer.blob), width, height, channel);
-  canvas.width = width;
-  canvas.height = height;
-  if (isPicture) canvas.getContext('2d').drawImage(image, 0, 0);
-  else canvas.getContext('2d').putImageData(image, 0, 0);
-  if (canvas.id === 'picture') {
-    byId('movie').hidden = true;
-    canvas.classList.remove('covered');
-    fitStage();
-    byId('time').textContent = `${width} × ${height} · ${channel}`;
+  for (const [channel, canvas] of canvases) {
+    const blob = answer.parts ? answer.parts.get(channel) : answer.blob;
+    const image = isPicture(channel) ? await createImageBitmap(blob) : imageOf(await npy(blob), width, height, channel);
+    canvas.width = width;
+    canvas.height = height;
+    if (isPicture(channel)) canvas.getContext('2d').drawImage(image, 0, 0);
+    else canvas.getContext('2d').putImageData(image, 0, 0);
   }
+}
+
+// Shows a channel large.
+async function showChannel(channel, changes, signal) {
+  await drawChannels(new Map([[channel, byId('picture')]]), changes, signal);
+  byId('movie').hidden = true;
+  byId('picture').classList.remove('covered');
+  fitStage();
+  byId('time').textContent = `${byId('picture').width} × ${byId('picture').height} · ${channel}`;
 }
 
 function buildChannels() {
@@ -71,8 +79,6 @@ let drawnChannels = '';
 onRest(async (signal) => {
   const key = state.version + JSON.stringify(state.camera);
   if (chosen !== 'channels' || drawnChannels === key || !state.isValid) return;
-  for (const [channel] of CHANNELS) {
-    await drawChannel(channel, byId('channel-' + channel).nextElementSibling, smallKeys(320, 240), signal);
-  }
+  await drawChannels(new Map(CHANNELS.map(([channel]) => [channel, byId('channel-' + channel).nextElementSibling])), smallKeys(320, 240), signal);
   drawnChannels = key;
 });

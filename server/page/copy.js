@@ -48,7 +48,9 @@ async function showCopy(kind) {
     tab.tabIndex = tab.value === kind ? 0 : -1;
   }
   byId('copy-panel').setAttribute('aria-labelledby', 'copy-' + kind);
-  byId('copied').textContent = kind !== 'link' ? COPIES[kind]() : await linkOf(state.text) || 'This scene is too long for a link.';
+  byId('copied').textContent = '';
+  const text = kind === 'link' ? await linkOf(state.text) || 'This scene is too long for a link.' : COPIES[kind]();
+  if (copyKind === kind) byId('copied').textContent = text;
   byId('copy-do').textContent = 'Copy';
 }
 

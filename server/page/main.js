@@ -28,7 +28,7 @@ async function start() {
   const text = await textOfLink();
   const lists = [call('v1/looks'), call('v1/examples')].map(async (answer) => (await answer).json());
   try {
-    const first = text === null ? openExample('pawns') : null;
+    const first = text === null ? openExample('bearing') : null;
     const [looksList, examplesList] = await Promise.all(lists);
     looks = looksList.looks;
     byId('example').append(...examplesList.examples.map(({ name, title }) => el('option', { value: name }, title)));

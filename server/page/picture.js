@@ -101,13 +101,16 @@ async function drawOnce({ isRough }) {
   try {
     const changes = isRough ? roughKeys() : pictureKeys();
     if (channel !== 'color' && !isSeveral()) {
-      await drawChannel(channel, byId('picture'), changes, controller.signal);
+      await showChannel(channel, changes, controller.signal);
       showErrors(null);
       return;
     }
-    const query = isRough ? '?channel=color' : pictureQuery();
-    const answer = await render(state.text, changes, query, controller.signal);
+    const hasFacts = !isRough && !state.info && !isSeveral();
+    const query = hasFacts ? '' : isRough ? '?channel=color' : pictureQuery();
+    const outputs = hasFacts ? { outputs: [{ channel: 'color' }, { channel: 'info' }] } : {};
+    const answer = await render(state.text, { ...changes, ...outputs }, query, controller.signal);
     if (version !== state.version) return;
+    if (hasFacts) state.info = JSON.parse(await answer.parts.get('info').text());
     await show(answer.blob);
     motion.frames++;
     document.documentElement.dataset.drawn = String(motion.frames);
@@ -115,7 +118,7 @@ async function drawOnce({ isRough }) {
       adapt(answer);
     } else {
       const { width, height } = changes.window || state.scene.window;
-      state.picture = { blob: answer.blob, keys: changes, query };
+      state.picture = { blob: answer.blob, keys: changes };
       byId('time').textContent = `${width} × ${height} · ${Math.round(answer.ms)} ms`;
       byId('time').title = `drawn in ${answer.drawn.toFixed(1)} ms, ${answer.blob.size.toLocaleString('en')} bytes`;
       showErrors(null, answer.warnings);

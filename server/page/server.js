@@ -106,10 +106,10 @@ let bundle = { text: null };
 async function prepare(text) {
   if (bundle.text === text) return bundle;
   const assets = assetsOf(text);
-  for (const { name } of assets) if (!files.has(name)) await find(name);
+  await Promise.all(assets.map(({ name }) => name).filter((name) => !files.has(name)).map(find));
   const used = assets.map(({ name }) => files.get(name)).filter((file) => file && file.blob);
   const isTogether = used.some((file) => file.together);
-  if (server.keepsAssets && !isTogether) for (const file of used) if (!file.sha256) await upload(file);
+  if (server.keepsAssets && !isTogether) await Promise.all([...new Set(used)].filter((file) => !file.sha256).map(upload));
   let parts = [];
   if (!server.keepsAssets || isTogether) {
     const names = new Set(assets.map(({ name }) => name));
@@ -129,17 +129,19 @@ function multipart(text, parts) {
   return { body: new Blob(body), type: 'multipart/form-data; boundary=' + boundary };
 }
 
-// Renders the text with other values at the top, such as {samples: 1}. Returns the bytes, times and warnings.
+// Renders the text with other values at the top, such as {samples: 1}. Returns the bytes, times and warnings; of several
+// outputs the bytes of each: parts.get('depth').
 async function render(text, changes, query, signal) {
-  const { assets, parts } = await prepare(text);
-  const edits = parts.length ? [] : assets.filter(({ name }) => (files.get(name) || {}).sha256)
+  const { assets, parts: sent } = await prepare(text);
+  const edits = sent.length ? [] : assets.filter(({ name }) => (files.get(name) || {}).sha256)
     .map(({ name, from, to }) => ({ from, to, text: `"sha256:${files.get(name).sha256}"` }));
   let body = withKeys(text, changes, edits), type = 'application/json';
-  if (parts.length) ({ body, type } = multipart(body, parts));
+  if (sent.length) ({ body, type } = multipart(body, sent));
   const began = performance.now();
   let response;
   try {
-    response = await call('v1/render' + query, { method: 'POST', body, headers: { 'Content-Type': type }, signal });
+    const headers = { 'Content-Type': type, ...(changes.outputs && { Accept: 'multipart/form-data, */*;q=0.5' }) };
+    response = await call('v1/render' + query, { method: 'POST', body, headers, signal });
   } catch (error) {
     if (error.status === 422 && /asset/.test(error.message) && assets.some(({ name }) => (files.get(name) || {}).sha256)) {
       // The daemon has dropped an asset: uploads and sends once more.
@@ -149,10 +151,12 @@ async function render(text, changes, query, signal) {
     }
     throw error;
   }
-  const blob = await response.blob();
+  const isForm = /^multipart/.test(response.headers.get('Content-Type'));
+  const parts = isForm && await response.formData(), blob = isForm ? parts.get('color') : await response.blob();
   const drawn = /render;dur=([\d.]+)/.exec(response.headers.get('Server-Timing') || '');
   return {
     blob,
+    parts,
     ms: performance.now() - began,
     drawn: drawn ? Number(drawn[1]) : 0,
     warnings: response.headers.get('Zraster-Warnings') || '',

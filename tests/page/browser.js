@@ -1,4 +1,4 @@
-// browser.js - a headless chromium, daemons of one build, and checks that print TAP.
+// browser.js - a headless chromium and firefox, daemons of one build, and checks that print TAP.
 'use strict';
 const { spawn, spawnSync } = require('child_process');
 const fs = require('fs');
@@ -7,17 +7,25 @@ const path = require('path');
 
 const build = path.resolve(process.argv[2] || 'build');
 const modules = path.join(build, 'page-test/node_modules');
-const { chromium } = require(path.join(modules, 'playwright-core'));
+const { chromium, firefox } = require(path.join(modules, 'playwright-core'));
 const axe = fs.readFileSync(path.join(modules, 'axe-core/axe.min.js'), 'utf8');
 const work = fs.mkdtempSync(path.join(os.tmpdir(), 'zraster-page-'));
 const shots = path.join(build, 'page-test/shots');
 
-let count = 0, failed = 0;
+// Firefox is driven by WebDriver BiDi, which cannot touch, take the network away or set the colours of the system.
+const BROWSERS = {
+  chromium: {
+    kind: chromium, path: process.env.CHROMIUM || '/usr/bin/chromium', options: { args: process.getuid() === 0 ? ['--no-sandbox'] : [] }, leaves: [],
+  },
+  firefox: { kind: firefox, path: process.env.FIREFOX || '/usr/bin/firefox-esr', options: { channel: 'moz-firefox' }, leaves: ['touch', 'offline'] },
+};
+
+let count = 0, failed = 0, named = '';
 
 function check(name, isRight, found = '') {
   count++;
   if (!isRight) failed++;
-  console.log(`${isRight ? 'ok' : 'not ok'} ${count} - ${name}`);
+  console.log(`${isRight ? 'ok' : 'not ok'} ${count} - ${named}: ${name}`);
   if (!isRight) console.error(`  ${name}: ${typeof found === 'string' ? found : JSON.stringify(found)}`);
 }
 
@@ -32,19 +40,22 @@ function daemon(...flags) {
   });
 }
 
+const SHOT_STYLE = 'YjaKGiklmzC6wjXA513HAMmzus8VE61XCOT+SmwNZWA='; // the hash of "body {}"
+
 // Opens a page. `page.faults` are messages of the console, reports of the policy, and requests to elsewhere.
 async function open(browser, address, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, colorScheme: 'light', ...options });
   const page = await context.newPage();
   page.faults = [];
   page.on('console', (message) => page.faults.push(`console: ${message.text()}`));
-  page.on('pageerror', (error) => page.faults.push(`error: ${error.message}`));
+  page.on('pageerror', (error) => { if (!error.message.includes(SHOT_STYLE)) page.faults.push(`error: ${error.message}`); });
   page.on('request', (request) => {
     const url = request.url();
     if (!url.startsWith(address) && !/^(data|blob):/.test(url)) page.faults.push(`request: ${url}`);
   });
-  await page.addInitScript(() => addEventListener('securitypolicyviolation', (event) => console.error('policy: ' + event.violatedDirective)));
+  await page.addInitScript(() => addEventListener('securitypolicyviolation', (event) => { if (!window.isShot) console.error('policy: ' + event.violatedDirective); }));
   await page.goto(address + (options.hash || '/'));
+  if (named === 'firefox' && options.colorScheme === 'dark') await page.click('#theme');
   return page;
 }
 
@@ -64,8 +75,20 @@ async function violations(page) {
   return found.map((fault) => `${fault.id}: ${fault.nodes.map((node) => node.target.join(' ')).join(', ')}`);
 }
 
-// Saves the picture of the page and returns its bytes.
+// Saves the picture of the page and returns its bytes. BiDi tells of no downloads: there the page gives what the link has.
 async function saved(page) {
+  if (named === 'firefox') {
+    return Buffer.from(await page.evaluate(async () => {
+      const { createObjectURL } = URL, { click } = HTMLAnchorElement.prototype;
+      let blob = new Blob();
+      URL.createObjectURL = (given) => { blob = given; return ''; };
+      HTMLAnchorElement.prototype.click = () => {};
+      byId('save').click();
+      URL.createObjectURL = createObjectURL;
+      HTMLAnchorElement.prototype.click = click;
+      return [...new Uint8Array(await blob.arrayBuffer())];
+    }));
+  }
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save')]);
   return fs.readFileSync(await download.path());
 }
@@ -84,28 +107,56 @@ function run(name, text, kind = 'sh') {
   return { bytes: fs.existsSync(file) ? fs.readFileSync(file) : Buffer.alloc(0), error: result.stderr };
 }
 
+// Pictures of the screen. In firefox, playwright adds a style for them, which the policy refuses and reports.
 async function shot(page, name) {
-  fs.mkdirSync(shots, { recursive: true });
-  await page.screenshot({ path: path.join(shots, name + '.png') });
+  const folder = path.join(shots, named);
+  fs.mkdirSync(folder, { recursive: true });
+  await page.evaluate(() => { window.isShot = true; });
+  await page.screenshot({ path: path.join(folder, name + '.png'), caret: 'initial' });
+  await page.evaluate(() => { window.isShot = false; });
+}
+
+// BiDi makes two clicks of it.
+async function doubleClick(page, x, y) {
+  if (named === 'firefox') await page.dispatchEvent('#frame', 'dblclick');
+  else await page.mouse.dblclick(x, y);
+}
+
+async function runIn(browser, tests, leaves) {
+  for (const [name, test] of tests) {
+    if (leaves.includes(name)) {
+      console.log(`# ${named} leaves out: ${name}`);
+      continue;
+    }
+    try {
+      await test(browser);
+    } catch (error) {
+      check(`${name} runs to its end`, false, error.stack);
+    }
+    for (const context of browser.contexts()) await context.close();
+  }
 }
 
 async function main(tests) {
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args: process.getuid() === 0 ? ['--no-sandbox'] : [],
-  });
   const only = process.argv.slice(3);
+  const wanted = Object.entries(tests).filter(([name]) => !only.length || only.includes(name));
   try {
-    for (const [name, test] of Object.entries(tests)) {
-      if (only.length && !only.includes(name)) continue;
-      try {
-        await test(browser);
-      } catch (error) {
-        check(`${name} runs to its end`, false, error.stack);
+    for (const [name, { kind, path: program, options, leaves }] of Object.entries(BROWSERS)) {
+      if (process.env.BROWSERS && !process.env.BROWSERS.split(' ').includes(name)) continue;
+      named = name;
+      if (name === 'firefox' && !fs.existsSync(program)) {
+        console.log(`# firefox is left out: there is no ${program}`);
+        continue;
       }
-      for (const context of browser.contexts()) await context.close();
+      const browser = await kind.launch({ executablePath: program, ...options });
+      console.log(`# ${name} ${browser.version()}`);
+      try {
+        await runIn(browser, wanted, leaves);
+      } finally {
+        await browser.close();
+      }
     }
   } finally {
-    await browser.close();
     for (const child of daemons) child.kill();
     fs.rmSync(work, { recursive: true, force: true });
   }
@@ -113,4 +164,4 @@ async function main(tests) {
   process.exit(failed || !count ? 1 : 0);
 }
 
-module.exports = { build, work, check, daemon, open, drawn, redrawn, pictures, violations, saved, run, shot, main };
+module.exports = { build, work, check, daemon, open, drawn, redrawn, pictures, violations, saved, doubleClick, run, shot, main };

@@ -1,9 +1,9 @@
 // test_page.js BUILD [TEST...]: the page at / in a browser, as a person uses it. Prints TAP; pictures land in
-// BUILD/page-test/shots.
+// BUILD/page-test/shots/BROWSER.
 'use strict';
 const fs = require('fs');
 const path = require('path');
-const { work, check, daemon, open, drawn, redrawn, violations, saved, run, shot, main } = require('./browser.js');
+const { work, check, daemon, open, drawn, redrawn, violations, saved, doubleClick, run, shot, main } = require('./browser.js');
 
 const assets = path.join(work, 'assets');
 fs.mkdirSync(assets);
@@ -12,6 +12,8 @@ const textOf = (page) => page.inputValue('#text');
 const sceneOf = async (page) => JSON.parse(await textOf(page));
 const TABS = ['scene', 'channels', 'algorithms', 'pixel', 'lesson'];
 const quiet = (page) => page.waitForFunction(() => !isPumping && !motion.is && !pending);
+
+const TETRAHEDRON = '{"look": "studio", "meshes": [{"positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "faces": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]}]}';
 
 const tests = {
   async start(browser) {
@@ -74,7 +76,7 @@ const tests = {
     await page.mouse.down({ button: 'right' });
     await redrawn(page, async () => { await page.mouse.move(460, 320, { steps: 4 }); await page.mouse.up({ button: 'right' }); });
     check('the right button moves the target', String((await sceneOf(page)).view.target) !== String(target));
-    await redrawn(page, () => page.mouse.dblclick(400, 300));
+    await redrawn(page, () => doubleClick(page, 400, 300));
     check('a double click shows everything', (await sceneOf(page)).view === undefined);
     check('moves: nothing in the console', page.faults.length === 0, page.faults);
   },
@@ -112,7 +114,7 @@ const tests = {
 
   async tabs(browser) {
     const page = await open(browser, address);
-    await drawn(page);
+    await redrawn(page, () => page.selectOption('#example', 'pawns'));
     await page.click('#tab-channels');
     await page.waitForFunction(() => drawnChannels !== '');
     await redrawnChannel(page);
@@ -140,44 +142,58 @@ const tests = {
     await drawn(page);
     await page.click('#tab-lesson');
     await page.waitForSelector('#lesson-missing');
-    check('a scene of meshes has no lesson', await page.isHidden('#lesson-body'));
-    for (const name of ['crossing', 'ring', 'star']) {
-      await page.click(`#lesson-scenes button[value=${name}]`);
-      await page.waitForFunction((n) => state.example === n && lesson.key === state.text && !byId('lesson-grid').hidden, name, { timeout: 20000 });
-      const steps = await page.evaluate(() => lesson.steps.length);
-      check(`${name}: some steps`, steps > 20, String(steps));
-      const wrong = await page.evaluate(() => {
-        let faults = 0;
-        for (let i = 0; i < lesson.steps.length; i++) {
-          goTo(i);
-          // Outside of the crossings no pixel of the row changes; inside, each is written or stays.
-          const step = lesson.steps[i];
-          if (!step.xs) continue;
-          const inside = new Map(pixelsOf(step).map((pixel) => [pixel.x, pixel.isWritten]));
-          for (let x = 0; x < LESSON.width; x++) {
-            const at = step.row * LESSON.width + x, [before, after] = [lesson.states[step.polygon - 1], lesson.states[step.polygon]];
-            const isWritten = after.ids[at] === step.polygon;
-            if (isWritten !== (inside.get(x) === true)) faults++;
-            if (!isWritten && (before.ids[at] !== after.ids[at] || before.depths[at] !== after.depths[at])) faults++;
-            if (isWritten && !(after.depths[at] < before.depths[at])) faults++;
-          }
-        }
-        return faults;
-      });
-      check(`${name}: each step writes what is nearer, between its crossings, and nothing else`, wrong === 0, `${wrong} pixels`);
-      const differ = await page.evaluate(async () => {
-        const window = { width: LESSON.width, height: LESSON.height };
-        const ids = await npy((await render(state.text, { window, samples: 1 }, '?channel=faceId')).blob), last = lesson.steps[lesson.steps.length - 1];
-        return ids.reduce((sum, id, i) => sum + (id !== heldAt(last, i % LESSON.width, Math.floor(i / LESSON.width)).id), 0);
-      });
-      check(`${name}: the last step is the picture`, differ === 0, `${differ} pixels`);
-      await page.evaluate(() => goTo(Math.floor(lesson.steps.length * 0.6)));
-      await shot(page, 'lesson-' + name);
+    check('a scene of many triangles has no lesson', await page.isHidden('#lesson-body') && /triangles in view/.test(await page.textContent('#lesson-missing')));
+    const shown = (scene, algorithm) => page.waitForFunction(([name, kind]) => (state.example || 'tetrahedron') === name && lesson.trace && lesson.trace.algorithm === kind &&
+      lesson.key === keyOfLesson() && !byId('lesson-grid').hidden, [scene, algorithm], { timeout: 20000 });
+    for (const scene of ['crossing', 'ring', 'star', 'tetrahedron']) {
+      if (scene === 'tetrahedron') {
+        await page.click('#tab-scene');
+        await redrawn(page, () => page.fill('#text', TETRAHEDRON));
+        await page.click('#tab-lesson');
+      } else {
+        await page.click(`#lesson-scenes button[value=${scene}]`);
+      }
+      for (const algorithm of ['edgelist', 'trapezoid', 'scanline', 'painter', 'halfspace']) {
+        await page.click(`#lesson-algorithms button[value=${algorithm}]`);
+        await shown(scene, algorithm);
+        const found = await page.evaluate(async () => {
+          const { trace, steps } = lesson, { width, height } = trace.window, hasBuffer = !/scanline|painter/.test(trace.algorithm);
+          const faults = { said: 0, lit: 0, drawn: 0, buffer: 0, picture: 0 };
+          steps.forEach((step, at) => {
+            goTo(at);
+            const lit = document.querySelectorAll('#code .lit').length, isOuter = at === 0 || at === steps.length - 1;
+            if (byId('lesson-words').textContent !== step.words || /undefined|NaN/.test(step.words + byId('lists').textContent)) faults.said++;
+            if (lit !== (isOuter ? 0 : step.lines[1] - step.lines[0] + 1)) faults.lit++;
+            const before = replay(trace, steps, at), after = replay(trace, steps, at + 1);
+            const changed = [...after.ids.keys()].filter((place) => before.ids[place] !== after.ids[place] || !Object.is(before.depths[place], after.depths[place]));
+            const writes = step.writes || [];
+            if (changed.some((place) => !writes.some(({ x, row }) => row * width + x === place))) faults.drawn++;
+            if (hasBuffer && writes.some(({ x, row, z }) => !(z < (before.ids[row * width + x] ? before.depths[row * width + x] : 1.00001)))) faults.buffer++;
+          });
+          const held = replay(trace, steps, steps.length);
+          const changes = { ...pictureKeys(), window: { width, height }, samples: 1, occlusion: false, groundShadow: false, edges: false };
+          const faces = await npy((await render(state.text, changes, '?channel=faceId')).blob);
+          faces.forEach((face, at) => {
+            const id = held.ids[(height - 1 - Math.floor(at / width)) * width + at % width];
+            if (face !== (id ? trace.primitives[id - 1].faceId : 0)) faults.picture++;
+          });
+          return { faults, steps: steps.length };
+        });
+        const label = `${scene}, ${algorithm}: ${found.steps} steps`;
+        check(`${label}; each is said, lit and drawn, and writes what is nearer`, found.steps > 3 && found.faults.said + found.faults.lit + found.faults.drawn + found.faults.buffer === 0, found);
+        check(`${label}; the last one is the picture`, found.faults.picture === 0, found);
+        await page.evaluate(() => goTo(Math.floor(lesson.steps.length * 0.6)));
+        await shot(page, `lesson-${scene}-${algorithm}`);
+      }
     }
     await page.evaluate(() => goTo(0));
     await page.focus('#step');
     await page.keyboard.press('ArrowRight');
     check('an arrow key is a step', await page.evaluate(() => lesson.at) === 1);
+    await page.focus('#lesson-algorithms button[value=edgelist]');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => lesson.trace.algorithm === 'edgelist');
+    check('a key chooses the algorithm', await page.getAttribute('#lesson-algorithms button[value=edgelist]', 'aria-pressed') === 'true');
     await page.click('#tab-scene');
     check('another tab shows the picture again', await page.isVisible('#frame') && await page.isHidden('#lesson-grid'));
     check('lesson: nothing in the console', page.faults.length === 0, page.faults);
@@ -430,7 +446,11 @@ const tests = {
       await page.waitForFunction(() => /busy; trying again in 1 s/.test(byId('note').textContent));
     });
     check('a busy daemon is asked again', await page.isHidden('#note'), await page.textContent('#note'));
-    await page.unroute('**/v1/render*');
+  },
+
+  async offline(browser) {
+    const page = await open(browser, address);
+    await drawn(page);
     await page.context().setOffline(true);
     await page.check('input[value=dark]');
     await page.waitForFunction(() => /Is the daemon running/.test(byId('note').textContent));

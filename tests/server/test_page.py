@@ -136,7 +136,7 @@ class Lists(Case):
     def test_examples(self):
         """each example is drawn with its files, without a warning"""
         examples = json.loads(self.daemon.send("/v1/examples")[2])["examples"]
-        self.assertEqual(examples[0]["name"], "pawns")
+        self.assertEqual(examples[0]["name"], "bearing")
         self.assertGreaterEqual(len(examples), 12)
         for example in examples:
             with self.subTest(example["name"]):

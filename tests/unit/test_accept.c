@@ -1,39 +1,44 @@
-/* When an answer is streamed, by the Accept headers of its request. */
+/* When files are sent in parts, and of which type, by the Accept headers of their request. */
 #include "accept.h"
 #include "support/tests.h"
 
-TEST(only_a_client_that_names_the_type_gets_a_stream)
+TEST(only_a_client_that_names_the_type_gets_parts)
 {
     static const struct {
         const char *values[2];
-        bool is_wanted;
+        enum accept_parts wanted;
     } CASES[] = {
-        {{"multipart/mixed"}, true},
-        {{"Multipart/Mixed ; boundary=x"}, true},
-        {{"image/png, multipart/mixed"}, true},
-        {{"image/png", " multipart/mixed;q=0.001"}, true},
-        {{"application/zip, multipart/mixed"}, true},
-        {{"application/zip;q=0.5 ,multipart/mixed;q=0.6"}, true},
-        {{"multipart/mixed;q=0.25;a=b, application/zip;q=0.2"}, true},
-        {{"application/zip", "multipart/mixed;q=0.999"}, false},
-        {{""}, false},
-        {{"*/*"}, false},
-        {{"multipart/*"}, false},
-        {{"multipart/form-data"}, false},
-        {{"multipart/mixed2"}, false},
-        {{"multipart/mixed;q=0"}, false},
-        {{"multipart/mixed;Q=0.000"}, false},
-        {{"multipart/mixed;q="}, false},
-        {{"multipart/mixed;q=1.001"}, false},
-        {{"multipart/mixed;q=0.5x"}, false},
-        {{"multipart/mixed;q=2"}, false},
-        {{",;,;q=1,,"}, false},
+        {{"multipart/mixed"}, ACCEPT_MIXED},
+        {{"Multipart/Mixed ; boundary=x"}, ACCEPT_MIXED},
+        {{"image/png, multipart/mixed"}, ACCEPT_MIXED},
+        {{"image/png", " multipart/mixed;q=0.001"}, ACCEPT_MIXED},
+        {{"application/zip, multipart/mixed"}, ACCEPT_MIXED},
+        {{"application/zip;q=0.5 ,multipart/mixed;q=0.6"}, ACCEPT_MIXED},
+        {{"multipart/mixed;q=0.25;a=b, application/zip;q=0.2"}, ACCEPT_MIXED},
+        {{"application/zip", "multipart/mixed;q=0.999"}, ACCEPT_NO_PARTS},
+        {{""}, ACCEPT_NO_PARTS},
+        {{"*/*"}, ACCEPT_NO_PARTS},
+        {{"multipart/*"}, ACCEPT_NO_PARTS},
+        {{"multipart/form-data"}, ACCEPT_FORM},
+        {{"Multipart/Form-Data;q=0.2, */*"}, ACCEPT_FORM},
+        {{"multipart/form-data, multipart/mixed"}, ACCEPT_MIXED},
+        {{"multipart/form-data;q=0.6", "multipart/mixed;q=0.5"}, ACCEPT_FORM},
+        {{"multipart/form-data;q=0.6, multipart/mixed;q=0.5, application/zip;q=0.7"}, ACCEPT_NO_PARTS},
+        {{"multipart/form-data;q=0"}, ACCEPT_NO_PARTS},
+        {{"multipart/mixed2"}, ACCEPT_NO_PARTS},
+        {{"multipart/mixed;q=0"}, ACCEPT_NO_PARTS},
+        {{"multipart/mixed;Q=0.000"}, ACCEPT_NO_PARTS},
+        {{"multipart/mixed;q="}, ACCEPT_NO_PARTS},
+        {{"multipart/mixed;q=1.001"}, ACCEPT_NO_PARTS},
+        {{"multipart/mixed;q=0.5x"}, ACCEPT_NO_PARTS},
+        {{"multipart/mixed;q=2"}, ACCEPT_NO_PARTS},
+        {{",;,;q=1,,"}, ACCEPT_NO_PARTS},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
         struct accept accept = {0};
         for (int k = 0; k < 2 && CASES[i].values[k]; k++)
             accept_read(&accept, CASES[i].values[k]);
-        if (accept_wants_stream(&accept) != CASES[i].is_wanted) fail_msg("%s", CASES[i].values[0]);
+        if (accept_parts(&accept) != CASES[i].wanted) fail_msg("%s", CASES[i].values[0]);
     }
 }
 
