@@ -275,8 +275,8 @@ if [ $# = 0 ]; then
     for picture in README/part README/iso README/triangle clients/docs/quickstart/pictures/part clients/docs/views/sheet; do
         verdict "$picture.png is there" is_png "$work/$picture.png"
     done
-    verdict "there are at least 25 examples: $blocks" [ "$blocks" -ge 25 ]
-    verdict "few are left out: $left_out" [ "$left_out" -le $((blocks / 3)) ]
+    verdict "there are at least 150 examples: $blocks" [ "$blocks" -ge 150 ]
+    verdict "few are left out: $left_out" [ "$left_out" -le 20 ]
 fi
 
 # ---- what is wrong would be found ----
