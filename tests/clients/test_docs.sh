@@ -247,7 +247,7 @@ all_links_lead() { # PAGE
 # ---- commands of make ----
 
 missing_targets() { # PAGE: the words behind make, in code, that are no targets
-    sed -n '/^ *```/,/^ *```/p; s/.*`\(make[^`]*\)`.*/\1/p' "$1" | grep -oE '(^| |&& )make +([A-Z]+=[^ ]+ +)*[a-z][a-z-]*' | sed 's/.* //' | sort -u |
+    sed -n '/^ *```/,/^ *```/p; s/.*`\(make[^`]*\)`.*/\1/p' "$1" | grep -oE '(^| |&& )make +([A-Z]+=[^ ]+ +)*[a-z][a-z-]*/?' | grep -v '/$' | sed 's/.* //' | sort -u |
         while read -r target; do grep -q "^$target:" "$root/Makefile" || echo "$1: make $target"; done
 }
 all_targets_are_there() { # PAGE
