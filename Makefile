@@ -162,7 +162,7 @@ demo: ## installs what is missing, builds, renders a model and a scene into buil
 	@clients/demo.sh $(BUILD)
 
 .PHONY: gallery
-gallery: ## a picture of each feature beside its scene: build/gallery/index.html
+gallery: ## pictures of parts, looks and features, each with its command: build/gallery/index.html
 	@.ci/need $(NEED_BUILD)
 	@$(MAKE) -s -j$(JOBS) all
 	@DATA="$(DATA)" clients/gallery/gallery.sh $(BUILD)
