@@ -24,14 +24,20 @@ unset ZRASTER_SERVER
 
 # ---- the service ----
 
-mkdir "$work/assets"
-for number in 1 2; do
+start() { # NUMBER OPTION...: its process becomes $started, and its address $address
+    number=$1
+    shift
     : >"$work/out-$number"
-    ZRASTER_TOKEN=secret "$build/zrasterd" --port 0 --max-per-client 0 --assets-dir "$work/assets" >"$work/out-$number" 2>"$work/log-$number" &
-    eval "daemon_$number=$!"
-    pids="$pids $!"
-    eval "address_$number=\$(address_in '$work/out-$number')" || exit 1
-done
+    ZRASTER_TOKEN=secret "$build/zrasterd" "$@" >"$work/out-$number" 2>"$work/log-$number" &
+    started=$!
+    pids="$pids $started"
+    address=$(address_in "$work/out-$number") || { echo "$address"; exit 1; }
+}
+mkdir "$work/assets"
+start 1 --port 0 --max-per-client 0 --assets-dir "$work/assets"
+daemon_1=$started address_1=$address
+start 2 --port 0 --max-per-client 0 --assets-dir "$work/assets"
+daemon_2=$started address_2=$address
 
 # Port $1 of this machine. A port that is taken ends nginx at once.
 configure() { # PORT
@@ -44,14 +50,14 @@ configure() { # PORT
         echo '}'
     } >"$work/nginx.conf"
 }
-configure 1
+configure 20000
 check "nginx accepts the configuration of the page" 0 "$nginx" -t -p "$work" -e "$work/errors" -c "$work/nginx.conf"
 is_up() { curl -sf -o /dev/null "$front/healthz"; }
 folder=$(sed -n 's/^proxy_cache_path \([^ ]*\) .*/\1/p' $page)
 if [ -e /etc/debian_version ] && [ "$nginx" = /usr/sbin/nginx ]; then
     verdict "Debian has the folder in which nginx makes that of the cache" [ -d "${folder%/*}" ]
 fi
-tries=0
+tries=0 proxy=
 until [ $((tries += 1)) -gt 9 ]; do
     port=$((20000 + ($$ * 13 + tries * 997) % 12000))
     front=http://127.0.0.1:$port
@@ -145,11 +151,8 @@ mkdir "$work/full"
 echo 1000000000 >"$work/full/memory.max"
 echo 990000000 >"$work/full/memory.current"
 printf 'inactive_file 0\nfile 0\n' >"$work/full/memory.stat"
-: >"$work/out-1"
-ZRASTER_TOKEN=secret "$build/zrasterd" --port "${address_1##*:}" --cgroup "$work/full" >"$work/out-1" 2>"$work/log-1" &
-daemon_1=$!
-pids="$pids $daemon_1"
-address_in "$work/out-1" >/dev/null || exit 1
+start 1 --port "${address_1##*:}" --cgroup "$work/full"
+daemon_1=$started
 drawn=0
 for size in 120 121 122 123; do
     answers 200 /v1/render -H "$json" -d '{"window": {"width": '$size', "height": 80}, "meshes": [{"asset": "sha256:'"$hash"'"}]}' && drawn=$((drawn + 1))
