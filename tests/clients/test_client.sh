@@ -171,7 +171,7 @@ for option in --preset=top --shading=flat --size=8x8; do
     verdict "and the message names the key" grep -q -e "${option%=*} is for meshes, ending with .obj .3mf .zip .stl .ply .glb .gltf; a JSON scene has the key" complained
 done
 check "a server's word on a parameter" 2 "$client" render "part one.stl" --preset iso
-verdict "is about the option" grep -q "^zraster: --preset: 'iso' is unknown; allowed: front," complained
+verdict "is about the option" grep -q "^zraster: --preset: 'iso' is unknown (did you mean isometric?); allowed: front," complained
 check "its word on a width" 2 "$client" render "part one.stl" --size 99999x5
 verdict "is about that option" grep -q "^zraster: --size: '99999'" complained
 cp "$work/mesh.obj" mesh.wavefront

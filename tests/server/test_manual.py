@@ -19,12 +19,12 @@ ALL_BYTES_MOST = 4_000_000
 
 
 class Page(html.parser.HTMLParser):
-    """Links, addresses and text of a page; wrong nesting raises an error."""
+    """Links, addresses and text of a page; wrong nesting, of tags or headings, raises an error."""
 
     def __init__(self, text):
         super().__init__()
         self.links, self.ids, self.text, self.open, self.scripts = [], [], [], [], 0
-        self.alone = []  # links without a text
+        self.level = 0
         self.feed(text)
         assert not self.open, self.open
 
@@ -33,6 +33,9 @@ class Page(html.parser.HTMLParser):
         self.links += [value for key, value in attributes if key in ("href", "src")]
         self.ids += [values["id"]] if "id" in values else []
         self.scripts += tag == "script" or any(key.startswith("on") or key == "style" for key in values)
+        if re.fullmatch("h[1-6]", tag) and "nav" not in self.open:
+            assert int(tag[1]) <= self.level + 1, f"a heading <{tag}> behind <h{self.level}>: {self.getpos()}"
+            self.level = int(tag[1])
         if tag == "img":
             assert values.get("alt") is not None, self.get_starttag_text()
         if tag not in VOID:
@@ -99,8 +102,9 @@ class Manual(Case):
         for wrong in ("a `b`", "a **b**", "[a](b)", "## a", "| a | b |", "an *a*", "a \\| b", "```sh", "&lt;br>".replace("&lt;", "<")):
             self.assertTrue(marks(wrong), wrong)
         self.assertFalse(marks("a * b, C# and (c) | 2 < 3"))
-        with self.assertRaises(AssertionError):
-            Page("<p><em>a</p></em>")
+        for wrong in ("<p><em>a</p></em>", "<h1>a</h1><h3>b</h3>", "<img src=a.png>"):
+            with self.assertRaises(AssertionError):
+                Page(wrong)
 
     def test_answers(self):
         """pages have a strict policy, a strong entity tag and the type of their file; they come compressed or not"""
