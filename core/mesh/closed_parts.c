@@ -76,7 +76,7 @@ bool zr_ring_turns_as_first(const struct zr_mesh *mesh, const struct zr_rings *r
 {
     const struct zr_ring_area first = zr_ring_area_of(mesh, rings->offsets[0], rings->offsets[1]),
                               own = zr_ring_area_of(mesh, rings->offsets[ring], rings->offsets[ring + 1]);
-    return (first.area[0] * own.area[0] + first.area[1] * own.area[1]) + first.area[2] * own.area[2] > 0.0;
+    return zr_ring_areas_agree(&first, &own);
 }
 
 /* True if the ring has three different vertices. */
@@ -98,11 +98,14 @@ static void visit_face(struct finding *f, uint32_t face, visit_fn *visit)
 {
     const struct zr_mesh *mesh = f->mesh;
     const struct zr_rings rings = zr_mesh_rings(mesh, face);
-    const bool is_cap = zr_mesh_face_is_cap(mesh, face);
+    const bool has_holes = rings.count > 1 && !zr_mesh_face_is_cap(mesh, face);
+    struct zr_ring_area first = {.area = {0, 0, 0}}, own;
+    if (has_holes) first = zr_ring_area_of(mesh, rings.offsets[0], rings.offsets[1]);
     for (uint32_t r = 0; r < rings.count; r++) {
         const uint32_t *corners = mesh->indices + rings.offsets[r], count = rings.offsets[r + 1] - rings.offsets[r];
-        const bool is_reversed = r > 0 && !is_cap && zr_ring_turns_as_first(mesh, &rings, r);
         if (!has_area(f, corners, count)) continue;
+        if (has_holes && r > 0) own = zr_ring_area_of(mesh, rings.offsets[r], rings.offsets[r + 1]);
+        const bool is_reversed = has_holes && r > 0 && zr_ring_areas_agree(&first, &own);
         uint32_t from = f->vertices[corners[count - 1]];
         for (uint32_t i = 0; i < count; i++) {
             const uint32_t to = f->vertices[corners[i]];

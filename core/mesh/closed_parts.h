@@ -31,6 +31,12 @@ struct zr_ring_area {
 };
 struct zr_ring_area zr_ring_area_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end);
 
+/* Returns true if two rings run in the same direction. */
+static inline bool zr_ring_areas_agree(const struct zr_ring_area *a, const struct zr_ring_area *b)
+{
+    return (a->area[0] * b->area[0] + a->area[1] * b->area[1]) + a->area[2] * b->area[2] > 0.0;
+}
+
 /* Returns true if a hole runs in the same direction as the first ring. Ring 0 is the first one. */
 bool zr_ring_turns_as_first(const struct zr_mesh *mesh, const struct zr_rings *rings, uint32_t ring);
 
