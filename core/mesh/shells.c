@@ -1,7 +1,7 @@
 #include "mesh/shells.h"
 
 #include "base/cancel.h"
-#include "mesh/closed_parts.h"
+#include "mesh/ring_area.h"
 #include "scene/part_list.h"
 
 /* Precision of coordinates, relative to the largest one. */
