@@ -4,6 +4,7 @@
 
 #include "base/cancel.h"
 #include "base/sort.h"
+#include "mesh/ring_area.h"
 #include "mesh/shells.h"
 #include "mesh/weld.h"
 #include "scene/part_list.h"
@@ -47,36 +48,11 @@ static void put_edge(struct finding *f, uint32_t from, uint32_t to, uint32_t fac
     f->uses[--f->ends[low]] = (use)high << 32 | (use)face << 1 | (from < to);
 }
 
-static void place_of(const struct zr_mesh *mesh, uint32_t slot, double place[3])
-{
-    const zr_vec3 at = zr_vec4_over_w(mesh->positions[mesh->indices[slot]]);
-    place[0] = (double)at.x;
-    place[1] = (double)at.y;
-    place[2] = (double)at.z;
-}
-
-struct zr_ring_area zr_ring_area_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end)
-{
-    struct zr_ring_area ring = {.area = {0, 0, 0}};
-    const double *o = ring.first;
-    place_of(mesh, begin, ring.first);
-    for (uint32_t i = begin + 1; i + 1 < end; i++) {
-        double p[3], q[3];
-        place_of(mesh, i, p);
-        place_of(mesh, i + 1, q);
-        const double a[3] = {p[0] - o[0], p[1] - o[1], p[2] - o[2]}, b[3] = {q[0] - o[0], q[1] - o[1], q[2] - o[2]};
-        ring.area[0] += a[1] * b[2] - a[2] * b[1];
-        ring.area[1] += a[2] * b[0] - a[0] * b[2];
-        ring.area[2] += a[0] * b[1] - a[1] * b[0];
-    }
-    return ring;
-}
-
 bool zr_ring_turns_as_first(const struct zr_mesh *mesh, const struct zr_rings *rings, uint32_t ring)
 {
     const struct zr_ring_area first = zr_ring_area_of(mesh, rings->offsets[0], rings->offsets[1]),
                               own = zr_ring_area_of(mesh, rings->offsets[ring], rings->offsets[ring + 1]);
-    return (first.area[0] * own.area[0] + first.area[1] * own.area[1]) + first.area[2] * own.area[2] > 0.0;
+    return zr_ring_areas_agree(&first, &own);
 }
 
 /* True if the ring has three different vertices. */
@@ -98,11 +74,14 @@ static void visit_face(struct finding *f, uint32_t face, visit_fn *visit)
 {
     const struct zr_mesh *mesh = f->mesh;
     const struct zr_rings rings = zr_mesh_rings(mesh, face);
-    const bool is_cap = zr_mesh_face_is_cap(mesh, face);
+    const bool has_holes = rings.count > 1 && !zr_mesh_face_is_cap(mesh, face);
+    struct zr_ring_area first = {.area = {0, 0, 0}}, own;
+    if (has_holes) first = zr_ring_area_of(mesh, rings.offsets[0], rings.offsets[1]);
     for (uint32_t r = 0; r < rings.count; r++) {
         const uint32_t *corners = mesh->indices + rings.offsets[r], count = rings.offsets[r + 1] - rings.offsets[r];
-        const bool is_reversed = r > 0 && !is_cap && zr_ring_turns_as_first(mesh, &rings, r);
         if (!has_area(f, corners, count)) continue;
+        if (has_holes && r > 0) own = zr_ring_area_of(mesh, rings.offsets[r], rings.offsets[r + 1]);
+        const bool is_reversed = has_holes && r > 0 && zr_ring_areas_agree(&first, &own);
         uint32_t from = f->vertices[corners[count - 1]];
         for (uint32_t i = 0; i < count; i++) {
             const uint32_t to = f->vertices[corners[i]];

@@ -25,12 +25,6 @@ struct zr_shells;
 bool zr_closed_parts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                           const struct zr_mesh *mesh, uint8_t *closed, struct zr_shells *shells);
 
-/* The first corner of a ring, and twice the ring's area as a vector, in object space. */
-struct zr_ring_area {
-    double first[3], area[3];
-};
-struct zr_ring_area zr_ring_area_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end);
-
 /* Returns true if a hole runs in the same direction as the first ring. Ring 0 is the first one. */
 bool zr_ring_turns_as_first(const struct zr_mesh *mesh, const struct zr_rings *rings, uint32_t ring);
 

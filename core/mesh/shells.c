@@ -1,7 +1,7 @@
 #include "mesh/shells.h"
 
 #include "base/cancel.h"
-#include "mesh/closed_parts.h"
+#include "mesh/ring_area.h"
 #include "scene/part_list.h"
 
 /* Precision of coordinates, relative to the largest one. */
@@ -81,12 +81,14 @@ static void add_face(const struct zr_mesh *mesh, uint32_t face, uint32_t shell, 
     const struct zr_rings rings = zr_mesh_rings(mesh, face);
     const struct zr_ring_area apex = zr_ring_area_of(mesh, mesh->face_offsets[shell], mesh->face_offsets[shell]);
     const bool is_cap = zr_mesh_face_is_cap(mesh, face);
+    struct zr_ring_area first = apex;
     for (uint32_t r = 0; r < rings.count; r++) {
         const struct zr_ring_area ring = zr_ring_area_of(mesh, rings.offsets[r], rings.offsets[r + 1]);
         const double volume =
             ((ring.first[0] - apex.first[0]) * ring.area[0] + (ring.first[1] - apex.first[1]) * ring.area[1]) +
             (ring.first[2] - apex.first[2]) * ring.area[2];
-        const bool is_reversed = r > 0 && !is_cap && zr_ring_turns_as_first(mesh, &rings, r);
+        const bool is_reversed = r > 0 && !is_cap && zr_ring_areas_agree(&first, &ring);
+        if (r == 0) first = ring;
         sums[0] += is_reversed ? -volume : volume;
         sums[1] += sqrt((ring.area[0] * ring.area[0] + ring.area[1] * ring.area[1]) + ring.area[2] * ring.area[2]);
     }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "faults.h"
+#include "given.h"
 #include "memory.h"
 #include "shots.h"
 #include "tree.h"
@@ -270,7 +271,7 @@ enum mcp_draw_status mcp_call(const struct mcp_host *host, const struct mcp_mess
         return MCP_DRAWN;
     }
     enum mcp_draw_status status = MCP_REFUSED;
-    if (mcp_job_read(job, host, message, tool))
+    if (mcp_job_read(job, host, message, tool) && mcp_given_check(job))
         status = tool == MCP_PICK ? pick(job, result) : show(job, result);
     else if (mcp_host_is_cancelled(host))
         status = MCP_CANCELLED;

@@ -102,13 +102,13 @@ static bool has_name(const struct mcp_job *job, struct mcp_span scene)
     return has;
 }
 
-void mcp_given_check(struct mcp_job *job)
+bool mcp_given_check(struct mcp_job *job)
 {
     const struct mcp_span visibility = job->own[MCP_OWN_VISIBILITY], meshes = job->own[MCP_OWN_MESHES];
     if (meshes.at && job->model.is_given && !has_name(job, meshes))
         mcp_fault(&job->faults, "/scene/meshes",
                   "no mesh is the model: give one as {\"asset\": \"%.100s\"}, or leave the model out", job->model.name);
-    if (job->tool == MCP_FACTS) return;
+    if (job->tool == MCP_FACTS) return job->faults.count == 0;
     if (job->own[MCP_OWN_SHEET].at && !mcp_job_argument(job, "sheet") && !mcp_job_argument(job, "views") &&
         mcp_job_argument(job, "annotate"))
         mcp_fault(&job->faults, "/annotate", "the scene has a sheet: give captions there, or a sheet here");
@@ -116,4 +116,5 @@ void mcp_given_check(struct mcp_job *job)
         mcp_fault(&job->faults, "/scene/visibility",
                   "leave it out: parts of the answer count their visible pixels; POST /v1/render answers masks");
     if (job->tool == MCP_RENDER && job->own[MCP_OWN_OUTPUTS].at) read_outputs(job, job->own[MCP_OWN_OUTPUTS]);
+    return job->faults.count == 0;
 }

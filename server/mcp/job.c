@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "faults.h"
-#include "given.h"
 
 /* Arguments of each tool. */
 #define OF_ALL      "model", "scene", "up"
@@ -196,7 +195,6 @@ bool mcp_job_read(struct mcp_job *job, const struct mcp_host *host, const struct
     find_own(job);
     job->is_bare = !job->message->scene.at || (job->model.is_given && !job->own[MCP_OWN_MESHES].at);
     if (tool == MCP_RENDER) read_format(job);
-    mcp_given_check(job);
     if (tool != MCP_FACTS) {
         read_views(job);
         if (job->images > MCP_IMAGES_MAX) return false;
