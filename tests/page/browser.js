@@ -69,6 +69,20 @@ async function redrawn(page, act) {
   await drawn(page, before + 1);
 }
 
+// Turns the picture by the pointer for some time. Returns the number of pictures that were drawn meanwhile.
+async function orbit(page, ms) {
+  const before = await page.evaluate(() => motion.frames), began = Date.now();
+  await page.mouse.move(400, 300);
+  await page.mouse.down();
+  for (let i = 0; Date.now() - began < ms; i++) {
+    await page.mouse.move(400 + 100 * Math.sin(i / 40), 300 + 40 * Math.cos(i / 30));
+    await page.waitForTimeout(8);
+  }
+  const count = await page.evaluate(() => motion.frames) - before;
+  await redrawn(page, () => page.mouse.up());
+  return count;
+}
+
 async function violations(page) {
   if (!(await page.evaluate(() => Boolean(window.axe)))) await page.evaluate(axe + ';0').catch(() => page.addScriptTag({ content: axe }));
   const { violations: found } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
@@ -164,4 +178,4 @@ async function main(tests) {
   process.exit(failed || !count ? 1 : 0);
 }
 
-module.exports = { build, work, check, daemon, open, drawn, redrawn, pictures, violations, saved, doubleClick, run, shot, main };
+module.exports = { build, work, check, daemon, open, drawn, redrawn, pictures, orbit, violations, saved, doubleClick, run, shot, main };
