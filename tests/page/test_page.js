@@ -201,7 +201,7 @@ const tests = {
       await page.keyboard.press('Tab');
       order.push(await page.evaluate(() => { const at = document.activeElement; return at.id || at.value || at.tagName; }));
     }
-    const wanted = ['open', 'example', 'copy', 'theme', 'help', 'frame', 'one', 'sheet', 'three', 'turntable', 'save', 'look-studio', 'tab-scene', 'text'];
+    const wanted = ['open', 'example', 'copy', 'theme', 'A', 'help', 'frame', 'one', 'sheet', 'three', 'turntable', 'save', 'look-studio', 'tab-scene', 'text'];
     check('Tab goes header, picture, views, looks, tabs, panel', String(order.slice(0, wanted.length)) === String(wanted), order);
     await page.focus('#frame');
     const press = (key) => redrawn(page, () => page.keyboard.press(key));
