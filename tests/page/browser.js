@@ -55,7 +55,7 @@ async function open(browser, address, options = {}) {
   });
   await page.addInitScript(() => addEventListener('securitypolicyviolation', (event) => { if (!window.isShot) console.error('policy: ' + event.violatedDirective); }));
   await page.goto(address + (options.hash || '/'));
-  if (named === 'firefox' && options.colorScheme === 'dark') await page.click('#theme');
+  if (named === 'firefox' && options.colorScheme === 'dark' && await page.$('#theme')) await page.click('#theme');
   return page;
 }
 
