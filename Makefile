@@ -288,7 +288,7 @@ page-test: ## the page at / in chromium and firefox-esr (apt, npm): every contro
 	@.ci/need $(NEED_BUILD) $(NEED_NODE) chromium=chromium 'firefox-esr=firefox-esr?' curl=curl $(PYTHON)=python3
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster library
 	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/page-test $(PAGE_PACKAGES)
-	@PYTHON="$(PYTHON)" BROWSERS="$(BROWSERS)" node tests/page/test_page.js $(BUILD) $(ONLY)
+	@PYTHON="$(PYTHON)" BROWSERS="$(BROWSERS)" DATA="$(DATA)" node tests/page/test_page.js $(BUILD) $(ONLY)
 	@node tests/page/test_manual.js $(BUILD)
 
 .PHONY: mutants

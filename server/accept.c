@@ -5,8 +5,6 @@
 #include <string.h>
 #include <strings.h>
 
-#include "parts.h"
-
 static bool is_name(const char *text, size_t length, const char *name)
 {
     return length == strlen(name) && strncasecmp(text, name, length) == 0;
@@ -60,8 +58,8 @@ static void read_range(struct accept *accept, const char *text, const char *end)
         const size_t size = token_length(parameter, next);
         if (size >= 2 && strncasecmp(parameter, "q=", 2) == 0) weight = read_weight(parameter + 2, size - 2);
     }
-    if (is_name(name, length, PARTS_MIXED)) accept->mixed = weight;
-    if (is_name(name, length, PARTS_FORM)) accept->form = weight;
+    if (is_name(name, length, ACCEPT_MIXED_TYPE)) accept->mixed = weight;
+    if (is_name(name, length, ACCEPT_FORM_TYPE)) accept->form = weight;
     if (is_name(name, length, "application/zip")) accept->zip = weight;
 }
 

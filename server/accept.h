@@ -2,6 +2,9 @@
 #ifndef ZRASTERD_ACCEPT_H
 #define ZRASTERD_ACCEPT_H
 
+#define ACCEPT_MIXED_TYPE "multipart/mixed"
+#define ACCEPT_FORM_TYPE  "multipart/form-data"
+
 /* Thousandths of the weights of types that a request names; 0: not named. Starts as {0}. Wildcards are ignored. */
 struct accept {
     int mixed, form, zip;

@@ -20,7 +20,7 @@ static void choose_boundary(char boundary[STREAM_BOUNDARY_SIZE])
 
 static const char *type_of(bool is_form)
 {
-    return is_form ? PARTS_FORM : PARTS_MIXED;
+    return is_form ? ACCEPT_FORM_TYPE : ACCEPT_MIXED_TYPE;
 }
 
 /* Writes the header of a part, with the line end behind the delimiter before it. Returns its length. */

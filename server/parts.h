@@ -11,9 +11,6 @@
 #include "encode.h"
 #include "stream.h"
 
-#define PARTS_MIXED "multipart/mixed"
-#define PARTS_FORM  "multipart/form-data"
-
 struct part {
     const char *name; /* of the file; NULL: none. In a form, the field has it without its extension */
     const char *type;

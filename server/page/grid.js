@@ -9,6 +9,13 @@ function colorOf(trace, id) {
   return typeof color === 'string' && /^#[0-9a-f]{6}$/i.test(color) ? color : PALETTE[(faceId - 1) % PALETTE.length];
 }
 
+// The luminance of a colour (WCAG 2.2), and black or white, whichever has more contrast with it.
+function luminanceOf(hex) {
+  const [r, g, b] = rgb(hex).map((value) => value > 10 ? ((value / 255 + 0.055) / 1.055) ** 2.4 : value / 255 / 12.92);
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+const inkOn = (hex) => luminanceOf(hex) > 0.179 ? '#000000' : '#ffffff';
+
 // Places on the canvas: the left side of a column, the upper side of a row, and any point.
 const leftOf = (x) => GRID.margin + x * GRID.cell;
 const topOf = (trace, row) => (trace.window.height - 1 - row) * GRID.cell;
@@ -34,8 +41,8 @@ function drawSquares(context, trace, held) {
     }
     context.strokeRect(left + 0.5, top + 0.5, cell, cell);
     if (!id) return;
-    const [r, g, b] = rgb(colorOf(trace, id)), z = held.depths[at];
-    context.fillStyle = 0.3 * r + 0.6 * g + 0.1 * b > 120 ? '#000' : '#fff';
+    const z = held.depths[at];
+    context.fillStyle = inkOn(colorOf(trace, id));
     context.fillText(Number.isNaN(z) ? labelOf(trace, id) : depthText(z), left + cell / 2, top + cell / 2 + 1);
   });
 }

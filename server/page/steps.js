@@ -18,7 +18,7 @@ const pixelsText = (spans) => spans.map(([x0, x1]) => x1 - x0 === 1 ? `pixel ${x
 
 // A table: rows near the one that is seen.
 function listOf(head, rows, seen) {
-  const near = seen < 0 ? rows : rows.slice(Math.max(0, seen - 4), seen + 5);
+  const near = seen < 0 ? rows : rows.slice(Math.max(0, seen - 2), seen + 3);
   return { head, rows: near.map((cells) => ({ cells, isSeen: seen >= 0 && cells === rows[seen] })) };
 }
 
@@ -98,7 +98,7 @@ const STEPS_OF = {
         }[kind];
         add({ row, lines: lines[kind], words: `Row ${row}, ${pixelsText([[x0, x1]])}: ${reason}`, dots,
           writes: shown.flatMap(([from, to, id]) => Array.from({ length: to - from }, (_, k) => ({ x: from + k, row, id }))),
-          list: listOf(['inside', 'depth at the left end', 'at the right end', ''], inside.map(([id, z0, z1]) =>
+          list: listOf(['inside', 'depth at the left end', 'at the right end', 'result'], inside.map(([id, z0, z1]) =>
             [labelOf(trace, id), depthText(z0), depthText(z1), shown.some(([, , other]) => other === id) ? 'visible' : 'hidden']), -1) });
       }
     }
@@ -110,7 +110,7 @@ const STEPS_OF = {
     const take = (piece) => { pieces.set(piece.piece, piece); return piece.piece; };
     const spansOf = (piece) => pieces.get(piece).spans;
     const name = (piece) => piece <= trace.primitives.length ? labelOf(trace, piece) : `${labelOf(trace, pieces.get(piece).primitive)} (piece ${piece})`;
-    const list = (p, q) => listOf(['still to paint', 'nearest', 'farthest', ''], order.map((piece) =>
+    const list = (p, q) => listOf(['still to paint', 'nearest', 'farthest', 'role'], order.map((piece) =>
       [name(piece), depthText(pieces.get(piece).near), depthText(pieces.get(piece).far), piece === p ? 'p' : piece === q ? 'q' : '']), order.indexOf(p));
     for (const step of trace.steps) {
       if (step.order) {

@@ -55,7 +55,7 @@ async function open(browser, address, options = {}) {
   });
   await page.addInitScript(() => addEventListener('securitypolicyviolation', (event) => { if (!window.isShot) console.error('policy: ' + event.violatedDirective); }));
   await page.goto(address + (options.hash || '/'));
-  if (named === 'firefox' && options.colorScheme === 'dark') await page.click('#theme');
+  if (named === 'firefox' && options.colorScheme === 'dark' && await page.$('#theme')) await page.click('#theme');
   return page;
 }
 
@@ -67,6 +67,20 @@ async function redrawn(page, act) {
   const before = await pictures(page);
   await act();
   await drawn(page, before + 1);
+}
+
+// Turns the picture by the pointer for some time. Returns the number of pictures that were drawn meanwhile.
+async function orbit(page, ms) {
+  const before = await page.evaluate(() => motion.frames), began = Date.now();
+  await page.mouse.move(400, 300);
+  await page.mouse.down();
+  for (let i = 0; Date.now() - began < ms; i++) {
+    await page.mouse.move(400 + 100 * Math.sin(i / 40), 300 + 40 * Math.cos(i / 30));
+    await page.waitForTimeout(8);
+  }
+  const count = await page.evaluate(() => motion.frames) - before;
+  await redrawn(page, () => page.mouse.up());
+  return count;
 }
 
 async function violations(page) {
@@ -164,4 +178,4 @@ async function main(tests) {
   process.exit(failed || !count ? 1 : 0);
 }
 
-module.exports = { build, work, check, daemon, open, drawn, redrawn, pictures, violations, saved, doubleClick, run, shot, main };
+module.exports = { build, work, check, daemon, open, drawn, redrawn, pictures, orbit, violations, saved, doubleClick, run, shot, main };
