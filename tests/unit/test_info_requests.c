@@ -115,8 +115,14 @@ TEST_AROUND(without_a_picture_info_has_no_pixels, open_arena, close_arena)
     static const char *const absent[] = {"\"pixels\"", "\"faces\":[", "\"backgroundPixels\"", "\"triangles\":0",
                                          "nothing is seen"};
     static const char *const present[] = {
-        "\"worldToCamera\":[",        "\"bounds\":{", "\"polygons\":4", "\"triangles\":4", "\"volume\":0.1666666666",
-        "\"closed\":true,\"color\":", "\"faces\":4",  "\"warnings\":[]"};
+        "\"worldToCamera\":[",
+        "\"bounds\":{",
+        "\"polygons\":4",
+        "\"triangles\":4",
+        "\"volume\":0.1666666666",
+        "\"closed\":true,\"shells\":{\"outward\":1,\"inward\":0,\"open\":0},\"color\":",
+        "\"faces\":4",
+        "\"warnings\":[]"};
     const struct zr_answer answer =
         answer_of((struct zr_request){.format = ZR_FORMAT_OBJ, .bytes = obj, .render = "false"});
     for (size_t i = 0; i < sizeof absent / sizeof *absent; i++)
