@@ -129,6 +129,8 @@ for part in "$@"; do
         [ "$part" = waits ] || run server-mcp "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_mcp.py tests/server/test_mcp_tasks.py
         ;;
     clients)
+        # The longest one begins first.
+        run docs tests/clients/test_docs.sh "$build"
         run client "ZRASTERD=$build/zrasterd" "ZRASTER=$build/zraster" tests/clients/test_client.sh
         run command tests/clients/test_command.sh "$build"
         run same-bytes tests/clients/test_same_bytes.sh "$build"
@@ -138,7 +140,6 @@ for part in "$@"; do
         run wrong-lines tests/clients/test_wrong_lines.sh "$build"
         run gallery tests/clients/test_gallery.sh "$build"
         run pictures tests/clients/test_pictures.sh "$build"
-        run docs tests/clients/test_docs.sh "$build"
         run reference-pages tests/clients/test_reference.sh "$build"
         run guide "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/clients/test_guide.py
         ;;
