@@ -90,7 +90,7 @@ void engine_draw(const struct engine *engine, const struct input *input, const s
         draw_here(engine, input, query, answer);
     free(query);
     if (answer->status == STATUS_DONE) bytes_print(&answer->warnings, "%s", bytes_text(&input->warnings));
-    wording_translate(&answer->faults, options);
+    wording_translate(&answer->faults, input, options);
     if (answer->status != STATUS_DONE || !options_strict(options) || answer->warnings.size == 0) return;
     bytes_print(&answer->faults, "%s", bytes_text(&answer->warnings));
     answer->status = STATUS_WARNED;

@@ -173,12 +173,10 @@ static void add_file(struct search *search, const char *path, const char *name)
     free(real);
 }
 
-/* Looks for a file by its name in a file of the folder `from`, which ends with a slash or is empty. */
-static void find(struct search *search, const char *from, const char *name)
+/* Finds the path of a file by its name in a file of the folder `from`, which ends with a slash or is empty. */
+static bool find_path(const struct search *search, const char *from, const char *name, char path[PATH_MAX])
 {
-    char plain[PATH_MAX], relative[2 * PATH_MAX], path[PATH_MAX];
-    const struct input_part *given = find_part(search->input, name);
-    if (strlen(name) >= sizeof plain || (given && !given->is_neighbour)) return;
+    char plain[PATH_MAX], relative[2 * PATH_MAX];
     decode(name, plain);
     const char *base = last_part(plain);
     const char *const tries[] = {name, plain, base, base};
@@ -186,11 +184,29 @@ static void find(struct search *search, const char *from, const char *name)
         const bool is_twice = (i == 1 && strcmp(name, plain) == 0) || (i == 3 && !*from);
         if (is_twice || !*tries[i] || is_absolute(tries[i])) continue;
         snprintf(relative, sizeof relative, "%s%s", i == 3 ? "" : from, tries[i]);
-        if (!walk(search, relative, path)) continue;
-        add_file(search, path, name);
-        return;
+        if (walk(search, relative, path)) return true;
     }
-    if (is_absolute(plain)) note(&search->outside, search->first_outside, name);
+    return false;
+}
+
+/* True if the decoded name is an absolute path. */
+static bool is_far(const char *name)
+{
+    char plain[PATH_MAX];
+    decode(name, plain);
+    return is_absolute(plain);
+}
+
+/* Looks for a file by its name in a file of the folder `from`. */
+static void find(struct search *search, const char *from, const char *name)
+{
+    char path[PATH_MAX];
+    const struct input_part *given = find_part(search->input, name);
+    if (strlen(name) >= PATH_MAX || (given && !given->is_neighbour)) return;
+    if (find_path(search, from, name, path))
+        add_file(search, path, name);
+    else if (is_far(name))
+        note(&search->outside, search->first_outside, name);
 }
 
 static void find_all(struct search *search, const char *from, const struct bytes *bytes, const char *type)
@@ -249,6 +265,19 @@ static void search_all(struct search *search)
     warn(input, search->excess, search->first_excess, "beyond the limits of number or size");
 }
 
+/* Sets the folders; NULL where they cannot be resolved. close_search frees them. */
+static void open_search(struct search *search, const char *path, const char *root)
+{
+    search->folder = strcmp(path, "-") == 0 ? realpath(root, NULL) : folder_of(path);
+    search->root = root ? realpath(root, NULL) : search->folder ? strdup(search->folder) : NULL;
+}
+
+static void close_search(struct search *search)
+{
+    free(search->folder);
+    free(search->root);
+}
+
 bool neighbours_read(struct input *input, const char *root, struct bytes *faults)
 {
     struct search search = {.input = input, .has_memory = true};
@@ -259,11 +288,27 @@ bool neighbours_read(struct input *input, const char *root, struct bytes *faults
         bytes_print(faults, "--root %s: there is no such folder", root);
         return false;
     }
-    search.folder = is_pipe ? realpath(root, NULL) : folder_of(input->path);
-    search.root = root ? realpath(root, NULL) : search.folder ? strdup(search.folder) : NULL;
+    open_search(&search, input->path, root);
     if (search.folder && search.root) search_all(&search);
-    free(search.folder);
-    free(search.root);
+    close_search(&search);
     if (!search.has_memory) bytes_print(faults, "out of memory");
     return search.has_memory;
+}
+
+bool neighbours_explain(const struct input *input, const char *root, const char *name, struct bytes *out)
+{
+    struct search search = {.folder = NULL};
+    char path[PATH_MAX], *real = NULL;
+    const bool is_pipe = strcmp(input->path, "-") == 0;
+    if (is_pipe && !root) return bytes_print(out, "; standard input has no folder, --root gives one");
+    if (strlen(name) >= PATH_MAX) return true;
+    open_search(&search, input->path, root);
+    const bool is_found = search.folder && search.root && find_path(&search, "", name, path);
+    if (is_found) real = realpath(path, NULL);
+    const char *of = is_pipe ? "folder " : "folder of ", *whose = is_pipe ? root : input->path;
+    const bool is_outside = is_found ? real && !is_below(&search, real) : is_far(name);
+    close_search(&search);
+    free(real);
+    if (is_outside) return bytes_print(out, "; its file is outside of the %s%s or --root", of, whose);
+    return is_found || bytes_print(out, "; the %s%s has no such file", of, whose);
 }

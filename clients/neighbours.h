@@ -14,4 +14,8 @@
  * false and adds a line to *faults if the root is no folder or memory is lacking. */
 bool neighbours_read(struct input *input, const char *root, struct bytes *faults);
 
+/* Adds the reason why the file of a name is no part of the input: "; the folder of a.json has no such file". Returns
+ * false without memory. */
+bool neighbours_explain(const struct input *input, const char *root, const char *name, struct bytes *out);
+
 #endif

@@ -1,7 +1,10 @@
 #include "wording.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "neighbours.h"
 
 static const char parameter_word[] = "parameter ";
 static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
@@ -39,7 +42,7 @@ static const struct phrase {
     const char *from, *to;
 } PHRASES[] = {{"no type is given; the body looks like", "it looks like"},
                {"hand the bytes over as a part of the request",
-                "{\"asset\": \"NAME\"} in the scene and --part NAME=FILE hand the bytes over"}},
+                "{\"asset\": \"FILE\"} in the scene names a file of its folder"}},
   TYPES[] = {ZR_FORMAT_ROWS(FORMAT_PHRASE)}; /* the first media type of each */
 #undef FORMAT_PHRASE
 
@@ -54,19 +57,26 @@ static const char *find_phrase(const char *text, bool is_list, size_t *length)
     return NULL;
 }
 
-/* Adds the option that gives a missing part, if the line is about one. */
-static bool add_part(struct bytes *out, const char *line, size_t length)
+/* Adds the reason why a missing part is not read, and the option that gives it, if the line is about one. */
+static bool add_part(struct bytes *out, const char *line, size_t length, const struct input *input,
+                     const struct options *options)
 {
     static const char phrase[] = "no part of the request has the name '";
     const char *at = memmem(line, length, phrase, sizeof phrase - 1);
-    const char *name = at ? at + sizeof phrase - 1 : "";
-    return !at || bytes_print(out, "; --part %.*s=FILE gives it", (int)strcspn(name, "'\n"), name);
+    if (!at) return true;
+    char *name = strndup(at + sizeof phrase - 1, strcspn(at + sizeof phrase - 1, "'\n"));
+    const bool ok = name && neighbours_explain(input, options->own[OPTION_ROOT], name, out) &&
+                    bytes_print(out, "; --part %s=FILE gives it", name);
+    free(name);
+    return ok;
 }
 
 /* ---- lines ---- */
 
-static bool add_line(struct bytes *out, const char *line, size_t length, bool has_size)
+static bool add_line(struct bytes *out, const char *line, size_t length, const struct input *input,
+                     const struct options *options)
 {
+    const bool has_size = options->own[OPTION_SIZE] != NULL;
     const bool is_option = strncmp(line, parameter_word, sizeof parameter_word - 1) == 0;
     const char *at = is_option ? line + sizeof parameter_word - 1 : line, *end = line + length, *first = at;
     const char *list = memmem(line, length, "none of: ", strlen("none of: "));
@@ -83,7 +93,7 @@ static bool add_line(struct bytes *out, const char *line, size_t length, bool ha
         ok = phrase ? bytes_print(out, "%s", phrase) : bytes_add(out, at, some < left ? some : left);
         at += some;
     }
-    return ok && add_part(out, line, length) && bytes_print(out, "\n");
+    return ok && add_part(out, line, length, input, options) && bytes_print(out, "\n");
 }
 
 /* Removes the last line, which begins at `last`, if the one before it, which begins at `before`, equals it. */
@@ -93,7 +103,7 @@ static void remove_repetition(struct bytes *lines, size_t before, size_t last)
     if (last - before == length && memcmp(lines->data + before, lines->data + last, length) == 0) lines->size = last;
 }
 
-void wording_translate(struct bytes *faults, const struct options *options)
+void wording_translate(struct bytes *faults, const struct input *input, const struct options *options)
 {
     const char *line = bytes_text(faults);
     struct bytes out = {NULL, 0, 0};
@@ -102,7 +112,7 @@ void wording_translate(struct bytes *faults, const struct options *options)
     for (size_t length; ok && *line; line += length + (line[length] == '\n')) {
         const size_t last = out.size;
         length = strcspn(line, "\n");
-        ok = add_line(&out, line, length, options->own[OPTION_SIZE] != NULL);
+        ok = add_line(&out, line, length, input, options);
         if (ok) remove_repetition(&out, before, last);
         before = last;
     }

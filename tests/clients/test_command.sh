@@ -94,6 +94,41 @@ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nmtllib /etc/none.mtl\n' >models/two/
 verdict "an absolute path is not read, with a warning" grep -q "^warning: a referenced file is not read (outside of the folder of the file or --root): /etc/none.mtl" "$complained"
 check "which --strict refuses" 3 "$zraster" models/two/far.obj -o far.png -s 8 --strict
 
+# files that a scene names
+scene_of() { # ASSET
+    printf '{"window": {"width": 8, "height": 8}, "materials": [{"name": "m", "baseColorTexture": {"asset": "wood.png"}}], "meshes": [{"material": "m", "positions": [[0,0,0],[1,0,0],[0,1,1]], "texcoords": [[0,0],[1,0],[0,1]], "faces": [[0,1,2]]}, {"asset": "%s"}]}' "$1"
+}
+mkdir -p named/deep
+"$zraster" part.stl named/wood.png -s 8 && "$zraster" part.stl named/far.png -s 8 --color red
+printf 'mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl n\nf 1 2 3\n' >named/deep/model.obj
+printf 'newmtl n\nKd 1 0 0\n' >named/deep/m.mtl
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >elsewhere/part.obj
+ln -s ../elsewhere/part.obj named/link.obj
+for case in deep:deep/model.obj none:modle.obj outside:../elsewhere/part.obj absolute:$work/in/elsewhere/part.obj link:link.obj; do
+    scene_of "${case#*:}" >"named/${case%%:*}.json"
+done
+check "a scene's model and texture are read from its folder" 0 "$zraster" named/deep.json -o deep.png --strict
+check "also for info" 0 "$zraster" info named/deep.json --strict
+check "and for a batch" 0 "$zraster" batch named/deep.json -o batched --strict
+verdict "with the same bytes" cmp -s deep.png batched/deep.png
+check "--part wins over the folder" 0 "$zraster" named/deep.json -o other.png --part deep/model.obj=elsewhere/part.obj --strict
+cp elsewhere/part.obj named/deep/model.obj
+check "a file takes the place of another" 0 "$zraster" named/deep.json -o same.png --strict
+verdict "and --part gave its picture" eval 'cmp -s other.png same.png && ! cmp -s other.png deep.png'
+check "a scene on standard input has no folder" 1 sh -c '"$0" - <named/deep.json -o piped-scene.png' "$zraster"
+verdict "and the message names options" grep -q "/asset: no part of the request has the name 'deep/model.obj'; standard input has no folder, --root gives one; --part deep/model.obj=FILE" "$complained"
+check "--root gives it one" 0 sh -c '"$0" - --root named <named/deep.json -o piped-scene.png --strict' "$zraster"
+verdict "with the same picture" cmp -s piped-scene.png same.png
+check "a name without a file is refused" 1 "$zraster" named/none.json -o out.png
+verdict "at its place, with the folder" grep -q "/meshes/1/asset: no part of the request has the name 'modle.obj'; the folder of named/none.json has no such file; --part modle.obj=FILE gives it" "$complained"
+check "so it is in a list" 1 "$zraster" batch named/none.json -o batched
+verdict "with the folder" grep -q "the folder of named/none.json has" "$complained"
+for case in outside absolute link; do
+    check "a model elsewhere is refused: $case" 1 "$zraster" named/$case.json -o out.png
+    verdict "with the reason" grep -q "'; its file is outside of the folder of named/$case.json or --root; --part " "$complained"
+done
+check "--root allows one above" 0 "$zraster" named/outside.json -o out.png --root . --strict
+
 # parts
 printf '{"window": {"width": 8, "height": 8}, "view": {"preset": "front", "znear": 1, "zfar": 9}, "base": {"color": {"asset": "color"}, "windowDepth": {"asset": "z"}}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >over.json
 "$zraster" scene.json -c color,windowDepth -o base/

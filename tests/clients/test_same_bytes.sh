@@ -52,8 +52,15 @@ parts() {
             --part z="$work/plain.windowDepth.npy" | cmp "$work/http" - || return 1
     done
 }
+beside() {
+    cp "$work/plain.png" "$work/color" && cp "$work/plain.windowDepth.npy" "$work/z" || return 1
+    for where in '' "$server"; do
+        ZRASTER_SERVER=$where "$build/zraster" "$work/over.json" -o - | cmp "$work/http" - || return 1
+    done
+}
 triangle='"window": {"width": 8, "height": 8}, "view": {"preset": "front", "znear": 1, "zfar": 9}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]'
 echo "{$triangle}" >"$work/plain.json"
 echo "{$triangle, \"base\": {\"color\": {\"asset\": \"color\"}, \"windowDepth\": {\"asset\": \"z\"}}}" >"$work/over.json"
 verdict "files by --part are parts of a form" parts
+verdict "and so are those beside the scene" beside
 verdicts

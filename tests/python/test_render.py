@@ -77,6 +77,23 @@ class Neighbours(unittest.TestCase):
         with self.assertRaises(zraster.OptionError):
             zraster.render(OBJ, root=self.top.name)
 
+    def test_scene(self):
+        """so are those that the file of a scene names; parts= wins"""
+        path, scene = os.path.join(self.folder, "x.json"), {"window": {"width": 9, "height": 9}, "meshes": [{"asset": "maps/a.obj"}]}
+        with open(path, "w") as file:
+            json.dump(scene, file)
+        with self.assertRaisesRegex(zraster.SceneError, "'maps/a.obj'; parts= gives it, and a scene by path reads it from its folder"):
+            zraster.render(path)
+        with open(os.path.join(self.folder, "maps/a.obj"), "wb") as file:
+            file.write(OBJ)
+        wanted, other = (zraster.render(scene, parts={"maps/a.obj": body}).content for body in (OBJ, support.stl()))
+        self.assertNotEqual(wanted, other)
+        self.assertEqual(zraster.render(path, strict=True).content, wanted)
+        self.assertEqual(zraster.Scene(path).render().content, wanted)
+        self.assertEqual(zraster.render(path, parts={"maps/a.obj": support.stl()}).content, other)
+        with self.assertRaises(zraster.SceneError):
+            zraster.render(scene)
+
     def test_gltf_bytes(self):
         """bytes of glTF without a type are a mesh, and take parameters of meshes"""
         drawn = zraster.render(gltf("b"), parts={"b": self.buffer}, look="clay", size=(20, 10))

@@ -85,8 +85,12 @@ def snake(name: str) -> str:
     return re.sub("([A-Z])", lambda match: "_" + match.group(1).lower(), name)
 
 
+_PARTS = "parts= gives it, and a scene by path reads it from its folder"
+
+
 def words(text: str) -> str:
-    """Names keywords in snake_case: "line_width: ..." for "parameter lineWidth: ..."."""
+    """Names keywords in snake_case: "line_width: ..." for "parameter lineWidth: ...". Tells where parts come from."""
+    text = re.sub(r"(no part of the request has the name '.*)", rf"\1; {_PARTS}", text)
     return re.sub(r"\bparameter (\w+)", lambda match: snake(match.group(1)), text)
 
 
