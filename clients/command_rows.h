@@ -42,9 +42,10 @@
 #define GENERAL_OPTION_ROWS(ROW)                                                                                       \
     ROW(TYPE, "type", 0, "TYPE", DRAWING_COMMANDS,                                                                     \
         "format of FILE:" OPTIONS_TYPES " (default: by its ending, else by its bytes)")                                \
-    ROW(PART, "part", 0, "NAME=FILE", DRAWING_COMMANDS, "file for {\"asset\": \"NAME\"} in a scene; repeatable")       \
+    ROW(PART, "part", 0, "NAME=FILE", DRAWING_COMMANDS,                                                                \
+        "file for {\"asset\": \"NAME\"} in a scene instead of the one beside it; repeatable")                          \
     ROW(ROOT, "root", 0, "DIR", DRAWING_COMMANDS "m",                                                                  \
-        "folder of the files that FILE may refer to, such as textures (default: its own); mcp: of all files that it "  \
+        "folder of the files that FILE may refer to: models, textures (default: its own); mcp: of all files that it "  \
         "may read")                                                                                                    \
     ROW(SERVER, "server", 0, "URL", DRAWING_COMMANDS,                                                                  \
         "daemon that draws instead of this process (default: $ZRASTER_SERVER, else none)")                             \

@@ -67,9 +67,6 @@ fail() { # NAME
     cat log >&2
     exit 1
 }
-assets_of() { # SCENE: --part NAME=NAME for each file that it names
-    grep -o '"asset": "[a-z][^"]*"' "$1" | sed 's/.*: "\(.*\)"/--part \1=\1/' | sort -u
-}
 draw() { # NAME COMMAND
     printf '%s\n' "$2" >"$1.sh"
     sh -e "$1.sh" >log 2>&1 || fail "$1"
@@ -88,7 +85,7 @@ for scene in *.json; do
     [ -f "$scene" ] || continue
     name=${scene%.json}
     grep -q "^$name |" "$docs/pictures.txt" && continue
-    wanted "$name" "$names" && draw "$name" "zraster $scene --compress small -o $name.png $(assets_of "$scene" | tr '\n' ' ')"
+    wanted "$name" "$names" && draw "$name" "zraster $scene --compress small -o $name.png"
 done
 while IFS= read -r line; do
     name=${line%% |*}

@@ -60,7 +60,7 @@ static const struct zr_json_field fields[] = {
     [FILE_URI] = {ZR_BYTES_URI, zr_json_string, AT(file.uri),
                   .text = "data: URI with a model file, instead of positions", .schema = ZR_SCHEMA_OF("dataUri")},
     [FILE_ASSET] = {ZR_BYTES_ASSET, zr_json_string, AT(file.asset),
-                    .text = "name of a part with a model file, or sha256: and its hash, instead of positions"},
+                    .text = "name of a model file beside the scene (HTTP: of a part), or sha256: and its hash"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_mesh, face_style),
     ZR_SCALARS_FIELDS(struct zr_parsed_mesh, scalars),
     ZR_SIDES_FIELD(struct zr_parsed_mesh, face_style),

@@ -22,7 +22,7 @@ struct zr_bytes_name {
      .schema = ZR_SCHEMA_OF("dataUri")},                                                                               \
     {                                                                                                                  \
         .key = ZR_BYTES_ASSET, .read = zr_json_string, .offset = offsetof(type, name.asset),                           \
-        .text = "name of a part of the request, or sha256: and the hash of an uploaded asset"                          \
+        .text = "name of a file beside the scene (HTTP: of a part), or sha256: and the hash of an asset"               \
     }
 
 /* The bytes of a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."}. They stay in the
