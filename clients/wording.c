@@ -63,8 +63,10 @@ static bool add_part(struct bytes *out, const char *line, size_t length, const s
 {
     static const char phrase[] = "no part of the request has the name '";
     const char *at = memmem(line, length, phrase, sizeof phrase - 1);
-    if (!at) return true;
-    char *name = strndup(at + sizeof phrase - 1, strcspn(at + sizeof phrase - 1, "'\n"));
+    const char *begin = at ? at + sizeof phrase - 1 : NULL, *end = at ? memrchr(line, '\'', length) : NULL;
+    const bool is_whole = begin < end && strncmp(end, "'...", 4) != 0; /* else it is empty, or cut off */
+    if (!is_whole) return true;
+    char *name = strndup(begin, (size_t)(end - begin));
     const bool ok = name && neighbours_explain(input, options->own[OPTION_ROOT], name, out) &&
                     bytes_print(out, "; --part %s=FILE gives it", name);
     free(name);

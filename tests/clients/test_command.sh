@@ -121,6 +121,12 @@ check "--root gives it one" 0 sh -c '"$0" - --root named <named/deep.json -o pip
 verdict "with the same picture" cmp -s piped-scene.png same.png
 check "a name without a file is refused" 1 "$zraster" named/none.json -o out.png
 verdict "at its place, with the folder" grep -q "/meshes/1/asset: no part of the request has the name 'modle.obj'; the folder of named/none.json has no such file; --part modle.obj=FILE gives it" "$complained"
+scene_of "it's.obj" >named/quote.json
+check "so is one with a quote" 1 "$zraster" named/quote.json -o out.png
+verdict "which the advice keeps" grep -q "the folder of named/quote.json has no such file; --part it's.obj=FILE gives it" "$complained"
+scene_of "$(printf %0400d 0)" >named/long.json
+check "and a long one" 1 "$zraster" named/long.json -o out.png
+verdict "which is cut off, without advice" eval '! grep -q -e --part "$complained"'
 check "so it is in a list" 1 "$zraster" batch named/none.json -o batched
 verdict "with the folder" grep -q "the folder of named/none.json has" "$complained"
 for case in outside absolute link; do
