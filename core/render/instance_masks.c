@@ -264,7 +264,7 @@ void zr_instance_mask_make_bits(struct zr_arena *arena, struct zr_instance_mask 
 
 static bool make_bits(struct joining *j, struct zr_arena *arena)
 {
-    for (uint32_t i = 0; i < j->count; i++)
+    for (uint32_t i = 0; i < j->count && !zr_is_cancelled(j->drawing->cancel); i++)
         zr_instance_mask_make_bits(arena, &j->masks[i]);
     return zr_arena_ok(arena);
 }
@@ -305,7 +305,7 @@ static enum zr_status join(struct zr_arena *arena, struct zr_arena *scratch, str
     if (!number_masks(&j, arena, scene->instance_count)) return ZR_NO_MEMORY;
     if (!walk_blocks(&j, measure)) return ZR_CANCELLED;
     if (!make_bits(&j, arena)) return ZR_NO_MEMORY;
-    if (!walk_blocks(&j, copy)) return ZR_CANCELLED;
+    if (zr_is_cancelled(d->cancel) || !walk_blocks(&j, copy)) return ZR_CANCELLED;
     zr_team_ranges(team, d->frame->height, ROWS_A_RANGE, mark_visible, &j);
     for (uint32_t i = 0; i < j.count && !zr_is_cancelled(d->cancel); i++)
         measure_visible(&j.masks[i]);

@@ -125,7 +125,7 @@ TEST(masks_of_large_instances_stop)
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
     struct zr_answer answer;
-    for (double share = 0.1; share < 0.7; share += 0.15) {
+    for (double share = 0.1; share < 0.75; share += 0.08) {
         static double took_ms;
         zr_arena_init(&arena, (size_t)1 << 31);
         scene_of_triangles(&test, WINDOW, WINDOW, corners, 1);
