@@ -236,6 +236,16 @@ static int save(const struct target *target, const char *out, const void *data, 
     return STATUS_DONE;
 }
 
+/* Returns true for the channel masks, an archive by itself: its files are in the folder masks, or there are none. */
+static bool is_masks(const struct zraster_bytes *archive)
+{
+    static const char folder[] = "masks/", end[] = {'P', 'K', 5, 6};
+    enum { NAME_AT = 30 };
+    const char *at = archive->data;
+    return (archive->size > NAME_AT + strlen(folder) && memcmp(at + NAME_AT, folder, strlen(folder)) == 0) ||
+           (archive->size > sizeof end && memcmp(at, end, sizeof end) == 0);
+}
+
 /* Saves each file of an archive. The first one is saved last: once it exists, all do. */
 static int save_all(const struct target *target, const struct answer *answer, bool no_clobber, struct bytes *names,
                     struct bytes *faults)
@@ -280,8 +290,9 @@ int output_save(const struct target *target, const struct answer *answer, bool n
 {
     const struct format *format = format_of(answer->file.type);
     if (target->out) return save_as(target, answer, format, no_clobber, names, faults);
-    if (strcmp(format->ending, "zip") == 0) return save_all(target, answer, no_clobber, names, faults);
-    char *name = output_name(target, "color", format->ending);
+    const bool is_zip = strcmp(format->ending, "zip") == 0;
+    if (is_zip && !is_masks(&answer->file)) return save_all(target, answer, no_clobber, names, faults);
+    char *name = output_name(target, is_zip ? "masks" : "color", format->ending);
     const int status =
         name ? save(target, name, answer->file.data, answer->file.size, no_clobber, names, faults) : STATUS_FAILED;
     free(name);

@@ -91,15 +91,16 @@ static const struct {
         "items": false, "minItems": 3
     }), NONE},
     {"color", ZR_SCHEMA({
-        "description": "[r, g, b] or [r, g, b, a] of 0 to 1; #rgb, #rgba, #rrggbb or #rrggbbaa; or a name of CSS.",
+        "description": "[r, g, b] or [r, g, b, a] of 0 to 1; #rgb, #rgba, #rrggbb or #rrggbbaa; transparent; or a name of CSS.",
         "anyOf": [
             {"$ref": "#/$defs/rgb"}, {"$ref": "#/$defs/rgba"},
             {"type": "string", "pattern": "^#([0-9A-Fa-f]{3,4}|[0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})$"},
+            {"const": "transparent"},
             {"$ref": "#/$defs/colorName"}
         ]
     }), NONE},
     {"opaque", ZR_SCHEMA({
-        "description": "A colour without transparency.",
+        "description": "A colour; an alpha has to be 1.",
         "anyOf": [
             {"$ref": "#/$defs/rgb"},
             {

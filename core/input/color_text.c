@@ -1,5 +1,7 @@
 #include "input/color_text.h"
 
+#include <strings.h>
+
 #include "input/color_names.h"
 #include "input/text.h"
 
@@ -21,6 +23,11 @@ bool zr_color_of_text(const char *text, size_t length, zr_vec4 *out)
     if (length > 0 && text[0] == '#') {
         if (length == 4 || length == 5) return read_hex(text + 1, 1, length - 1, out);
         return (length == 7 || length == 9) && read_hex(text + 1, 2, (length - 1) / 2, out);
+    }
+    static const char none[] = "transparent";
+    if (length == sizeof none - 1 && strncasecmp(text, none, length) == 0) {
+        *out = (zr_vec4){0};
+        return true;
     }
     uint32_t rgb;
     if (!zr_color_of_name(text, length, &rgb)) return false;

@@ -7,7 +7,8 @@
 
 #include "base/vec.h"
 
-/* Reads "#rrggbb", "#rrggbbaa", "#rgb", "#rgba" or a name (color_names.h), `length` characters; default alpha: 1. */
+/* Reads "#rrggbb", "#rrggbbaa", "#rgb", "#rgba", "transparent" or a name (color_names.h), `length` characters; default
+ * alpha: 1. */
 bool zr_color_of_text(const char *text, size_t length, zr_vec4 *out);
 
 /* Returns the value, 0..1, of a byte. */

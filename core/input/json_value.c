@@ -402,9 +402,8 @@ bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, con
 
 bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    static const char *const forms =
-        "[r,g,b] or [r,g,b,a] of 0..1, \"#rrggbb\", \"#rrggbbaa\", \"#rgb\", \"#rgba\" or a name "
-        "of CSS";
+    static const char *const forms = "[r,g,b] or [r,g,b,a] of 0..1, \"#rrggbb\", \"#rrggbbaa\", \"#rgb\", \"#rgba\", "
+                                     "\"transparent\" or a name of CSS";
     const enum zr_json_type type = zr_json_type(json);
     struct zr_json_text text;
     (void)field;

@@ -167,10 +167,9 @@ static bool put_opaque(const struct zr_parameter *p, const char *text, struct zr
 static bool put_background(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
 {
     zr_vec4 color;
-    const char *const value = strcmp(text, "transparent") == 0 ? "#00000000" : text;
-    if (!zr_color_of_text(value, strlen(value), &color))
+    if (!zr_color_of_text(text, strlen(text), &color))
         return refuse(p, text, "a colour: transparent, #rrggbb, #rrggbbaa, #rgb, #rgba, or a name of CSS");
-    zr_json_put_string(json, value);
+    zr_json_put_string(json, text);
     return true;
 }
 

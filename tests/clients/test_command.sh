@@ -41,6 +41,8 @@ check "several channels become several files" 0 "$zraster" part.stl -c color,dep
 verdict "named by their channels" [ "$(ls new | tr '\n' ' ')" = "part.depth.npy part.info.json part.instanceId.npy part.png " ]
 check "masks as JSON by the ending" 0 "$zraster" scene.json -c masks -o masks.json
 verdict "with their run lengths" grep -q counts masks.json
+check "masks alone are one archive in the folder" 0 "$zraster" part.stl -c masks -s 8 -o new
+verdict "named by their channel" [ "$(head -c 2 new/part.masks.zip)" = PK ]
 check "also in the current folder" 0 "$zraster" scene.json --channel depth,normals
 verdict "with the same names" [ -s scene.depth.npy -a -s scene.normals.npy ]
 check "or become one archive" 0 "$zraster" part.stl -c color,depth -o both.zip -s 8

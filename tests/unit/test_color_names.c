@@ -1,5 +1,6 @@
 /* Colours by their names in CSS, which tests/unit/color_names.txt lists. */
 #include "input/color_names.h"
+#include "input/color_text.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -39,6 +40,14 @@ TEST(other_words_are_none)
     uint32_t rgb;
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
         assert_false(zr_color_of_name(words[i], strlen(words[i]), &rgb));
+}
+
+TEST(transparent_is_a_colour_with_alpha_0)
+{
+    zr_vec4 color = {1, 1, 1, 1};
+    assert_true(zr_color_of_text("Transparent", strlen("Transparent"), &color));
+    assert_true(color.x == 0.0f && color.w == 0.0f);
+    assert_false(zr_color_of_text("transparen", strlen("transparen"), &color));
 }
 
 RUN_TESTS(NULL, NULL)
