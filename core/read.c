@@ -36,12 +36,21 @@ static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
     return zr_arena_charge(arena, points < SIZE_MAX / point_bytes ? points * point_bytes : SIZE_MAX); /* fails */
 }
 
-static void skip_byte_order_mark(struct zr_request *request)
+/* Returns the number of bytes skipped. */
+static size_t skip_byte_order_mark(struct zr_request *request)
 {
     const size_t mark =
         zr_format_rows[request->format].is_binary ? 0 : zr_byte_order_mark(request->bytes, request->size);
     request->bytes += mark;
     request->size -= mark;
+    return mark;
+}
+
+/* Counts the places of faults from `skipped` bytes earlier on. */
+static void count_skipped(struct zr_error *error, size_t skipped)
+{
+    for (size_t i = 0; i < zr_error_held(error); i++)
+        if (error->items[i].place != 0) error->items[i].place += skipped;
 }
 
 /* Adds a first item to *error if a body with a syntax error looks like another format than its content type. */
@@ -56,8 +65,10 @@ static enum zr_status name_bytes(const struct zr_request *request, enum zr_statu
     const struct zr_error all = *error;
     *error = (struct zr_error){0};
     zr_error_add(error, status, NULL, "the type is %s, but the body looks like %s", row->name, words);
-    for (size_t i = 0; i < zr_error_held(&all); i++)
+    for (size_t i = 0; i < zr_error_held(&all); i++) {
         zr_error_add(error, status, all.items[i].pointer, "%s", all.items[i].detail);
+        if (i + 1 < zr_error_held(error)) error->items[i + 1].place = all.items[i].place;
+    }
     return status;
 }
 
@@ -198,7 +209,6 @@ static enum zr_status open_body(struct zr_arena *arena, struct zr_request *body,
     status = zr_zip_body_open(arena, body, model, error);
     if (status != ZR_OK && body->format == ZR_FORMAT_ZIP) status = name_bytes(body, status, error);
     if (status == ZR_OK && *model) status = refuse_utf16(body, error);
-    if (status == ZR_OK) skip_byte_order_mark(body);
     return status;
 }
 
@@ -228,7 +238,9 @@ static enum zr_status read_request(struct zr_arena *arena, struct zr_team *team,
     arena->cancel = request->cancel;
     enum zr_status status = made ? open_body(arena, &body, &model, error) : ZR_NO_MEMORY;
     if (status == ZR_OK) {
+        const size_t mark = skip_byte_order_mark(&body);
         status = read_scene(arena, team, &body, limits, keeping, made, error);
+        count_skipped(error, mark);
         status = zr_zip_body_check(&body, model, status, error);
     }
     const bool keeps = keeping && keeping->into && (made->view_set || !keeping->if_views);

@@ -62,7 +62,7 @@ static const struct {
         "contains": {"not": {"const": 0}}
     }), NONE},
     {"tangent", ZR_SCHEMA({
-        "type": "array",
+        "description": "[x, y, z, w]; w is 1 or -1, the side of the bitangent, as in glTF.", "type": "array",
         "prefixItems": [
             {"$ref": "#/$defs/coordinate"}, {"$ref": "#/$defs/coordinate"}, {"$ref": "#/$defs/coordinate"},
             {"enum": [1, -1]}

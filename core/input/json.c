@@ -30,7 +30,8 @@ static bool fail(struct zr_json *json, const char *at, const char *what)
 {
     if (ends_ahead(json)) return false;
     const struct zr_place place = zr_place_of(json->bytes, (size_t)(at - json->bytes));
-    const size_t length = at < json->end ? zr_utf8_length(at, json->end) : 0;
+    const bool is_escape = json->end - at >= 2 && *at == '\\';
+    const size_t length = (at < json->end ? zr_utf8_length(at + is_escape, json->end) : 0) + is_escape;
     const bool mark = at == json->bytes && json->end - at >= 3 && memcmp(at, "\xEF\xBB\xBF", 3) == 0;
     zr_json_give_up(json);
     *json->error = (struct zr_error){0};
@@ -52,6 +53,7 @@ static bool fail_limit(struct zr_json *json, const char *at, const char *format,
     zr_json_give_up(json);
     *json->error = (struct zr_error){0};
     zr_error_add(json->error, ZR_BAD_SCENE, NULL, "line %zu, column %zu: %s", place.line, place.column, what);
+    json->error->items[0].place = 1 + (size_t)(at - json->bytes);
     return false;
 }
 
@@ -97,7 +99,11 @@ static bool may_be_special(uint64_t word)
 static const char *pass_escape(struct zr_json *json, const char *at)
 {
     size_t length;
-    if (json->end - at < 2 || at[1] == '\0' || !strchr("\"\\/bfnrtu", at[1])) {
+    if (json->end - at < 2) {
+        fail(json, at + 1, "an escape");
+        return NULL;
+    }
+    if (at[1] == '\0' || !strchr("\"\\/bfnrtu", at[1])) {
         fail(json, at, "one of the escapes \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u");
         return NULL;
     }

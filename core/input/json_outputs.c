@@ -46,40 +46,39 @@ static bool read_count(struct zr_json *json, const struct zr_json_path *path, co
 
 enum { CHANNEL, ENCODING, SPACE, SCALE, RANGE, X, Y, QUALITY, LOSSLESS, MAX_BYTES, TO };
 #define AT(member) offsetof(struct given_output, member)
-static const struct zr_json_field fields[] =
-    {[CHANNEL] = {"channel", zr_json_choice, AT(channel), .words = &zr_channel_names, .required = true,
-                  .text = "quantity per pixel"},
-     [ENCODING] = {"encoding", zr_json_choice, AT(encoding), .words = &zr_encoding_names,
-                   .otherwise = "the first of the channel", .text = "format of the file"},
-     [SPACE] = {"space", read_space, AT(space), .otherwise = "camera", .text = "space of positions and normals",
-                .words = &zr_space_names},
-     [SCALE] = {"scale", zr_json_positive, AT(scale), .unit = "scene units", .otherwise = "the far plane is 65535",
-                .text = "depth per step of a png16; distance and thickness need it"},
-     [RANGE] =
-         {"range", read_range, AT(range), 0, RANGE_MAX, .unit = "scene units", .otherwise = "all depths",
-          .text = "nearest and farthest depth: nearer ones are 0, farther ones and uncovered pixels the greatest value",
-          .schema = ZR_SCHEMA({
-              "type" : "array",
-              "prefixItems" : [
-                  {"type" : "number", "minimum" : 0, "maximum" : 1e30},
-                  {"type" : "number", "minimum" : 0, "maximum" : 1e30}
-              ],
-              "items" : false,
-              "minItems" : 2
-          })},
-     [X] = {"x", zr_json_whole, AT(x), .unit = "pixels",
-            .text = "column of the pixel for the channel fragments, from 0 at the left"},
-     [Y] = {"y", zr_json_whole, AT(y), .unit = "pixels", .text = "row of that pixel, from 0 at the top"},
-     [QUALITY] = {"quality", read_count, AT(quality), 1, 100, .otherwise = "85",
-                  .text = "quality of a jpeg or webp, from small to good; with maxBytes, the best that is tried",
-                  .schema = ZR_SCHEMA({"type" : "integer"})},
-     [LOSSLESS] = {"lossless", zr_json_bool, AT(is_lossless), .otherwise = "false",
-                   .text = "a webp with exactly the colours of the pixels"},
-     [MAX_BYTES] = {"maxBytes", read_count, AT(max_bytes), 1, UINT32_MAX, .unit = "bytes", .otherwise = "any",
-                    .text = "most bytes of the file: a jpeg or webp gets the best quality that fits",
-                    .schema = ZR_SCHEMA({"type" : "integer"})},
-     [TO] = {"to", zr_read_flow, AT(to), .object = &zr_json_object_flow,
-             .text = "the other view, or the other poses of nodes, for the channel flow"}};
+static const struct zr_json_field fields[] = {
+    [CHANNEL] = {"channel", zr_json_choice, AT(channel), .words = &zr_channel_names, .required = true,
+                 .text = "quantity per pixel"},
+    [ENCODING] = {"encoding", zr_json_choice, AT(encoding), .words = &zr_encoding_names,
+                  .otherwise = "the first of the channel", .text = "format of the file"},
+    [SPACE] = {"space", read_space, AT(space), .otherwise = "camera", .text = "space of positions and normals",
+               .words = &zr_space_names},
+    [SCALE] = {"scale", zr_json_positive, AT(scale), .unit = "scene units", .otherwise = "of depth: far is 65535",
+               .text = "size of a png16's step; distance and thickness need it"},
+    [RANGE] = {"range", read_range, AT(range), 0, RANGE_MAX, .unit = "scene units", .otherwise = "all depths",
+               .text = "least and greatest depth of an image: less is 0, more and uncovered pixels the greatest value",
+               .schema = ZR_SCHEMA({
+                   "type" : "array",
+                   "prefixItems" : [
+                       {"type" : "number", "minimum" : 0, "maximum" : 1e30},
+                       {"type" : "number", "minimum" : 0, "maximum" : 1e30}
+                   ],
+                   "items" : false,
+                   "minItems" : 2
+               })},
+    [X] = {"x", zr_json_whole, AT(x), .unit = "pixels",
+           .text = "column of the pixel for the channel fragments, from 0 at the left"},
+    [Y] = {"y", zr_json_whole, AT(y), .unit = "pixels", .text = "row of that pixel, from 0 at the top"},
+    [QUALITY] = {"quality", read_count, AT(quality), 1, 100, .otherwise = "85",
+                 .text = "quality of a jpeg or webp, from small to good; with maxBytes, the best that is tried",
+                 .schema = ZR_SCHEMA({"type" : "integer"})},
+    [LOSSLESS] = {"lossless", zr_json_bool, AT(is_lossless), .otherwise = "false",
+                  .text = "a webp with exactly the colours of the pixels"},
+    [MAX_BYTES] = {"maxBytes", read_count, AT(max_bytes), 1, UINT32_MAX, .unit = "bytes", .otherwise = "any",
+                   .text = "most bytes of the file: a jpeg or webp gets the best quality that fits",
+                   .schema = ZR_SCHEMA({"type" : "integer"})},
+    [TO] = {"to", zr_read_flow, AT(to), .object = &zr_json_object_flow,
+            .text = "the other view, or the other poses of nodes, for the channel flow"}};
 /* clang-format off */
 const struct zr_json_object zr_json_object_output = ZR_JSON_SHOWN_OBJECT("output", fields,
     ZR_SCHEMA({

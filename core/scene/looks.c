@@ -232,7 +232,7 @@ const struct zr_look zr_looks[] = {
      FROM_ASIDE_2(0.05f)},
     {.name = "dark",
      .version = 1,
-     .text = "a light model before a dark gradient",
+     .text = "a light model in front of a dark gradient",
      .picture = {LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0x3c444d, 0x191d22), GROUNDED},
      .background = OPAQUE(0x3c444d),
      MATERIAL(ZR_SHADING_PBR, 0xc9ced4, 0, 0.45f),

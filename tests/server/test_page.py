@@ -162,7 +162,8 @@ class Lists(Case):
 
     def test_offset(self):
         """broken JSON has the byte at which it breaks, other faults have none"""
-        for text, offset in ((b'{"a": x}', 6), ('{"look": "é", '.encode(), 15), (b"{\n\n 1}", 4)):
+        for text, offset in ((b'{"a": x}', 6), ('{"look": "é", '.encode(), 15), (b"{\n\n 1}", 4),
+                             (b'\xef\xbb\xbf{"a": x}', 9), (b'{"a": "\\x"}', 7), (b'{"a": "\\', 8)):
             error = json.loads(self.daemon.send("/v1/render", text, Content_Type="application/json")[2])["errors"][0]
             self.assertEqual(error["offset"], offset)
         error = json.loads(self.daemon.send("/v1/render", b'{"a": 1}')[2])["errors"][0]
