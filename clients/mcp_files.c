@@ -58,8 +58,19 @@ static void list_near(struct listing *listing, const char *name)
     listing->near.best = listing->best;
 }
 
-/* Lists a folder. `word`: the name that was looked for, or NULL. */
-static void list_folder(struct listing *listing, const char *folder, const char *word)
+/* Returns true if a name of a folder is a link out of the root. */
+static bool leads_out(const char *root, const char *folder, const char *name)
+{
+    char path[PATH_MAX];
+    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path) return true;
+    char *real = realpath(path, NULL);
+    const bool is_out = !real || !is_below(root, real);
+    free(real);
+    return is_out;
+}
+
+/* Lists a folder, whose path is real. `word`: the name that was looked for, or NULL. */
+static void list_folder(struct listing *listing, const char *root, const char *folder, const char *word)
 {
     DIR *entries = opendir(folder);
     *listing = (struct listing){.near = {.word = word}};
@@ -69,6 +80,7 @@ static void list_folder(struct listing *listing, const char *folder, const char 
         if (*name == '.' || fstatat(dirfd(entries), name, &status, 0) != 0) continue;
         const bool is_folder = S_ISDIR(status.st_mode);
         if (!is_folder && !(S_ISREG(status.st_mode) && input_has_ending(name))) continue;
+        if (entry->d_type != DT_REG && leads_out(root, folder, name)) continue;
         list_name(listing, name, is_folder ? "/" : "");
         if (word && !is_folder) list_near(listing, name);
     }
@@ -89,18 +101,44 @@ static void describe_listing(const struct listing *listing, char *text, size_t s
     }
 }
 
-/* Refuses a path that names nothing, with the names of its folder. */
+/* Cuts the last part off a path, and returns its name. */
+static const char *cut_name(char *path)
+{
+    char *end = path + strlen(path);
+    while (end > path && end[-1] == '/')
+        *--end = '\0';
+    while (end > path && end[-1] != '/')
+        end--;
+    if (end > path) end[-1] = '\0';
+    return end;
+}
+
+/* Finds the nearest folder above a path that names nothing. Returns its real path; NULL: no memory. `path` is cut. */
+static char *find_folder(const char *root, char *path)
+{
+    for (;;) {
+        struct stat status;
+        char *folder = realpath(*path ? path : "/", NULL);
+        const bool is_found =
+            folder && (!is_below(root, folder) || (stat(folder, &status) == 0 && S_ISDIR(status.st_mode)));
+        if (is_found || !*path) return folder;
+        free(folder);
+        cut_name(path);
+    }
+}
+
+/* Refuses a path that names nothing, with the names of the nearest folder that is there. */
 static bool refuse_missing(const char *root, char *path, const char *given, int why, struct mcp_faults *faults)
 {
-    char *slash = strrchr(path, '/'), names[MCP_DETAIL_SIZE / 2] = "";
-    *slash = '\0';
-    char *folder = realpath(slash == path ? "/" : path, NULL);
+    char names[MCP_DETAIL_SIZE / 2] = "", name[NAME_MAX + 1];
+    snprintf(name, sizeof name, "%s", cut_name(path));
+    char *folder = find_folder(root, path);
     if (!folder || !is_below(root, folder)) {
         free(folder);
         return refuse_outside(given, faults);
     }
     struct listing listing;
-    list_folder(&listing, folder, slash + 1);
+    list_folder(&listing, root, folder, name);
     free(folder);
     describe_listing(&listing, names, sizeof names);
     return mcp_fault(faults, "/model/path", "'%.200s' cannot be read: %s%s%.200s%s%s", given, strerror(why),
@@ -108,13 +146,13 @@ static bool refuse_missing(const char *root, char *path, const char *given, int 
 }
 
 /* Refuses a folder, or a file that is no regular one. */
-static bool refuse_folder(const char *path, const char *given, struct mcp_faults *faults)
+static bool refuse_folder(const char *root, const char *path, const char *given, struct mcp_faults *faults)
 {
     char names[MCP_DETAIL_SIZE / 2] = "";
     struct listing listing;
     struct stat status;
     if (stat(path, &status) == 0 && S_ISDIR(status.st_mode)) {
-        list_folder(&listing, path, NULL);
+        list_folder(&listing, root, path, NULL);
         describe_listing(&listing, names, sizeof names);
     }
     return mcp_fault(faults, "/model/path", "'%.200s' is no file%s", given, names);
@@ -132,7 +170,8 @@ static bool find_model(const char *root, const char *given, char path[PATH_MAX],
     char *real = realpath(path, NULL);
     if (!real) return refuse_missing(root, path, given, errno, faults);
     const bool is_inside = is_below(root, real), is_file = stat(real, &status) == 0 && S_ISREG(status.st_mode);
-    const bool is_taken = !is_inside ? refuse_outside(given, faults) : is_file || refuse_folder(real, given, faults);
+    const bool is_taken =
+        !is_inside ? refuse_outside(given, faults) : is_file || refuse_folder(root, real, given, faults);
     free(real);
     return is_taken;
 }

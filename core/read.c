@@ -7,6 +7,7 @@
 #include "input/change.h"
 #include "input/formats.h"
 #include "input/image_record.h"
+#include "input/input.h"
 #include "input/kept.h"
 #include "input/kept_mesh.h"
 #include "input/parameters.h"
@@ -142,7 +143,9 @@ static enum zr_status read_model(struct zr_scene_builder *builder, const struct 
                                  const struct zr_limits *limits, struct zr_error *error)
 {
     struct zr_request body = *request;
+    if (body.size == 0) return zr_error_add(error, ZR_BAD_SCENE, NULL, "the file is empty");
     body.format = zr_format_of_bytes(body.bytes, body.size);
+    if (body.format == ZR_FORMAT_UNKNOWN && zr_stl_is_cut(body.bytes, body.size)) body.format = ZR_FORMAT_STL;
     if (body.format == ZR_FORMAT_UNKNOWN || body.format == ZR_FORMAT_ZIP || zr_format_rows[body.format].has_view) {
         const char *words = zr_bytes_in_words(body.bytes, body.size);
         return zr_error_add(error, ZR_BAD_SCENE, NULL, "the file looks like %s; a mesh needs a model, such as %s or %s",

@@ -110,7 +110,8 @@ static enum request_next get(const struct service *service, const struct request
         answer_there(answer, request->asset, file, size, request->has_asset);
         break;
     case STORE_CANCELLED:
-        problem_timeout(answer, service->config->render_timeout_ms);
+        problem_answer(answer, 504, "the asset could not be read within renderTimeoutMs, %" PRIu64 " ms",
+                       service->config->render_timeout_ms);
         break;
     case STORE_FAILED:
         problem_answer(answer, 500, "the asset could not be read: %s", strerror(errno));

@@ -177,5 +177,8 @@ void problem_memory(struct answer *answer, const struct zr_arena *arena, const s
 
 void problem_timeout(struct answer *answer, uint64_t timeout_ms)
 {
-    problem_answer(answer, 504, "the work took longer than renderTimeoutMs, %" PRIu64 " ms", timeout_ms);
+    problem_answer(answer, 504,
+                   "the work took longer than renderTimeoutMs, %" PRIu64
+                   " ms: fewer or smaller views, and fewer samples, take less",
+                   timeout_ms);
 }

@@ -29,7 +29,7 @@ void problem_busy(struct answer *answer, unsigned retry_after_s, const char *det
  * (or NULL), their main use. 503 if the system has no memory now. */
 void problem_memory(struct answer *answer, const struct zr_arena *arena, const struct zr_cost *cost);
 
-/* Reports a request that was cancelled after its time: 504. */
+/* Reports a picture that was cancelled after its time: 504. */
 void problem_timeout(struct answer *answer, uint64_t timeout_ms);
 
 #endif

@@ -27,6 +27,9 @@ typedef bool zr_looks_so_fn(const char *bytes, size_t size);
 ZR_FORMAT_ROWS(READER)
 #undef READER
 
+/* True for binary STL that has fewer triangles than its header counts. Its reader names both numbers. */
+bool zr_stl_is_cut(const char *bytes, size_t size);
+
 /* True if JSON text has the key of a scene's geometry at its root, near its beginning. */
 bool zr_has_geometry_key(const char *bytes, size_t size);
 

@@ -175,13 +175,12 @@ static bool is_binary(const char *bytes, size_t size)
     return size_wanted(bytes) == size || bytes[COUNT_END - 1] == 0 || !zr_stl_is_text(bytes, size);
 }
 
-/* True if the magnitudes of the first triangles are those of a model. Data of other formats fail, since half of all
- * floats are smaller or larger. */
-static bool has_model_triangles(const char *bytes)
+/* True if the magnitudes of the first `count` triangles are those of a model. Data of other formats fail, since half of
+ * all floats are smaller or larger. */
+static bool has_model_triangles(const char *bytes, size_t count)
 {
     enum { TRIANGLES = 8 };
     const float smallest = 1e-20f, largest = 1e12f;
-    const uint32_t count = read_u32(bytes + HEADER_BYTES);
     bool any = false;
     for (size_t i = 0; i < (count < TRIANGLES ? count : TRIANGLES); i++)
         for (size_t k = 0; k < 9; k++) {
@@ -196,7 +195,14 @@ bool zr_looks_so_STL(const char *bytes, size_t size)
 {
     if (!is_binary(bytes, size)) return zr_stl_is_text(bytes, size);
     const uint64_t wanted = size_wanted(bytes);
-    return wanted == size || zr_stl_is_text(bytes, size) || (wanted < size && has_model_triangles(bytes));
+    return wanted == size || zr_stl_is_text(bytes, size) ||
+           (wanted < size && has_model_triangles(bytes, read_u32(bytes + HEADER_BYTES)));
+}
+
+bool zr_stl_is_cut(const char *bytes, size_t size)
+{
+    return size >= COUNT_END + TRIANGLE_BYTES && is_binary(bytes, size) && !zr_stl_is_text(bytes, size) &&
+           size_wanted(bytes) > size && has_model_triangles(bytes, (size - COUNT_END) / TRIANGLE_BYTES);
 }
 
 /* Returns the length of the first line within the header if header and count are printable, as in a text; else 0. */

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "meshes.h"
 #include "text.h"
 
 static struct mcp_span find_item(const struct mcp_job *job, struct mcp_span list, unsigned wanted)
@@ -148,8 +149,25 @@ static void put_picture(const struct mcp_job *job, const struct mcp_picture *pic
     cJSON_ArrayForEach(item, mcp_job_argument(job, "parts")) put_item(head, item->string, item);
 }
 
+/* Copies a member of the given scene: `meshes` with the model's name, a JSON string, in place of each "model". */
+static size_t copy_member(const struct mcp_job *job, struct mcp_span member, const struct mcp_text *name, char *out)
+{
+    const struct mcp_span meshes = job->own[MCP_OWN_MESHES];
+    const char *from = member.at;
+    char *end = out;
+    struct mcp_walk walk = mcp_walk_open(meshes, job->host);
+    struct mcp_span found;
+    for (unsigned i = 0; i < job->model_meshes && meshes.end == member.end && mcp_meshes_next(&walk, &found); i++) {
+        end = mempcpy(end, from, (size_t)(found.at - from));
+        end = mempcpy(end, name->data, name->size);
+        from = found.end;
+    }
+    end = mempcpy(end, from, (size_t)(member.end - from));
+    return (size_t)(end - out);
+}
+
 /* Copies the members of the given scene that are not taken. */
-static size_t copy_own(const struct mcp_job *job, const struct head *head, char *out)
+static size_t copy_own(const struct mcp_job *job, const struct head *head, const struct mcp_text *name, char *out)
 {
     struct mcp_span key, value;
     size_t size = 0;
@@ -162,9 +180,7 @@ static size_t copy_own(const struct mcp_job *job, const struct head *head, char 
             is_taken = mcp_span_is(key, head->taken[i]);
         if (is_taken || !value.at) continue;
         out[size++] = ',';
-        const size_t length = (size_t)(value.end - key.at) + 1;
-        memcpy(out + size, key.at - 1, length);
-        size += length;
+        size += copy_member(job, (struct mcp_span){key.at - 1, value.end}, name, out + size);
     }
     return size;
 }
@@ -182,13 +198,17 @@ bool mcp_compose(const struct mcp_job *job, const struct mcp_picture *picture, s
         put(&head, "render", "false");
         put_item(&head, "up", mcp_job_argument(job, "up"));
         drop_views(&head);
+        take(&head, "visibility");
     }
-    const size_t own_size = own.at ? (size_t)(own.end - own.at) : 0;
-    char *scene = head.text.failed ? NULL : job->host->allocate(job->host->context, head.text.size + own_size + 3);
+    struct mcp_text name = {0};
+    mcp_text_json(&name, job->model.name);
+    const size_t own_size = (own.at ? (size_t)(own.end - own.at) : 0) + job->model_meshes * name.size;
+    char *scene =
+        head.text.failed || name.failed ? NULL : job->host->allocate(job->host->context, head.text.size + own_size + 3);
     if (scene) {
         memcpy(scene, head.text.data, head.text.size);
         size_t size = head.text.size;
-        if (own.at) size += copy_own(job, &head, scene + size);
+        if (own.at) size += copy_own(job, &head, &name, scene + size);
         scene[size++] = '}';
         const bool has_file = job->model.is_given && strncmp(job->model.name, "sha256:", 7) != 0;
         *draw = (struct mcp_draw){.scene = scene,
@@ -198,6 +218,7 @@ bool mcp_compose(const struct mcp_job *job, const struct mcp_picture *picture, s
                                   .file_size = job->model.size,
                                   .path = job->model.path};
     }
+    mcp_text_free(&name);
     mcp_text_free(&head.text);
     return scene;
 }

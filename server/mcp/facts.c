@@ -65,7 +65,7 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
     const cJSON *parts = mcp_get(info, "parts"), *part;
     const double omitted = mcp_number_of(info, "partsOmitted");
     double area = 0, volume = 0, shells[SHELL_KINDS] = {0};
-    bool is_closed = omitted == 0 && cJSON_GetArraySize(parts) > 0;
+    bool is_closed = cJSON_GetArraySize(parts) > 0; /* as far as the parts are listed */
     mcp_facts_add_unit(content, info);
     mcp_add(content, "box", make_box(mcp_get(info, "bounds")));
     cJSON *list = cJSON_CreateArray();
@@ -78,9 +78,9 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
             shells[i] += mcp_number_of(mcp_get(part, "shells"), SHELLS[i]);
         if (cJSON_GetArraySize(list) < PARTS_MAX) mcp_append(list, make_part(part));
     }
-    mcp_add(content, "volume", is_closed ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
+    mcp_add(content, "volume", is_closed && omitted == 0 ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
     mcp_add(content, "area", omitted == 0 ? cJSON_CreateNumber(area) : cJSON_CreateNull());
-    cJSON_AddBoolToObject(content, "closed", is_closed);
+    mcp_add(content, "closed", is_closed && omitted > 0 ? cJSON_CreateNull() : cJSON_CreateBool(is_closed));
     cJSON *sum = omitted == 0 ? cJSON_AddObjectToObject(content, "shells") : cJSON_AddNullToObject(content, "shells");
     for (int i = 0; i < SHELL_KINDS && omitted == 0; i++)
         cJSON_AddNumberToObject(sum, SHELLS[i], shells[i]);
@@ -254,6 +254,8 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
     if (cJSON_IsNumber(area)) mcp_text_print(text, "; area %.6g %s^2", area->valuedouble, unit);
     if (cJSON_IsNumber(volume))
         mcp_text_print(text, "; closed, volume %.6g %s^3", volume->valuedouble, unit);
+    else if (cJSON_IsNull(mcp_get(content, "closed")))
+        mcp_text_put(text, "; area, volume and closedness are not known: more than 1000 parts");
     else
         mcp_text_put(text, "; not closed, so there is no volume");
     describe_shells(text, mcp_get(content, "shells"));

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "faults.h"
+#include "meshes.h"
 #include "text.h"
 #include "tree.h"
 
@@ -102,13 +103,28 @@ static bool has_name(const struct mcp_job *job, struct mcp_span scene)
     return has;
 }
 
+static void check_meshes(struct mcp_job *job, struct mcp_span meshes)
+{
+    static const char name[] = "\"model\"";
+    struct mcp_span found;
+    struct mcp_walk walk = mcp_walk_open(meshes, job->host);
+    if (memmem(meshes.at, (size_t)(meshes.end - meshes.at), name, sizeof name - 1))
+        while (mcp_meshes_next(&walk, &found))
+            job->model_meshes++;
+    if (job->model_meshes > 0 && !job->model.is_given)
+        mcp_fault(&job->faults, "/model", "it is missing, and a mesh of the scene is {\"asset\": \"model\"}");
+    else if (job->model_meshes == 0 && job->model.is_given && !has_name(job, meshes))
+        mcp_fault(&job->faults, "/scene/meshes",
+                  "no mesh is the model: give one as {\"asset\": \"model\"}, or leave the model out");
+}
+
 bool mcp_given_check(struct mcp_job *job)
 {
-    const struct mcp_span visibility = job->own[MCP_OWN_VISIBILITY], meshes = job->own[MCP_OWN_MESHES];
-    if (meshes.at && job->model.is_given && !has_name(job, meshes))
-        mcp_fault(&job->faults, "/scene/meshes",
-                  "no mesh is the model: give one as {\"asset\": \"%.100s\"}, or leave the model out", job->model.name);
+    const struct mcp_span visibility = job->own[MCP_OWN_VISIBILITY], render = job->own[MCP_OWN_RENDER];
+    if (job->own[MCP_OWN_MESHES].at) check_meshes(job, job->own[MCP_OWN_MESHES]);
     if (job->tool == MCP_FACTS) return job->faults.count == 0;
+    if (render.at && *render.at == 'f')
+        mcp_fault(&job->faults, "/scene/render", "leave it out, or call facts, which draws nothing");
     if (job->own[MCP_OWN_SHEET].at && !mcp_job_argument(job, "sheet") && !mcp_job_argument(job, "views") &&
         mcp_job_argument(job, "annotate"))
         mcp_fault(&job->faults, "/annotate", "the scene has a sheet: give captions there, or a sheet here");

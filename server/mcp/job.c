@@ -13,11 +13,13 @@ static const char *const ARGUMENTS[MCP_TOOLS][16] = {
     [MCP_RENDER] = {OF_PICTURES, "format"}, [MCP_FACTS] = {OF_ALL}, [MCP_PICK] = {OF_PICTURES, "image", "x", "y"}};
 static const char *const PARTS[] = {"hide", "isolate", "ghost", "highlight", "explode", "colors", NULL};
 
-static const char *const OWN[MCP_OWN_COUNT] = {
-    [MCP_OWN_LOOK] = "look",           [MCP_OWN_UP] = "up",           [MCP_OWN_VIEW] = "view",
-    [MCP_OWN_MESHES] = "meshes",       [MCP_OWN_OUTPUTS] = "outputs", [MCP_OWN_VISIBILITY] = "visibility",
-    [MCP_OWN_WINDOW] = "window",       [MCP_OWN_VIEWS] = "views",     [MCP_OWN_SHEET] = "sheet",
-    [MCP_OWN_TURNTABLE] = "turntable", [MCP_OWN_ORBIT] = "orbit",     [MCP_OWN_ANIMATE] = "animate"};
+static const char *const OWN[MCP_OWN_COUNT] = {[MCP_OWN_LOOK] = "look",           [MCP_OWN_UP] = "up",
+                                               [MCP_OWN_VIEW] = "view",           [MCP_OWN_MESHES] = "meshes",
+                                               [MCP_OWN_OUTPUTS] = "outputs",     [MCP_OWN_VISIBILITY] = "visibility",
+                                               [MCP_OWN_RENDER] = "render",       [MCP_OWN_WINDOW] = "window",
+                                               [MCP_OWN_VIEWS] = "views",         [MCP_OWN_SHEET] = "sheet",
+                                               [MCP_OWN_TURNTABLE] = "turntable", [MCP_OWN_ORBIT] = "orbit",
+                                               [MCP_OWN_ANIMATE] = "animate"};
 
 const cJSON *mcp_job_argument(const struct mcp_job *job, const char *name)
 {

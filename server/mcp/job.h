@@ -19,6 +19,7 @@ enum mcp_own {
     MCP_OWN_VIEW,
     MCP_OWN_OUTPUTS,
     MCP_OWN_VISIBILITY,
+    MCP_OWN_RENDER,
     MCP_OWN_WINDOW,
     MCP_OWN_VIEWS,
     MCP_OWN_SHEET,
@@ -41,6 +42,7 @@ struct mcp_job {
     const char *format;                 /* "png", "jpeg" or "webp"; NULL: by the size */
     unsigned image, x, y;               /* of MCP_PICK */
     bool is_bare;                       /* the model is drawn as without a scene, but for the scene's keys */
+    unsigned model_meshes;              /* meshes of the scene that are {"asset": "model"} */
     bool has_own_views;                 /* the scene's views are drawn, not those of the arguments */
     struct mcp_span own[MCP_OWN_COUNT]; /* values of the scene's keys */
 };

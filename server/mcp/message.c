@@ -157,18 +157,21 @@ int mcp_message_read(struct mcp_message *message, struct mcp_span text, const st
     int code;
     *message = (struct mcp_message){.root = NULL};
     walk_over(message, &walk, &cuts);
-    *why = "the message is not JSON in UTF-8, or is nested too deep, or has a \\u0000";
-    if (!mcp_walk_end(&walk)) {
+    const bool is_json = mcp_walk_end(&walk);
+    *fault = walk.fault;
+    *why = walk.fault == MCP_WALK_DEEP ? "the message is nested deeper than 512 levels"
+                                       : "the message is not JSON in UTF-8";
+    if (!is_json) {
         *message = (struct mcp_message){.root = NULL};
-        *fault = walk.fault;
         return MCP_NOT_JSON;
     }
-    *fault = MCP_WALK_OK;
-    message->root = parse_rest(text, &cuts, &code);
+    code = MCP_NOT_A_REQUEST;
+    message->root = walk.has_nul ? NULL : parse_rest(text, &cuts, &code);
     if (message->root) return take(message, why);
     if (message->id.at && !is_id(message->id)) message->id = (struct mcp_span){NULL, NULL};
     if (code == MCP_NOT_A_REQUEST) *why = "the message has more than 262144 bytes beside its scene and model";
     if (code == MCP_INTERNAL) *why = "out of memory";
+    if (walk.has_nul) *why = "a text has \\u0000, which is not allowed";
     return code;
 }
 

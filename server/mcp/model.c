@@ -184,12 +184,16 @@ const char *const mcp_model_keys[] = {"base64", "text", "path", "asset", NULL};
 
 static bool take_path(const struct mcp_host *host, const char *path, struct mcp_model *model, struct mcp_faults *faults)
 {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *end = path + strlen(path), *name;
     if (!host->reads_files)
         return mcp_fault(faults, "/model/path", "this server reads no files: give base64, text or an uploaded asset");
-    if (!*name || strlen(name) >= sizeof model->name)
+    while (end > path && end[-1] == '/')
+        end--;
+    for (name = end; name > path && name[-1] != '/';)
+        name--;
+    if (name == end || (size_t)(end - name) >= sizeof model->name)
         return mcp_fault(faults, "/model/path", "'%.100s' names no file", path);
-    snprintf(model->name, sizeof model->name, "%s", name);
+    snprintf(model->name, sizeof model->name, "%.*s", (int)(end - name), name);
     model->path = path;
     return true;
 }

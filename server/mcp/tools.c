@@ -27,7 +27,8 @@ static const char model_of_assets[] =
 static const char scene[] =
     "\"scene\":{\"type\":\"object\",\"description\":\"A scene instead of a model, as POST /v1/render takes it, such as "
     "{'polygons': [{'vertices': [[0,0,0],[1,0,0],[0,1,0]]}]}. With a model, the scene names it by "
-    "{'meshes': [{'asset': 'model'}]}; a model given by its path has its file's name.\"}"
+    "{'meshes': [{'asset': 'model'}]}; a model given by its path has its file's name, too. "
+    "Arguments override the scene's keys.\"}"
     ","
     "\"up\":{\"type\":\"string\",\"enum\":[\"y\",\"z\"],\"description\":\"Axis of the file that points up. Default: z "
     "for STL and 3MF, else y. It changes the names of sides, no coordinates. For CAD models with z up, say z.\"}";
@@ -85,7 +86,8 @@ static const char pixel[] =
     "\"box\":" BOX                                                                                                     \
     ",\"volume\":{\"type\":[\"number\",\"null\"],\"description\":\"Sum over the parts; null unless all "               \
     "are closed; negative if faces are turned inside out.\"},\"area\":" MAYBE_NUMBER                                   \
-    ",\"closed\":{\"type\":\"boolean\",\"description\":\"Every edge is used equally often in both directions.\"},"     \
+    ",\"closed\":{\"type\":[\"boolean\",\"null\"],\"description\":\"Every edge is used equally often in both "         \
+    "directions. null: not known, of more than 1000 parts; volume, area and shells are null, too.\"},"                 \
     "\"shells\":" MAYBE_SHELLS                                                                                         \
     ",\"parts\":{\"type\":\"array\",\"items\":{\"type\":\"object\",\"required\":[\"name\",\"id\",\"box\",\"closed\"]," \
     "\"properties\":{\"name\":" TEXT ",\"id\":{\"type\":\"integer\"},\"box\":" BOX                                     \

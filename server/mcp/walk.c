@@ -47,7 +47,7 @@ char mcp_walk_peek(struct mcp_walk *walk)
 void mcp_walk_enter(struct mcp_walk *walk, char bracket)
 {
     if (mcp_walk_peek(walk) != bracket || walk->depth == DEPTH_MAX) {
-        stop(walk, MCP_WALK_BROKEN);
+        stop(walk, walk->depth == DEPTH_MAX ? MCP_WALK_DEEP : MCP_WALK_BROKEN);
         return;
     }
     walk->at++;
@@ -62,15 +62,17 @@ static bool is_hex(char c)
     return (c >= '0' && c <= '9') || ((c | 32) >= 'a' && (c | 32) <= 'f');
 }
 
-/* Passes an escape, whose backslash is at `at`. Refuses U+0000, which would end names and paths. */
-static const char *pass_escape(const char *at, const char *end)
+/* Passes an escape, whose backslash is at `at`. */
+static const char *pass_escape(struct mcp_walk *walk, const char *at)
 {
+    const char *const end = walk->end;
     if (end - at < 2) return NULL;
     if (at[1] && strchr("\"\\/bfnrt", at[1])) return at + 2;
     if (at[1] != 'u' || end - at < 6) return NULL;
     for (int i = 2; i < 6; i++)
         if (!is_hex(at[i])) return NULL;
-    return memcmp(at + 2, "0000", 4) != 0 ? at + 6 : NULL;
+    walk->has_nul |= memcmp(at + 2, "0000", 4) == 0;
+    return at + 6;
 }
 
 /* Returns true if eight bytes are all plain: ASCII, neither a quote nor a backslash nor a control character. */
@@ -100,7 +102,7 @@ static bool pass_string(struct mcp_walk *walk)
             return true;
         }
         const size_t length = *at == '\\' || (unsigned char)*at < ' ' ? 0 : zr_utf8_length(at, walk->end);
-        const char *next = *at == '\\' ? pass_escape(at, walk->end) : length ? at + length : NULL;
+        const char *next = *at == '\\' ? pass_escape(walk, at) : length ? at + length : NULL;
         if (!next) break;
         walk->at = next;
     }

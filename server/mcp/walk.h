@@ -16,7 +16,7 @@
 
 struct mcp_host; /* host.h */
 
-enum mcp_walk_fault { MCP_WALK_OK, MCP_WALK_BROKEN, MCP_WALK_CANCELLED };
+enum mcp_walk_fault { MCP_WALK_OK, MCP_WALK_BROKEN, MCP_WALK_DEEP, MCP_WALK_CANCELLED };
 
 struct mcp_walk {
     const char *at, *end;
@@ -24,6 +24,7 @@ struct mcp_walk {
     const struct mcp_host *host;
     unsigned depth;
     bool is_first; /* behind the bracket of a list or object */
+    bool has_nul;  /* a string has \u0000, which would end names and paths */
     enum mcp_walk_fault fault;
 };
 

@@ -1,5 +1,6 @@
 """POST /mcp and `zraster mcp`: the revisions of the protocol, its errors, and the tools, whose pictures are those of /v1/render."""
 import base64
+import hashlib
 import json
 import os
 import random
@@ -216,7 +217,6 @@ class Http(unittest.TestCase):
             ("two values", b"{}{}", {}, 400, -32700),
             ("broken UTF-8", b'{"jsonrpc":"2.0","id":1,"method":"\xff"}', {}, 400, -32700),
             ("nothing", b"", {}, 400, -32700),
-            ("a NUL", b'{"jsonrpc":"2.0","id":1,"method":"ping\\u0000x"}', {}, 400, -32700),
             ("too deep", b"[" * 600 + b"]" * 600, {}, 400, -32700),
             ("a batch", [ping], {}, 400, -32600),
             ("a number", 7, {}, 400, -32600),
@@ -243,6 +243,10 @@ class Http(unittest.TestCase):
                 is_read = isinstance(message, dict) and type(message.get("id")) is int
                 self.assertEqual(answer.get("id"), 1 if is_read else None)
         self.assertIn("did you mean render?", self.daemon.ask("tools/call", {"name": "rendr"})[1]["error"]["message"])
+        for text in ('{"jsonrpc":"2.0","id":1,"method":"ping\\u0000x"}', '{"method":"tools/call","params":{"name":"facts","arguments":{"model":{"text":"v\\u0000"}}},"jsonrpc":"2.0","id":1}'):
+            status, answer = self.daemon.post(text.encode())
+            self.assertEqual((status, answer), (400, {"jsonrpc": "2.0", "id": 1, "error": {"code": -32600, "message": "a text has \\u0000, which is not allowed"}}))
+        self.assertEqual(self.daemon.post(b"[" * 600 + b"]" * 600)[1]["error"]["message"], "the message is nested deeper than 512 levels")
 
     def test_modern_errors(self):
         """Modern requests carry their version, capabilities and equal headers"""
@@ -442,7 +446,7 @@ class Http(unittest.TestCase):
             (["/scene/outputs", "leave it out"], {"outputs": []}),
             (["/scene/outputs/0", "channel"], {"outputs": [7]}),
             (["/scene/visibility", "pixels"], {"visibility": True}),
-            (["/scene/render", "color"], {"render": False}),
+            (["/scene/render", "leave it out, or call facts"], {"render": False}),
             (["/scene/turntable", "many pictures"], {"turntable": {"frames": 4}}),
             (["/scene/orbit", "many pictures"], {"orbit": {"count": 4}}),
             (["/scene/animate"], {"animate": {"frames": 2}}),
@@ -483,6 +487,56 @@ class Http(unittest.TestCase):
         clear = {"meshes": [{"asset": "model"}], "background": "#00000000"}
         clear = self.call("render", model={"text": BOX}, scene=clear, width=1568, height=1568)
         self.assertEqual(images(clear)[0][1], "image/webp")
+
+    def test_many_parts(self):
+        """Of more than 1000 parts, sums are not known, but an open part among the first says that the model is open"""
+        shape = lambda i: f"o p{i}\nv {i} 0 0\nv {i}.8 0 0\nv {i} .8 0\nv {i} 0 .8\n"
+        closed = lambda i: shape(i) + "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n"
+        opened = lambda i: shape(i) + "f -4 -2 -3\n"
+        for first, count, expected, words in (
+            (closed, 1000, True, "; closed, volume 85.33"),
+            (closed, 1001, None, "; area, volume and closedness are not known: more than 1000 parts"),
+            (opened, 1001, False, "; not closed, so there is no volume"),
+        ):
+            for tool in ("facts", "render"):
+                result = self.call(tool, model={"text": first(0) + "".join(closed(i) for i in range(1, count))}, **({"views": ["top"]} if tool == "render" else {}))
+                self.assertIs(result["structuredContent"]["closed"], expected)
+                self.assertEqual(result["structuredContent"]["volume"] is not None, expected is True)
+                self.assertIn(words, texts(result)[0])
+
+    def test_model_in_a_scene(self):
+        """A scene names the model by {"asset": "model"}; without the argument, that is said"""
+        scene = {"meshes": [{"name": "a", "asset": "model"}, {"asset": "model"}]}
+        volume = lambda host, **arguments: host.call("facts", **arguments)["structuredContent"]["volume"]
+        for model in ({"text": BOX}, {"base64": base64.b64encode(BOX.encode()).decode()}):
+            self.assertEqual(volume(self.daemon, model=model, scene=scene), 2000, model)
+        with tempfile.TemporaryDirectory() as folder:
+            stored = Daemon("--assets-dir", folder)
+            try:
+                asset = "sha256:" + hashlib.sha256(BOX.encode()).hexdigest()
+                self.assertEqual(stored.send("/v1/assets", BOX.encode())[0], 201)
+                self.assertEqual(volume(stored, model={"asset": asset}, scene=scene), 2000)
+                self.assertEqual(volume(stored, model={"asset": asset}, scene={"meshes": [{"asset": asset}]}), 1000)
+            finally:
+                stored.stop()
+        for tool in ("facts", "render"):
+            self.refused(tool, ["/model: it is missing"], scene=scene)
+
+    def test_keys_about_pictures(self):
+        """facts ignores keys about pictures; pick names what to leave out"""
+        for key in ("visibility", "sheet", "window"):
+            value = {"visibility": True, "sheet": {"layout": "balanced"}, "window": {"width": 3000, "height": 3000}}[key]
+            self.assertFalse(self.call("facts", model={"text": BOX}, scene={key: value})["isError"], key)
+        self.assertFalse(self.call("facts", model={"text": BOX}, scene={"render": False})["isError"])
+        self.refused("pick", ["/scene/render: leave it out, or call facts"], model={"text": BOX}, scene={"render": False}, x=1, y=1)
+
+    def test_no_file(self):
+        """An empty file, and an STL whose header counts too many triangles, are told"""
+        for model in ({"text": ""}, {"base64": ""}):
+            self.refused("facts", ["/model: the file is empty"], model=model)
+        facet = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
+        cut = b"part".ljust(80) + struct.pack("<I", 12) + 8 * facet
+        self.refused("facts", ["/model: 684 bytes expected for 12 triangles, got 484; they hold 8"], model={"base64": base64.b64encode(cut).decode()})
 
     def test_parts(self):
         """Parts are hidden, and a blank picture is reported"""
@@ -628,8 +682,12 @@ class Stdio(unittest.TestCase):
             self.assertTrue(result["isError"], path)
             self.assertIn("is no file below the folder", texts(result)[0])
         self.assertIn("did you mean box.obj?", texts(self.pipe.call("facts", model={"path": "bxo.obj"}))[0])
-        self.assertIn("; the folder has 4 models and folders: box.obj, inside.obj, link.obj, sub/", texts(self.pipe.call("facts", model={"path": "part.stl"}))[0])
-        self.assertIn("is no file; the folder has 1 model or folder: both.obj", texts(self.pipe.call("facts", model={"path": "sub"}))[0])
+        self.assertIn("; the folder has 3 models and folders: box.obj, inside.obj, sub/", texts(self.pipe.call("facts", model={"path": "part.stl"}))[0])
+        for path in ("sub", "sub/"):
+            self.assertIn("is no file; the folder has 1 model or folder: both.obj", texts(self.pipe.call("facts", model={"path": path}))[0])
+        for path, why in (("box.obj/", "Not a directory"), ("box.obj/x/box.obj", "Not a directory"), ("none/box.obj", "No such file or directory"), ("none/sub/box.obj", "No such file or directory")):
+            self.assertIn(f"'{path}' cannot be read: {why} (did you mean box.obj?); the folder has 3 models", texts(self.pipe.call("facts", model={"path": path}))[0])
+        self.assertIn("is no file below the folder", texts(self.pipe.call("facts", model={"path": "link.obj/x"}))[0])
         for i in range(30):
             open(os.path.join(self.root, "sub", f"{'a' * (200 if i == 3 else 9)}{i:02}.stl"), "w").close()
         for path in ("sub", "sub/none.stl"):
@@ -637,8 +695,9 @@ class Stdio(unittest.TestCase):
             self.assertRegex(listed, r"has 31 models and folders: a{9}00\.stl, a{9}01\.stl, .*, \.\.\.$")
         for scene, is_error in (({"meshes": [{"asset": "sub/both.obj"}]}, False), ({"meshes": [{"asset": "../secret.obj"}]}, True), ({"meshes": [{"asset": "link.obj"}]}, True)):
             self.assertEqual(self.pipe.call("facts", scene=scene)["isError"], is_error, scene)
-        result = self.pipe.call("facts", model={"path": "box.obj"}, scene={"meshes": [{"name": "a", "asset": "box.obj"}, {"asset": "sub/both.obj"}]})
-        self.assertEqual(len(result["structuredContent"]["parts"]), 3)
+        for name in ("box.obj", "model"):
+            result = self.pipe.call("facts", model={"path": "box.obj"}, scene={"meshes": [{"name": "a", "asset": name}, {"asset": "sub/both.obj"}]})
+            self.assertEqual(len(result["structuredContent"]["parts"]), 3)
 
     def test_lines(self):
         """Faults of a line are answered, empty lines and notifications are not, and the end of input ends the command"""

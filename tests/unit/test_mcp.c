@@ -96,7 +96,7 @@ TEST(json_may_have_512_levels)
         memset(text, '[', (size_t)depth);
         memset(text + depth, ']', (size_t)depth);
         text[2 * depth] = '\0';
-        assert_int_equal(walk_over(text), depth == 512 ? MCP_WALK_OK : MCP_WALK_BROKEN);
+        assert_int_equal(walk_over(text), depth == 512 ? MCP_WALK_OK : MCP_WALK_DEEP);
     }
 }
 
@@ -146,6 +146,16 @@ TEST(own_keys_of_a_scene_stay_as_written_unless_an_argument_gives_them)
         "\"look\":\"dark\",\"polygons\" : [1.50, {\"a\":\"\\u00e9\"}],\"view\":{}}");
 }
 
+TEST(a_scene_names_the_model_of_any_name)
+{
+    assert_string_equal(
+        scene_of("facts",
+                 "{\"model\":{\"asset\":\"sha256:ab\"},\"scene\":{\"meshes\":[7,{\"name\":\"model\","
+                 "\"asset\": \"model\"},{\"asset\":\"b\"},{\"asset\":\"model\",\"x\":{\"asset\":\"model\"}}]}}"),
+        "{\"outputs\":[{\"channel\":\"info\"}],\"render\":false,\"meshes\":[7,{\"name\":\"model\",\"asset\": "
+        "\"sha256:ab\"},{\"asset\":\"b\"},{\"asset\":\"sha256:ab\",\"x\":{\"asset\":\"model\"}}]}");
+}
+
 TEST(large_pictures_begin_as_jpeg)
 {
     assert_non_null(
@@ -188,6 +198,9 @@ static const char *const SEEDS[] = {
     "call\",\"params\":{\"name\":\"facts\",\"arguments\":{\"model\":{\"text\":"
     "\"v 0 0 0\\n\\ud83d\\u0041\"}},\"_meta\":{\"io.modelcontextprotocol/protocolVersion\":\"2026-07-28\","
     "\"io.modelcontextprotocol/clientCapabilities\":{}}}}",
+    "{\"jsonrpc\":\"2.0\",\"id\":5,\"method\":\"tools/call\",\"params\":{\"name\":\"facts\",\"arguments\":{\"model\":{"
+    "\"asset\":\"sha256:ab\"},\"scene\":{\"meshes\":[{\"asset\":\"model\"},{\"asset\":\"model\"}],\"visibility\":true}}"
+    "}}",
     "{\"jsonrpc\":\"2.0\",\"id\":0,\"method\":\"initialize\",\"params\":{\"protocolVersion\":\"2025-06-18\"}}",
     "{\"jsonrpc\":\"2.0\",\"method\":\"notifications/cancelled\",\"params\":{\"requestId\":1}}"};
 
@@ -201,7 +214,7 @@ TEST(ten_thousand_random_bodies)
             for (size_t n = below(60); n > 0; n--)
                 put(&text, (const char[]){(char)below(256)}, 1);
         else
-            put(&text, SEEDS[i % 5], strlen(SEEDS[i % 5]));
+            put(&text, SEEDS[i % 6], strlen(SEEDS[i % 6]));
         if (text.size > 0 && below(3) > 0) mutate(&text);
         char *exact = malloc(text.size ? text.size : 1); /* with nothing behind it */
         if (text.size) memcpy(exact, text.bytes, text.size);
