@@ -155,8 +155,8 @@ static void keep_window(struct mcp_job *job, unsigned *width, unsigned *height)
     if (window && wide >= 1 && high >= 1 && larger <= 1e6) {
         job->is_resized = larger > MCP_SIDE_MAX;
         const double factor = job->is_resized ? MCP_SIDE_MAX / larger : 1;
-        *width = wide * factor < 1 ? 1 : (unsigned)(wide * factor);
-        *height = high * factor < 1 ? 1 : (unsigned)(high * factor);
+        *width = wide * factor < 1 ? 1 : (unsigned)(wide * factor + 0.5);
+        *height = high * factor < 1 ? 1 : (unsigned)(high * factor + 0.5);
     }
     cJSON_Delete(window);
 }

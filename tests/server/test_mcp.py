@@ -305,6 +305,14 @@ class Http(unittest.TestCase):
             self.assertIn("costMaxMs", texts(slow)[0])
         finally:
             daemon.stop()
+        daemon = Daemon("--render-timeout-ms", "20")
+        try:
+            message = {"name": "render", "arguments": {"scene": noise(), "views": [{"view": {"azimuthDegrees": i}} for i in range(8)], "width": 1568, "height": 1568, "look": "studio"}}
+            _, answer = daemon.post({"jsonrpc": "2.0", "id": 1, "method": "tools/call", "params": message})
+            words = answer["detail"] if "detail" in answer else texts(answer["result"])[0]  # by the step that it ends
+            self.assertEqual(words, "the work took longer than renderTimeoutMs, 20 ms: fewer or smaller views, and fewer samples, take less")
+        finally:
+            daemon.stop()
 
     def test_leaving(self):
         """A client that leaves stops its call, and the daemon goes on"""
@@ -528,6 +536,9 @@ class Http(unittest.TestCase):
             value = {"visibility": True, "sheet": {"layout": "balanced"}, "window": {"width": 3000, "height": 3000}}[key]
             self.assertFalse(self.call("facts", model={"text": BOX}, scene={key: value})["isError"], key)
         self.assertFalse(self.call("facts", model={"text": BOX}, scene={"render": False})["isError"])
+        picture = self.call("render", model={"text": BOX}, scene={"window": {"width": 1500, "height": 3000}}, views=["front"])["structuredContent"]
+        self.assertEqual((picture["picture"]["width"], picture["picture"]["height"]), (784, 1568))
+        self.assertIn("window is larger than 1568 pixels", picture["warnings"][0])
         self.refused("pick", ["/scene/render: leave it out, or call facts"], model={"text": BOX}, scene={"render": False}, x=1, y=1)
 
     def test_no_file(self):
