@@ -58,6 +58,7 @@ struct zr_drawn_view {
     const char *name; /* of its files, without the channel */
     const struct zr_files *files;
     const struct zr_frame *frame;
+    size_t held_bytes; /* memory of the drawing until `take` returns, or, if that is more, of its largest views */
 };
 
 struct zr_views_taker {

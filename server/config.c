@@ -74,7 +74,7 @@ static const struct setting SETTINGS[] = {
      "of model files kept as read from the second time on, with copies of those that were not stored, in blocks of "
      "4096; the least recently used are dropped first, and all if memory is short; 0: none"},
     {"answer-memory-bytes", NUMBER, AT(answer_memory_bytes), true, 512 * MIB, 1, 1024 * GIB, NULL, "bytes",
-     "of all answers that wait for their readers; beyond it, no render begins"},
+     "of all answers that wait for their readers, and of streams that do; beyond it, no render begins"},
     {"cgroup", TEXT, AT(cgroup), false, 0, 0, 0, "/sys/fs/cgroup", "",
      "folder of the control group; requests get 503 beyond 92 % of its memory limit"},
     {"assets-dir", TEXT, AT(assets_dir), false, 0, 0, 0, "", "",

@@ -30,7 +30,7 @@ struct http {
     bool listener_rests; /* no descriptor, or no place, for a new connection */
     bool is_self_test;   /* logs nothing */
     struct upload_budget uploads;
-    atomic_size_t answer_bytes;     /* of answers that are not sent yet */
+    atomic_size_t answer_bytes;     /* of answers that are not sent yet, and of works that wait for readers */
     atomic_size_t streams;          /* works that may stream their answers */
     size_t in_flight;               /* exchanges with a complete header */
     int64_t drain_began_ms, cut_ms; /* 0: not yet */

@@ -71,17 +71,21 @@ static void wake_reader(void *context)
     report(context, false, false);
 }
 
-/* While work waits for the reader, its time stands still. */
+/* While work waits for the reader, its time stands still, and its memory counts as that of answers: from before another
+ * work takes its place until it is back. */
 static void wait_for_reader(void *context, bool begins)
 {
     struct exchange *exchange = context;
-    struct queue *queue = exchange->http->queue;
+    struct http *http = exchange->http;
+    struct queue *queue = http->queue;
     if (begins) {
+        atomic_fetch_add(&http->answer_bytes, exchange->stream.held_bytes);
         exchange->spent_ms = clock_ms() - atomic_load(&exchange->work_began_ms);
         atomic_store(&exchange->work_began_ms, 0);
         queue_step_aside(queue, &exchange->job);
     } else {
         queue_step_back(queue, &exchange->job);
+        atomic_fetch_sub(&http->answer_bytes, exchange->stream.held_bytes);
         atomic_store(&exchange->work_began_ms, clock_ms() - exchange->spent_ms);
     }
 }

@@ -38,7 +38,7 @@ void http_cancel_work(struct exchange *exchange);
 /* Returns the deadline of the work on a request; INT64_MAX: no worker has begun. */
 int64_t http_work_deadline_ms(const struct exchange *exchange);
 
-/* Returns true if unsent answers fill answer_memory_bytes. */
+/* Returns true if unsent answers, and works that wait for their readers, fill answer_memory_bytes. */
 bool http_answers_are_full(struct http *http);
 
 #endif

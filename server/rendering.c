@@ -288,6 +288,7 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
     text_to_ascii(warnings, sizeof warnings, zr_warnings_join(&scratch, &files->warnings));
     zr_arena_close_scratch(&scratch, r->arena);
     (void)error;
+    stream->held_bytes = view->held_bytes;
     if (view->number == 0) {
         add_look(r->answer, r->look.text);
         add_timing(r->answer, r->times);
@@ -313,6 +314,7 @@ static enum zr_status stream_several(struct rendering *r, struct zr_views *views
     if (r->busy) return ZR_CANCELLED;
     int64_t mark = clock_us();
     const enum zr_status status = zr_views_draw_each(r->arena, r->service->team, views, r->cancel, taker, error);
+    stream->held_bytes = r->arena->held; /* for what is written last */
     r->times->render_ms = ms_since(&mark) - (double)stream->waited_us / 1000.0;
     return status;
 }

@@ -1,7 +1,8 @@
 /* stream.h - bytes of an answer, from the worker that makes them to the loop that sends them meanwhile.
  *
  * Bound: up to STREAM_ROOM bytes wait for the loop. If they fill it, the writer waits, so a slow reader slows drawing
- * and memory stays flat. A writer that waits gives up its place for work (queue.h).
+ * and memory stays flat. A writer that waits gives up its place for work (queue.h), and its memory counts as that of
+ * answers.
  *
  * Threads: one writer, and one reader, which never waits.
  *
@@ -43,6 +44,7 @@ struct stream {
     /* For the writer; for others once it has ended. */
     bool is_begun;
     int64_t waited_us;
+    size_t held_bytes;                   /* memory of the work while it waits; set before each write */
     char boundary[STREAM_BOUNDARY_SIZE]; /* of its parts (parts.h) */
     bool is_form;                        /* its parts are those of a form */
 };

@@ -23,8 +23,10 @@ struct batch {
     struct zr_team *team;
     const struct zr_cancel *cancel;
     uint32_t first;
+    uint32_t width; /* drawn at once */
     struct drawing *drawings;
     struct zr_arena *arena; /* of the request */
+    size_t shared_bytes;    /* of the request, without the drawings */
     struct zr_views_taker taker;
     struct zr_error *error;
 };
@@ -53,8 +55,9 @@ static void draw_some(void *context, size_t begin, size_t end)
 /* ---- all views ---- */
 
 /* Draws a view again, alone, with the memory of the whole batch: its share was too small. */
-static void draw_alone(struct batch *batch, uint32_t number, uint32_t width)
+static void draw_alone(struct batch *batch, uint32_t number)
 {
+    const uint32_t width = batch->width;
     struct drawing *d = &batch->drawings[number];
     const size_t share = d->arena.ceiling;
     for (uint32_t i = 0; i < width; i++)
@@ -66,22 +69,33 @@ static void draw_alone(struct batch *batch, uint32_t number, uint32_t width)
     d->arena.ceiling = share;
 }
 
+/* A view's predicted memory counts even before it is drawn: views differ in size. */
+static size_t find_held(const struct batch *batch)
+{
+    const double most = (double)batch->drawings[0].arena.ceiling;
+    const double predicted = (double)batch->width * fmin(batch->views->cost.window_bytes, most);
+    size_t drawn = 0;
+    for (uint32_t i = 0; i < batch->width; i++)
+        drawn += zr_arena_bytes(&batch->drawings[i].arena);
+    return batch->shared_bytes + ((double)drawn < predicted ? (size_t)predicted : drawn);
+}
+
 static enum zr_status hand_on(const struct batch *batch, uint32_t number, const struct drawing *d)
 {
     char name[ZR_VIEW_NAME_SIZE];
     zr_view_name(batch->views->set, number, name);
-    const struct zr_drawn_view view = {number, name, &d->files, d->frame};
+    const struct zr_drawn_view view = {number, name, &d->files, d->frame, find_held(batch)};
     const enum zr_status status = batch->taker.take(batch->taker.context, &view, batch->error);
     const struct zr_views *views = batch->views;
     if (status == ZR_OK && views->progress) views->progress(views->progress_context, number + 1, views->set->count);
     return status;
 }
 
-static enum zr_status take_batch(struct batch *batch, uint32_t count, uint32_t width)
+static enum zr_status take_batch(struct batch *batch, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         const struct drawing *d = &batch->drawings[i];
-        if (d->status == ZR_NO_MEMORY && width > 1) draw_alone(batch, i, width);
+        if (d->status == ZR_NO_MEMORY && batch->width > 1) draw_alone(batch, i);
         enum zr_status status = d->status;
         for (size_t k = 0; k < zr_error_held(&d->error); k++)
             zr_error_add(batch->error, status, d->error.items[k].pointer, "%s", d->error.items[k].detail);
@@ -104,14 +118,15 @@ static uint32_t find_width(const struct zr_views *views, struct zr_team *team, s
     return fit >= (double)most ? most : fit < 1.0 ? 1 : (uint32_t)fit;
 }
 
-static enum zr_status draw_all(struct batch *batch, uint32_t width)
+static enum zr_status draw_all(struct batch *batch)
 {
+    const uint32_t width = batch->width;
     const uint32_t count = batch->views->set->count;
     enum zr_status status = ZR_OK;
     for (; status == ZR_OK && batch->first < count; batch->first += width) {
         const uint32_t now = count - batch->first < width ? count - batch->first : width;
         zr_team_ranges(batch->team, now, 1, draw_some, batch);
-        status = take_batch(batch, now, width);
+        status = take_batch(batch, now);
     }
     return status;
 }
@@ -133,12 +148,13 @@ enum zr_status zr_views_draw_each(struct zr_arena *arena, struct zr_team *team, 
     const uint32_t width = find_width(views, team, memory);
     const size_t share = memory / width;
     struct batch batch = {
-        .views = views, .team = team, .cancel = cancel, .arena = arena, .taker = taker, .error = error};
+        .views = views, .team = team, .cancel = cancel, .width = width, .arena = arena, .taker = taker, .error = error};
     batch.drawings = zr_arena_zero(arena, width, sizeof *batch.drawings);
+    batch.shared_bytes = arena->held;
     if (!batch.drawings || !zr_arena_charge(arena, share * width)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < width; i++)
         zr_arena_init(&batch.drawings[i].arena, share);
-    status = draw_all(&batch, width);
+    status = draw_all(&batch);
     for (uint32_t i = 0; i < width; i++)
         zr_arena_free(&batch.drawings[i].arena);
     zr_arena_refund(arena, share * width);

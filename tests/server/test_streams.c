@@ -205,6 +205,44 @@ TEST(streams_are_counted_and_one_that_waits_holds_no_worker)
     streamed_end(&streamed);
 }
 
+/* Whether a small render is answered with `status` within some seconds. */
+static bool is_answered(const struct daemon *server, long status, int seconds)
+{
+    for (int tries = 0; tries < 50 * seconds; tries++) {
+        if (client_render_status(server, GOOD_SCENE) == status) return true;
+        usleep(20 * 1000);
+    }
+    return false;
+}
+
+/* Views of 12 MB. */
+TEST(memory_of_streams_that_wait_counts_as_that_of_answers_until_their_readers_are_cut_off)
+{
+    enum { READERS = 12, BUFFER = 4096 };
+    static const char SCENE[] = "{\"window\":{\"width\":1024,\"height\":1024}," GEOMETRY
+                                ",\"outputs\":[{\"channel\":\"position\"}],\"turntable\":{\"frames\":12}}";
+    struct streamed readers[READERS];
+    struct daemon server = daemon_start(LIST(LET_IN, "--answer-memory-bytes=64000000", "--workers=2", "--queue=64"));
+    const long before = daemon_memory_kib(&server, "VmRSS:");
+    for (int i = 0; i < READERS; i++)
+        readers[i] = streamed_begin(&server, SCENE, BUFFER);
+    assert_true(is_answered(&server, 503, 10));
+    struct reply reply = client_render(&server, GOOD_SCENE);
+    assert_int_equal(reply.status, 503);
+    assert_non_null(strstr(reply.body, "answerMemoryBytes"));
+    assert_string_not_equal(reply_header(&reply, "Retry-After"), "");
+    reply_free(&reply);
+    assert_int_equal(client_get_status(&server, "/healthz"), 200);
+    const long grown = daemon_memory_kib(&server, "VmRSS:") - before;
+    const double begun = seconds();
+    assert_true(is_answered(&server, 200, 40));
+    print_message("# %ld KiB more; answers again after %.1f s\n", grown, seconds() - begun);
+    if (!IS_SANITIZED) assert_true(grown < 300 * 1024); /* up to the ceiling, and one more of each worker */
+    for (int i = 0; i < READERS; i++)
+        streamed_end(&readers[i]);
+    daemon_stop(&server);
+}
+
 static long peak_of(int views)
 {
     char scene[1024];
