@@ -9,7 +9,9 @@
 #include "effects/ground.h"
 #include "effects/shadow_maps.h"
 #include "output/lossy.h"
+#include "raster/textbook/trace.h"
 #include "raster/tile.h"
+#include "render/frame_parts.h"
 #include "render/layers.h"
 #include "render/lens.h"
 #include "render/picture.h"
@@ -185,6 +187,7 @@ static const struct {
 static void count_geometry(const struct zr_scene *scene, const struct passes *passes, double *counts)
 {
     const double times = passes->centres + passes->samples + passes->maps;
+    const bool has_info = zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO);
     const bool finds_boxes = zr_view_space(&scene->views[0], ZR_CHANNEL_POSITION) == ZR_SPACE_NOCS;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
@@ -196,7 +199,8 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
                                     TIMES[scene->algorithm].triangle;
         const enum zr_shading shading = scene->materials[mesh->material].shading;
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
-        if (zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO)) counts[ZR_COST_FACT] += triangles;
+        if (has_info) counts[ZR_COST_FACT] += triangles;
+        if (has_info) counts[ZR_COST_PART] += zr_mesh_part_count(mesh);
         if (scene->sections.count > 0) /* the mesh is welded, and each plane lists all corners again */
             counts[ZR_COST_SECTION_CORNER] +=
                 (double)mesh->face_offsets[mesh->face_count] * (2.0 + (double)scene->sections.count);
@@ -204,6 +208,7 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
             counts[ZR_COST_NORMAL] += triangles;
         counts[ZR_COST_DRAWN_TRIANGLE] += line_times(scene, passes) * triangles;
     }
+    counts[ZR_COST_PART] = fmin(counts[ZR_COST_PART], ZR_FRAME_PARTS_MAX);
 }
 
 /* Cost per pixel of a computed data channel, relative to POSITION. */
@@ -245,6 +250,15 @@ static double layer_walks(const struct zr_view *view)
            (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0) + (zr_view_has_masks(view) ? 1.0 : 0.0);
 }
 
+/* Returns the number of pairs of faces whose boxes meet. The sample has a face. */
+static double meeting_pairs(const struct zr_cost_sample *sample)
+{
+    const double faces = sample->faces * sample->scale,
+                 meets_x = fmin(2.0 * sample->boxes_width / sample->faces / sample->width, 1.0),
+                 meets_y = fmin(2.0 * sample->boxes_height / sample->faces / sample->height, 1.0);
+    return 0.5 * faces * faces * meets_x * meets_y;
+}
+
 /* Beyond its bounds, a trace ends. Algorithms without a z-buffer do not list the depths of pixels. */
 static double traced_pixels(const struct zr_cost_sample *sample)
 {
@@ -252,6 +266,39 @@ static double traced_pixels(const struct zr_cost_sample *sample)
     const bool has_depths = algorithm != ZR_ALGORITHM_SCANLINE && algorithm != ZR_ALGORITHM_PAINTER;
     const double most = (double)ZR_TRACE_PRIMITIVES_MAX * sample->width * sample->height;
     return (has_depths ? 1.0 : 0.2) * fmin(sample->scale * (sample->fragments + sample->line_fragments), most);
+}
+
+/* Pixels times corners that a trace looks at before it is beyond its bounds. */
+#define TRACED_SHAPES_MAX 1e8
+
+/* Returns the corners of all faces and lines. */
+static double count_corners(const struct zr_scene *scene)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        sum += (double)mesh->face_offsets[mesh->face_count] + 2.0 * (double)mesh->line_count;
+    }
+    return sum;
+}
+
+/* Edges cross half of the rows of their face. Scanline lists the faces between each two edges of a row, and looks twice
+ * more at their corners. The painter compares each two faces, again after each cut. */
+static void count_trace(const struct zr_cost_sample *sample, double *counts)
+{
+    const enum zr_algorithm algorithm = sample->scene->algorithm;
+    const double faces = sample->faces * sample->scale, window = sample->width * sample->height;
+    const double shapes = sample->scale * sample->shape_samples;
+    counts[ZR_COST_TRACED_PIXEL] = traced_pixels(sample);
+    counts[ZR_COST_TRACED_SHAPE] = fmin(algorithm == ZR_ALGORITHM_SCANLINE ? 2.0 * shapes : shapes, TRACED_SHAPES_MAX);
+    if (faces <= 0.0) return;
+    const double rows = 0.5 * sample->boxes_height / sample->faces, pixels = sample->fragments / sample->faces;
+    double edges = count_corners(sample->scene) * rows;
+    if (algorithm == ZR_ALGORITHM_SCANLINE) edges += 2.0 * fmin(edges, window) * faces * pixels / window;
+    counts[ZR_COST_TRACED_EDGE] = fmin(edges, ZR_TRACE_VALUES_MAX / 4);
+    if (algorithm == ZR_ALGORITHM_PAINTER)
+        counts[ZR_COST_TRACED_COMPARISON] =
+            pixels * fmin(meeting_pairs(sample) * fmax(faces / 6.0, 1.0), ZR_TRACE_STEPS_MAX);
 }
 
 static double square(double value)
@@ -281,16 +328,11 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
         counts[ZR_COST_SHAPE_CORNER] += 0.25 * caps * caps / fmax((double)scene->instance_count, 1.0);
     counts[ZR_COST_LAYER] = drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
     counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
-    if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) counts[ZR_COST_TRACED_PIXEL] = traced_pixels(sample);
+    if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) count_trace(sample, counts);
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;
     counts[ZR_COST_MAP_FRAGMENT] = passes->map_texels * scale * sample->fragments / pixels;
-    if (scene->algorithm == ZR_ALGORITHM_PAINTER && sample->faces > 0.0) {
-        const double faces = sample->faces * scale,
-                     meets_x = fmin(2.0 * sample->boxes_width / sample->faces / sample->width, 1.0),
-                     meets_y = fmin(2.0 * sample->boxes_height / sample->faces / sample->height, 1.0);
-        counts[ZR_COST_COMPARISON] =
-            0.5 * faces * faces * meets_x * meets_y * (1.0 + 0.25 * sample->fragments / sample->faces) * drawn;
-    }
+    if (scene->algorithm == ZR_ALGORITHM_PAINTER && sample->faces > 0.0)
+        counts[ZR_COST_COMPARISON] = meeting_pairs(sample) * (1.0 + 0.25 * sample->fragments / sample->faces) * drawn;
     counts[ZR_COST_DRAWN_PIXEL] = line_times(scene, passes) * scale * sample->fragments;
     const double cells = fmin(0.5 * scale * sample->fragments, pixels) / CELL_PIXELS + 1.0;
     counts[ZR_COST_DRAWN_PAIR] = line_times(scene, passes) * square(scale * sample->faces) / cells;
@@ -337,6 +379,12 @@ struct zr_cost_most zr_cost_most(const struct zr_cost *cost)
     for (int kind = 1; kind < ZR_COST_KINDS; kind++)
         if (cost->counts[kind] * ROWS[kind].ns > cost->counts[most] * ROWS[most].ns) most = kind;
     return (struct zr_cost_most){1e-6 * cost->counts[most] * ROWS[most].ns, cost->counts[most], ROWS[most].words};
+}
+
+void zr_cost_remove(struct zr_cost *cost, enum zr_cost_kind kind)
+{
+    cost->ms -= 1e-6 * cost->counts[kind] * ROWS[kind].ns;
+    cost->counts[kind] = 0.0;
 }
 
 /* Adds the pixels that a lens looks up, and the channels of the view. */

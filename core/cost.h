@@ -49,10 +49,14 @@
     ROW(LEVEL_TEXEL, 4.0, "texels of textures' levels")                                                                \
     ROW(LINEAR_LEVEL_TEXEL, 7.0, "texels of textures' levels in linear light")                                         \
     ROW(FACT, 300.0, "triangles of parts that info measures")                                                          \
+    ROW(PART, 30e3, "parts that info lists")                                                                           \
     ROW(SECTION_CORNER, 60.0, "corners of faces times planes of sections")                                             \
     ROW(CAP_TILE, 6.0, "corners of caps times tiles of the window")                                                    \
     ROW(LENS_PIXEL, 100.0, "pixels that a lens distorts")                                                              \
     ROW(TRACED_PIXEL, 550.0, "pixels of faces, hidden ones too, in a trace")                                           \
+    ROW(TRACED_SHAPE, 25.0, "pixels times corners of faces that are not convex, in a trace")                           \
+    ROW(TRACED_EDGE, 400.0, "edges times rows in a trace, and faces between them")                                     \
+    ROW(TRACED_COMPARISON, 20.0, "pixels that the painter compares in a trace")                                        \
     ROW(OUTPUT_WORD, 1.6, "words of outputs")                                                                          \
     ROW(PNG_PIXEL, 0.4, "pixels of PNG files")                                                                         \
     ROW(SMALL_PNG_PIXEL, 18.0, "pixels of PNG files that are compressed well")                                         \
@@ -81,5 +85,8 @@ struct zr_cost_most {
     const char *words;
 };
 struct zr_cost_most zr_cost_most(const struct zr_cost *cost);
+
+/* Removes what another view of the request has done. */
+void zr_cost_remove(struct zr_cost *cost, enum zr_cost_kind kind);
 
 #endif

@@ -32,7 +32,9 @@ struct zr_views {
     uint32_t width, height;
     struct zr_cost cost; /* of all views; memory: of the largest */
 
-    const struct zr_mesh_tables *tables; /* that they share; set by zr_views_draw */
+    /* What they share; set by zr_views_draw. */
+    const struct zr_mesh_tables *tables;
+    const struct zr_known_parts *known_parts; /* NULL: none */
 
     /* Set by the caller. Called for each view that is drawn, on the thread of the call; NULL: none. */
     void (*progress)(void *context, uint32_t done, uint32_t total);

@@ -5,7 +5,9 @@ enum {
     POLYGON_MAX = 9, /* corners while a triangle is clipped by three lines */
     STEPS_A_CANCEL_CHECK = 1 << 12,
     STEPS_A_PAIR = 8,
-    PROBE_FIRST = 64 /* every 64th leaf is searched first, for an early bound */
+    PROBE_FIRST = 64, /* every 64th leaf is searched first, for an early bound */
+    SMALL = 1 << 16,  /* bytes of a solid that gets a block of a few pages: the system clears no more of them */
+    SMALL_UNIT = 1 << 12
 };
 
 struct point {
@@ -443,8 +445,10 @@ struct zr_least_wall zr_least_wall_find(struct zr_arena *arena, const struct zr_
 {
     struct zr_wall_solid solid = {.count = 0};
     struct zr_least_wall wall = {.is_omitted = true};
-    if (zr_arena_block_bytes(zr_wall_solid_bytes(faces)) > zr_arena_left(arena)) return wall;
+    const size_t bytes = zr_wall_solid_bytes(faces);
+    if (zr_arena_block_bytes(bytes) > zr_arena_left(arena)) return wall;
     struct zr_arena scratch = zr_arena_open_scratch(arena);
+    if (bytes < SMALL) scratch.unit = SMALL_UNIT;
     if (zr_wall_solid_make(&scratch, cancel, faces, &solid)) {
         struct search s = {.solid = &solid, .cancel = cancel, .steps_most = *steps, .best = HUGE_VAL};
         search_all(&s);

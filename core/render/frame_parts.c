@@ -100,18 +100,46 @@ static void sum_caps(const struct zr_sections_cut *sections, const struct owner 
     }
 }
 
+/* Lists the parts, with room for their facts. Returns NULL without memory. */
+static struct zr_part_facts *list_parts(struct zr_arena *arena, const struct zr_scene *scene,
+                                        struct zr_known_parts *out)
+{
+    *out = (struct zr_known_parts){.list = zr_part_list_make(arena, scene, ZR_FRAME_PARTS_MAX)};
+    struct zr_part_facts *facts = zr_arena_alloc(arena, out->list.count, sizeof *facts);
+    out->facts = facts;
+    return zr_arena_ok(arena) ? facts : NULL;
+}
+
+enum zr_status zr_known_parts_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                   const struct zr_cancel *cancel, struct zr_known_parts *out)
+{
+    struct zr_part_facts *facts = list_parts(arena, scene, out);
+    if (!facts) return ZR_NO_MEMORY;
+    struct zr_arena scratch = zr_arena_open_scratch(arena);
+    const enum zr_status status = zr_part_facts_find(&scratch, team, cancel, scene, &out->list, facts);
+    zr_arena_close_scratch(&scratch, arena);
+    return status;
+}
+
 enum zr_status zr_frame_parts_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
                                    const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     struct zr_frame_parts *parts = &frame->parts;
-    parts->list = zr_part_list_make(arena, scene, ZR_FRAME_PARTS_MAX);
-    struct zr_part_facts *facts = zr_arena_alloc(arena, parts->list.count, sizeof *facts);
+    struct zr_known_parts own;
+    const struct zr_known_parts *known = scene->known_parts;
+    enum zr_status status = ZR_OK;
+    if (!known) {
+        struct zr_part_facts *facts = list_parts(arena, scene, &own);
+        status = facts ? zr_part_facts_find(scratch, team, cancel, scene, &own.list, facts) : ZR_NO_MEMORY;
+        known = &own;
+    }
+    if (status != ZR_OK) return status;
+    parts->list = known->list;
+    parts->facts = known->facts;
     uint64_t *pixels = zr_arena_zero(arena, parts->list.count, sizeof *pixels);
     double *areas = zr_arena_zero(arena, frame->sections ? parts->list.count : 0, sizeof *areas);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    parts->facts = facts;
-    const enum zr_status status = zr_part_facts_find(scratch, team, cancel, scene, &parts->list, facts);
-    if (status != ZR_OK || (!frame->face_id && !frame->sections)) return status;
+    if (!frame->face_id && !frame->sections) return ZR_OK;
     const struct owner *owners = list_owners(scratch, scene);
     if (!owners) return ZR_NO_MEMORY;
     if (frame->sections) sum_caps(frame->sections, owners, parts->list.count, areas);

@@ -8,8 +8,18 @@
 /* Maximum number of listed parts. Later parts are omitted. */
 enum { ZR_FRAME_PARTS_MAX = 1000 };
 
-/* Fills in frame->parts; the list lies in `arena`. Counts pixels in frame->face_id, if there is one.
- * Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Parts that are measured once for several views. */
+struct zr_known_parts {
+    struct zr_part_list list;
+    const struct zr_part_facts *facts; /* per listed part */
+};
+
+/* Lists and measures the parts, in `arena`. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
+enum zr_status zr_known_parts_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                   const struct zr_cancel *cancel, struct zr_known_parts *out);
+
+/* Fills in frame->parts; the list lies in `arena`, or is scene->known_parts. Counts pixels in frame->face_id, if there
+ * is one. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_frame_parts_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
                                    const struct zr_scene *scene, const struct zr_cancel *cancel,
                                    struct zr_frame *frame);

@@ -42,13 +42,14 @@ static enum zr_status refuse_primitives(const struct zr_frame *frame, uint32_t c
     return refuse(frame, error, reason);
 }
 
-static enum zr_status refuse_steps(const struct zr_frame *frame, struct zr_error *error)
+/* Names the bound that was passed. */
+static enum zr_status refuse_steps(const struct zr_frame *frame, const struct zr_trace *trace, struct zr_error *error)
 {
+    const bool has_many_steps = trace->steps > ZR_TRACE_STEPS_MAX;
     char reason[160];
-    snprintf(
-        reason, sizeof reason,
-        "the channel trace goes up to %d steps and %d values, and this scene takes more: show fewer or simpler faces",
-        ZR_TRACE_STEPS_MAX, ZR_TRACE_VALUES_MAX);
+    snprintf(reason, sizeof reason,
+             "this scene takes more than %d %s, up to which the channel trace goes: show fewer or simpler faces",
+             has_many_steps ? ZR_TRACE_STEPS_MAX : ZR_TRACE_VALUES_MAX, has_many_steps ? "steps" : "values");
     return refuse(frame, error, reason);
 }
 
@@ -85,7 +86,7 @@ enum zr_status zr_trace_make(struct zr_arena *arena, struct zr_arena *scratch, s
         return refuse_primitives(frame, primitives.count, error);
     if (status == ZR_OK) zr_trace_open(trace, zr_algorithm_names.words[scene->algorithm], geometry, &primitives);
     STAGE(record(scratch, geometry, scene->algorithm, cancel, &samples));
-    if (status == ZR_OK && trace->is_beyond) return refuse_steps(frame, error);
+    if (status == ZR_OK && trace->is_beyond) return refuse_steps(frame, trace, error);
     frame->trace = trace;
     return status;
 }

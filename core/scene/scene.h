@@ -288,6 +288,7 @@ struct zr_look;        /* scene/looks.h */
 struct zr_view_set;    /* scene/view_set.h */
 struct zr_flow;        /* scene/flow.h */
 struct zr_mesh_tables; /* mesh/mesh_tables.h */
+struct zr_known_parts; /* render/frame_parts.h */
 
 /* Counts of input that readers left out or replaced. */
 struct zr_read_counts {
@@ -327,10 +328,11 @@ struct zr_scene {
     struct zr_file_facts file;
     const double *origin; /* three numbers that the reader subtracted from all positions; NULL: none */
     struct zr_view views[ZR_VIEWS_MOST];
-    struct zr_sheet sheet;               /* one picture of all views */
-    const struct zr_view_set *view_set;  /* several views, made from this scene by views/; NULL: one */
-    const struct zr_flow *flow;          /* target of the channel flow; NULL: the scene's own view */
-    const struct zr_mesh_tables *tables; /* shared by several views; NULL: none */
+    struct zr_sheet sheet;                    /* one picture of all views */
+    const struct zr_view_set *view_set;       /* several views, made from this scene by views/; NULL: one */
+    const struct zr_flow *flow;               /* target of the channel flow; NULL: the scene's own view */
+    const struct zr_mesh_tables *tables;      /* shared by several views; NULL: none */
+    const struct zr_known_parts *known_parts; /* likewise; NULL: none */
     bool has_box; /* box_min and box_max are the bounds (zr_bounds_of, scene/camera.h), which a reader needed */
     zr_vec3 box_min, box_max;
     const struct zr_base *base; /* NULL: none */

@@ -68,14 +68,18 @@ static enum zr_status add_frame(struct collecting *c, struct sink *sink, uint32_
     return zr_view_report(c->views, number, status, &fault, c->error);
 }
 
-/* Takes the files of a view out of its arena. */
+/* Takes the files of a view out of its arena. They are those of its outputs: on a sheet, some have no info. */
 static enum zr_status take_files(struct collecting *c, const struct zr_drawn_view *view)
 {
     char name[ZR_VIEW_NAME_SIZE + 64];
     const struct zr_files *files = view->files;
+    const bool has_info = zr_view_wants(view->frame->view, ZR_CHANNEL_INFO);
+    struct sink *next = c->sinks;
     for (uint32_t i = 0; i < files->count; i++) {
         const struct zr_zip_entry *entry = &files->entries[i];
-        struct sink *sink = &c->sinks[i];
+        while (next->kind == SHEET_INFO && !has_info)
+            next++;
+        struct sink *sink = next++;
         enum zr_status status = ZR_OK;
         const void *copy;
         switch (sink->kind) {

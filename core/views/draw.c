@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "mesh/mesh_tables.h"
+#include "render/frame_parts.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "views/view_scene.h"
@@ -139,10 +140,23 @@ static enum zr_status make_tables(struct zr_arena *arena, struct zr_team *team, 
     return tables ? zr_mesh_tables_make(arena, team, views->scene, cancel, tables) : ZR_NO_MEMORY;
 }
 
+/* Measures the parts for all views that share them; frames of an animation do not. */
+static enum zr_status make_parts(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
+                                 const struct zr_cancel *cancel)
+{
+    views->known_parts = NULL;
+    if (zr_view_set_is_animation(views->set) || !zr_view_wants(&views->scene->views[0], ZR_CHANNEL_INFO)) return ZR_OK;
+    struct zr_known_parts *parts = zr_arena_alloc(arena, 1, sizeof *parts);
+    if (!parts) return ZR_NO_MEMORY;
+    views->known_parts = parts;
+    return zr_known_parts_make(arena, team, views->scene, cancel, parts);
+}
+
 enum zr_status zr_views_draw_each(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
                                   const struct zr_cancel *cancel, struct zr_views_taker taker, struct zr_error *error)
 {
     enum zr_status status = make_tables(arena, team, views, cancel);
+    if (status == ZR_OK) status = make_parts(arena, team, views, cancel);
     if (status != ZR_OK) return status;
     const size_t memory = zr_arena_left(arena) / 2;
     const uint32_t width = find_width(views, team, memory);

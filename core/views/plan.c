@@ -10,7 +10,7 @@
 #include "views/still_camera.h"
 #include "views/view_scene.h"
 
-enum { SAMPLED = 16 }; /* views, except those of a list, whose cost is predicted; the others are between them */
+enum { SAMPLED = 16 }; /* views after the first, except those of a list, whose cost is predicted */
 
 struct zr_views zr_views_of_kept(const struct zr_kept *kept)
 {
@@ -64,7 +64,8 @@ static enum zr_status plan_view(struct zr_arena *scratch, struct zr_team *team, 
     views->has_one_window &= view->width == views->width && view->height == views->height;
     status = zr_resolved_view_find(scratch, team, scene, cancel, &resolved, &faults);
     if (status != ZR_OK) return zr_view_report(views, number, status, &faults, error);
-    const struct zr_cost cost = zr_scene_cost(scene, resolved);
+    struct zr_cost cost = zr_scene_cost(scene, resolved);
+    if (number > 0 && zr_view_shares_parts(views->set, number)) zr_cost_remove(&cost, ZR_COST_FACT);
     add_cost(&views->cost, &cost, times);
     return ZR_OK;
 }
@@ -156,10 +157,10 @@ static enum zr_status plan(struct zr_arena *scratch, struct zr_team *team, struc
                                                : fit_camera(scratch, team, views, cancel, error);
     if (status == ZR_OK && set->kind == ZR_VIEW_SET_LIST && views->scene->sheet.is_on)
         status = fit_sheet(scratch, team, views, cancel, error);
-    for (uint32_t i = 0; status == ZR_OK && i < set->count && pixels <= most; i += step) {
+    for (uint32_t i = 0; status == ZR_OK && i < set->count && pixels <= most; i += i > 0 ? step : 1) {
         uint64_t own = 0;
         zr_arena_reset(scratch, SIZE_MAX);
-        const double times = set->count - i < step ? (double)(set->count - i) : (double)step;
+        const double left = (double)(set->count - i), times = i > 0 ? fmin(left, (double)step) : 1.0;
         status = plan_view(scratch, team, views, i, times, cancel, &own, error);
         if (set->kind == ZR_VIEW_SET_LIST) pixels += own;
         if (zr_is_cancelled(cancel)) return ZR_CANCELLED;

@@ -50,14 +50,38 @@ enum zr_status zr_view_report(const struct zr_views *views, uint32_t number, enu
     return status;
 }
 
-/* Views of a sheet need the pixels of their colours, which are encoded together later. */
-static void make_outputs_plain(struct zr_arena *arena, struct zr_view *view)
+/* Views of a sheet need the pixels of their colours, which are encoded together later. The info is that of the first
+ * one: the others have none if they are drawn without it. */
+static void make_outputs_plain(struct zr_arena *arena, uint32_t number, struct zr_view *view)
 {
+    const bool has_info = number == 0 || !zr_view_wants(view, ZR_CHANNEL_COLOR);
     struct zr_output *outputs = zr_arena_copy(arena, view->outputs, view->output_count * sizeof *outputs);
-    for (uint32_t i = 0; outputs && i < view->output_count; i++)
+    uint32_t count = 0;
+    for (uint32_t i = 0; outputs && i < view->output_count; i++) {
+        if (outputs[i].channel == ZR_CHANNEL_INFO && !has_info) continue;
+        outputs[count] = outputs[i];
         if (outputs[i].channel == ZR_CHANNEL_COLOR)
-            outputs[i] = (struct zr_output){.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
-    if (outputs) view->outputs = outputs;
+            outputs[count] = (struct zr_output){.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
+        count++;
+    }
+    if (!outputs) return;
+    view->outputs = outputs;
+    view->output_count = count;
+}
+
+bool zr_view_shares_parts(const struct zr_view_set *set, uint32_t number)
+{
+    static const char *const others[] = {"view", "window", "background", "sections"}; /* change no part */
+    enum { COUNT = sizeof others / sizeof *others };
+    if (zr_view_set_is_animation(set)) return false;
+    if (set->kind != ZR_VIEW_SET_LIST || !set->items[number].keys) return true;
+    for (const char *const *key = set->items[number].key_names; *key; key++) {
+        int i = 0;
+        while (i < COUNT && strcmp(*key, others[i]) != 0)
+            i++;
+        if (i == COUNT) return false;
+    }
+    return true;
 }
 
 static bool has_window_of(const struct zr_scene *a, const struct zr_scene *b)
@@ -93,6 +117,7 @@ enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, stru
     }
     made->view_set = NULL;
     made->tables = views->tables;
+    if (zr_view_shares_parts(set, number)) made->known_parts = views->known_parts;
     if (changed == views->scene && views->bounds.valid) {
         made->has_box = true;
         made->box_min = views->bounds.min;
@@ -101,7 +126,7 @@ enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, stru
     if (made->sheet.is_on) {
         made->views[0].width = (uint32_t)views->layout.width;
         made->views[0].height = (uint32_t)views->layout.height;
-        make_outputs_plain(arena, &made->views[0]);
+        make_outputs_plain(arena, number, &made->views[0]);
     }
     zr_view_set_pose(made, set, number, &views->camera, &made->views[0]);
     *scene = made;

@@ -9,6 +9,9 @@ enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, stru
                              struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene **scene,
                              struct zr_error *error);
 
+/* True if the view has the parts of the scene as read. */
+bool zr_view_shares_parts(const struct zr_view_set *set, uint32_t number);
+
 /* Adds the faults of view `number` to *error, at its place. Returns `status`. */
 enum zr_status zr_view_report(const struct zr_views *views, uint32_t number, enum zr_status status,
                               const struct zr_error *faults, struct zr_error *error);

@@ -47,12 +47,19 @@ TEST(sizes_are_counted)
     assert_true(zr_cost_most(&cost).ms <= cost.ms);
 }
 
-TEST(info_measures_all_triangles)
+TEST(info_measures_all_triangles_and_lists_up_to_a_thousand_parts)
 {
     static const struct zr_output info = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
+    static const uint32_t parts[2] = {0, 1};
     half_a_window();
     test.scene.views[0].outputs = &info;
     assert_near(count(ZR_COST_FACT), 2);
+    assert_near(count(ZR_COST_PART), 1);
+    test.mesh.face_parts = parts;
+    test.mesh.part_count = 900;
+    assert_near(count(ZR_COST_PART), 900);
+    test.mesh.part_count = 1100;
+    assert_near(count(ZR_COST_PART), 1000);
 }
 
 TEST(what_is_not_drawn_costs_no_more_than_its_facts)
@@ -63,7 +70,7 @@ TEST(what_is_not_drawn_costs_no_more_than_its_facts)
     test.scene.is_undrawn = true;
     const struct zr_cost cost = scene_cost(&test.scene);
     for (int kind = 0; kind < ZR_COST_KINDS; kind++)
-        assert_near(cost.counts[kind], kind == ZR_COST_FACT ? 2 : kind == ZR_COST_REQUEST);
+        assert_near(cost.counts[kind], kind == ZR_COST_FACT ? 2 : kind == ZR_COST_REQUEST || kind == ZR_COST_PART);
     assert_true(cost.window_bytes == 0.0);
 }
 
@@ -251,6 +258,50 @@ TEST(sample_is_near_the_truth)
         }
         scene_of_triangles(&test, WIDTH, HEIGHT, p, TEST_TRIANGLES_MAX);
         assert_true(fabs(count(ZR_COST_FRAGMENT) / truth - 1) < 0.25);
+    }
+}
+
+/* A polygon of 2000 corners over the window; its edges cross half of the rows. */
+TEST(corners_are_counted_in_a_trace)
+{
+    enum { CORNERS = 2000, SIDE = 64 };
+    static const struct zr_output trace = {.channel = ZR_CHANNEL_TRACE, .encoding = ZR_ENCODING_JSON};
+    static zr_vec4 p[CORNERS];
+    static uint32_t counted[CORNERS];
+    for (uint32_t i = 0; i < CORNERS; i++) { /* teeth */
+        p[i] = (zr_vec4){-1 + 2 * (float)i / CORNERS, i == 0 || i + 1 == CORNERS ? -1 : i % 2 ? 1 : -0.9f, 0, 1};
+        counted[i] = i;
+    }
+    scene_of_triangles(&test, SIDE, SIDE, p, 1);
+    test.mesh.position_count = CORNERS;
+    test.mesh.indices = counted;
+    test.face_offsets[1] = CORNERS;
+    assert_true(count(ZR_COST_TRACED_EDGE) == 0 && count(ZR_COST_TRACED_SHAPE) == 0);
+    test.scene.views[0].outputs = &trace;
+    test.scene.views[0].output_count = 1;
+    const struct zr_cost cost = scene_cost(&test.scene);
+    assert_near(cost.counts[ZR_COST_TRACED_EDGE], CORNERS * SIDE / 2);
+    assert_true(cost.counts[ZR_COST_TRACED_SHAPE] == cost.counts[ZR_COST_SHAPE_SAMPLE] / 2);
+    test.scene.algorithm = ZR_ALGORITHM_SCANLINE;
+    assert_true(count(ZR_COST_TRACED_SHAPE) == cost.counts[ZR_COST_SHAPE_SAMPLE]);
+    assert_near(count(ZR_COST_TRACED_EDGE), CORNERS * SIDE / 2 + 2.0 * cost.counts[ZR_COST_TRACED_PIXEL]);
+}
+
+/* 64 faces over half of the window: each two are compared, again after each cut, up to the bound of steps. */
+TEST(comparisons_are_counted_in_a_trace_of_the_painter)
+{
+    static const struct zr_output trace = {.channel = ZR_CHANNEL_TRACE, .encoding = ZR_ENCODING_JSON};
+    static zr_vec4 p[3 * 64];
+    for (int i = 0; i < 3 * 64; i++)
+        p[i] = half[i % 3];
+    for (int faces = 2; faces <= 64; faces *= 2) {
+        scene_of_triangles(&test, 64, 64, p, (uint32_t)faces);
+        test.scene.views[0].outputs = &trace;
+        test.scene.views[0].output_count = 1;
+        assert_true(count(ZR_COST_TRACED_COMPARISON) == 0);
+        test.scene.algorithm = ZR_ALGORITHM_PAINTER;
+        const double pairs = 0.5 * faces * faces;
+        assert_near(count(ZR_COST_TRACED_COMPARISON), 64 * 64 / 4 * fmin(pairs * fmax(faces / 6.0, 1.0), 20000));
     }
 }
 

@@ -288,6 +288,17 @@ TEST_AROUND(views_that_a_sheet_names_have_no_lens, open_arena, close_arena)
     assert_memory_equal(plain.entries[0].bytes, lens.entries[0].bytes, plain.entries[0].size);
 }
 
+TEST_AROUND(files_beside_the_info_of_a_sheet_stay_in_order, open_arena, close_arena)
+{
+#define BESIDE SCENE ", \"turntable\": {\"frames\": 2}, \"sheet\": \"views\", \"outputs\": [{\"channel\": \"color\"}, "
+    struct zr_views views;
+    const struct zr_files with = draw(BESIDE "{\"channel\": \"info\"}, {\"channel\": \"depth\"}]}", &views),
+                          without = draw(BESIDE "{\"channel\": \"depth\"}]}", &views);
+    assert_int_equal(with.count, without.count + 1);
+    assert_same(file_of(&with, "depth.npy"), file_of(&without, "depth.npy"), "depth.npy");
+#undef BESIDE
+}
+
 TEST_AROUND(info_of_a_sheet_has_all_boxes, open_arena, close_arena)
 {
     struct zr_views views;

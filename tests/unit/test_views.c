@@ -192,6 +192,53 @@ TEST_AROUND(frames_have_one_scale_and_show_everything, open_arena, close_arena)
     }
 }
 
+/* ---- parts ---- */
+
+/* The facts of each view. */
+struct seen {
+    uint32_t count, own, empty; /* views, those with facts of their own, those without info */
+    const struct zr_part_facts *first;
+};
+
+static enum zr_status see(void *context, const struct zr_drawn_view *view, struct zr_error *error)
+{
+    struct seen *seen = context;
+    const struct zr_part_facts *facts = view->frame->parts.facts;
+    (void)error;
+    if (seen->count++ == 0) seen->first = facts;
+    seen->own += facts && facts != seen->first;
+    seen->empty += !facts;
+    return ZR_OK;
+}
+
+/* Draws views with colours and info; returns their cost. */
+static struct zr_cost see_views(const char *keys, struct seen *seen)
+{
+    char text[2048];
+    struct zr_views views;
+    struct zr_error error;
+    snprintf(text, sizeof text, SCENE ", \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"info\"}], %s}", keys);
+    *seen = (struct seen){0};
+    if (read_views(NULL, request_of(text), &views, &error) != ZR_OK) fail_msg("%s: %s", keys, error.items[0].detail);
+    assert_int_equal(zr_views_draw_each(&arena, NULL, &views, NULL, (struct zr_views_taker){see, seen}, &error), ZR_OK);
+    return views.cost;
+}
+
+TEST_AROUND(parts_are_measured_once_for_all_views_that_share_them, open_arena, close_arena)
+{
+    enum { TRIANGLES = 5, PARTS = 2 };
+    struct seen seen;
+    struct zr_cost cost = see_views("\"turntable\": {\"frames\": 40}", &seen);
+    assert_true(seen.count == 40 && seen.first && seen.own == 0 && seen.empty == 0);
+    assert_true(cost.counts[ZR_COST_FACT] == TRIANGLES && cost.counts[ZR_COST_PART] == 40 * PARTS);
+    cost = see_views("\"turntable\": {\"frames\": 2}, \"sheet\": \"views\"", &seen);
+    assert_true(seen.count == 2 && seen.first && seen.empty == 1);
+    assert_true(cost.counts[ZR_COST_FACT] == TRIANGLES && cost.counts[ZR_COST_PART] == PARTS);
+    cost = see_views("\"views\": [{\"view\": {\"preset\": \"top\"}}, \"left\", {\"hide\": \"m\"}]", &seen);
+    assert_true(seen.count == 3 && seen.own == 1);
+    assert_true(cost.counts[ZR_COST_FACT] == 2 * TRIANGLES);
+}
+
 /* ---- threads and memory ---- */
 
 /* A view that does not fit into the share of a thread is drawn alone, so the number of threads decides nothing. */
@@ -266,7 +313,7 @@ TEST_AROUND(wrong_views_are_refused_before_any_is_drawn, open_arena, close_arena
         {"\"orbit\": {\"count\": 4096}, \"window\": {\"width\": 1024, \"height\": 1024}", "/orbit",
          "4294967296 pixels of images, more than the limit of 536870912"},
         {"\"sheet\": \"threeView\", \"window\": {\"width\": 30, \"height\": 30}", "/sheet", "have no room for 4 views"},
-        {"\"sheet\": {}, \"views\": [{\"window\": {\"width\": 9}}]", "/views/0/window", "have one size"},
+        {"\"sheet\": \"views\", \"views\": [{\"window\": {\"width\": 9}}]", "/views/0/window", "have one size"},
         {"\"views\": [\"front\", {\"window\": {\"width\": 9, \"height\": 9}}], \"outputs\": [{\"channel\": \"color\", "
          "\"encoding\": \"apng\"}]",
          "/views/1", "another size than view 0"},
