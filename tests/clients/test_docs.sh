@@ -26,6 +26,13 @@ python=${PYTHON:-/usr/bin/python3}
 unset ZRASTER_SERVER ZRASTER_TOKEN
 export ZRASTER_LIBRARY="$build/libzraster.so.0" PYTHONPATH="$root/clients/python"
 
+# Python, whose blocks later ones build on, cannot load a library with sanitizers.
+if grep -q __asan "$build/libzraster.so.0"; then
+    skip "the examples of the pages run" "the library has sanitizers"
+    verdicts
+    exit
+fi
+
 # ---- the folder of a page ----
 
 end_daemon() {
