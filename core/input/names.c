@@ -6,6 +6,7 @@
 
 #include "input/nearest.h"
 #include "input/text.h"
+#include "scene/algorithm.h"
 #include "scene/colormap.h"
 #include "scene/looks.h"
 #include "scene/mesh_up.h"
@@ -13,8 +14,10 @@
 #define WORD(ID, word, ...) word,
 static const char *const shadings[] = {ZR_SHADINGS(WORD)};
 #undef WORD
+#define WORD(ID, word) word,
+static const char *const algorithms[] = {ZR_ALGORITHMS(WORD)};
+#undef WORD
 static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
-static const char *const algorithms[] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
 static const char *const axes[] = {"y", "z"};
 static const char *const mesh_axes[] = {"x", "-x", "y", "-y", "z", "-z", "auto"};
 static const char *const colormaps[] = {"viridis", "turbo", "gray", "coolwarm"};

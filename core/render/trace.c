@@ -3,11 +3,15 @@
 #include <stdio.h>
 
 #include "geometry/build.h"
-#include "input/names.h"
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
 #include "render/pass.h"
 #include "render/stage.h"
+#include "scene/algorithm.h"
+
+#define WORD(ID, word) word,
+static const char *const words[] = {ZR_ALGORITHMS(WORD)};
+#undef WORD
 
 static bool make_samples(struct zr_arena *arena, const struct zr_window *window, struct zr_trace *trace,
                          struct zr_samples *samples)
@@ -84,7 +88,7 @@ enum zr_status zr_trace_make(struct zr_arena *arena, struct zr_arena *scratch, s
     STAGE(zr_primitives_make(scratch, geometry, &samples, cancel, &primitives));
     if (status == ZR_OK && primitives.count > ZR_TRACE_PRIMITIVES_MAX)
         return refuse_primitives(frame, primitives.count, error);
-    if (status == ZR_OK) zr_trace_open(trace, zr_algorithm_names.words[scene->algorithm], geometry, &primitives);
+    if (status == ZR_OK) zr_trace_open(trace, words[scene->algorithm], geometry, &primitives);
     STAGE(record(scratch, geometry, scene->algorithm, cancel, &samples));
     if (status == ZR_OK && trace->is_beyond) return refuse_steps(frame, trace, error);
     frame->trace = trace;

@@ -13,6 +13,7 @@
 #include <stdint.h>
 
 #include "base/vec.h"
+#include "scene/algorithm.h"
 #include "scene/channels.h"
 #include "scene/colormap.h"
 #include "scene/image.h"
@@ -246,16 +247,6 @@ struct zr_fog {
     bool is_on;
     zr_vec3 color;
     float near, far; /* 0 <= near < far */
-};
-
-/* Hidden-surface algorithms (raster/): all produce the same pixels. */
-enum zr_algorithm {
-    ZR_ALGORITHM_HALFSPACE, /* default: edge functions, tile by tile */
-    ZR_ALGORITHM_EDGELIST,
-    ZR_ALGORITHM_TRAPEZOID,
-    ZR_ALGORITHM_SCANLINE,
-    ZR_ALGORITHM_PAINTER,
-    ZR_ALGORITHM_COUNT
 };
 
 /* Compression of PNGs: fast, or smaller files for much more time (output/png.h). */
