@@ -126,7 +126,7 @@ TEST(masks_of_large_instances_stop)
     const struct zr_frame *frame;
     struct zr_answer answer;
     int cancelled = 0;
-    double took_ms = INFINITY; /* least of two: the first one also asks the system for its memory */
+    double took_ms = HUGE_VAL; /* least of two: the first one also asks the system for its memory */
     for (double share = -0.06; share < 0.75; share += 0.08) {
         zr_arena_init(&arena, (size_t)1 << 31);
         scene_of_triangles(&test, WINDOW, WINDOW, corners, 1);
