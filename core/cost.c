@@ -282,8 +282,8 @@ static double count_corners(const struct zr_scene *scene)
     return sum;
 }
 
-/* Edges cross half of the rows of their face. Scanline lists the faces between each two edges of a row, and looks twice
- * more at their corners. The painter compares each two faces, again after each cut. */
+/* Edges cross half of the rows of their face. Scanline lists the faces between each two edges of a row, and visits
+ * their corners twice as often. The painter compares each two faces, again after each cut. */
 static void count_trace(const struct zr_cost_sample *sample, double *counts)
 {
     const enum zr_algorithm algorithm = sample->scene->algorithm;

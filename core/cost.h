@@ -86,7 +86,7 @@ struct zr_cost_most {
 };
 struct zr_cost_most zr_cost_most(const struct zr_cost *cost);
 
-/* Removes what another view of the request has done. */
+/* Removes the work of a kind, which another view of the request does. */
 void zr_cost_remove(struct zr_cost *cost, enum zr_cost_kind kind);
 
 #endif

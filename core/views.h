@@ -60,7 +60,7 @@ struct zr_drawn_view {
     const char *name; /* of its files, without the channel */
     const struct zr_files *files;
     const struct zr_frame *frame;
-    size_t held_bytes; /* memory of the drawing until `take` returns, or, if that is more, of its largest views */
+    size_t held_bytes; /* memory of the request until `take` returns; of drawings, as predicted if that is more */
 };
 
 struct zr_views_taker {

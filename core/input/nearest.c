@@ -46,8 +46,8 @@ static size_t distance_of(const char *a, size_t a_count, const char *b, size_t b
     return last[b_count];
 }
 
-/* Returns the distance of a near word, or SIZE_MAX. Words that begin with the misspelt one are farther than all others.
- */
+/* Returns the distance of a near word, or SIZE_MAX. A word that continues the misspelt one by two letters or more is
+ * farther than all others. */
 static size_t nearness(const char *a, size_t a_count, const char *b, size_t b_count)
 {
     if (a_count >= BEGIN_MIN && a_count < b_count && memcmp(a, b, a_count) == 0)

@@ -6,7 +6,7 @@ enum {
     STEPS_A_CANCEL_CHECK = 1 << 12,
     STEPS_A_PAIR = 8,
     PROBE_FIRST = 64, /* every 64th leaf is searched first, for an early bound */
-    SMALL = 1 << 16,  /* bytes of a solid that gets a block of a few pages: the system clears no more of them */
+    SMALL = 1 << 16,  /* bytes; smaller solids get blocks of SMALL_UNIT, so that the system clears fewer pages */
     SMALL_UNIT = 1 << 12
 };
 

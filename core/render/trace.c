@@ -27,34 +27,34 @@ static bool make_samples(struct zr_arena *arena, const struct zr_window *window,
     return zr_arena_ok(arena);
 }
 
-/* Adds a fault at the output. */
-static enum zr_status refuse(const struct zr_frame *frame, struct zr_error *error, const char *reason)
+struct pointer {
+    char text[24];
+};
+
+static struct pointer pointer_of_output(const struct zr_frame *frame)
 {
-    char pointer[24];
+    struct pointer pointer;
     const struct zr_output *output = zr_view_output(frame->view, ZR_CHANNEL_TRACE);
-    snprintf(pointer, sizeof pointer, "/outputs/%u", (unsigned)(output - frame->view->outputs));
-    return zr_error_add(error, ZR_BAD_SCENE, pointer, "%s", reason);
+    snprintf(pointer.text, sizeof pointer.text, "/outputs/%u", (unsigned)(output - frame->view->outputs));
+    return pointer;
 }
 
 static enum zr_status refuse_primitives(const struct zr_frame *frame, uint32_t count, struct zr_error *error)
 {
-    char reason[160];
-    snprintf(reason, sizeof reason,
-             "the channel trace goes up to %d primitives in the window, and these are %u: faces, lines and points, and "
-             "pieces of clipped ones",
-             ZR_TRACE_PRIMITIVES_MAX, (unsigned)count);
-    return refuse(frame, error, reason);
+    return zr_error_add(error, ZR_BAD_SCENE, pointer_of_output(frame).text,
+                        "the channel trace goes up to %d primitives in the window, and these are %u: faces, lines and "
+                        "points, and pieces of clipped ones",
+                        ZR_TRACE_PRIMITIVES_MAX, (unsigned)count);
 }
 
 /* Names the bound that was passed. */
 static enum zr_status refuse_steps(const struct zr_frame *frame, const struct zr_trace *trace, struct zr_error *error)
 {
     const bool has_many_steps = trace->steps > ZR_TRACE_STEPS_MAX;
-    char reason[160];
-    snprintf(reason, sizeof reason,
-             "this scene takes more than %d %s, up to which the channel trace goes: show fewer or simpler faces",
-             has_many_steps ? ZR_TRACE_STEPS_MAX : ZR_TRACE_VALUES_MAX, has_many_steps ? "steps" : "values");
-    return refuse(frame, error, reason);
+    return zr_error_add(
+        error, ZR_BAD_SCENE, pointer_of_output(frame).text,
+        "this scene takes more than %d %s, up to which the channel trace goes: show fewer or simpler faces",
+        has_many_steps ? ZR_TRACE_STEPS_MAX : ZR_TRACE_VALUES_MAX, has_many_steps ? "steps" : "values");
 }
 
 /* Runs the algorithm. A trace that raised its own flag is beyond its bounds, or without memory. */

@@ -68,7 +68,7 @@ static enum zr_status add_frame(struct collecting *c, struct sink *sink, uint32_
     return zr_view_report(c->views, number, status, &fault, c->error);
 }
 
-/* Takes the files of a view out of its arena. They are those of its outputs: on a sheet, some have no info. */
+/* Takes the files of a view out of its arena. Views of a sheet without info have no file for its sink. */
 static enum zr_status take_files(struct collecting *c, const struct zr_drawn_view *view)
 {
     char name[ZR_VIEW_NAME_SIZE + 64];

@@ -10,7 +10,7 @@
 #include "views/still_camera.h"
 #include "views/view_scene.h"
 
-enum { SAMPLED = 16 }; /* views after the first, except those of a list, whose cost is predicted */
+enum { SAMPLED = 16 }; /* views whose cost is predicted, besides the first; all of a list */
 
 struct zr_views zr_views_of_kept(const struct zr_kept *kept)
 {

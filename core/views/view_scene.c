@@ -50,8 +50,8 @@ enum zr_status zr_view_report(const struct zr_views *views, uint32_t number, enu
     return status;
 }
 
-/* Views of a sheet need the pixels of their colours, which are encoded together later. The info is that of the first
- * one: the others have none if they are drawn without it. */
+/* Views of a sheet need the pixels of their colours, which are encoded together later. The sheet has the info of its
+ * first view; the others drop theirs if they have colours. */
 static void make_outputs_plain(struct zr_arena *arena, uint32_t number, struct zr_view *view)
 {
     const bool has_info = number == 0 || !zr_view_wants(view, ZR_CHANNEL_COLOR);
@@ -71,13 +71,13 @@ static void make_outputs_plain(struct zr_arena *arena, uint32_t number, struct z
 
 bool zr_view_shares_parts(const struct zr_view_set *set, uint32_t number)
 {
-    static const char *const others[] = {"view", "window", "background", "sections"}; /* change no part */
-    enum { COUNT = sizeof others / sizeof *others };
+    static const char *const harmless[] = {"view", "window", "background", "sections"}; /* change no part */
+    enum { COUNT = sizeof harmless / sizeof *harmless };
     if (zr_view_set_is_animation(set)) return false;
     if (set->kind != ZR_VIEW_SET_LIST || !set->items[number].keys) return true;
     for (const char *const *key = set->items[number].key_names; *key; key++) {
         int i = 0;
-        while (i < COUNT && strcmp(*key, others[i]) != 0)
+        while (i < COUNT && strcmp(*key, harmless[i]) != 0)
             i++;
         if (i == COUNT) return false;
     }

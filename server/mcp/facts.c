@@ -201,7 +201,7 @@ static void describe_box(struct mcp_text *text, const cJSON *box, const char *un
                    mcp_number_at(min, 1), mcp_number_at(max, 1), mcp_number_at(min, 2), mcp_number_at(max, 2));
 }
 
-/* Writes the numbers of shells, unless there is one alone, whose kind is told. */
+/* Writes the number of shells of each kind. A single shell is left out: it is closed or open as the part is. */
 static void describe_shells(struct mcp_text *text, const cJSON *shells)
 {
     static const char *const words[SHELL_KINDS][2] = {

@@ -1,5 +1,5 @@
-/* Bounds of the channel trace: what is beyond them is refused, and what reaches them is not. The steps themselves are
- * checked by tests/property/test_trace.c. */
+/* Bounds of the channel trace: a scene at a bound is drawn, and a scene beyond it is refused.
+ * tests/property/test_trace.c checks the steps themselves. */
 #include "raster/textbook/trace.h"
 
 #include <stdio.h>
@@ -40,7 +40,7 @@ static void assert_refused(enum zr_algorithm algorithm, const char *reason)
     if (!strstr(error.items[0].detail, reason)) fail_msg("%s", error.items[0].detail);
 }
 
-/* Large triangles, one in front of the other, of which the first `outside` are left of it. */
+/* Makes large triangles, one in front of the other. The first `outside` of them lie left of the window. */
 static void make_triangles(uint32_t count, uint32_t outside)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -52,7 +52,7 @@ static void make_triangles(uint32_t count, uint32_t outside)
     scene_of_triangles(&test, SIDE, SIDE, positions, count);
 }
 
-/* One polygon whose edges cross one another in all rows. */
+/* Makes one polygon whose edges cross one another in all rows. */
 static void make_tangle(void)
 {
     struct random random = random_seeded(5);
@@ -80,7 +80,7 @@ TEST_AROUND(sixty_five_primitives_are_refused_and_those_outside_do_not_count, op
     }
 }
 
-/* Sheets that cut one another are what takes most steps. */
+/* The painter takes most steps for triangles that cut one another. */
 TEST_AROUND(more_than_20000_steps_are_refused, open_arena, close_arena)
 {
     struct random random = random_seeded(3);

@@ -31,9 +31,8 @@ struct drawing {
 };
 
 /* Draws the spans xs[0] .. xs[1] - 1, xs[2] .. xs[3] - 1, and so on. */
-static void put_spans(const struct drawing *drawing, int32_t y, const int32_t *xs, size_t count)
+static void put_spans(const struct drawing *d, int32_t y, const int32_t *xs, size_t count)
 {
-    const struct drawing *d = drawing;
     if (d->samples->trace) zr_trace_spans(d->samples->trace, d->geometry, d->primitive, y, xs, count, d->samples);
     for (size_t i = 0; i + 1 < count; i += 2) {
         zr_primitive_hits(d->geometry, d->primitive, y, xs[i], xs[i + 1], d->hits);
@@ -72,6 +71,7 @@ static void find_span(const struct zr_setup *setup, const struct box *tile, enum
         span[1]++;
 }
 
+/* Records the edge functions, and opens the list of tiles. */
 static void trace_edges(struct zr_trace *trace, const struct zr_setup *setup)
 {
     zr_trace_begin(trace, "edges", '[');
@@ -81,6 +81,7 @@ static void trace_edges(struct zr_trace *trace, const struct zr_setup *setup)
     zr_trace_begin(trace, "tiles", '[');
 }
 
+/* Records a tile, and opens the list of its rows. */
 static void trace_tile(struct zr_trace *trace, const struct box *tile, enum relation relation)
 {
     static const char *const words[] = {[OUTSIDE] = "outside", [MIXED] = "mixed", [INSIDE] = "inside"};
@@ -160,13 +161,11 @@ static void flip_row(const struct drawing *drawing, int32_t y)
 
 static void draw_flipped(const struct drawing *drawing, int32_t y)
 {
+    const int32_t width = (int32_t)drawing->samples->width;
     size_t count = 0;
-    for (int32_t x = 0; x < (int32_t)drawing->samples->width; x++) {
-        const bool is_begin = drawing->flags[x] && (x == 0 || !drawing->flags[x - 1]),
-                   is_end = !drawing->flags[x] && x > 0 && drawing->flags[x - 1];
-        if (is_begin || is_end) drawing->xs[count++] = x;
-    }
-    if (count % 2 == 1) drawing->xs[count++] = (int32_t)drawing->samples->width;
+    for (int32_t x = 0; x < width; x++)
+        if (drawing->flags[x] != (x > 0 && drawing->flags[x - 1])) drawing->xs[count++] = x;
+    if (count % 2 == 1) drawing->xs[count++] = width;
     put_spans(drawing, y, drawing->xs, count);
 }
 
@@ -187,6 +186,7 @@ static void draw_by_flips(const struct drawing *drawing)
 
 /* ---- entry point ---- */
 
+/* Opens the step of a primitive. */
 static void trace_primitive(struct zr_trace *trace, const struct zr_primitive *p)
 {
     zr_trace_step(trace);

@@ -231,7 +231,7 @@ static bool push(struct painting *painting, uint32_t piece)
     return true;
 }
 
-/* Tries a piece in place of the last of the chain, which hides a part of it. */
+/* Puts a piece onto the chain. It has to be painted before the last one, which hides a part of it. */
 static bool try_first(struct painting *painting, uint32_t piece)
 {
     if (trace_of(painting)) {

@@ -16,7 +16,7 @@ struct zr_span {
 };
 
 struct zr_piece {
-    uint32_t id; /* 1 + primitive; of parts: the next number that no primitive and no part has */
+    uint32_t id; /* in a trace: 1 + primitive; halves of cut pieces are numbered on from there */
     uint32_t primitive;
     uint32_t first_span;
     uint32_t size; /* samples */

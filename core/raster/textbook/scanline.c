@@ -223,7 +223,7 @@ static uint32_t make_layers(struct sweep *sweep, int32_t y, int32_t begin, int32
 
 /* ---- trace ---- */
 
-/* Records the active edges from left to right, except those right of the window. */
+/* Records the active edges from left to right, except those right of the window, and opens the list of spans. */
 static void trace_edges(const struct sweep *sweep, int32_t y)
 {
     struct zr_trace *trace = sweep->samples->trace;

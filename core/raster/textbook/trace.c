@@ -223,5 +223,6 @@ int32_t *zr_trace_crossings(struct zr_trace *trace, size_t count)
     if (count <= trace->xs_room) return trace->xs;
     trace->xs = zr_arena_alloc(trace->arena, 2 * count, sizeof *trace->xs);
     trace->xs_room = trace->xs ? 2 * count : 0;
+    if (!trace->xs) stop(trace);
     return trace->xs;
 }

@@ -85,12 +85,12 @@ void zr_trace_close(struct zr_trace *trace);
 /* Returns the id of the primitive to which triangle `number` belongs; 0: none. */
 uint32_t zr_trace_id(const struct zr_trace *trace, uint32_t number);
 
-/* Records spans of a row, with their depths, before they are drawn to the z-buffer: xs[0] .. xs[1] - 1, xs[2] .. xs[3]
- * - 1, and so on, which must be covered by the primitive, in the window, and apart. */
+/* Records spans of a row with their depths and z-tests: xs[0] .. xs[1] - 1, xs[2] .. xs[3] - 1, and so on. They must
+ * not be drawn yet, and lie in the window, apart, and inside the primitive. */
 void zr_trace_spans(struct zr_trace *trace, const struct zr_geometry *geometry, const struct zr_primitive *primitive,
                     int32_t y, const int32_t *xs, size_t count, const struct zr_samples *samples);
 
-/* Returns room for crossings until the next call; NULL if memory ran out. */
+/* Returns room for `count` crossings, until the next call; NULL without memory. */
 int32_t *zr_trace_crossings(struct zr_trace *trace, size_t count);
 
 /* ---- halfspace ---- */
