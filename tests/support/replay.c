@@ -393,6 +393,7 @@ static const struct {
                {"scanline", play_scanline, false},
                {"painter", replay_painter, false},
                {"halfspace", play_halfspace, true}};
+enum { PLAYERS = sizeof players / sizeof *players };
 
 static void begin(const char *name, const cJSON *trace, struct replay *out)
 {
@@ -433,8 +434,9 @@ void replay_trace(const char *name, const char *json, struct replay *out)
     const cJSON *step;
     size_t player = 0;
     begin(name, trace, out);
-    while (player < 4 && strcmp(member(trace, "algorithm")->valuestring, players[player].name) != 0)
+    while (player < PLAYERS && strcmp(member(trace, "algorithm")->valuestring, players[player].name) != 0)
         player++;
+    CHECK(player < PLAYERS, "no such algorithm");
     cJSON_ArrayForEach(step, member(trace, "steps"))
     {
         players[player].step(step);

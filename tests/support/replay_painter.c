@@ -11,6 +11,10 @@ struct piece {
 };
 static struct piece pieces[PIECES];
 static int piece_end; /* 1 + the greatest number so far */
+static struct {
+    int p, q;
+    bool is_nearer;
+} compared; /* the last two */
 
 static struct piece *piece_of(int number)
 {
@@ -49,8 +53,8 @@ static void mark(const struct piece *piece, int marks[SIDE][SIDE], int by)
 
 static void play_compare(const cJSON *step)
 {
-    const struct piece *p = piece_of(whole_of(at(member(step, "compare"), 0))),
-                       *q = piece_of(whole_of(at(member(step, "compare"), 1)));
+    const int first = whole_of(at(member(step, "compare"), 0)), second = whole_of(at(member(step, "compare"), 1));
+    const struct piece *p = piece_of(first), *q = piece_of(second);
     const char *test = member(step, "test")->valuestring;
     const bool nearer = cJSON_IsTrue(member(step, "nearer")), farther = cJSON_IsTrue(member(step, "farther"));
     const bool is_apart = number_of(member(q->item, "far")) < number_of(member(p->item, "near"));
@@ -58,6 +62,28 @@ static void play_compare(const cJSON *step)
         p->box[0] <= q->box[2] && q->box[0] <= p->box[2] && p->box[1] <= q->box[3] && q->box[1] <= p->box[3];
     CHECK(strcmp(test, is_apart ? "depth" : boxes ? "pixels" : "box") == 0, "the test %s", test);
     CHECK(strcmp(test, "pixels") == 0 || (!nearer && !farther), "the test %s finds something", test);
+    compared.p = first;
+    compared.q = second;
+    compared.is_nearer = nearer;
+}
+
+/* A piece that is hidden in part goes first, or closes a cycle. */
+static void check_hidden(int by, int hidden)
+{
+    CHECK(compared.p == by && compared.q == hidden && compared.is_nearer, "%d does not hide %d", by, hidden);
+}
+
+static void play_swap(const cJSON *pair)
+{
+    check_hidden(whole_of(at(pair, 0)), whole_of(at(pair, 1)));
+}
+
+static void play_cycle(const cJSON *cycle)
+{
+    const cJSON *item;
+    check_hidden(whole_of(at(cycle, length(cycle) - 1)), whole_of(at(cycle, 0)));
+    cJSON_ArrayForEach(item, cycle) piece_of(whole_of(item));
+    replay_play.out->cycles++;
 }
 
 static void play_split(const cJSON *step)
@@ -98,8 +124,9 @@ void replay_painter(const cJSON *step)
 {
     const cJSON *item;
     double far = 2.0;
-    replay_play.out->cycles += has(step, "cycle");
     if (has(step, "compare")) play_compare(step);
+    if (has(step, "swap")) play_swap(member(step, "swap"));
+    if (has(step, "cycle")) play_cycle(member(step, "cycle"));
     if (has(step, "split")) play_split(step);
     if (has(step, "draw")) play_draw(whole(step, "draw"));
     if (!has(step, "order")) return;
