@@ -30,6 +30,7 @@ struct zr_views {
     struct zr_bounds bounds;        /* of the scene without changes */
     bool has_one_window;            /* all views have windows of the size */
     uint32_t width, height;
+    bool shares_parts;   /* the info of some view lists the parts of the scene as read */
     struct zr_cost cost; /* of all views; memory: of the largest */
 
     /* What they share; set by zr_views_draw. */

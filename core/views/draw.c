@@ -140,12 +140,12 @@ static enum zr_status make_tables(struct zr_arena *arena, struct zr_team *team, 
     return tables ? zr_mesh_tables_make(arena, team, views->scene, cancel, tables) : ZR_NO_MEMORY;
 }
 
-/* Measures the parts for all views that share them; frames of an animation do not. */
+/* Measures the parts for all views that share them. */
 static enum zr_status make_parts(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
                                  const struct zr_cancel *cancel)
 {
     views->known_parts = NULL;
-    if (zr_view_set_is_animation(views->set) || !zr_view_wants(&views->scene->views[0], ZR_CHANNEL_INFO)) return ZR_OK;
+    if (!views->shares_parts) return ZR_OK;
     struct zr_known_parts *parts = zr_arena_alloc(arena, 1, sizeof *parts);
     if (!parts) return ZR_NO_MEMORY;
     views->known_parts = parts;

@@ -65,7 +65,10 @@ static enum zr_status plan_view(struct zr_arena *scratch, struct zr_team *team, 
     status = zr_resolved_view_find(scratch, team, scene, cancel, &resolved, &faults);
     if (status != ZR_OK) return zr_view_report(views, number, status, &faults, error);
     struct zr_cost cost = zr_scene_cost(scene, resolved);
-    if (number > 0 && zr_view_shares_parts(views->set, number)) zr_cost_remove(&cost, ZR_COST_FACT);
+    if (zr_view_wants(view, ZR_CHANNEL_INFO) && zr_view_shares_parts(views->set, number)) {
+        if (views->shares_parts) zr_cost_remove(&cost, ZR_COST_FACT); /* part of an earlier view's cost */
+        views->shares_parts = true;
+    }
     add_cost(&views->cost, &cost, times);
     return ZR_OK;
 }
@@ -147,6 +150,7 @@ static enum zr_status plan(struct zr_arena *scratch, struct zr_team *team, struc
         set->kind == ZR_VIEW_SET_LIST || set->count <= SAMPLED ? 1 : (set->count + SAMPLED - 1) / SAMPLED;
     uint64_t pixels = 0;
     views->has_one_window = true;
+    views->shares_parts = false;
     views->bounds = zr_bounds_of(views->scene, team, cancel);
     enum zr_status status = check_names(views, scratch, error);
     if (status == ZR_OK) status = lay_out_sheet(views, error);

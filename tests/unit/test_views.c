@@ -237,6 +237,9 @@ TEST_AROUND(parts_are_measured_once_for_all_views_that_share_them, open_arena, c
     cost = see_views("\"views\": [{\"view\": {\"preset\": \"top\"}}, \"left\", {\"hide\": \"m\"}]", &seen);
     assert_true(seen.count == 3 && seen.own == 1);
     assert_true(cost.counts[ZR_COST_FACT] == 2 * TRIANGLES);
+    cost = see_views("\"views\": [{\"hide\": \"m\"}, \"left\", \"top\"]", &seen);
+    assert_true(seen.count == 3 && seen.own == 2);
+    assert_true(cost.counts[ZR_COST_FACT] == 2 * TRIANGLES);
 }
 
 /* ---- threads and memory ---- */
