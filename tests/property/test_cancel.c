@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "cancel_check.h"
+#include "render/trace.h"
 #include "scene/looks.h"
+#include "support/geometries.h"
 #include "support/random.h"
 #include "support/scenes.h"
 #include "support/tests.h"
@@ -158,6 +160,47 @@ TEST(masks_of_large_instances_stop)
         zr_arena_free(&arena);
     }
     assert_true(cancelled >= 4);
+}
+
+/* The trace of one polygon whose edges cross one another in all rows. */
+TEST(traces_stop)
+{
+    enum { CORNERS = 5000, WINDOW = 64 };
+    static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY},
+                                               {.channel = ZR_CHANNEL_TRACE, .encoding = ZR_ENCODING_JSON}};
+    static zr_vec4 corners[CORNERS];
+    static uint32_t indices[CORNERS];
+    struct random random = random_seeded(5);
+    for (uint32_t i = 0; i < CORNERS; i++) {
+        const float x = (float)random_range(&random, -0.95, 0.95), y = (float)random_range(&random, -0.95, 0.95);
+        corners[i] = (zr_vec4){x, y, 0.5f, 1};
+        indices[i] = i;
+    }
+    scene_of_triangles(&test, WINDOW, WINDOW, corners, 1);
+    test.mesh.position_count = CORNERS;
+    test.mesh.indices = indices;
+    test.face_offsets[1] = CORNERS;
+    test.scene.views[0].outputs = outputs;
+    for (int a = 0; a < ZR_ALGORITHM_COUNT; a++) {
+        struct zr_error error = {.count = 0};
+        const struct zr_frame *drawn;
+        zr_arena_init(&arena, (size_t)1 << 30);
+        test.scene.algorithm = (enum zr_algorithm)a;
+        test.scene.views[0].output_count = 1;
+        assert_int_equal(zr_render(&arena, NULL, &test.scene, NULL, NULL, &drawn, &error), ZR_OK);
+        test.scene.views[0].output_count = 2;
+        struct zr_frame frame = *drawn;
+        const double before = now_ms(CLOCK_THREAD_CPUTIME_ID);
+        assert_int_equal(zr_trace_make(&arena, &arena, NULL, &test.scene, NULL, &frame, &error), ZR_OK);
+        const double took_ms = now_ms(CLOCK_THREAD_CPUTIME_ID) - before;
+        print_message("%s: %.0f ms\n", algorithm_words[a], took_ms);
+        for (double share = 0.1; share < 0.6; share += 0.2) {
+            struct later later;
+            begin(&later, share * took_ms);
+            assert_ended_soon(&later, zr_trace_make(&arena, &arena, NULL, &test.scene, &later.cancel, &frame, &error));
+        }
+        zr_arena_free(&arena);
+    }
 }
 
 /* Stars of as many corners as one look at the flag is worth, and of fewer. */

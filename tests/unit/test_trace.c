@@ -22,19 +22,19 @@ static zr_vec4 positions[CORNERS];
 static uint32_t counted[CORNERS];
 
 /* Draws the trace beside another channel. */
-static enum zr_status draw(enum zr_algorithm algorithm, const struct zr_cancel *cancel, const struct zr_frame **frame)
+static enum zr_status draw(enum zr_algorithm algorithm, const struct zr_frame **frame)
 {
     error.count = 0;
     test.scene.algorithm = algorithm;
     test.scene.views[0].outputs = outputs;
     test.scene.views[0].output_count = 2;
-    return zr_render(&arena, NULL, &test.scene, NULL, cancel, frame, &error);
+    return zr_render(&arena, NULL, &test.scene, NULL, NULL, frame, &error);
 }
 
 static void assert_refused(enum zr_algorithm algorithm, const char *reason)
 {
     const struct zr_frame *frame;
-    assert_int_equal(draw(algorithm, NULL, &frame), ZR_BAD_SCENE);
+    assert_int_equal(draw(algorithm, &frame), ZR_BAD_SCENE);
     assert_int_equal(error.count, 1);
     assert_string_equal(error.items[0].pointer, "/outputs/1");
     if (!strstr(error.items[0].detail, reason)) fail_msg("%s", error.items[0].detail);
@@ -74,7 +74,7 @@ TEST_AROUND(sixty_five_primitives_are_refused_and_those_outside_do_not_count, op
         make_triangles(65, 0);
         assert_refused((enum zr_algorithm)a, "up to 64 primitives in the window, and these are 65");
         make_triangles(80, 16);
-        assert_int_equal(draw((enum zr_algorithm)a, NULL, &frame), ZR_OK);
+        assert_int_equal(draw((enum zr_algorithm)a, &frame), ZR_OK);
         assert_int_equal(frame->trace->primitive_count, 64);
         zr_arena_reset(&arena, 1 << 28);
     }
@@ -107,16 +107,6 @@ TEST_AROUND(more_values_than_the_bound_are_refused, open_arena, close_arena)
 {
     make_tangle();
     assert_refused(ZR_ALGORITHM_TRAPEZOID, "more than 1048576 values,");
-}
-
-TEST_AROUND(a_trace_stops, open_arena, close_arena)
-{
-    const struct zr_frame *frame;
-    struct zr_cancel cancel = {.parent = NULL};
-    make_triangles(3, 0);
-    atomic_store(&cancel.raised, true);
-    for (int a = 0; a < ZR_ALGORITHM_COUNT; a++)
-        assert_int_equal(draw((enum zr_algorithm)a, &cancel, &frame), ZR_CANCELLED);
 }
 
 RUN_TESTS(NULL, NULL)
