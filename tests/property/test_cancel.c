@@ -169,17 +169,12 @@ TEST(traces_stop)
     static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY},
                                                {.channel = ZR_CHANNEL_TRACE, .encoding = ZR_ENCODING_JSON}};
     static zr_vec4 corners[CORNERS];
-    static uint32_t indices[CORNERS];
     struct random random = random_seeded(5);
     for (uint32_t i = 0; i < CORNERS; i++) {
         const float x = (float)random_range(&random, -0.95, 0.95), y = (float)random_range(&random, -0.95, 0.95);
         corners[i] = (zr_vec4){x, y, 0.5f, 1};
-        indices[i] = i;
     }
-    scene_of_triangles(&test, WINDOW, WINDOW, corners, 1);
-    test.mesh.position_count = CORNERS;
-    test.mesh.indices = indices;
-    test.face_offsets[1] = CORNERS;
+    scene_of_polygon(&test, WINDOW, WINDOW, corners, CORNERS);
     test.scene.views[0].outputs = outputs;
     for (int a = 0; a < ZR_ALGORITHM_COUNT; a++) {
         struct zr_error error = {.count = 0};

@@ -47,6 +47,16 @@ void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height
                                             .projection_matrix = zr_mat4_identity()};
 }
 
+void scene_of_polygon(struct test_scene *test, uint32_t width, uint32_t height, const zr_vec4 *positions,
+                      uint32_t corners)
+{
+    assert_true(corners <= 3 * TEST_TRIANGLES_MAX);
+    scene_of_triangles(test, width, height, positions, 1);
+    for (uint32_t i = 0; i < corners; i++)
+        test->indices[i] = i;
+    test->mesh.position_count = test->face_offsets[1] = corners;
+}
+
 const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene)
 {
     struct zr_error error = {.count = 0};

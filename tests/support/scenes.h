@@ -25,6 +25,10 @@ enum { TEST_TRIANGLES_MAX = 4096 };
 void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height, const zr_vec4 *positions,
                         uint32_t triangles);
 
+/* Makes a scene of one polygon, of up to 3 * TEST_TRIANGLES_MAX corners. */
+void scene_of_polygon(struct test_scene *test, uint32_t width, uint32_t height, const zr_vec4 *positions,
+                      uint32_t corners);
+
 /* Renders the scene; fails the running test on an error. */
 const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene);
 

@@ -267,15 +267,9 @@ TEST(corners_are_counted_in_a_trace)
     enum { CORNERS = 2000, SIDE = 64 };
     static const struct zr_output trace = {.channel = ZR_CHANNEL_TRACE, .encoding = ZR_ENCODING_JSON};
     static zr_vec4 p[CORNERS];
-    static uint32_t counted[CORNERS];
-    for (uint32_t i = 0; i < CORNERS; i++) { /* teeth */
+    for (uint32_t i = 0; i < CORNERS; i++) /* teeth */
         p[i] = (zr_vec4){-1 + 2 * (float)i / CORNERS, i == 0 || i + 1 == CORNERS ? -1 : i % 2 ? 1 : -0.9f, 0, 1};
-        counted[i] = i;
-    }
-    scene_of_triangles(&test, SIDE, SIDE, p, 1);
-    test.mesh.position_count = CORNERS;
-    test.mesh.indices = counted;
-    test.face_offsets[1] = CORNERS;
+    scene_of_polygon(&test, SIDE, SIDE, p, CORNERS);
     assert_true(count(ZR_COST_TRACED_EDGE) == 0 && count(ZR_COST_TRACED_SHAPE) == 0);
     test.scene.views[0].outputs = &trace;
     test.scene.views[0].output_count = 1;
