@@ -47,7 +47,7 @@ static size_t skip_byte_order_mark(struct zr_request *request)
     return mark;
 }
 
-/* Counts the places of faults from `skipped` bytes earlier on. */
+/* Moves the places of faults behind `skipped` bytes. */
 static void count_skipped(struct zr_error *error, size_t skipped)
 {
     for (size_t i = 0; i < zr_error_held(error); i++)

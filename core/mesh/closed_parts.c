@@ -197,7 +197,6 @@ static bool make_rooms(struct zr_arena *arena, const struct zr_mesh *mesh, uint3
     rooms->forest.parents = (_Atomic uint32_t *)(void *)(rooms->ends + positions + 1);
     rooms->forest.is_open = (atomic_uchar *)(void *)(rooms->forest.parents + faces);
     rooms->closed = rooms->forest.is_open + faces;
-    if (has_shells) zr_shell_forest_clear(&rooms->forest);
     for (uint32_t p = 0; p < parts; p++)
         atomic_init(&rooms->closed[p], 0);
     return true;
@@ -213,6 +212,7 @@ bool zr_closed_parts_find(struct zr_arena *arena, struct zr_team *team, const st
     const struct zr_mesh_extent extent = zr_mesh_extent_of(team, mesh);
     struct rooms rooms;
     if (!make_rooms(arena, mesh, parts, shells, &extent, &rooms)) return false;
+    if (shells) zr_shell_forest_clear(&rooms.forest, cancel);
     const struct zr_weld_input input = zr_weld_input_make(team, mesh, &extent, rooms.positions);
     struct finding f = {.cancel = cancel,
                         .mesh = mesh,

@@ -315,7 +315,7 @@ static float clamped(double value)
     return value > 0.0 ? value < 1.0 ? (float)value : 1.0f : 0.0f;
 }
 
-/* A part with a lost face has open shells alone. */
+/* All shells of a part with a lost face are open. */
 static struct zr_shells shells_of(const struct zr_shells *found, bool is_lost)
 {
     if (!is_lost) return *found;

@@ -11,9 +11,10 @@ enum { FACES_A_CANCEL_CHECK = 1 << 14 };
 
 /* ---- the forest ---- */
 
-void zr_shell_forest_clear(const struct zr_shell_forest *forest)
+void zr_shell_forest_clear(const struct zr_shell_forest *forest, const struct zr_cancel *cancel)
 {
     for (uint32_t face = 0; face < forest->mesh->face_count; face++) {
+        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         atomic_init(&forest->parents[face], UINT32_MAX);
         atomic_init(&forest->is_open[face], 0);
     }
@@ -60,7 +61,7 @@ static bool is_open(const struct zr_shell_forest *forest, uint32_t shell)
     return atomic_load_explicit(&forest->is_open[shell], memory_order_relaxed);
 }
 
-/* Makes each face a child of its root, which learns whether the shell is open. */
+/* Makes each face a child of its root, marks the roots of open shells, and clears the sums. */
 static bool find_roots(const struct zr_shell_forest *forest, const struct zr_cancel *cancel, double *volumes)
 {
     for (uint32_t face = 0; face < forest->mesh->face_count; face++) {
@@ -74,12 +75,18 @@ static bool find_roots(const struct zr_shell_forest *forest, const struct zr_can
     return true;
 }
 
-/* Adds the pyramid over a face to six volumes of its shell, and the doubled area. The apex is the shell's first corner.
- */
+/* Returns the first corner of a shell, as that of an empty ring. */
+static struct zr_ring_area apex_of(const struct zr_mesh *mesh, uint32_t shell)
+{
+    const uint32_t corner = mesh->face_offsets[shell];
+    return zr_ring_area_of(mesh, corner, corner);
+}
+
+/* Adds six times the volume of the pyramid over a face, and twice the face's area, to the sums of its shell. */
 static void add_face(const struct zr_mesh *mesh, uint32_t face, uint32_t shell, double sums[2])
 {
     const struct zr_rings rings = zr_mesh_rings(mesh, face);
-    const struct zr_ring_area apex = zr_ring_area_of(mesh, mesh->face_offsets[shell], mesh->face_offsets[shell]);
+    const struct zr_ring_area apex = apex_of(mesh, shell);
     const bool is_cap = zr_mesh_face_is_cap(mesh, face);
     struct zr_ring_area first = apex;
     for (uint32_t r = 0; r < rings.count; r++) {
@@ -94,10 +101,10 @@ static void add_face(const struct zr_mesh *mesh, uint32_t face, uint32_t shell, 
     }
 }
 
-/* Returns true if coordinates that were rounded can make six such volumes. `area` is doubled. */
+/* Returns true if rounded coordinates alone can make such a volume. `volume` is six times the shell's, `area` twice. */
 static bool is_flat(const struct zr_mesh *mesh, uint32_t shell, double volume, double area)
 {
-    const struct zr_ring_area apex = zr_ring_area_of(mesh, mesh->face_offsets[shell], mesh->face_offsets[shell]);
+    const struct zr_ring_area apex = apex_of(mesh, shell);
     const double reach = fmax(fmax(fabs(apex.first[0]), fabs(apex.first[1])), fabs(apex.first[2])) + sqrt(area);
     return fabs(volume) <= area * reach * PRECISION;
 }
@@ -106,7 +113,6 @@ void zr_shells_count(const struct zr_shell_forest *forest, const struct zr_cance
                      struct zr_shells *shells)
 {
     const struct zr_mesh *mesh = forest->mesh;
-    memset(shells, 0, zr_mesh_part_count(mesh) * sizeof *shells);
     if (!find_roots(forest, cancel, volumes)) return;
     for (uint32_t face = 0; face < mesh->face_count; face++) {
         const uint32_t shell = shell_of(forest, face);
@@ -114,6 +120,7 @@ void zr_shells_count(const struct zr_shell_forest *forest, const struct zr_cance
         if (shell != UINT32_MAX && !is_open(forest, shell)) add_face(mesh, face, shell, volumes + 2 * (size_t)shell);
     }
     for (uint32_t face = 0; face < mesh->face_count; face++) {
+        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         if (shell_of(forest, face) != face) continue;
         struct zr_shells *part = &shells[mesh->face_parts ? mesh->face_parts[face] : 0];
         const double volume = volumes[2 * (size_t)face], area = volumes[2 * (size_t)face + 1];

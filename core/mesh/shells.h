@@ -25,8 +25,8 @@ struct zr_shell_forest {
     atomic_uchar *is_open;     /* of a shell, at any of its faces */
 };
 
-/* Puts all faces into no shell. */
-void zr_shell_forest_clear(const struct zr_shell_forest *forest);
+/* Puts all faces into no shell. If cancelled, returns early with undefined values. */
+void zr_shell_forest_clear(const struct zr_shell_forest *forest, const struct zr_cancel *cancel);
 
 /* Makes a shell of a face that is in none. */
 static inline void zr_shell_forest_plant(const struct zr_shell_forest *forest, uint32_t face)
@@ -38,8 +38,8 @@ static inline void zr_shell_forest_plant(const struct zr_shell_forest *forest, u
 /* Joins the shells of two faces. Thread-safe. */
 void zr_shell_forest_join(const struct zr_shell_forest *forest, uint32_t a, uint32_t b);
 
-/* Counts the shells of each part, when all are joined. `volumes` has room for two numbers per face. If cancelled,
- * returns early with undefined values. */
+/* Adds the shells of each part to `shells`, when all are joined. `volumes` has room for two numbers per face. If
+ * cancelled, returns early with undefined values. */
 void zr_shells_count(const struct zr_shell_forest *forest, const struct zr_cancel *cancel, double *volumes,
                      struct zr_shells *shells);
 

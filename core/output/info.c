@@ -207,7 +207,7 @@ static void print_box(struct zr_print *print, const char *key, zr_vec3 min, zr_v
     zr_print_end(print, '}');
 }
 
-/* A flat shell has no inside, and is outward. */
+/* A flat shell has no inside. It counts as outward. */
 static void print_shells(struct zr_print *print, const struct zr_shells *shells)
 {
     zr_print_begin(print, "shells", '{');
