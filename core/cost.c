@@ -268,7 +268,7 @@ static double traced_pixels(const struct zr_cost_sample *sample)
     return (has_depths ? 1.0 : 0.2) * fmin(sample->scale * (sample->fragments + sample->line_fragments), most);
 }
 
-/* Pixels times corners that a trace looks at before it is beyond its bounds. */
+/* Most pixels times corners that a trace visits before it is beyond its bounds. */
 #define TRACED_SHAPES_MAX 1e8
 
 /* Returns the corners of all faces and lines. */

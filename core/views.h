@@ -33,7 +33,7 @@ struct zr_views {
     bool shares_parts;   /* the info of some view lists the parts of the scene as read */
     struct zr_cost cost; /* of all views; memory: of the largest */
 
-    /* What they share; set by zr_views_draw. */
+    /* Shared by the views; set by zr_views_draw_each. */
     const struct zr_mesh_tables *tables;
     const struct zr_known_parts *known_parts; /* NULL: none */
 

@@ -241,7 +241,7 @@ bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, con
 
 bool zr_json_whole(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    const bool has_range = field && field->high > field->low; /* for a report here; callers check numbers that fit */
+    const bool has_range = field && field->high > field->low; /* for the message; callers check it */
     double value;
     if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &value)) return false;
     if (!(value >= 0 && value <= UINT32_MAX))

@@ -324,7 +324,7 @@ struct zr_scene {
     const struct zr_flow *flow;               /* target of the channel flow; NULL: the scene's own view */
     const struct zr_mesh_tables *tables;      /* shared by several views; NULL: none */
     const struct zr_known_parts *known_parts; /* likewise; NULL: none */
-    bool has_box; /* box_min and box_max are the bounds (zr_bounds_of, scene/camera.h), which a reader needed */
+    bool has_box; /* a reader has found the bounds, box_min and box_max; zr_bounds_of (scene/camera.h) returns them */
     zr_vec3 box_min, box_max;
     const struct zr_base *base; /* NULL: none */
     uint32_t image_count;

@@ -1,8 +1,7 @@
 /* replay.h - support: plays back a channel trace from its JSON alone.
  *
  * Crossings, coverage and edge functions are computed again from the edges of the primitives; z-tests, stepped edges,
- * intervals and pieces are repeated step by step. Each step must say what this gives. The running test fails where one
- * does not.
+ * intervals and pieces are repeated step by step. The running test fails at the first step that differs.
  */
 #ifndef ZR_TEST_REPLAY_H
 #define ZR_TEST_REPLAY_H

@@ -1,4 +1,4 @@
-/* replay_parts.h - support: what the players of a trace share (replay.h). */
+/* replay_parts.h - support: state and helpers shared by the players of a trace (replay.h). */
 #ifndef ZR_TEST_REPLAY_PARTS_H
 #define ZR_TEST_REPLAY_PARTS_H
 
