@@ -445,7 +445,7 @@ class Http(unittest.TestCase):
         """Keys of a scene that an answer cannot follow are refused, with what to do instead"""
         square = {"vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0]]}
         for expected, scene in (
-            (["/scene/outputs/0/channel", "'depth'", "pick tells the depth"], {"outputs": [{"channel": "depth"}]}),
+            (["/scene/outputs/0/channel", "'depth'", "pick gives the depth"], {"outputs": [{"channel": "depth"}]}),
             (["/scene/outputs/1/channel", "'normals'", "shading"], {"outputs": [{"channel": "color"}, {"channel": "normals"}]}),
             (["/scene/outputs/0/channel", "'colour'"], {"outputs": [{"channel": "colour"}]}),
             (["/scene/outputs/0/quality", "png, jpeg or webp"], {"outputs": [{"channel": "color", "encoding": "jpeg", "quality": 9}]}),
@@ -513,7 +513,7 @@ class Http(unittest.TestCase):
                 self.assertIn(words, texts(result)[0])
 
     def test_model_in_a_scene(self):
-        """A scene names the model by {"asset": "model"}; without the argument, that is said"""
+        """A scene names the model by {"asset": "model"}; without the argument, the call is an error"""
         scene = {"meshes": [{"name": "a", "asset": "model"}, {"asset": "model"}]}
         volume = lambda host, **arguments: host.call("facts", **arguments)["structuredContent"]["volume"]
         for model in ({"text": BOX}, {"base64": base64.b64encode(BOX.encode()).decode()}):
@@ -542,7 +542,7 @@ class Http(unittest.TestCase):
         self.refused("pick", ["/scene/render: leave it out, or call facts"], model={"text": BOX}, scene={"render": False}, x=1, y=1)
 
     def test_no_file(self):
-        """An empty file, and an STL whose header counts too many triangles, are told"""
+        """An empty file, and an STL whose header counts too many triangles, are refused with the reason"""
         for model in ({"text": ""}, {"base64": ""}):
             self.refused("facts", ["/model: the file is empty"], model=model)
         facet = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
