@@ -497,7 +497,7 @@ class Http(unittest.TestCase):
         self.assertEqual(images(clear)[0][1], "image/webp")
 
     def test_many_parts(self):
-        """Of more than 1000 parts, sums are not known, but an open part among the first says that the model is open"""
+        """Of more than 1000 parts, sums are not known, but an open part among the first makes the model open"""
         shape = lambda i: f"o p{i}\nv {i} 0 0\nv {i}.8 0 0\nv {i} .8 0\nv {i} 0 .8\n"
         closed = lambda i: shape(i) + "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n"
         opened = lambda i: shape(i) + "f -4 -2 -3\n"
@@ -569,7 +569,7 @@ class Http(unittest.TestCase):
             self.assertFalse([line for line in lines if line.startswith("Image 9") or "\r" in line or "\x7f" in line], lines)
 
     def test_blank_views_of_a_sheet(self):
-        """Each view of a sheet says what it covers; the sheet is blank if all of its views are"""
+        """Each view of a sheet has its covered share; the sheet is blank if all of its views are"""
         away = {"name": "away", "view": {"eye": [0, 0, 90], "target": [0, 0, 100]}}
         result = self.call("render", model={"text": BOX}, sheet="views", views=[away, "front"])
         views = result["structuredContent"]["views"]
