@@ -548,12 +548,12 @@ $(BUILD)/zrasterd: $(server) $(BUILD)/libcore.a
 	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
 
 # The page and the examples as an array (server/site.h).
-$(BUILD)/server/site_files.c: server/page/build.sh $(wildcard server/page/*.* server/page/examples/*.* clients/examples/*.json)
+$(BUILD)/server/site_files.c: server/page/build.sh server/site.sh $(wildcard server/page/*.* server/page/examples/*.* clients/examples/*.json)
 	@mkdir -p $(@D)
 	$(Q)server/page/build.sh $@
 
 # The manual, likewise.
-$(BUILD)/server/manual_files.c: $(wildcard server/manual/*) server/page/index.html README.md CHANGELOG.md clients/python/README.md server/api/v1.md \
+$(BUILD)/server/manual_files.c: $(wildcard server/manual/*) server/site.sh server/page/index.html server/page/colors.css README.md CHANGELOG.md clients/python/README.md server/api/v1.md \
 		$(wildcard clients/docs/*.md clients/docs/*/*.md clients/docs/pictures/*.png clients/gallery/*.png)
 	@mkdir -p $(@D)
 	$(Q)server/manual/build.sh $@

@@ -189,8 +189,8 @@ static bool find_path(const struct search *search, const char *from, const char 
     return false;
 }
 
-/* True if the decoded name is an absolute path. */
-static bool is_far(const char *name)
+/* Returns true if the decoded name is an absolute path. */
+static bool decodes_to_absolute(const char *name)
 {
     char plain[PATH_MAX];
     decode(name, plain);
@@ -205,7 +205,7 @@ static void find(struct search *search, const char *from, const char *name)
     if (strlen(name) >= PATH_MAX || (given && !given->is_neighbour)) return;
     if (find_path(search, from, name, path))
         add_file(search, path, name);
-    else if (is_far(name))
+    else if (decodes_to_absolute(name))
         note(&search->outside, search->first_outside, name);
 }
 
@@ -265,7 +265,7 @@ static void search_all(struct search *search)
     warn(input, search->excess, search->first_excess, "beyond the limits of number or size");
 }
 
-/* Sets the folders; NULL where they cannot be resolved. close_search frees them. */
+/* Sets the folders; NULL if they cannot be resolved. close_search frees them. */
 static void open_search(struct search *search, const char *path, const char *root)
 {
     search->folder = strcmp(path, "-") == 0 ? realpath(root, NULL) : folder_of(path);
@@ -306,7 +306,7 @@ bool neighbours_explain(const struct input *input, const char *root, const char 
     const bool is_found = search.folder && search.root && find_path(&search, "", name, path);
     if (is_found) real = realpath(path, NULL);
     const char *of = is_pipe ? "folder " : "folder of ", *whose = is_pipe ? root : input->path;
-    const bool is_outside = is_found ? real && !is_below(&search, real) : is_far(name);
+    const bool is_outside = is_found ? real && !is_below(&search, real) : decodes_to_absolute(name);
     close_search(&search);
     free(real);
     if (is_outside) return bytes_print(out, "; its file is outside of the %s%s or --root", of, whose);

@@ -35,7 +35,7 @@ void values_print_json(const struct values *values, const cJSON *value);
 /* Writes the path of an object in a scene: "/view/fit", "/lights/N"; "" of the scene. False: there is none. */
 bool values_path(const cJSON *all, const char *name, char path[VALUES_PATH_SIZE]);
 
-/* Returns the number of keys, of all objects, that have an object or a list of it as value. */
+/* Returns the number of keys, of all objects, whose value is the object or a list of it. */
 int values_places(const cJSON *all, const char *name);
 
 #endif

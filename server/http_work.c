@@ -71,8 +71,8 @@ static void wake_reader(void *context)
     report(context, false, false);
 }
 
-/* While work waits for the reader, its time stands still, and its memory counts as that of answers: from before another
- * work takes its place until it is back. */
+/* While work waits for the reader, its clock stops, and its memory counts as that of answers. The memory is added
+ * before another work can take the place, and subtracted once the place is taken back. */
 static void wait_for_reader(void *context, bool begins)
 {
     struct exchange *exchange = context;

@@ -237,7 +237,7 @@ static enum zr_status predict(struct rendering *r, struct zr_views *views, const
                         most.words);
 }
 
-/* Several files stay as they are if they are sent in parts. */
+/* Joins several files into an archive, unless the answer has them as parts. */
 static enum zr_status join_files(struct rendering *r, const struct zr_scene *scene, struct zr_answer *result,
                                  struct zr_error *error)
 {
@@ -314,7 +314,7 @@ static enum zr_status stream_several(struct rendering *r, struct zr_views *views
     if (r->busy) return ZR_CANCELLED;
     int64_t mark = clock_us();
     const enum zr_status status = zr_views_draw_each(r->arena, r->service->team, views, r->cancel, taker, error);
-    stream->held_bytes = r->arena->held; /* for what is written last */
+    stream->held_bytes = r->arena->held; /* while the end of the body waits */
     r->times->render_ms = ms_since(&mark) - (double)stream->waited_us / 1000.0;
     return status;
 }

@@ -66,7 +66,7 @@ struct request {
     const char *if_none_match, *accept, *accept_encoding;        /* NULL if not sent */
     const char *origin, *fetch_site;                             /* of browsers; NULL if not sent */
     struct mcp_headers mcp;                                      /* of POST /mcp */
-    enum accept_parts parts;                                     /* several files are sent in these */
+    enum accept_parts parts;                                     /* form of an answer of several files */
     struct stream *stream;                                       /* with parts, on a worker; else NULL */
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */

@@ -49,14 +49,14 @@ static char *decompress(const struct site_file *file)
 
 static void answer_site_file(const struct request *request, const struct site_file *file, struct answer *answer)
 {
-    const bool is_packed = file->plain_size > 0, is_gzip = is_packed && takes_gzip(request->accept_encoding);
+    const bool is_packed = file->plain_size > 0, unpacks = is_packed && !takes_gzip(request->accept_encoding);
     char tag[64];
-    snprintf(tag, sizeof tag, "\"%s%s\"", file->tag, is_packed && !is_gzip ? "-plain" : "");
+    snprintf(tag, sizeof tag, "\"%s%s\"", file->tag, unpacks ? "-plain" : "");
     const bool has_file = text_has_tag(request->if_none_match, tag);
     if (has_file) {
         answer->status = 304;
-        answer->size = is_gzip || !is_packed ? file->size : file->plain_size;
-    } else if (is_gzip || !is_packed) {
+        answer->size = unpacks ? file->plain_size : file->size;
+    } else if (!unpacks) {
         answer_copy(answer, file->type, file->bytes, file->size);
     } else {
         char *bytes = decompress(file);
@@ -67,15 +67,15 @@ static void answer_site_file(const struct request *request, const struct site_fi
         answer->status = 200;
         answer_body(answer, file->type, bytes, file->plain_size);
     }
-    if (is_gzip && !has_file) answer_header(answer, "Content-Encoding", "gzip");
+    if (is_packed && !unpacks && !has_file) answer_header(answer, "Content-Encoding", "gzip");
     answer_header(answer, "ETag", "%s", tag);
     answer_header(answer, "Cache-Control", "no-cache");
     if (is_packed) answer_header(answer, "Vary", "Accept-Encoding");
     answer_header(answer, "X-Content-Type-Options", "nosniff");
 }
 
-/* Answers 404 if the page and the manual are off. */
-static bool is_off(const struct service *service, struct answer *answer, const char *what)
+/* Answers 404 and returns true if the page and the manual are off. */
+static bool refuse_if_off(const struct service *service, struct answer *answer, const char *what)
 {
     if (strcmp(service->config->page, "off") != 0) return false;
     problem_answer(answer, 404, "the %s is off; start zrasterd with --page=on for it", what);
@@ -93,7 +93,7 @@ static void answer_policy(struct answer *answer, const char *policy)
 bool site_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
     (void)load;
-    if (is_off(service, answer, "page")) return false;
+    if (refuse_if_off(service, answer, "page")) return false;
     answer_site_file(request, &site_files[0], answer);
     answer_policy(answer, site_policy);
     return false;
@@ -103,7 +103,7 @@ bool manual_open(const struct service *service, const struct load *load, struct 
 {
     const size_t length = strlen(request->path);
     (void)load;
-    if (is_off(service, answer, "manual")) return false;
+    if (refuse_if_off(service, answer, "manual")) return false;
     if (length < sizeof MANUAL_PATH - 1) { /* relative, so that it also holds behind a proxy that adds a path */
         answer->status = 308;
         answer_header(answer, "Location", "%s", &MANUAL_PATH[1]);

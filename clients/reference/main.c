@@ -8,7 +8,7 @@
 #include "base/arena.h"
 #include "contract/parameters.h"
 #include "contract/schema.h"
-#include "tables.h"
+#include "lists.h"
 
 enum { MEMORY = 64 << 20, PAGES_MAX = 64, OBJECTS_MAX = 128, NAME_SIZE = 64, PATH_SIZE = 1024 };
 
@@ -58,10 +58,10 @@ static void print_directive(const struct tables *tables, const char *word, const
     static const struct {
         const char *word;
         void (*print)(const struct tables *);
-    } lists[] = {{"values", tables_print_values},     {"parameters", tables_print_parameters},
-                 {"index", tables_print_index},       {"channels", tables_print_channels},
-                 {"looks", tables_print_looks},       {"formats", tables_print_formats},
-                 {"commands", tables_print_commands}, {"options", tables_print_options}};
+    } lists[] = {{"values", tables_print_values},    {"parameters", tables_print_parameters},
+                 {"index", tables_print_index},      {"channels", lists_print_channels},
+                 {"looks", lists_print_looks},       {"formats", lists_print_formats},
+                 {"commands", lists_print_commands}, {"options", lists_print_options}};
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         if (strcmp(word, lists[i].word) == 0) {
             lists[i].print(tables);

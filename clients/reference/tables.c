@@ -1,66 +1,17 @@
 #include "tables.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "../command_rows.h"
 #include "contract/kinds.h"
 #include "contract/schema.h"
-#include "format_rows.h"
 #include "input/json_objects.h"
-#include "input/outputs.h"
 #include "input/parameters.h"
+#include "markdown.h"
 #include "parameter_rows.h"
-#include "scene/looks.h"
 
 /* CELL_WORDS: a longer value stands below its table; LIST_WORDS: a longer enumeration stands in a block. */
 enum { NAME_SIZE = 160, CELL_WORDS = 15, LIST_WORDS = 20, LINE_SIZE = 100 };
-
-/* ---- text ---- */
-
-/* Prints text for a cell: marks of Markdown have no effect. */
-static void put(FILE *out, const char *text)
-{
-    for (; *text; text++) {
-        if (strchr("|*<", *text)) fputc('\\', out);
-        fputc(*text, out);
-    }
-}
-
-/* Prints code for a cell, where only | has to be marked. */
-static void put_code(FILE *out, const char *code)
-{
-    fputc('`', out);
-    for (; *code; code++) {
-        if (*code == '|') fputc('\\', out);
-        fputc(*code, out);
-    }
-    fputc('`', out);
-}
-
-/* Prints a meaning from its row as a sentence. */
-static void put_sentence(FILE *out, const char *text)
-{
-    fputc(zr_schema_first_letter(text), out);
-    put(out, text + 1);
-    fputc('.', out);
-}
-
-static void put_lower(FILE *out, const char *text)
-{
-    for (; *text; text++)
-        fputc(tolower((unsigned char)*text), out);
-}
-
-static void put_anchor(FILE *out, const char *object, const char *key)
-{
-    fputs("<a id=\"", out);
-    put_lower(out, object);
-    fputs("-", out);
-    put_lower(out, key);
-    fputs("\"></a>", out);
-}
 
 static size_t count_words(const char *text)
 {
@@ -78,12 +29,8 @@ static void put_link(const struct values *values, const char *name)
     const struct tables *tables = (const struct tables *)values;
     char object[NAME_SIZE];
     snprintf(object, sizeof object, "%.*s", (int)strcspn(name, "/"), name);
-    const char *page = tables->page_of(object), *key = strrchr(name, '/');
-    fprintf(values->out, "[`%s`](%s.md#", key ? key + 1 : object, page ? page : "values");
-    put_lower(values->out, object);
-    if (key) fputc('-', values->out);
-    if (key) put_lower(values->out, key + 1);
-    fputc(')', values->out);
+    const char *page = tables->page_of(object), *slash = strrchr(name, '/'), *key = slash ? slash + 1 : NULL;
+    markdown_link(values->out, key ? key : object, page ? page : "values", object, key);
 }
 
 void tables_link(struct tables *tables)
@@ -163,7 +110,7 @@ static void put_default(const struct tables *tables, const struct zr_json_object
     } else if (value) {
         values_print_json(&tables->values, value);
     } else if (field->otherwise) {
-        put(out, field->otherwise);
+        markdown_text(out, field->otherwise);
     }
 }
 
@@ -181,8 +128,7 @@ static char *put_key(const struct tables *tables, const struct zr_json_object *o
     FILE *out = tables->values.out;
     char *value = describe(tables, object, field);
     const bool is_long = value && count_words(value) > CELL_WORDS;
-    fputs("| ", out);
-    put_anchor(out, object->name, field->key);
+    markdown_begin_row(out, object->name, field->key);
     fprintf(out, "`%s` | ", field->key);
     if (is_typed) put_types(out, object, field->of);
     if (is_typed) fputs(" | ", out);
@@ -190,9 +136,7 @@ static char *put_key(const struct tables *tables, const struct zr_json_object *o
     if (field->unit) fprintf(out, "; %s", field->unit);
     fputs(" | ", out);
     put_default(tables, object, field);
-    fputs(" | ", out);
-    put_sentence(out, meaning_of(field));
-    fputs(" |\n", out);
+    markdown_end_row(out, meaning_of(field));
     if (is_long) return value;
     free(value);
     return NULL;
@@ -260,7 +204,7 @@ void tables_print_values(const struct tables *tables)
         if (!schema) continue;
         fprintf(out, "%s## %s\n\n", i ? "\n" : "", zr_kind_name(i));
         if (*meaning) {
-            put(out, meaning);
+            markdown_text(out, meaning);
             fputs(list ? "\n\n" : "\n", out);
         }
         if (list) {
@@ -292,11 +236,7 @@ static void put_key_of(const struct tables *tables, const char *pointer)
         const struct zr_json_object *object = zr_schema_objects[i];
         for (size_t k = 0; k < object->count; k++) {
             if (&object->fields[k] != field) continue;
-            fprintf(out, "[`%s`](%s.md#", pointer, tables->page_of(object->name));
-            put_lower(out, object->name);
-            fputc('-', out);
-            put_lower(out, field->key);
-            fputc(')', out);
+            markdown_link(out, pointer, tables->page_of(object->name), object->name, field->key);
             return;
         }
     }
@@ -308,7 +248,7 @@ static void put_part(FILE *out, const char *text, size_t length)
 {
     char part[512];
     snprintf(part, sizeof part, "%.*s", (int)length, text);
-    put(out, part);
+    markdown_text(out, part);
 }
 
 /* Prints the two last cells of a row: the default that the meaning ends with, unless the schema has one, and the rest.
@@ -343,9 +283,8 @@ static void put_parameters(const struct tables *tables, bool is_of_models)
         const char *meaning = values_text(row, "description");
         if ((strstr(meaning, more) != NULL) != is_of_models) continue;
         if (!words) words = values_member(values_member(schema, "items"), "enum");
-        fprintf(out, "| <a id=\"");
-        put_lower(out, pointers[i].name);
-        fprintf(out, "\"></a>`%s` | ", pointers[i].name);
+        markdown_begin_row(out, pointers[i].name, NULL);
+        fprintf(out, "`%s` | ", pointers[i].name);
         if (cJSON_GetArraySize(words) > CELL_WORDS)
             fputs(strcmp(pointers[i].name, "look") == 0 ? "name of a [look](looks.md)"
                                                         : "names of [channels](output.md#channels)",
@@ -366,7 +305,7 @@ void tables_print_parameters(const struct tables *tables)
     put_parameters(tables, true);
 }
 
-/* ---- lists ---- */
+/* ---- all objects ---- */
 
 void tables_print_index(const struct tables *tables)
 {
@@ -381,123 +320,5 @@ void tables_print_index(const struct tables *tables)
             fprintf(out, " | `%s` |\n", path);
         else
             fputs(" | the whole |\n", out);
-    }
-}
-
-void tables_print_channels(const struct tables *tables)
-{
-    static const char *const values[] = {"4 bytes", "float32", "uint32", "–"};
-    FILE *out = tables->values.out;
-    fputs("| channel | values per pixel | encodings | spaces | meaning |\n|---|---|---|---|---|\n", out);
-    for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
-        const struct zr_channel_row *row = &zr_channel_rows[c];
-        fputs("| ", out);
-        put_anchor(out, "channel", row->name);
-        fprintf(out, "`%s` | ", row->name);
-        if (row->words > 1) fprintf(out, "%u × ", row->words);
-        fprintf(out, "%s | ", values[row->values]);
-        for (int i = 0; i < row->encoding_count; i++)
-            fprintf(out, "%s`%s`", i ? ", " : "", zr_encoding_names.words[row->encodings[i]]);
-        fputs(" | ", out);
-        for (int i = 0; i < row->space_count; i++)
-            fprintf(out, "%s`%s`", i ? ", " : "", zr_space_names.words[i]);
-        if (row->space_count == 0) fputs("–", out);
-        fputs(" | ", out);
-        put_sentence(out, row->text);
-        fputs(" |\n", out);
-    }
-}
-
-void tables_print_looks(const struct tables *tables)
-{
-    FILE *out = tables->values.out;
-    fputs("| look | versions | purpose |\n|---|---|---|\n", out);
-    for (int i = 0; i < zr_look_count;) {
-        const struct zr_look *look = &zr_looks[i];
-        fputs("| ", out);
-        put_anchor(out, "look", look->name);
-        fprintf(out, "`%s` | ", look->name);
-        for (int k = i; i < zr_look_count && strcmp(zr_looks[i].name, look->name) == 0; i++)
-            fprintf(out, "%s`%s`", i > k ? ", " : "", zr_look_pin_of(&zr_looks[i]).text);
-        fputs(" | ", out);
-        put_sentence(out, look->text);
-        fputs(" |\n", out);
-    }
-}
-
-/* ---- the command ---- */
-
-/* As in options.h. */
-#define ENDING(ID, ending, ...) " " ending
-#define OPTIONS_TYPES           ZR_FORMAT_ROWS(ENDING)
-
-void tables_print_commands(const struct tables *tables)
-{
-    static const struct {
-        const char *name, *arguments, *summary;
-    } rows[] = {
-#define ROW(name, letter, arguments, summary) {#name, arguments, summary},
-        COMMAND_ROWS(ROW)
-#undef ROW
-    };
-    FILE *out = tables->values.out;
-    fputs("| command | arguments | meaning |\n|---|---|---|\n", out);
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        fputs("| ", out);
-        put_anchor(out, "command", rows[i].name);
-        fprintf(out, "`%s` | ", rows[i].name);
-        if (*rows[i].arguments) put_code(out, rows[i].arguments);
-        fputs(" | ", out);
-        put_sentence(out, rows[i].summary);
-        fputs(" |\n", out);
-    }
-}
-
-void tables_print_options(const struct tables *tables)
-{
-    static const struct {
-        const char *name, *value, *help;
-        char letter;
-    } rows[] = {
-#define ROW(ID, name, letter, value, commands, help) {name, value, help, letter},
-        OPTION_ROWS(ROW)
-#undef ROW
-    };
-    FILE *out = tables->values.out;
-    fputs("| option | value | meaning |\n|---|---|---|\n", out);
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        fputs("| ", out);
-        put_anchor(out, "option", rows[i].name);
-        if (rows[i].letter) fprintf(out, "`-%c`, ", rows[i].letter);
-        fprintf(out, "`--%s` | ", rows[i].name);
-        if (rows[i].value) put_code(out, rows[i].value);
-        fputs(" | ", out);
-        put_sentence(out, rows[i].help);
-        fputs(" |\n", out);
-    }
-}
-
-void tables_print_formats(const struct tables *tables)
-{
-    static const struct {
-        const char *ending, *types, *text;
-        bool is_z_up;
-    } rows[] = {
-#define ROW(ID, ending, types, is_scene, is_binary, is_separate, is_z_up, text) {ending, types, text, is_z_up},
-        ZR_FORMAT_ROWS(ROW)
-#undef ROW
-    };
-    FILE *out = tables->values.out;
-    fputs("| ending | format | content types | up |\n|---|---|---|---|\n", out);
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        fprintf(out, "| `.%s` | ", rows[i].ending);
-        put_sentence(out, rows[i].text);
-        fputs(" | ", out);
-        for (const char *type = rows[i].types; *type;) {
-            const size_t length = strcspn(type, " ");
-            fprintf(out, "%s`%.*s`", type > rows[i].types ? ", " : "", (int)length, type);
-            type += length + (type[length] == ' ');
-        }
-        fprintf(out, " | %s |\n", rows[i].is_z_up ? "z" : "y");
     }
 }

@@ -20,16 +20,11 @@ struct tables {
 /* Makes values link to the pages of objects and kinds. */
 void tables_link(struct tables *tables);
 
-/* Print the table of one object's keys, of kinds of values, of the parameters of a query, of all objects, of channels,
- * of looks, of formats of models, and of commands and options of the client. False: there is no such object. */
+/* Print the table of one object's keys, of kinds of values, of the parameters of a query, and of all objects. False:
+ * there is no such object. */
 bool tables_print_object(const struct tables *tables, const char *name);
 void tables_print_values(const struct tables *tables);
 void tables_print_parameters(const struct tables *tables);
 void tables_print_index(const struct tables *tables);
-void tables_print_channels(const struct tables *tables);
-void tables_print_looks(const struct tables *tables);
-void tables_print_formats(const struct tables *tables);
-void tables_print_commands(const struct tables *tables);
-void tables_print_options(const struct tables *tables);
 
 #endif

@@ -27,5 +27,6 @@ LC_ALL=C awk -v list="$out/list" -v out="$out" -v pictures="$out/pictures" -f $h
 sed -n 's/^[^=|]*|\([^|]*\).*/\1/p' "$out/list" | while read -r address; do
     echo "$out/${address:-index}.html|$address|text/html; charset=utf-8"
 done
-echo "$here/manual.css|manual.css|text/css; charset=utf-8"
+cat server/page/colors.css $here/manual.css >"$out/manual.css"
+echo "$out/manual.css|manual.css|text/css; charset=utf-8"
 while IFS='|' read -r file address; do echo "$file|$address|image/png"; done <"$out/pictures"

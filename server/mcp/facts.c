@@ -152,7 +152,7 @@ void mcp_facts_add_views(cJSON *views, const struct mcp_shot *shot, unsigned num
     copy(view, picture, "blank");
 }
 
-/* Copies a warning. Each view of a sheet says whether it is blank, so the first one's warning of that is left out. */
+/* Copies a warning. Returns NULL for that of a blank first view of a sheet: each view has a key for it, `blank`. */
 static cJSON *copy_warning(const cJSON *warning, bool is_sheet)
 {
     static const char blank[] = "nothing is seen";
@@ -219,7 +219,7 @@ static void describe_shells(struct mcp_text *text, const cJSON *shells)
     }
 }
 
-/* Returns true if colours tell parts apart. */
+/* Returns true if parts differ in colour. */
 static bool have_colors(const cJSON *parts)
 {
     const cJSON *part, *first = mcp_get(cJSON_GetArrayItem(parts, 0), "color");

@@ -11,20 +11,20 @@
 /* OUTPUTS_BYTES: of a list that is read. */
 enum { OUTPUTS_BYTES = 64 << 10 };
 
-/* How a language model gets the values of a channel, which are no picture. */
+/* Channels that are not pictures, each with the call that gives its values. */
 static const char *const INSTEAD[][2] = {
-    {"depth", "pick tells the depth of a pixel"},
-    {"windowDepth", "pick tells the depth of a pixel"},
-    {"distance", "pick tells the point of a pixel"},
-    {"position", "pick tells the point of a pixel"},
-    {"thickness", "pick tells the points of all surfaces at a pixel"},
-    {"fragments", "pick tells all surfaces at a pixel"},
-    {"faceId", "pick tells part and face of a pixel"},
-    {"instanceId", "{\"parts\": {\"colors\": \"parts\"}} gives each part a colour, which parts tell"},
-    {"masks", "{\"parts\": {\"colors\": \"parts\"}} gives each part a colour, and parts count its pixels"},
+    {"depth", "pick gives the depth at a pixel"},
+    {"windowDepth", "pick gives the depth at a pixel"},
+    {"distance", "pick gives the point at a pixel"},
+    {"position", "pick gives the point at a pixel"},
+    {"thickness", "pick gives the points of all surfaces at a pixel"},
+    {"fragments", "pick lists all surfaces at a pixel"},
+    {"faceId", "pick gives the part and the face at a pixel"},
+    {"instanceId", "{\"parts\": {\"colors\": \"parts\"}} gives each part a colour, which the answer lists"},
+    {"masks", "{\"parts\": {\"colors\": \"parts\"}} gives each part a colour, and the answer counts its pixels"},
     {"normals", "{\"shading\": \"normals\"} in the scene draws them as colours"},
-    {"frontFacing", "pick tells the side of each surface at a pixel"},
-    {"layers", "{\"look\": \"xray\"} shows what is hidden, and pick counts the surfaces at a pixel"}};
+    {"frontFacing", "pick gives the side of each surface at a pixel"},
+    {"layers", "pick lists all surfaces at a pixel, and {\"look\": \"xray\"} draws hidden surfaces"}};
 
 static void refuse_channel(struct mcp_job *job, int number, const char *channel)
 {
@@ -33,7 +33,7 @@ static void refuse_channel(struct mcp_job *job, int number, const char *channel)
     snprintf(pointer, sizeof pointer, "/scene/outputs/%d/channel", number);
     for (size_t i = 0; i < sizeof INSTEAD / sizeof *INSTEAD; i++)
         if (strcmp(channel, INSTEAD[i][0]) == 0) instead = INSTEAD[i][1];
-    mcp_fault(&job->faults, pointer, "'%.40s' is no picture here, color is%s%s; POST /v1/render answers all channels",
+    mcp_fault(&job->faults, pointer, "render draws color, not '%.40s'%s%s; POST /v1/render answers all channels",
               channel, instead ? ": " : "", instead ? instead : "");
 }
 
@@ -63,7 +63,8 @@ static void check_outputs(struct mcp_job *job, const cJSON *outputs)
     const cJSON *output;
     int number = 0, pictures = 0;
     if (!cJSON_IsArray(outputs) || cJSON_GetArraySize(outputs) == 0) {
-        mcp_fault(&job->faults, "/scene/outputs", "leave it out: render draws the color, and tells the facts of info");
+        mcp_fault(&job->faults, "/scene/outputs",
+                  "leave it out: render draws color, and its answer has the facts of info");
         return;
     }
     cJSON_ArrayForEach(output, outputs)
@@ -76,7 +77,7 @@ static void check_outputs(struct mcp_job *job, const cJSON *outputs)
         else if (strcmp(channel->valuestring, "color") == 0 && pictures++ == 0)
             take_color(job, number, output);
         else if (strcmp(channel->valuestring, "color") == 0)
-            mcp_fault(&job->faults, pointer, "an answer has one picture of a view");
+            mcp_fault(&job->faults, pointer, "an answer has one picture per view");
         else if (strcmp(channel->valuestring, "info") != 0)
             refuse_channel(job, number, channel->valuestring);
         number++;
@@ -130,7 +131,7 @@ bool mcp_given_check(struct mcp_job *job)
         mcp_fault(&job->faults, "/annotate", "the scene has a sheet: give captions there, or a sheet here");
     if (visibility.at && *visibility.at == 't')
         mcp_fault(&job->faults, "/scene/visibility",
-                  "leave it out: parts of the answer count their visible pixels; POST /v1/render answers masks");
+                  "leave it out: the answer counts the visible pixels of each part; POST /v1/render answers masks");
     if (job->tool == MCP_RENDER && job->own[MCP_OWN_OUTPUTS].at) read_outputs(job, job->own[MCP_OWN_OUTPUTS]);
     return job->faults.count == 0;
 }

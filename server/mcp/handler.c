@@ -10,6 +10,7 @@
 #include "memory.h"
 #include "near.h"
 #include "tools.h"
+#include "tree.h"
 
 #define NAMESPACE "io.modelcontextprotocol/"
 
@@ -91,7 +92,7 @@ static void discover(struct exchange *exchange)
 static void initialize(struct exchange *exchange)
 {
     struct mcp_text *text = &exchange->reply->text;
-    const cJSON *asked = cJSON_GetObjectItemCaseSensitive(exchange->message.params, "protocolVersion");
+    const cJSON *asked = mcp_get(exchange->message.params, "protocolVersion");
     const bool is_old = cJSON_IsString(asked) && strcmp(asked->valuestring, LEGACY_OLD) == 0;
     begin_result(exchange);
     mcp_text_print(text,
@@ -168,8 +169,8 @@ static bool check_modern(struct exchange *exchange)
 {
     const struct mcp_message *message = &exchange->message;
     const struct mcp_headers *headers = exchange->headers;
-    const cJSON *version = cJSON_GetObjectItemCaseSensitive(message->meta, NAMESPACE "protocolVersion"),
-                *capabilities = cJSON_GetObjectItemCaseSensitive(message->meta, NAMESPACE "clientCapabilities");
+    const cJSON *version = mcp_get(message->meta, NAMESPACE "protocolVersion"),
+                *capabilities = mcp_get(message->meta, NAMESPACE "clientCapabilities");
     if (!cJSON_IsString(version)) {
         refuse(exchange, MCP_WRONG_PARAMS, 400, "params._meta has no " NAMESPACE "protocolVersion", NULL);
         return false;

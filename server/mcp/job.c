@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "faults.h"
+#include "tree.h"
 
 /* Arguments of each tool. */
 #define OF_ALL      "model", "scene", "up"
@@ -13,17 +14,23 @@ static const char *const ARGUMENTS[MCP_TOOLS][16] = {
     [MCP_RENDER] = {OF_PICTURES, "format"}, [MCP_FACTS] = {OF_ALL}, [MCP_PICK] = {OF_PICTURES, "image", "x", "y"}};
 static const char *const PARTS[] = {"hide", "isolate", "ghost", "highlight", "explode", "colors", NULL};
 
-static const char *const OWN[MCP_OWN_COUNT] = {[MCP_OWN_LOOK] = "look",           [MCP_OWN_UP] = "up",
-                                               [MCP_OWN_VIEW] = "view",           [MCP_OWN_MESHES] = "meshes",
-                                               [MCP_OWN_OUTPUTS] = "outputs",     [MCP_OWN_VISIBILITY] = "visibility",
-                                               [MCP_OWN_RENDER] = "render",       [MCP_OWN_WINDOW] = "window",
-                                               [MCP_OWN_VIEWS] = "views",         [MCP_OWN_SHEET] = "sheet",
-                                               [MCP_OWN_TURNTABLE] = "turntable", [MCP_OWN_ORBIT] = "orbit",
+static const char *const OWN[MCP_OWN_COUNT] = {[MCP_OWN_MESHES] = "meshes",
+                                               [MCP_OWN_LOOK] = "look",
+                                               [MCP_OWN_UP] = "up",
+                                               [MCP_OWN_OUTPUTS] = "outputs",
+                                               [MCP_OWN_VISIBILITY] = "visibility",
+                                               [MCP_OWN_RENDER] = "render",
+                                               [MCP_OWN_WINDOW] = "window",
+                                               [MCP_OWN_VIEW] = "view",
+                                               [MCP_OWN_VIEWS] = "views",
+                                               [MCP_OWN_SHEET] = "sheet",
+                                               [MCP_OWN_TURNTABLE] = "turntable",
+                                               [MCP_OWN_ORBIT] = "orbit",
                                                [MCP_OWN_ANIMATE] = "animate"};
 
 const cJSON *mcp_job_argument(const struct mcp_job *job, const char *name)
 {
-    return cJSON_GetObjectItemCaseSensitive(job->message->arguments, name);
+    return mcp_get(job->message->arguments, name);
 }
 
 static bool is_in(const char *const *list, const char *word)
@@ -122,8 +129,8 @@ static void read_views(struct mcp_job *job)
 {
     const cJSON *views = mcp_job_argument(job, "views"), *sheet = mcp_job_argument(job, "sheet");
     job->has_own_views = !views && !job->is_bare;
-    for (int i = MCP_OWN_VIEWS; i < MCP_OWN_COUNT && !views; i++)
-        job->has_own_views = job->has_own_views || job->own[i].at || job->own[MCP_OWN_VIEW].at;
+    for (int i = MCP_OWN_VIEW; i < MCP_OWN_COUNT && !views; i++)
+        job->has_own_views = job->has_own_views || job->own[i].at;
     if (views && (!cJSON_IsArray(views) || cJSON_GetArraySize(views) == 0)) {
         mcp_fault(&job->faults, "/views", "a list is expected, such as [\"front\", \"isometric\"]");
         return;
@@ -149,8 +156,7 @@ static void keep_window(struct mcp_job *job, unsigned *width, unsigned *height)
 {
     const struct mcp_span own = job->own[MCP_OWN_WINDOW];
     cJSON *window = own.at ? cJSON_ParseWithLength(own.at, (size_t)(own.end - own.at)) : NULL;
-    const cJSON *w = cJSON_GetObjectItemCaseSensitive(window, "width"),
-                *h = cJSON_GetObjectItemCaseSensitive(window, "height");
+    const cJSON *w = mcp_get(window, "width"), *h = mcp_get(window, "height");
     const double wide = w ? w->valuedouble : 640, high = h ? h->valuedouble : 480, larger = wide > high ? wide : high;
     if (window && wide >= 1 && high >= 1 && larger <= 1e6) {
         job->is_resized = larger > MCP_SIDE_MAX;
@@ -222,7 +228,7 @@ void mcp_job_point(const struct mcp_job *job, char pointer[MCP_POINTER_SIZE])
     const size_t length = strcspn(pointer + 1, "/");
     char key[64];
     snprintf(key, sizeof key, "%.*s", (int)(length < 60 ? length : 60), pointer + 1);
-    if (cJSON_GetObjectItemCaseSensitive(mcp_job_argument(job, "parts"), key))
+    if (mcp_get(mcp_job_argument(job, "parts"), key))
         replace(pointer, 0, "/parts");
     else if (strcmp(key, "window") == 0)
         replace(pointer, length + 1, "");

@@ -10,17 +10,17 @@ enum { MCP_IMAGES_MAX = 8, MCP_SIDE_MIN = 16, MCP_SIDE_MAX = 1568 };
 
 enum mcp_tool { MCP_RENDER, MCP_FACTS, MCP_PICK, MCP_TOOLS };
 
-/* Keys of a given scene that decide about its pictures and its model. Those from MCP_OWN_TURNTABLE on make several
- * views. */
+/* Keys of a given scene that decide about its pictures and its model. Those from MCP_OWN_VIEW on choose its views;
+ * those from MCP_OWN_TURNTABLE on make several. */
 enum mcp_own {
     MCP_OWN_MESHES,
     MCP_OWN_LOOK,
     MCP_OWN_UP,
-    MCP_OWN_VIEW,
     MCP_OWN_OUTPUTS,
     MCP_OWN_VISIBILITY,
     MCP_OWN_RENDER,
     MCP_OWN_WINDOW,
+    MCP_OWN_VIEW,
     MCP_OWN_VIEWS,
     MCP_OWN_SHEET,
     MCP_OWN_TURNTABLE,
@@ -41,7 +41,7 @@ struct mcp_job {
     unsigned images;
     const char *format;                 /* "png", "jpeg" or "webp"; NULL: by the size */
     unsigned image, x, y;               /* of MCP_PICK */
-    bool is_bare;                       /* the model is drawn as without a scene, but for the scene's keys */
+    bool is_bare;                       /* the model is the only mesh: the scene, if any, has no meshes */
     unsigned model_meshes;              /* meshes of the scene that are {"asset": "model"} */
     bool has_own_views;                 /* the scene's views are drawn, not those of the arguments */
     struct mcp_span own[MCP_OWN_COUNT]; /* values of the scene's keys */

@@ -1,17 +1,17 @@
-/* memory.h - mcp: allocations of trees of JSON (cJSON), whose failures are noted for each thread: a tree without memory
- * lacks members in silence. */
+/* memory.h - mcp: failed allocations of JSON trees (cJSON), recorded per thread. Without memory, cJSON omits members
+ * and reports nothing. */
 #ifndef MCP_MEMORY_H
 #define MCP_MEMORY_H
 
 #include <stdbool.h>
 
-/* Notes failures from now on. Call it once, before there are threads. */
+/* Records failures from now on. Call it once, before there are threads. */
 void mcp_memory_watch(void);
 
-/* Forgets the failures of this thread. */
+/* Clears the failures of this thread. */
 void mcp_memory_clear(void);
 
-/* Returns true if an allocation of this thread has failed since. */
+/* Returns true if an allocation of this thread has failed since they were cleared. */
 bool mcp_memory_has_failed(void);
 
 #endif

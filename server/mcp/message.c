@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "tree.h"
+
 /* REST_MAX: bytes of a message without its scene and model; a tree takes up to 40 times as many. */
 enum { CUTS_MAX = 16, REST_MAX = 256 << 10 };
 
@@ -117,16 +119,15 @@ static bool is_modern(const cJSON *meta)
     const size_t length = strlen(name);
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         memcpy(name + length, keys[i], strlen(keys[i]) + 1);
-        if (cJSON_GetObjectItemCaseSensitive(meta, name)) return true;
+        if (mcp_get(meta, name)) return true;
     }
     return false;
 }
 
 static int take(struct mcp_message *message, const char **why)
 {
-    const cJSON *root = message->root, *id = cJSON_GetObjectItemCaseSensitive(root, "id"),
-                *method = cJSON_GetObjectItemCaseSensitive(root, "method"),
-                *version = cJSON_GetObjectItemCaseSensitive(root, "jsonrpc");
+    const cJSON *root = message->root, *id = mcp_get(root, "id"), *method = mcp_get(root, "method"),
+                *version = mcp_get(root, "jsonrpc");
     *why = cJSON_IsArray(root) ? "batches are not served: send one object per message" : "the message is no object";
     if (!cJSON_IsObject(root)) return MCP_NOT_A_REQUEST;
     *why = "id is neither a string nor an integer";
@@ -139,10 +140,10 @@ static int take(struct mcp_message *message, const char **why)
     *why = "method is missing or not a string";
     if (!cJSON_IsString(method)) return MCP_NOT_A_REQUEST;
     message->method = method->valuestring;
-    message->params = cJSON_GetObjectItemCaseSensitive(root, "params");
-    message->meta = cJSON_GetObjectItemCaseSensitive(message->params, "_meta");
-    message->arguments = cJSON_GetObjectItemCaseSensitive(message->params, "arguments");
-    const cJSON *name = cJSON_GetObjectItemCaseSensitive(message->params, "name");
+    message->params = mcp_get(root, "params");
+    message->meta = mcp_get(message->params, "_meta");
+    message->arguments = mcp_get(message->params, "arguments");
+    const cJSON *name = mcp_get(message->params, "name");
     message->name = cJSON_IsString(name) ? name->valuestring : NULL;
     message->is_modern = is_modern(message->meta) || strcmp(message->method, "server/discover") == 0;
     *why = "params is no object";

@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "faults.h"
+#include "tree.h"
 
 enum { LOOK_BYTES = 256 << 10 }; /* decoded within 1 ms */
 
@@ -237,7 +238,7 @@ static const cJSON *find_source(const cJSON *given, struct mcp_faults *faults)
 bool mcp_model_read(const struct mcp_host *host, const struct mcp_message *message, struct mcp_model *model,
                     struct mcp_faults *faults)
 {
-    const cJSON *given = cJSON_GetObjectItemCaseSensitive(message->arguments, "model");
+    const cJSON *given = mcp_get(message->arguments, "model");
     *model = (struct mcp_model){.name = "model"};
     if (!given) return true;
     if (!cJSON_IsObject(given))

@@ -5,9 +5,8 @@ const char *const mcp_tool_names[MCP_TOOLS + 1] = {"render", "facts", "pick", NU
 const char mcp_instructions[] =
     "zraster measures and draws 3D models. Measure before you look: facts gives box, volume, closedness, shells and "
     "parts without a picture. render draws pictures with numbers beside them; its default is one sheet of four views "
-    "from "
-    "all sides at one scale. pick tells what a pixel of such a picture shows. Coordinates are those of the file. The "
-    "same call gives the same pixels on every machine.";
+    "from all sides at one scale. pick lists the surfaces at a pixel of such a picture. Coordinates are those of the "
+    "file. The same call gives the same pixels on every machine.";
 
 /* ---- arguments ---- */
 
@@ -19,7 +18,7 @@ const char mcp_instructions[] =
 static const char model_of_files[] =
     MODEL_HEAD " below the server's folder: give a path, or the bytes or text of a file.\",\"properties\":{"
                "\"path\":{\"type\":\"string\",\"description\":\"Path of the file from the server's folder. The path "
-               "'.' gets the list of its models.\"}," MODEL_TEXTS;
+               "'.' lists its models.\"}," MODEL_TEXTS;
 static const char model_of_assets[] =
     MODEL_HEAD ": give its bytes, its text or an uploaded asset.\",\"properties\":{" MODEL_TEXTS
                "\"asset\":{\"type\":\"string\",\"description\":\"'sha256:' and the hash of an asset that "
@@ -27,7 +26,7 @@ static const char model_of_assets[] =
 static const char scene[] =
     "\"scene\":{\"type\":\"object\",\"description\":\"A scene instead of a model, as POST /v1/render takes it, such as "
     "{'polygons': [{'vertices': [[0,0,0],[1,0,0],[0,1,0]]}]}. With a model, the scene names it by "
-    "{'meshes': [{'asset': 'model'}]}; a model given by its path has its file's name, too. "
+    "{'meshes': [{'asset': 'model'}]}, or by the name of its file if it is given by path. "
     "Arguments override the scene's keys.\"}"
     ","
     "\"up\":{\"type\":\"string\",\"enum\":[\"y\",\"z\"],\"description\":\"Axis of the file that points up. Default: z "
@@ -76,9 +75,9 @@ static const char pixel[] =
     ",\"max\":" VECTOR ",\"size\":" VECTOR "}}"
 #define SHELL_COUNTS                                                                                                   \
     ",\"required\":[\"outward\",\"inward\",\"open\"],\"properties\":{\"outward\":{\"type\":\"integer\"},"              \
-    "\"inward\":{\"type\":\"integer\"},\"open\":{\"type\":\"integer\"}},\"description\":\"Connected surfaces. "        \
-    "outward: "                                                                                                        \
-    "closed. inward: closed, with faces that look inwards (a void, or inside out). open: the rest.\"}"
+    "\"inward\":{\"type\":\"integer\"},\"open\":{\"type\":\"integer\"}},\"description\":"                              \
+    "\"Connected surfaces. outward: closed. inward: closed, with faces that look inwards (a void, or inside out). "    \
+    "open: the rest.\"}"
 #define SHELLS       "{\"type\":\"object\"" SHELL_COUNTS
 #define MAYBE_SHELLS "{\"type\":[\"object\",\"null\"]" SHELL_COUNTS
 #define FACTS                                                                                                          \
@@ -138,7 +137,7 @@ static const struct tool TOOLS[MCP_TOOLS] = {
      "of each part.",
      NULL, "", facts_schema},
     {"Look up a pixel",
-     "Tells what a pixel of a picture shows: part, face, depth and point of each surface there, the nearest first. "
+     "Lists the surfaces at a pixel of a picture, the nearest first: part, face, depth and point of each. "
      "Repeat the arguments of render, and add image, x and y.",
      pixel, ",\"required\":[\"x\",\"y\"]", pick_schema}};
 

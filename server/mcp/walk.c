@@ -196,7 +196,7 @@ bool mcp_walk_member(struct mcp_walk *walk, struct mcp_span *key)
     return true;
 }
 
-/* Passes what is nested without calling itself: a bit per level tells an object from a list. */
+/* Passes nested values without recursion: a flag per level marks objects. */
 static void pass_nested(struct mcp_walk *walk)
 {
     unsigned char is_object[DEPTH_MAX + 1] = {0};

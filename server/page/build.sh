@@ -1,6 +1,6 @@
 #!/bin/sh
 # build.sh OUT: joins the page of server/page/, hashes its script and style for the policy, makes the files of the
-# examples, compresses all, and writes them as the table of server/site.h. Runs in the root of the repository.
+# examples, and writes all as a table of server/site.h. Runs in the root of the repository.
 set -eu
 out=$1
 work=$out.parts
@@ -8,6 +8,7 @@ page=server/page
 examples=$page/examples
 rm -rf "$work"
 mkdir -p "$work"
+. server/site.sh
 
 # The hash as a policy names it: base64 of the 32 bytes.
 policy_hash() { # FILE
@@ -26,7 +27,7 @@ policy_hash() { # FILE
 
 # The text between the tags is what a policy hashes, line ends included.
 { echo "'use strict';" && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt); } >"$work/script"
-sed 's/^ *//' $page/page.css >"$work/style"
+sed 's/^ *//' $page/colors.css $page/page.css >"$work/style"
 awk -v script="$work/script" -v style="$work/style" '
     function put(tag, file, line) {
         printf "<%s>", tag
@@ -37,22 +38,6 @@ awk -v script="$work/script" -v style="$work/style" '
     /<!-- script -->/ { put("script", script); next }
     { sub(/^ */, ""); print }' $page/index.html >"$work/page"
 
-count=0
-table=
-exec 3>"$out.new"
-echo '#include "site.h"' >&3
-echo >&3
-add() { # NAME TITLE FILES TYPE PATH
-    gzip -9nc "$5" >"$work/file.gz"
-    size=$(($(wc -c <"$work/file.gz")))
-    echo "static const unsigned char bytes_$count[$size] = {" >&3
-    od -An -v -tu1 "$work/file.gz" | sed 's/^ *//; s/  */,/g; s/$/,/' >&3
-    echo "};" >&3
-    tag=$(sha256sum <"$work/file.gz" | cut -c 1-24)
-    table="$table    {\"$1\", $2, $3, \"$4\", \"$tag\", bytes_$count, $size, $(($(wc -c <"$5")))},
-"
-    count=$((count + 1))
-}
 add "" NULL NULL "text/html; charset=utf-8" "$work/page"
 while IFS='|' read -r name title files; do
     scene=$examples/$name.json
@@ -70,16 +55,10 @@ for profile in "$examples"/*.profile; do
     LC_ALL=C awk -f $examples/lathe.awk "$profile" >"$work/$name"
     add "$name" NULL NULL model/obj "$work/$name"
 done
-{
-    echo
-    printf 'const struct site_file site_files[] = {\n%s};\n\n' "$table"
-    echo "const size_t site_file_count = $count;"
-    echo
-    echo "const char site_policy[] = \"default-src 'none'; script-src 'sha256-$(policy_hash "$work/script")'; \""
-    echo "                           \"style-src 'sha256-$(policy_hash "$work/style")'; \""
-    echo "                           \"img-src data: blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; \""
-    echo "                           \"frame-ancestors 'none'; require-trusted-types-for 'script'\";"
-} >&3
-exec 3>&-
-rm -rf "$work"
-mv "$out.new" "$out"
+end_table site <<END
+
+const char site_policy[] = "default-src 'none'; script-src 'sha256-$(policy_hash "$work/script")'; "
+                           "style-src 'sha256-$(policy_hash "$work/style")'; "
+                           "img-src data: blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; "
+                           "frame-ancestors 'none'; require-trusted-types-for 'script'";
+END

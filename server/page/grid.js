@@ -1,4 +1,4 @@
-// The window of the lesson as squares: one for each pixel, with what the algorithm does there.
+// The window of the lesson: a square per pixel, with marks of the current step.
 
 const GRID = { cell: 30, margin: 24 };
 const MARK = '#d0245c';

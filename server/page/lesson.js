@@ -97,7 +97,7 @@ onRest(async (signal) => {
   showStage();
 });
 
-// Grid and lists stand in for the picture and what is chosen of it, while their tab is chosen.
+// Shows grid and lists instead of the picture and its controls while the tab of the lesson is chosen.
 function showStage() {
   const is = chosen === 'lesson' && lesson.key === keyOfLesson();
   for (const id of ['lesson-grid', 'lists-table']) byId(id).hidden = !is;

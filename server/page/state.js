@@ -10,7 +10,7 @@ const state = {
   info: null, // of `version`, without pixels
   channel: 'color',
   pin: null, // shares of width and height
-  picture: null, // the last whole answer: {blob, keys, query}
+  picture: null, // the last whole answer: {blob, keys}
   example: '',
 };
 

@@ -16,7 +16,7 @@ function labelOf(trace, id) {
 const namesOf = (trace, ids) => ids.map((id) => labelOf(trace, id)).join(' and ');
 const pixelsText = (spans) => spans.map(([x0, x1]) => x1 - x0 === 1 ? `pixel ${x0}` : `pixels ${x0} to ${x1 - 1}`).join(' and ');
 
-// A table: rows near the one that is seen.
+// A table: the rows near the current one, whose number is `seen`; -1: all rows.
 function listOf(head, rows, seen) {
   const near = seen < 0 ? rows : rows.slice(Math.max(0, seen - 2), seen + 3);
   return { head, rows: near.map((cells) => ({ cells, isSeen: seen >= 0 && cells === rows[seen] })) };

@@ -154,7 +154,7 @@ run_block() { # LANGUAGE FILE
     esac
 }
 
-# True if what a language needs is not here.
+# True if a program or a package for a language is missing.
 lacks() { # LANGUAGE FILE
     case $1 in
     sh) grep -q '^ *cc \|^python3 ' "$2" && grep -q __asan "$build/libzraster.so.0" ;; # its sanitizers are those of another compiler
@@ -216,7 +216,7 @@ run_blocks() { # PAGE
         esac
         blocks=$((blocks + 1))
         if lacks "$language" "$block"; then
-            skip "$at: $language" "what it needs is not here"
+            skip "$at: $language" "a program or a package for it is missing"
             continue
         fi
         run_block "$language" "$block" >"$said" 2>"$complained" </dev/null
@@ -286,7 +286,7 @@ if [ $# = 0 ]; then
     verdict "few are left out: $left_out" [ "$left_out" -le 20 ]
 fi
 
-# ---- what is wrong would be found ----
+# ---- each kind of fault would be found ----
 
 printf '# A heading\n[a](#a-heading) [b](#no-heading) [c](nothing.md)\n' >"$work/wrong.md"
 verdict "a link that leads nowhere would be found" [ "$(broken_links "$work/wrong.md" | wc -l)" = 2 ]

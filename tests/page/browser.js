@@ -89,7 +89,7 @@ async function violations(page) {
   return found.map((fault) => `${fault.id}: ${fault.nodes.map((node) => node.target.join(' ')).join(', ')}`);
 }
 
-// Saves the picture of the page and returns its bytes. BiDi tells of no downloads: there the page gives what the link has.
+// Saves the picture of the page and returns its bytes. BiDi reports no downloads, so in firefox the bytes are those of the link.
 async function saved(page) {
   if (named === 'firefox') {
     return Buffer.from(await page.evaluate(async () => {

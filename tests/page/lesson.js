@@ -25,11 +25,11 @@ module.exports = async function (browser, address) {
       await shown(scene, algorithm);
       const found = await page.evaluate(async () => {
         const { trace, steps } = lesson, { width, height } = trace.window, hasBuffer = !/scanline|painter/.test(trace.algorithm);
-        const faults = { said: 0, lit: 0, drawn: 0, buffer: 0, picture: 0 };
+        const faults = { words: 0, lit: 0, drawn: 0, buffer: 0, picture: 0 };
         steps.forEach((step, at) => {
           goTo(at);
           const lit = document.querySelectorAll('#code .lit').length, isOuter = at === 0 || at === steps.length - 1;
-          if (byId('lesson-words').textContent !== step.words || /undefined|NaN/.test(step.words + byId('lists').textContent)) faults.said++;
+          if (byId('lesson-words').textContent !== step.words || /undefined|NaN/.test(step.words + byId('lists').textContent)) faults.words++;
           if (lit !== (isOuter ? 0 : step.lines[1] - step.lines[0] + 1)) faults.lit++;
           const before = replay(trace, steps, at), after = replay(trace, steps, at + 1);
           const changed = [...after.ids.keys()].filter((place) => before.ids[place] !== after.ids[place] || !Object.is(before.depths[place], after.depths[place]));
@@ -47,7 +47,7 @@ module.exports = async function (browser, address) {
         return { faults, steps: steps.length };
       });
       const label = `${scene}, ${algorithm}: ${found.steps} steps`;
-      check(`${label}; each is said, lit and drawn, and writes what is nearer`, found.steps > 3 && found.faults.said + found.faults.lit + found.faults.drawn + found.faults.buffer === 0, found);
+      check(`${label}; each has its words, lines and squares, and writes nearer pixels only`, found.steps > 3 && found.faults.words + found.faults.lit + found.faults.drawn + found.faults.buffer === 0, found);
       check(`${label}; the last one is the picture`, found.faults.picture === 0, found);
       await page.evaluate(() => goTo(Math.floor(lesson.steps.length * 0.6)));
       await shot(page, `lesson-${scene}-${algorithm}`);

@@ -283,7 +283,7 @@ class Coco(unittest.TestCase):
             self.assertTrue(all((a == b).all() for (_, a), (_, b) in zip(found[number], wanted)))
 
     def test_no_mask(self):
-        """decode says which masks are none"""
+        """decode raises an error with the reason for broken masks"""
         size = [2, 3]
         self.assertEqual(coco.decode({"size": size, "counts": "132"}).sum(), 3)
         self.assertEqual(coco.decode({"size": size, "counts": b"132"}).sum(), 3)

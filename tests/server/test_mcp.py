@@ -445,7 +445,7 @@ class Http(unittest.TestCase):
         """Keys of a scene that an answer cannot follow are refused, with what to do instead"""
         square = {"vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0]]}
         for expected, scene in (
-            (["/scene/outputs/0/channel", "'depth'", "pick tells the depth"], {"outputs": [{"channel": "depth"}]}),
+            (["/scene/outputs/0/channel", "'depth'", "pick gives the depth"], {"outputs": [{"channel": "depth"}]}),
             (["/scene/outputs/1/channel", "'normals'", "shading"], {"outputs": [{"channel": "color"}, {"channel": "normals"}]}),
             (["/scene/outputs/0/channel", "'colour'"], {"outputs": [{"channel": "colour"}]}),
             (["/scene/outputs/0/quality", "png, jpeg or webp"], {"outputs": [{"channel": "color", "encoding": "jpeg", "quality": 9}]}),
@@ -497,7 +497,7 @@ class Http(unittest.TestCase):
         self.assertEqual(images(clear)[0][1], "image/webp")
 
     def test_many_parts(self):
-        """Of more than 1000 parts, sums are not known, but an open part among the first says that the model is open"""
+        """Of more than 1000 parts, sums are not known, but an open part among the first makes the model open"""
         shape = lambda i: f"o p{i}\nv {i} 0 0\nv {i}.8 0 0\nv {i} .8 0\nv {i} 0 .8\n"
         closed = lambda i: shape(i) + "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n"
         opened = lambda i: shape(i) + "f -4 -2 -3\n"
@@ -513,7 +513,7 @@ class Http(unittest.TestCase):
                 self.assertIn(words, texts(result)[0])
 
     def test_model_in_a_scene(self):
-        """A scene names the model by {"asset": "model"}; without the argument, that is said"""
+        """A scene names the model by {"asset": "model"}; without the argument, the call is an error"""
         scene = {"meshes": [{"name": "a", "asset": "model"}, {"asset": "model"}]}
         volume = lambda host, **arguments: host.call("facts", **arguments)["structuredContent"]["volume"]
         for model in ({"text": BOX}, {"base64": base64.b64encode(BOX.encode()).decode()}):
@@ -542,7 +542,7 @@ class Http(unittest.TestCase):
         self.refused("pick", ["/scene/render: leave it out, or call facts"], model={"text": BOX}, scene={"render": False}, x=1, y=1)
 
     def test_no_file(self):
-        """An empty file, and an STL whose header counts too many triangles, are told"""
+        """An empty file, and an STL whose header counts too many triangles, are refused with the reason"""
         for model in ({"text": ""}, {"base64": ""}):
             self.refused("facts", ["/model: the file is empty"], model=model)
         facet = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
@@ -569,7 +569,7 @@ class Http(unittest.TestCase):
             self.assertFalse([line for line in lines if line.startswith("Image 9") or "\r" in line or "\x7f" in line], lines)
 
     def test_blank_views_of_a_sheet(self):
-        """Each view of a sheet says what it covers; the sheet is blank if all of its views are"""
+        """Each view of a sheet has its covered share; the sheet is blank if all of its views are"""
         away = {"name": "away", "view": {"eye": [0, 0, 90], "target": [0, 0, 100]}}
         result = self.call("render", model={"text": BOX}, sheet="views", views=[away, "front"])
         views = result["structuredContent"]["views"]

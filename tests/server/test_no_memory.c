@@ -243,7 +243,7 @@ TEST(many_allocations_fail_in_a_request)
     "{\"jsonrpc\":\"2.0\",\"id\":7,\"method\":\"tools/call\",\"params\":{\"name\":\"" tool                             \
     "\",\"arguments\":{\"scene\":" SCENE "}" more "}}}"
 
-/* The same answer as with memory, or one that says that there is none. Returns true for an internal error. */
+/* Fails unless the answer is that with memory, or an error of memory. Returns true for an internal error. */
 static bool assert_same_or_none(const struct request *request, const char *wanted, const char *text, unsigned turn)
 {
     const char *body = strstr(text, "\r\n\r\n"), *whole = strstr(wanted, "\r\n\r\n");

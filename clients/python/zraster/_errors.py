@@ -89,7 +89,7 @@ _PARTS = "parts= gives it, and a scene by path reads it from its folder"
 
 
 def words(text: str) -> str:
-    """Names keywords in snake_case: "line_width: ..." for "parameter lineWidth: ...". Tells where parts come from."""
+    """Names keywords in snake_case: "line_width: ..." for "parameter lineWidth: ...". Adds the ways to give a missing part."""
     text = re.sub(r"(no part of the request has the name '.*)", rf"\1; {_PARTS}", text)
     return re.sub(r"\bparameter (\w+)", lambda match: snake(match.group(1)), text)
 

@@ -1,6 +1,6 @@
 # lathe.awk PROFILE: turns a profile about the y axis into a closed OBJ mesh. A line is "radius height", from the bottom to
 # the top, with "c" behind it for a corner. Between corners the profile is a smooth curve (Catmull-Rom). A profile that ends
-# where it begins makes a ring. "sides 6" makes a prism of it. "teeth 24 2.5" cuts 24 teeth, 2.5 deep, into the corners that
+# at its first point makes a ring. "sides 6" makes a prism of it. "teeth 24 2.5" cuts 24 teeth, 2.5 deep, into the corners that
 # have "t" instead of "c".
 BEGIN { n = 0; sides = 48 }
 /^#/ || !NF { next }
