@@ -65,11 +65,11 @@
     ROW(up, "/query/up", MESH, AXIS,                                                                                   \
         "axis of the mesh that points up: x, -x, y, -y, z, -z or auto (default: z for STL and 3MF, else y)")           \
     ROW(views, "/views", MESH, PRESETS, "several views: names of presets with commas between them")                    \
-    ROW(turntable, "/turntable/frames", MESH, WHOLE, "several views: so many, from around the mesh")                   \
+    ROW(turntable, "/turntable/frames", MESH, WHOLE, "several views: their number, from around the mesh")              \
     ROW(turntableElevation, "/turntable/elevation", MESH, DEGREES,                                                     \
         "angle of the camera above the horizon (default: the look's)")                                                 \
     ROW(turntableSeconds, "/turntable/seconds", MESH, SECONDS, "time of one turn in an animation (default: 4)")        \
-    ROW(orbit, "/orbit/count", MESH, WHOLE, "several views: so many, from all directions")                             \
+    ROW(orbit, "/orbit/count", MESH, WHOLE, "several views: their number, from all directions")                        \
     ROW(orbitDistance, "/orbit/distance", MESH, UNITS, "distance from the cameras to the mesh (default: fitted)")      \
     ROW(sheet, "/sheet/layout", MESH, NAME,                                                                            \
         "one picture of several views: threeView, balanced, or views with the parameter views")                        \
@@ -79,7 +79,7 @@
     ROW(animation, "/query/animation", MESH, NAME,                                                                     \
         "animation of a glTF file, by its name or number (default: the file's pose, without time)")                    \
     ROW(time, "/query/time", MESH, SECONDS, "time of the animation (default: 0)")                                      \
-    ROW(frames, "/query/frames", MESH, WHOLE, "several views: so many, of the animation from this time on")            \
+    ROW(frames, "/query/frames", MESH, WHOLE, "several views: their number, of the animation from this time on")       \
     ROW(timeEnd, "/query/timeEnd", MESH, SECONDS, "time at which the frames end (default: that of the animation)")     \
     ROW(fileLights, "/query/fileLights", MESH, BOOL, "lights of a glTF file instead of the look's (default: false)")   \
     ROW(projection, "/query/projection", MESH, NAME,                                                                   \

@@ -36,7 +36,8 @@ static const struct setting SETTINGS[] = {
     {"port", NUMBER, AT(port), false, 8080, 0, 65535, NULL, "", "port to listen on; 0: any free port"},
     {"token", TEXT, AT(token), false, 0, 0, 0, "", "",
      "bearer token that clients must send; empty: none; prefer its variable, which ps does not show"},
-    {"page", SWITCH, AT(page), false, 0, 0, 0, "on", "", "on or off: the page at / for browsers"},
+    {"page", SWITCH, AT(page), false, 0, 0, 0, "on", "",
+     "on or off: the page at / for browsers and the manual at /docs/"},
     {"origins", ORIGINS, AT(origins), false, 0, 0, 0, "", "",
      "origins whose web pages may use the daemon (CORS), such as https://example.org, with spaces or commas between "
      "them; *: all; empty: only its own page"},

@@ -140,12 +140,12 @@ static const struct zr_json_field track_fields[] = {
                .schema = ZR_SCHEMA(
                    {"type" : "array", "items" : {"type" : "number", "minimum" : 0, "maximum" : 3600}, "minItems" : 1})},
     [TRANSLATION] = {"translation", read_vectors, AT(translations), .unit = "scene units",
-                     .otherwise = "the node's own", .text = "one vector a key",
+                     .otherwise = "the node's own", .text = "one vector per key",
                      .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/vec3"}})},
     [ROTATION] = {"rotation", read_quaternions, AT(rotations), .otherwise = "the node's own",
-                  .text = "one quaternion x, y, z, w a key",
+                  .text = "one quaternion x, y, z, w per key",
                   .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/quaternion"}})},
-    [SCALE] = {"scale", read_vectors, AT(scales), .otherwise = "the node's own", .text = "one vector a key",
+    [SCALE] = {"scale", read_vectors, AT(scales), .otherwise = "the node's own", .text = "one vector per key",
                .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/vec3"}})},
     [INTERPOLATION] = {"interpolation", zr_json_choice, AT(interpolation), .words = &interpolation_names,
                        .otherwise = "linear", .text = "poses between keys: linear, or step, which holds a key"}};

@@ -53,10 +53,12 @@ static const struct zr_json_field fields[] = {
                   .otherwise = "the first of the channel", .text = "format of the file"},
     [SPACE] = {"space", read_space, AT(space), .otherwise = "camera", .text = "space of positions and normals",
                .words = &zr_space_names},
-    [SCALE] = {"scale", zr_json_positive, AT(scale), .unit = "scene units", .otherwise = "of depth: far is 65535",
+    [SCALE] = {"scale", zr_json_positive, AT(scale), .unit = "scene units",
+               .otherwise = "for depth: the far plane is 65535",
                .text = "size of a png16's step; distance and thickness need it"},
     [RANGE] = {"range", read_range, AT(range), 0, RANGE_MAX, .unit = "scene units", .otherwise = "all depths",
-               .text = "least and greatest depth of an image: less is 0, more and uncovered pixels the greatest value",
+               .text = "least and greatest depth of an image: nearer pixels are 0, farther and uncovered ones the "
+                       "greatest value",
                .schema = ZR_SCHEMA({
                    "type" : "array",
                    "prefixItems" : [

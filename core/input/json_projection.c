@@ -132,7 +132,7 @@ static const struct zr_json_field intrinsics_fields[] = {
             .schema = ZR_SCHEMA_OF("focal")},
     [CX] = {PIXELS("cx", zr_json_number, cx), .otherwise = "the middle", .text = "principal point, from the left"},
     [CY] = {PIXELS("cy", zr_json_number, cy), .otherwise = "the middle", .text = "principal point, from the top"},
-    [SKEW] = {PIXELS("skew", zr_json_number, skew), .otherwise = "0", .text = "skew: change of x with y"}};
+    [SKEW] = {PIXELS("skew", zr_json_number, skew), .otherwise = "0", .text = "change of x with y"}};
 const struct zr_json_object zr_json_object_intrinsics = ZR_JSON_OBJECT_OF("intrinsics", intrinsics_fields);
 
 bool zr_read_intrinsics(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,

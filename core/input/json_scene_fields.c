@@ -108,7 +108,7 @@ const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_NODES] = {"nodes", zr_json_place, AT(nodes), .object = &zr_json_object_node,
                         .otherwise = "each mesh once, untransformed", .text = "list of nodes, which place meshes",
                         .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/node"}})},
-    [ZR_SCENE_FOG] = {"fog", zr_read_fog, 0, .object = &zr_json_object_fog, .text = "fog: colours fade with depth"},
+    [ZR_SCENE_FOG] = {"fog", zr_read_fog, 0, .object = &zr_json_object_fog, .text = "fading of colours with depth"},
     [ZR_SCENE_COLOR_BAR] = {"colorBar", zr_read_color_bar, 0, .object = &zr_json_object_colorBar, .otherwise = "false",
                             .text = "colour bar with numbers over the picture: true, false or an object",
                             .schema = ZR_SCHEMA({"anyOf" : [ {"type" : "boolean"}, {"$ref" : "#/$defs/colorBar"} ]})},

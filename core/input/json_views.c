@@ -217,7 +217,7 @@ static const struct zr_json_field sheet_fields[] = {
     {"columns", zr_json_whole, AT(columns), 1, COLUMNS_MAX, .otherwise = "as many as rows, or one more",
      .text = "views in a row"},
     {"angle", zr_json_choice, AT(angle), .words = &angle_names, .otherwise = "third",
-     .text = "of projection: places of the views in threeView"},
+     .text = "projection of threeView: top view above the front view (third), or below it (first)"},
     {"captions", zr_json_bool, AT(has_captions), .otherwise = "true", .text = "name and scale below each view"}};
 #undef AT
 /* clang-format off */
