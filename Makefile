@@ -116,7 +116,7 @@ renderer_rooms := base scene geometry mesh raster shade drawing effects overlay 
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects)
 mcp := $(call objects,server/mcp/*.c)
-server := $(call objects,server/*.c) $(mcp) $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o
+server := $(call objects,server/*.c server/*/*.c) $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o
 client := $(call objects,clients/*.c)
 reference_pages := $(call objects,clients/reference/*.c) $(BUILD)/clients/values.o
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
@@ -547,7 +547,7 @@ $(BUILD)/%.a:
 $(BUILD)/zrasterd: $(server) $(BUILD)/libcore.a
 	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
 
-# The page and the examples as an array (server/site.h).
+# The page and the examples as an array (server/routes/site.h).
 $(BUILD)/server/site_files.c: server/page/build.sh server/site.sh $(wildcard server/page/*.* server/page/examples/*.* clients/examples/*.json)
 	@mkdir -p $(@D)
 	$(Q)server/page/build.sh $@
@@ -558,7 +558,7 @@ $(BUILD)/server/manual_files.c: $(wildcard server/manual/*) server/site.sh serve
 	@mkdir -p $(@D)
 	$(Q)server/manual/build.sh $@
 
-$(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o: %.o: %.c server/site.h $(BUILD)/flags | $(missing_compiler)
+$(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o: %.o: %.c server/routes/site.h $(BUILD)/flags | $(missing_compiler)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
 # libcurl is loaded once a server is named (clients/curl_rows.h).
@@ -623,25 +623,25 @@ $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libcore.a
 fuzz_main := $(if $(FUZZ),,$(BUILD)/tests/fuzz/replay.o)
 $(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(if $(FUZZ),-fsanitize=fuzzer) $(CORE_LIBS) -lz -lcjson
-$(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/gunzip.o
-$(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/multipart.o
+$(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/routes/gunzip.o
+$(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/routes/multipart.o
 $(BUILD)/tests/fuzz/fuzz_mcp: $(mcp)
 $(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) -lcmocka -lpng -ljpeg -lwebp -lz
 
 # Of the server's files, those that can do without a daemon around them are tested as units.
-$(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
+$(BUILD)/tests/unit/test_multipart: $(BUILD)/server/routes/multipart.o
 $(BUILD)/tests/unit/test_mcp: $(mcp)
-$(BUILD)/tests/unit/test_schema: $(BUILD)/server/openapi.o $(BUILD)/server/openapi_texts.o
-$(BUILD)/tests/unit/test_framing: $(BUILD)/server/framing.o
-$(BUILD)/tests/unit/test_accept: $(BUILD)/server/accept.o
-$(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o
-$(BUILD)/tests/unit/test_queue: $(BUILD)/server/queue.o
-$(BUILD)/tests/unit/test_images: $(addprefix $(BUILD)/server/,images.o kept.o texts.o)
+$(BUILD)/tests/unit/test_schema: $(BUILD)/server/routes/openapi.o $(BUILD)/server/routes/openapi_texts.o
+$(BUILD)/tests/unit/test_framing: $(BUILD)/server/http/framing.o
+$(BUILD)/tests/unit/test_accept: $(BUILD)/server/http/accept.o
+$(BUILD)/tests/unit/test_clients: $(BUILD)/server/http/clients.o
+$(BUILD)/tests/unit/test_queue: $(BUILD)/server/work/queue.o
+$(BUILD)/tests/unit/test_images: $(addprefix $(BUILD)/server/keep/,images.o kept.o texts.o)
 $(BUILD)/tests/unit/test_images: TEST_LIBS += -lnettle
-$(BUILD)/tests/unit/test_kept: $(BUILD)/server/kept.o
+$(BUILD)/tests/unit/test_kept: $(BUILD)/server/keep/kept.o
 $(BUILD)/tests/unit/test_kept: TEST_LIBS += -lnettle
-$(BUILD)/tests/unit/test_meshes: $(addprefix $(BUILD)/server/,images.o kept.o meshes.o texts.o)
+$(BUILD)/tests/unit/test_meshes: $(addprefix $(BUILD)/server/keep/,images.o kept.o meshes.o texts.o)
 $(BUILD)/tests/unit/test_meshes: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/test_rendering: $(filter-out %/main.o,$(server)) $(server_support)
 $(BUILD)/tests/unit/test_rendering: TEST_LIBS += $(SERVER_LIBS)

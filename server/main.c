@@ -10,16 +10,16 @@
 #include <unistd.h>
 
 #include "config.h"
-#include "health_check.h"
-#include "http.h"
-#include "images.h"
-#include "log.h"
-#include "log_writer.h"
+#include "http/http.h"
+#include "keep/images.h"
+#include "keep/meshes.h"
+#include "keep/store.h"
+#include "log/log.h"
+#include "log/log_writer.h"
 #include "mcp/memory.h"
-#include "meshes.h"
 #include "request.h"
-#include "slowness.h"
-#include "store.h"
+#include "routes/health_check.h"
+#include "work/slowness.h"
 
 enum { EXIT_USAGE = 2, SPARE_FILES = 192, MMAP_BYTES = 1 << 20, TRIM_BYTES = 8 << 20 };
 

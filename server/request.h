@@ -11,19 +11,19 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "accept.h"
 #include "answer.h"
 #include "config.h"
 #include "core.h"
-#include "images.h"
+#include "http/accept.h"
+#include "keep/images.h"
+#include "keep/meshes.h"
+#include "keep/store.h"
+#include "keep/texts.h"
+#include "log/step_times.h"
 #include "mcp/handler.h"
-#include "meshes.h"
-#include "multipart.h"
-#include "slowness.h"
-#include "step_times.h"
-#include "store.h"
-#include "stream.h"
-#include "texts.h"
+#include "routes/multipart.h"
+#include "work/slowness.h"
+#include "work/stream.h"
 
 enum { REQUEST_ID_SIZE = 129 };
 

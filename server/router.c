@@ -4,15 +4,15 @@
 #include <string.h>
 #include <strings.h>
 
-#include "agents.h"
-#include "assets.h"
-#include "contract.h"
-#include "drake.h"
-#include "health.h"
-#include "origin.h"
+#include "gate/origin.h"
 #include "problem.h"
-#include "rendering.h"
-#include "site.h"
+#include "routes/agents.h"
+#include "routes/assets.h"
+#include "routes/contract.h"
+#include "routes/drake.h"
+#include "routes/health.h"
+#include "routes/rendering.h"
+#include "routes/site.h"
 #include "text.h"
 
 static const struct route ROUTES[] = {

@@ -1,10 +1,10 @@
-# site.sh - the table of server/site.h, for server/page/build.sh and server/manual/build.sh, which source it. $out is the C file to
+# site.sh - the table of server/routes/site.h, for server/page/build.sh and server/manual/build.sh, which source it. $out is the C file to
 # write, $work a folder, which ends with the table.
 
 count=0
 table=
 exec 3>"$out.new"
-printf '#include "site.h"\n\n' >&3
+printf '#include "routes/site.h"\n\n' >&3
 
 # Adds a file. Text is compressed; pictures stay as they are.
 add() { # NAME TITLE FILES TYPE PATH

@@ -1,5 +1,5 @@
 #!/bin/sh
-# build.sh OUT: makes the manual of the daemon (pages.sh), and writes it as a table of server/site.h. Runs in the root of the repository.
+# build.sh OUT: makes the manual of the daemon (pages.sh), and writes it as a table of server/routes/site.h. Runs in the root of the repository.
 set -eu
 out=$1
 work=$out.parts

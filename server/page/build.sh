@@ -1,6 +1,6 @@
 #!/bin/sh
 # build.sh OUT: joins the page of server/page/, hashes its script and style for the policy, makes the files of the
-# examples, and writes all as a table of server/site.h. Runs in the root of the repository.
+# examples, and writes all as a table of server/routes/site.h. Runs in the root of the repository.
 set -eu
 out=$1
 work=$out.parts

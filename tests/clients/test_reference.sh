@@ -50,7 +50,7 @@ build_all() {
     compile "$work/json_fog.c" core/contract/parameters.c clients/reference/*.c clients/*.c || return 1
     keys="$work/objects/$(echo "$work/json_fog.c" | sed 's|/|_|g').o $work/objects/core_contract_parameters.c.o"
     # shellcheck disable=SC2086
-    link zrasterd "$(libraries SERVER)" $keys $(objects_of server/*.c server/mcp/*.c server/site_files.c server/manual_files.c) &&
+    link zrasterd "$(libraries SERVER)" $keys $(objects_of server/*.c server/*/*.c server/site_files.c server/manual_files.c) &&
         link zraster-reference -lcjson $keys "$work"/objects/clients_reference_*.o "$work/objects/clients_values.c.o" &&
         link zraster "$(libraries CLIENT)" $keys $(ls "$work"/objects/clients_*.o | grep -v clients_reference_) $(objects_of server/mcp/*.c)
 }

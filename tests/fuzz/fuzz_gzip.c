@@ -4,7 +4,7 @@
 #include <zlib.h>
 
 #include "fuzz/fuzz.h"
-#include "gunzip.h"
+#include "routes/gunzip.h"
 
 enum { INFLATED_MAX = 1 << 17, WINDOW_BITS_GZIP = 15 + 16, MEMORY_LEVEL = 8 };
 

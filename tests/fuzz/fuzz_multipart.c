@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "fuzz/fuzz.h"
-#include "multipart.h"
+#include "routes/multipart.h"
 
 static void expect_parts(const struct multipart *parts, const char *bytes, size_t size)
 {

@@ -1,5 +1,5 @@
 /* When files are sent in parts, and of which type, by the Accept headers of their request. */
-#include "accept.h"
+#include "http/accept.h"
 #include "support/tests.h"
 
 TEST(only_a_client_that_names_the_type_gets_parts)

@@ -2,7 +2,7 @@
 #include <arpa/inet.h>
 #include <string.h>
 
-#include "clients.h"
+#include "http/clients.h"
 #include "support/tests.h"
 
 static struct client *join(struct clients *clients, const char *text)

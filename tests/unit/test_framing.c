@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "framing.h"
+#include "http/framing.h"
 #include "support/random.h"
 #include "support/tests.h"
 

@@ -1,6 +1,6 @@
-/* server/images.c: images kept between requests. No answer depends on them. */
+/* server/keep/images.c: images kept between requests. No answer depends on them. */
 #include "base/team.h"
-#include "images.h"
+#include "keep/images.h"
 #include "scene/image.h"
 #include "support/files.h"
 #include "support/scenes.h"

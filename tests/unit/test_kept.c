@@ -1,5 +1,5 @@
-/* server/kept.c: the table of values that are kept between requests. */
-#include "kept.h"
+/* server/keep/kept.c: the table of values that are kept between requests. */
+#include "keep/kept.h"
 #include "support/tests.h"
 
 #include <stdlib.h>

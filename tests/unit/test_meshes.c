@@ -1,8 +1,8 @@
-/* server/meshes.c, core/input/kept_mesh.c: model files kept between requests. No answer depends on them. */
+/* server/keep/meshes.c, core/input/kept_mesh.c: model files kept between requests. No answer depends on them. */
 #include "base/team.h"
-#include "images.h"
+#include "keep/images.h"
+#include "keep/meshes.h"
 #include "mesh_requests.h"
-#include "meshes.h"
 #include "scene/scene.h"
 #include "sheet_files.h"
 #include "support/scenes.h"

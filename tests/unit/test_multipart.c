@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "guarded.h"
-#include "multipart.h"
+#include "routes/multipart.h"
 #include "support/random.h"
 #include "support/tests.h"
 

@@ -1,12 +1,12 @@
-/* server/rendering.c: what a thread for small requests gives up, and what it answers. */
+/* server/routes/rendering.c: what a thread for small requests gives up, and what it answers. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <zlib.h>
 
-#include "assets.h"
-#include "rendering.h"
+#include "routes/assets.h"
+#include "routes/rendering.h"
 #include "server/assets.h"
 #include "support/base64.h"
 #include "support/tests.h"

@@ -6,8 +6,8 @@
 #include "contract/kinds.h"
 #include "contract/schema.h"
 #include "input/outputs.h"
-#include "openapi.h"
 #include "parameter_rows.h"
+#include "routes/openapi.h"
 #include "support/tests.h"
 
 static struct zr_arena arena;

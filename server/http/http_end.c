@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "clock.h"
-#include "log.h"
+#include "log/log.h"
 
 /* The times of work belong to the worker until it ends. */
 void http_log_exchange(struct exchange *exchange)

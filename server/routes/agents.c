@@ -8,8 +8,8 @@
 #include <cjson/cJSON.h>
 
 #include "body.h"
+#include "gate/origin.h"
 #include "mcp/faults.h"
-#include "origin.h"
 #include "problem.h"
 #include "rendering.h"
 #include "text.h"

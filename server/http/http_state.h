@@ -9,10 +9,10 @@
 
 #include "config.h"
 #include "connections.h"
-#include "queue.h"
 #include "request.h"
-#include "stream.h"
 #include "upload.h"
+#include "work/queue.h"
+#include "work/stream.h"
 
 struct exchange;
 

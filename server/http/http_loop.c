@@ -12,7 +12,7 @@
 #include "http_exchange.h"
 #include "http_receive.h"
 #include "http_work.h"
-#include "log.h"
+#include "log/log.h"
 
 enum {
     EVENTS = 256,

@@ -4,9 +4,9 @@
 
 #include "clock.h"
 #include "http_end.h"
-#include "parts.h"
 #include "problem.h"
 #include "router.h"
+#include "routes/parts.h"
 
 static const char ANSWERS_FULL[] = "the answers that wait for their readers fill answerMemoryBytes";
 

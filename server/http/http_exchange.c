@@ -10,7 +10,7 @@
 #include "clock.h"
 #include "http_end.h"
 #include "http_work.h"
-#include "log.h"
+#include "log/log.h"
 #include "problem.h"
 #include "router.h"
 
