@@ -169,6 +169,7 @@ int main(int count, char **arguments)
     service_beside_io(&bench);
     service_for_many(&bench);
     service_memory(&bench);
+    service_capacity(&bench);
     service_with_kept_meshes(&bench);
     service_with_views(&bench);
     service_for_drake(&bench);

@@ -27,6 +27,9 @@ void service_beside_io(struct bench *bench);
 /* Many clients at once, of a daemon on one processor: on kept connections, and with ten times more than it can do. */
 void service_for_many(struct bench *bench);
 
+/* The rate of several kinds of pictures on one processor, with memory, bytes and waits in notes (capacity.c). */
+void service_capacity(struct bench *bench);
+
 /* Model files again with other matrices, against a daemon that reads them anew; the bytes must be equal. The note tells
  * what the whole request takes beside drawing alone. */
 void service_with_kept_meshes(struct bench *bench);
