@@ -1,6 +1,6 @@
 /* config.h - all settings of the daemon, from one table.
  *
- * The table in config.c gives each setting its flag, default, unit, bounds and help line. The ZRASTER_* variable and
+ * The table in config/settings.c gives each setting its flag, default, unit, bounds and help line. The ZRASTER_* variable and
  * the name in /v1/limits follow from the flag. A flag overrides a variable, a variable overrides the default.
  */
 #ifndef ZRASTERD_CONFIG_H

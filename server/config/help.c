@@ -1,0 +1,26 @@
+#include <inttypes.h>
+
+#include "value.h"
+
+void config_print_help(FILE *out)
+{
+    struct config defaults;
+    value_set_defaults(&defaults);
+    fprintf(
+        out,
+        "zrasterd " ZR_VERSION ": renders the scenes and meshes that clients POST to /v1/render.\n\n"
+        "usage: zrasterd [--flag=value | --flag value]...\n\n"
+        "  --help, --version\n"
+        "  --health    health check of the daemon at --address and --port: exit status 0 if it answers well, else 1\n\n"
+        "Each flag has a variable: ZRASTER_BODY_MAX_BYTES for --body-max-bytes. A flag overrides its variable.\n\n");
+    const struct setting *s;
+    for (size_t i = 0; (s = setting_at(i)); i++) {
+        fprintf(out, "  --%s=%s\n      %s%s%s\n", s->flag, s->kind != NUMBER ? "TEXT" : "N", s->unit,
+                *s->unit ? " " : "", s->help);
+        if (s->kind != NUMBER)
+            fprintf(out, "      (default: %s)\n", *s->text ? s->text : "none");
+        else
+            fprintf(out, "      %" PRIu64 " to %" PRIu64 " (default: %" PRIu64 ")\n", s->min, s->max,
+                    value_number(&defaults, s));
+    }
+}

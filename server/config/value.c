@@ -1,0 +1,142 @@
+#include "value.h"
+
+#include <inttypes.h>
+#include <netdb.h>
+#include <string.h>
+
+enum { LIST_SIZE = 64 };
+
+uint64_t value_number(const struct config *config, const struct setting *setting)
+{
+    return *(const uint64_t *)(const void *)((const char *)config + setting->offset);
+}
+
+const char *value_text(const struct config *config, const struct setting *setting)
+{
+    return (const char *)config + setting->offset;
+}
+
+static void store_number(struct config *config, const struct setting *setting, uint64_t number)
+{
+    *(uint64_t *)(void *)((char *)config + setting->offset) = number;
+}
+
+void value_set_defaults(struct config *config)
+{
+    const struct setting *s;
+    *config = (struct config){0};
+    for (size_t i = 0; (s = setting_at(i)); i++) {
+        if (s->kind != NUMBER)
+            snprintf((char *)config + s->offset, CONFIG_TEXT_SIZE, "%s", s->text);
+        else
+            store_number(config, s, s->initial);
+    }
+    struct zr_limits limits = zr_limits_default();
+    config->json_depth_max = limits.json_depth_max;
+    config->window_side_max = limits.window_side_max;
+    config->window_pixels_max = limits.window_pixels_max;
+    config->polygon_vertices_max = limits.polygon_vertices_max;
+    config->instances_max = limits.instances_max;
+    config->image_pixels_max = limits.image_pixels_max;
+    config->coordinate_max = (uint64_t)limits.coordinate_max;
+}
+
+static bool is_any(const char *text)
+{
+    (void)text;
+    return true;
+}
+
+static bool is_address(const char *text)
+{
+    struct addrinfo hints = {.ai_flags = AI_NUMERICHOST}, *address = NULL;
+    const int failure = *text ? getaddrinfo(text, NULL, &hints, &address) : EAI_NONAME;
+    if (failure == 0) freeaddrinfo(address);
+    return failure == 0 || failure == EAI_MEMORY; /* then listening reports the lack of memory */
+}
+
+static bool is_switch(const char *text)
+{
+    return strcmp(text, "on") == 0 || strcmp(text, "off") == 0;
+}
+
+static bool is_isa(const char *text)
+{
+    enum zr_isa isa;
+    return zr_isa_choose(text, &isa);
+}
+
+/* Returns true for a list of origins as browsers send them, scheme://host or scheme://host:port, or "*". */
+static bool are_origins(const char *text)
+{
+    static const char BETWEEN[] = " ,";
+    for (const char *at = text + strspn(text, BETWEEN); *at; at += strspn(at, BETWEEN)) {
+        const size_t length = strcspn(at, BETWEEN);
+        const char *const end = at + length;
+        const char *const host = strncmp(at, "http://", 7) == 0    ? at + 7
+                                 : strncmp(at, "https://", 8) == 0 ? at + 8
+                                                                   : end;
+        if (!(length == 1 && *at == '*') && (host == end || memchr(host, '/', (size_t)(end - host)))) return false;
+        at = end;
+    }
+    return true;
+}
+
+/* What a value of a kind is, and how a message says that one is not. */
+static const struct {
+    bool (*is_right)(const char *text);
+    const char *complaint;
+} KINDS[] = {
+    [TEXT] = {is_any, ""},
+    [SECRET] = {is_any, ""},
+    [ADDRESS] = {is_address, "is not a numeric IPv4 or IPv6 address"},
+    [ISA] = {is_isa, "is no instruction set that this machine has; it has "}, /* their names follow */
+    [ORIGINS] = {are_origins, "is no list of origins such as https://example.org: scheme and host, without a path or a "
+                              "/ at the end"},
+    [SWITCH] = {is_switch, "is neither on nor off"},
+    [FOLDER] = {is_any, ""},
+    [FILENAME] = {is_any, ""},
+};
+
+static bool set_text(struct config *config, const struct setting *s, const char *name, const char *value, char *message,
+                     size_t message_size)
+{
+    if (strlen(value) >= CONFIG_TEXT_SIZE) {
+        snprintf(message, message_size, "%s: longer than the %d bytes that are allowed", name, CONFIG_TEXT_SIZE - 1);
+        return false;
+    }
+    if (!KINDS[s->kind].is_right(value)) {
+        char known[LIST_SIZE] = "";
+        if (s->kind == ISA) zr_isa_list(known, sizeof known);
+        snprintf(message, message_size, "%s: '%.100s' %s%s", name, value, KINDS[s->kind].complaint, known);
+        return false;
+    }
+    snprintf((char *)config + s->offset, CONFIG_TEXT_SIZE, "%s", value);
+    return true;
+}
+
+static bool parse_number(const char *text, uint64_t *out)
+{
+    uint64_t value = 0;
+    for (const char *p = text; *p; p++) {
+        if (*p < '0' || *p > '9') return false;
+        if (__builtin_mul_overflow(value, 10u, &value) || __builtin_add_overflow(value, (uint64_t)(*p - '0'), &value))
+            return false;
+    }
+    *out = value;
+    return *text != '\0';
+}
+
+bool value_set(struct config *config, const struct setting *s, const char *name, const char *value, char *message,
+               size_t message_size)
+{
+    if (s->kind != NUMBER) return set_text(config, s, name, value, message, message_size);
+    uint64_t number;
+    if (!parse_number(value, &number) || number < s->min || number > s->max) {
+        snprintf(message, message_size, "%s: '%.100s' is not a whole number from %" PRIu64 " to %" PRIu64 "%s%s", name,
+                 value, s->min, s->max, *s->unit ? " " : "", s->unit);
+        return false;
+    }
+    store_number(config, s, number);
+    return true;
+}
