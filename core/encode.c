@@ -343,6 +343,7 @@ enum zr_status zr_files_describe(struct zr_arena *arena, const struct zr_files *
                                  struct zr_answer *answer, struct zr_error *error)
 {
     answer->warnings = zr_warnings_join(arena, &files->warnings);
+    answer->warning_count = files->warnings.count;
     answer->look = pin_look(arena, scene);
     answer->encoders = files->encoders;
     return explain(arena, ZR_OK, error);

@@ -94,6 +94,13 @@ void answer_header(struct answer *answer, const char *name, const char *format, 
     answer->headers[answer->header_count++] = (struct answer_header){name, value};
 }
 
+const char *answer_find_header(const struct answer *answer, const char *name)
+{
+    for (size_t i = 0; i < answer->header_count; i++)
+        if (strcmp(answer->headers[i].name, name) == 0) return answer->headers[i].value;
+    return NULL;
+}
+
 void answer_body(struct answer *answer, const char *content_type, char *bytes, size_t size)
 {
     answer_drop_bytes(answer);

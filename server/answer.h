@@ -28,6 +28,7 @@ struct answer {
     size_t size;    /* of the body; without bytes (HEAD, 304) the value of Content-Length only */
     size_t header_count;
     struct answer_header headers[ANSWER_HEADERS_MAX];
+    size_t warnings;                 /* of the render, for the log */
     char detail[ANSWER_DETAIL_SIZE]; /* text of an error for the log, valid UTF-8 */
 };
 
@@ -40,6 +41,9 @@ void answer_to_no_memory(struct answer *answer);
 /* Adds a header. Sets is_broken if memory or places run out. */
 void answer_header(struct answer *answer, const char *name, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* Returns the value of a header that was added, or NULL. */
+const char *answer_find_header(const struct answer *answer, const char *name);
 
 /* Sets the body. Takes ownership of `bytes` (malloc'd). */
 void answer_body(struct answer *answer, const char *content_type, char *bytes, size_t size);

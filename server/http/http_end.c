@@ -5,35 +5,61 @@
 #include "clock.h"
 #include "log/log.h"
 
+/* All requests pass here once: those of exchanges, and those that libmicrohttpd never saw. */
+static void tell(const struct http *http, const struct log_request *request)
+{
+    if (!http->is_self_test) log_request(request);
+}
+
 /* The times of work belong to the worker until it ends. */
 void http_log_exchange(struct exchange *exchange)
 {
-    const char *detail = exchange->answer.detail;
-    if (exchange->logged || exchange->http->is_self_test) return;
+    const struct answer *answer = &exchange->answer;
+    const bool is_at_work = exchange->is_working;
+    const char *detail = answer->detail;
+    if (exchange->logged) return;
     exchange->logged = true;
     if (exchange->was_slow)
         detail = "the answer was read too slowly";
     else if (exchange->client_left)
         detail = "the client left";
-    else if (!exchange->answer.status)
+    else if (!answer->status)
         detail = "the request was malformed or not whole";
-    else if (!exchange->is_working && exchange->stream.is_begun)
+    else if (!is_at_work && exchange->stream.is_begun)
         detail = exchange->made.detail;
-    log_request(&(struct log_request){
-        .id = exchange->request.id,
-        .remote = exchange->remote,
-        .method = exchange->method,
-        .path = exchange->request.path,
-        .query = exchange->request.query,
-        .traceparent = exchange->traceparent,
-        .detail = detail,
-        .status = exchange->replied ? exchange->answer.status : 0,
-        .aborted = !exchange->is_whole,
-        .bytes_in = exchange->body_bytes,
-        .bytes_out = exchange->bytes_out,
-        .total_ms = (double)(clock_us() - exchange->began_us) / 1000.0,
-        .times = exchange->is_working ? NO_STEP_TIMES : exchange->times,
-    });
+    tell(exchange->http, &(struct log_request){
+                             .id = exchange->request.id,
+                             .remote = exchange->remote,
+                             .method = exchange->method,
+                             .route = exchange->request.route ? exchange->request.route->path : NULL,
+                             .path = exchange->request.path,
+                             .query = exchange->request.query,
+                             .look = answer_find_header(answer, "Zraster-Look"),
+                             .warnings = answer->warnings + (is_at_work ? 0 : exchange->made.warnings),
+                             .traceparent = exchange->traceparent,
+                             .detail = detail,
+                             .status = exchange->replied ? answer->status : 0,
+                             .aborted = !exchange->is_whole,
+                             .bytes_in = exchange->body_bytes,
+                             .bytes_out = exchange->bytes_out,
+                             .total_ms = (double)(clock_us() - exchange->began_us) / 1000.0,
+                             .times = is_at_work ? NO_STEP_TIMES : exchange->times,
+                         });
+}
+
+void http_log_connection(const struct http *http, const struct connection *connection, const char *id, int status,
+                         size_t bytes_out, const char *detail)
+{
+    tell(http, &(struct log_request){
+                   .id = id,
+                   .remote = connection->address,
+                   .status = status,
+                   .aborted = status == 0,
+                   .bytes_out = bytes_out,
+                   .total_ms = (double)(clock_ms() - connection->began_ms),
+                   .times = NO_STEP_TIMES,
+                   .detail = detail,
+               });
 }
 
 void http_close_exchange(struct exchange *exchange)

@@ -27,23 +27,6 @@ static struct connection *connection_of(struct MHD_Connection *mhd)
 
 /* ---- connections ---- */
 
-/* Logs an event of a connection without a request that libmicrohttpd has reported. */
-static void log_without_exchange(const struct http *http, const struct connection *connection, const char *id,
-                                 int status, size_t bytes_out, const char *detail)
-{
-    if (http->is_self_test) return;
-    log_request(&(struct log_request){
-        .id = id,
-        .remote = connection->address,
-        .status = status,
-        .aborted = status == 0,
-        .bytes_out = bytes_out,
-        .total_ms = (double)(clock_ms() - connection->began_ms),
-        .times = NO_STEP_TIMES,
-        .detail = detail,
-    });
-}
-
 void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket_context,
                         enum MHD_ConnectionNotificationCode code)
 {
@@ -52,7 +35,7 @@ void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket
         struct connection *connection = *socket_context;
         if (!connection) return;
         if (connection->phase == PHASE_HEADER && framing_is_within_header(&connection->framing))
-            log_without_exchange(http, connection, NULL, 0, 0, "the connection ended within a request's header");
+            http_log_connection(http, connection, NULL, 0, 0, "the connection ended within a request's header");
         connections_remove(&http->connections, connection);
         return;
     }
@@ -102,7 +85,7 @@ void http_refuse(struct http *http, struct connection *connection, int status, c
     request_take_id(&nameless, http->service, NULL);
     problem_answer(&answer, status, "%s", detail);
     router_finish(&answer, http->service, &nameless);
-    log_without_exchange(http, connection, nameless.id, status, answer.size, detail);
+    http_log_connection(http, connection, nameless.id, status, answer.size, detail);
     send_past_library(http, connection, &answer);
     answer_free(&answer);
 }
@@ -383,7 +366,7 @@ enum MHD_Result http_on_request(void *context, struct MHD_Connection *mhd, const
             struct http *http = context;
             struct answer answer = {0};
             answer_to_no_memory(&answer);
-            log_without_exchange(http, connection, NULL, answer.status, 0, answer.detail);
+            http_log_connection(http, connection, NULL, answer.status, 0, answer.detail);
             send_past_library(http, connection, &answer);
         }
         return MHD_NO;

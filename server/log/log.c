@@ -98,6 +98,7 @@ void log_request(const struct log_request *request)
     add_text(&line, "requestId", request->id);
     add_text(&line, "remote", request->remote);
     add_text(&line, "method", request->method);
+    add_text(&line, "route", request->route);
     add_text(&line, "path", request->path);
     add_text(&line, "query", request->query);
     add(&line, ",\"status\":%d%s", status, request->aborted ? ",\"aborted\":true" : "");
@@ -108,6 +109,8 @@ void log_request(const struct log_request *request)
     add_ms(&line, "renderMs", request->times.render_ms);
     add_ms(&line, "encodeMs", request->times.encode_ms);
     add_ms(&line, "predictedMs", request->times.predicted_ms);
+    add_text(&line, "look", request->look);
+    if (request->warnings) add(&line, ",\"warnings\":%zu", request->warnings);
     add_text(&line, "traceparent", request->traceparent);
     add_text(&line, "detail", request->detail);
     write_line(&line);

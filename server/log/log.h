@@ -14,7 +14,10 @@
 /* Empty texts (NULL or "") are omitted. */
 struct log_request {
     const char *id, *remote, *method, *path, *query, *traceparent, *detail;
-    int status; /* 0: no answer was sent */
+    const char *route; /* its path in the table of routes; NULL: none was found */
+    const char *look;  /* with its version, as answered: "studio@2" */
+    size_t warnings;   /* of the answer */
+    int status;        /* 0: no answer was sent */
     bool aborted;
     uint64_t bytes_in, bytes_out;
     double total_ms;

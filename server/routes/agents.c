@@ -107,10 +107,8 @@ static void read_faults(const struct answer *answer, struct mcp_faults *faults)
 
 static bool is_zip(const struct answer *answer)
 {
-    for (size_t i = 0; i < answer->header_count; i++)
-        if (strcmp(answer->headers[i].name, "Content-Type") == 0)
-            return strcmp(answer->headers[i].value, "application/zip") == 0;
-    return false;
+    const char *type = answer_find_header(answer, "Content-Type");
+    return type && strcmp(type, "application/zip") == 0;
 }
 
 static enum mcp_draw_status draw(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn)

@@ -294,6 +294,8 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
         add_timing(r->answer, r->times);
         parts_begin(stream, r->request->parts, r->answer);
     }
+    r->answer->warnings +=
+        files->warnings.count; /* each part has its own; parts_begin took the answer's headers only */
     for (uint32_t i = 0; i < files->count; i++) {
         const struct zr_zip_entry *entry = &files->entries[i];
         snprintf(file, sizeof file, "%s.%s", view->name, entry->name);
@@ -342,6 +344,7 @@ static void answer_image(const struct rendering *r, const struct zr_answer *resu
     else
         parts_answer(answer, r->request->parts, &r->files);
     add_look(answer, result->look);
+    answer->warnings = result->warning_count;
     if (*result->encoders) answer_header(answer, "Zraster-Encoder", "%s", result->encoders);
     if (result->warnings && *result->warnings) {
         char warnings[ZR_WARNINGS_SIZE];

@@ -400,6 +400,7 @@ TEST(log_line_is_json_and_tells_of_the_request)
     assert_non_null(root);
     assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "method")), "POST");
     assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "path")), "/v1/render");
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "route")), "/v1/render");
     assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "query")), "channel=x");
     assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "remote")), "127.0.0.1");
     assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "traceparent")), TRACE);
@@ -409,6 +410,38 @@ TEST(log_line_is_json_and_tells_of_the_request)
     cJSON_Delete(root);
     free(line);
     reply_free(&reply);
+}
+
+/* Renders a scene and returns the line of the log, parsed. */
+static cJSON *log_of(const char *accept, const char *scene, const char *id)
+{
+    char named[96];
+    snprintf(named, sizeof named, "X-Request-Id: %s", id);
+    const char *const headers[] = {JSON_TYPE, named, accept, NULL};
+    struct reply reply = client_send(&server, "POST", "/v1/render", headers, scene, strlen(scene));
+    assert_int_equal(reply.status, 200);
+    reply_free(&reply);
+    char *line = daemon_wait_for_log(&server, id);
+    cJSON *root = cJSON_ParseWithOpts(line, NULL, 1);
+    assert_non_null(root);
+    free(line);
+    return root;
+}
+
+static void assert_look_and_warnings(cJSON *root, double warnings)
+{
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "look")), "technical@2");
+    assert_true(cJSON_GetNumberValue(cJSON_GetObjectItemCaseSensitive(root, "warnings")) == warnings);
+    cJSON_Delete(root);
+}
+
+TEST(log_line_names_look_and_counts_warnings)
+{
+    static const char ODD[] = "{\"look\":\"technical\",\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],"
+                              "\"faces\":[[0,1,2],[0,1,0]],\"lines\":[[0,0]]}],"
+                              "\"views\":[\"front\",\"isometric\"]}";
+    assert_look_and_warnings(log_of("Accept: application/zip", ODD, "log-of-zip"), 2);
+    assert_look_and_warnings(log_of("Accept: multipart/mixed", ODD, "log-of-stream"), 4); /* two in each part */
 }
 
 TEST(log_line_of_hostile_path_is_json)
