@@ -1,7 +1,8 @@
 /* config.h - all settings of the daemon, from one table.
  *
- * The table in config/settings.c gives each setting its flag, default, unit, bounds and help line. The ZRASTER_* variable and
- * the name in /v1/limits follow from the flag. A flag overrides a variable, a variable overrides the default.
+ * The table in config/settings.c gives each setting its flag, default, unit, bounds and help line. The ZRASTER_*
+ * variable and the name in /v1/limits follow from the flag. A flag overrides a variable, a variable overrides the file
+ * of --config, and that the default.
  */
 #ifndef ZRASTERD_CONFIG_H
 #define ZRASTERD_CONFIG_H
@@ -15,18 +16,25 @@
 
 struct cJSON;
 
-enum { CONFIG_TEXT_SIZE = 256 };
+enum { CONFIG_TEXT_SIZE = 256, CONFIG_SETTINGS_MAX = 96, CONFIG_MESSAGE_SIZE = 16384 };
+
+/* Where a setting comes from. */
+struct config_source {
+    enum { CONFIG_DEFAULT, CONFIG_FILE, CONFIG_VARIABLE, CONFIG_FLAG } kind;
+    unsigned line; /* of the file */
+};
 
 /* Filled by config_read, constant afterwards. */
 struct config {
-    char address[CONFIG_TEXT_SIZE];    /* numeric IPv4 or IPv6 address */
-    char token[CONFIG_TEXT_SIZE];      /* "": none is required; never shown */
-    char cgroup[CONFIG_TEXT_SIZE];     /* folder of the control group */
-    char assets_dir[CONFIG_TEXT_SIZE]; /* "": no assets are stored */
-    char isa[CONFIG_TEXT_SIZE];        /* "auto", or an instruction set of this machine */
-    char page[CONFIG_TEXT_SIZE];       /* "on" or "off" */
-    char origins[CONFIG_TEXT_SIZE];    /* list with spaces or commas between its items; "*": all */
-    uint64_t port;                     /* 0: any free port */
+    char config[CONFIG_TEXT_SIZE];       /* the file of settings; "": none */
+    char address[CONFIG_TEXT_SIZE];      /* numeric IPv4 or IPv6 address */
+    char token[CONFIG_TEXT_SIZE];        /* "": none is required; never shown */
+    char cgroup[CONFIG_TEXT_SIZE];       /* folder of the control group */
+    char assets_dir[CONFIG_TEXT_SIZE];   /* "": no assets are stored */
+    char isa[CONFIG_TEXT_SIZE];          /* "auto", or an instruction set of this machine */
+    char page[CONFIG_TEXT_SIZE];         /* "on" or "off" */
+    char allow_origin[CONFIG_TEXT_SIZE]; /* list with spaces or commas between its items; "*": all */
+    uint64_t port;                       /* 0: any free port */
 
     uint64_t workers, threads, queue, max_per_client, max_per_private_client, max_connections, max_streams;
 
@@ -39,11 +47,22 @@ struct config {
 
     uint64_t json_depth_max, window_side_max, window_pixels_max, polygon_vertices_max, instances_max, image_pixels_max;
     uint64_t coordinate_max;
+
+    struct config_source sources[CONFIG_SETTINGS_MAX]; /* in the order of the table */
 };
 
-enum config_mode { CONFIG_SERVE, CONFIG_HELP, CONFIG_VERSION, CONFIG_HEALTH, CONFIG_WRONG };
+enum config_mode {
+    CONFIG_SERVE,
+    CONFIG_HELP,
+    CONFIG_VERSION,
+    CONFIG_HEALTH,
+    CONFIG_CHECK,
+    CONFIG_PRINT, /* the config is as config_print wants it: 0 stands where the machine decides */
+    CONFIG_WRONG
+};
 
-/* Reads flags and variables. CONFIG_WRONG: `message` names the setting, the value and the allowed values. */
+/* Reads the file, variables and flags. CONFIG_WRONG: `message` has a line for each fault, the first 20 of them, which
+ * names the place, the value and the allowed values. */
 enum config_mode config_read(struct config *config, int argc, char *const *argv, char *message, size_t message_size);
 
 struct zr_limits config_limits(const struct config *config);
@@ -52,6 +71,13 @@ struct zr_limits config_limits(const struct config *config);
 enum zr_isa config_isa(const struct config *config);
 
 void config_print_help(FILE *out);
+
+/* Prints the settings in the form of the file of --config, each with where it comes from. Secrets are not shown. */
+void config_print(const struct config *config, FILE *out);
+
+/* Checks the folders and files that the settings name, and says in `message` how many settings are given. False:
+ * `message` has a line for each fault. */
+bool config_check_paths(const struct config *config, char *message, size_t message_size);
 
 /* Adds each limit in force to `object`: bodyMaxBytes for --body-max-bytes. False: out of memory. */
 bool config_add_limits(const struct config *config, struct cJSON *object);

@@ -127,10 +127,28 @@ static int serve(const struct config *config)
     return EXIT_SUCCESS;
 }
 
+static void print_faults(char *message)
+{
+    for (char *rest, *line = strtok_r(message, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest))
+        fprintf(stderr, "zrasterd: %s\n", line);
+}
+
+/* Checks all that a start reads, and listens nowhere. */
+static int check(const struct config *config)
+{
+    char message[CONFIG_MESSAGE_SIZE];
+    const bool is_right = config_check_paths(config, message, sizeof message);
+    if (is_right)
+        puts(message);
+    else
+        print_faults(message);
+    return is_right ? EXIT_SUCCESS : EXIT_USAGE;
+}
+
 int main(int argc, char **argv)
 {
     struct config config;
-    char message[512];
+    char message[CONFIG_MESSAGE_SIZE];
     if (!open_standard_files()) return EXIT_FAILURE;
     switch (config_read(&config, argc, argv, message, sizeof message)) {
     case CONFIG_HELP:
@@ -141,8 +159,13 @@ int main(int argc, char **argv)
         return EXIT_SUCCESS;
     case CONFIG_HEALTH:
         return health_check(&config) ? EXIT_SUCCESS : EXIT_FAILURE;
+    case CONFIG_CHECK:
+        return check(&config);
+    case CONFIG_PRINT:
+        config_print(&config, stdout);
+        return EXIT_SUCCESS;
     case CONFIG_WRONG:
-        fprintf(stderr, "zrasterd: %s\n", message);
+        print_faults(message);
         return EXIT_USAGE;
     case CONFIG_SERVE:
         break;

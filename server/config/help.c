@@ -11,8 +11,15 @@ void config_print_help(FILE *out)
         "zrasterd " ZR_VERSION ": renders the scenes and meshes that clients POST to /v1/render.\n\n"
         "usage: zrasterd [--flag=value | --flag value]...\n\n"
         "  --help, --version\n"
-        "  --health    health check of the daemon at --address and --port: exit status 0 if it answers well, else 1\n\n"
-        "Each flag has a variable: ZRASTER_BODY_MAX_BYTES for --body-max-bytes. A flag overrides its variable.\n\n");
+        "  --health        health check of the daemon at --address and --port: exit status 0 if it answers well, else "
+        "1\n"
+        "  --check-config  checks all settings, and the folders and files that they name: exit status 0, or 2 with all "
+        "faults\n"
+        "  --print-config  prints the settings as a file for --config, and where each comes from\n\n"
+        "There are three ways to give a setting. A later one overrides an earlier one:\n"
+        "  body-max-bytes = 1000000        a line of the file that --config names\n"
+        "  ZRASTER_BODY_MAX_BYTES=1000000  a variable\n"
+        "  --body-max-bytes=1000000        a flag\n\n");
     const struct setting *s;
     for (size_t i = 0; (s = setting_at(i)); i++) {
         fprintf(out, "  --%s=%s\n      %s%s%s\n", s->flag, s->kind != NUMBER ? "TEXT" : "N", s->unit,

@@ -1,39 +1,64 @@
-/* read.c - settings from flags and variables. */
-#include <ctype.h>
+/* read.c - settings from the file, variables and flags, in this order. */
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "file.h"
+#include "unknown.h"
 #include "value.h"
 
-enum { NAME_SIZE = 64, QUEUE_PER_WORKER = 256 };
-
-static void variable_name(char name[NAME_SIZE], const char *flag)
-{
-    size_t used = (size_t)snprintf(name, NAME_SIZE, "ZRASTER_");
-    for (; *flag && used < NAME_SIZE - 1; flag++)
-        name[used++] = *flag == '-' ? '_' : (char)toupper((unsigned char)*flag);
-    name[used] = '\0';
-}
+extern char **environ;
 
 /* Kubernetes sets ZRASTER_PORT=tcp://ADDRESS:PORT in every pod beside a service of the name zraster. */
-static bool is_service_link(const char *value)
+static const char *variable_of(const struct setting *s)
 {
-    return strncmp(value, "tcp://", strlen("tcp://")) == 0;
+    char name[SETTING_NAME_SIZE];
+    setting_variable(name, s->flag);
+    const char *value = getenv(name);
+    /* Compose files pass unset variables as "". */
+    if (!value || !*value || (strcmp(s->flag, "port") == 0 && unknown_is_others(name, strlen(name), value)))
+        return NULL;
+    return value;
 }
 
-static bool read_variables(struct config *config, char *message, size_t message_size)
+static bool is_file_setting(const struct setting *s)
+{
+    return s->offset == offsetof(struct config, config);
+}
+
+static void read_variables(struct config *config, struct faults *faults)
 {
     const struct setting *s;
     for (size_t i = 0; (s = setting_at(i)); i++) {
-        char name[NAME_SIZE];
-        variable_name(name, s->flag);
-        const char *value = getenv(name);
-        /* Compose files pass unset variables as "". */
-        if (!value || !*value || (strcmp(s->flag, "port") == 0 && is_service_link(value))) continue;
-        if (!value_set(config, s, name, value, message, message_size)) return false;
+        const char *value = variable_of(s);
+        if (value && !is_file_setting(s))
+            value_set(config, s, (struct config_source){CONFIG_VARIABLE, 0}, value, faults);
     }
-    return true;
+}
+
+static bool is_variable_of_setting(const char *name, size_t length)
+{
+    const struct setting *s;
+    for (size_t i = 0; (s = setting_at(i)); i++) {
+        char known[SETTING_NAME_SIZE];
+        setting_variable(known, s->flag);
+        if (strlen(known) == length && memcmp(known, name, length) == 0) return true;
+    }
+    return false;
+}
+
+static void refuse_unknown_variables(struct faults *faults)
+{
+    enum { PREFIX = sizeof SETTING_VARIABLE - 1 };
+    for (char **variable = environ; *variable; variable++) {
+        const size_t length = strcspn(*variable, "=");
+        const char *value = (*variable)[length] ? *variable + length + 1 : "";
+        if (strncmp(*variable, SETTING_VARIABLE, PREFIX) != 0 || is_variable_of_setting(*variable, length) ||
+            unknown_is_others(*variable, length, value))
+            continue;
+        char hint[UNKNOWN_HINT_SIZE];
+        unknown_hint(hint, UNKNOWN_VARIABLE, *variable + PREFIX, length - PREFIX);
+        faults_add(faults, "%.*s is no variable of a setting; %s", (int)(length < 100 ? length : 100), *variable, hint);
+    }
 }
 
 /* Finds --help or --version, which override all other arguments. CONFIG_SERVE: neither. */
@@ -46,47 +71,94 @@ static enum config_mode find_question(int argc, char *const *argv)
     return CONFIG_SERVE;
 }
 
-static enum config_mode read_flags(struct config *config, int argc, char *const *argv, char *message,
-                                   size_t message_size)
+/* An argument: a flag that asks for something besides serving, one of a setting with its value, or neither. */
+struct argument {
+    const char *text;
+    size_t length; /* up to the = */
+    enum config_mode mode;
+    const struct setting *setting;
+    const char *value; /* NULL: there is none */
+};
+
+static enum config_mode mode_of(const char *text)
+{
+    return strcmp(text, "--health") == 0         ? CONFIG_HEALTH
+           : strcmp(text, "--check-config") == 0 ? CONFIG_CHECK
+           : strcmp(text, "--print-config") == 0 ? CONFIG_PRINT
+                                                 : CONFIG_SERVE;
+}
+
+/* Reads argument *at and moves on. */
+static struct argument next_argument(char *const *argv, int *at)
+{
+    struct argument a = {.text = argv[(*at)++]};
+    a.length = strcspn(a.text, "=");
+    a.mode = mode_of(a.text);
+    if (a.mode == CONFIG_SERVE && strncmp(a.text, "--", 2) == 0) a.setting = setting_find(a.text + 2, a.length - 2);
+    if (!a.setting) return a;
+    a.value = a.text[a.length] == '=' ? a.text + a.length + 1 : argv[*at];
+    if (a.value == argv[*at] && a.value) ++*at;
+    return a;
+}
+
+/* Finds the file of settings, which is read before all others. */
+static void read_file_setting(struct config *config, int argc, char *const *argv, struct faults *faults)
+{
+    const struct setting *s;
+    for (size_t i = 0; (s = setting_at(i)) && !is_file_setting(s);)
+        i++;
+    const char *value = variable_of(s);
+    struct config_source source = {CONFIG_VARIABLE, 0};
+    for (int i = 1; i < argc;) {
+        const struct argument a = next_argument(argv, &i);
+        if (a.setting != s || !a.value) continue;
+        value = a.value;
+        source.kind = CONFIG_FLAG;
+    }
+    if (value) value_set(config, s, source, value, faults);
+}
+
+static void read_flag(struct config *config, const struct argument *a, struct faults *faults)
+{
+    char hint[UNKNOWN_HINT_SIZE];
+    if (!a->setting) {
+        unknown_hint(hint, UNKNOWN_FLAG, a->text, a->length);
+        faults_add(faults, "unknown argument '%.100s'; %s", a->text, hint);
+        return;
+    }
+    if (!a->value)
+        faults_add(faults, "--%s: a value is missing", a->setting->flag);
+    else if (!is_file_setting(a->setting))
+        value_set(config, a->setting, (struct config_source){CONFIG_FLAG, 0}, a->value, faults);
+}
+
+static enum config_mode read_flags(struct config *config, int argc, char *const *argv, struct faults *faults)
 {
     enum config_mode mode = CONFIG_SERVE;
-    for (int i = 1; i < argc; i++) {
-        const char *argument = argv[i];
-        if (strcmp(argument, "--health") == 0) {
-            mode = CONFIG_HEALTH;
-            continue;
-        }
-        size_t length = strcspn(argument, "=");
-        const struct setting *s =
-            strncmp(argument, "--", 2) == 0 && length > 2 ? setting_find(argument + 2, length - 2) : NULL;
-        if (!s) {
-            snprintf(message, message_size, "unknown argument '%.100s'; --help lists the known ones", argument);
-            return CONFIG_WRONG;
-        }
-        char name[NAME_SIZE];
-        snprintf(name, sizeof name, "--%s", s->flag);
-        const char *value = argument[length] == '=' ? argument + length + 1 : argv[++i];
-        if (!value) {
-            snprintf(message, message_size, "%s: a value is missing", name);
-            return CONFIG_WRONG;
-        }
-        if (!value_set(config, s, name, value, message, message_size)) return CONFIG_WRONG;
+    for (int i = 1; i < argc;) {
+        const struct argument a = next_argument(argv, &i);
+        if (a.mode != CONFIG_SERVE)
+            mode = a.mode;
+        else
+            read_flag(config, &a, faults);
     }
     return mode;
 }
 
 enum config_mode config_read(struct config *config, int argc, char *const *argv, char *message, size_t message_size)
 {
+    struct faults faults;
+    faults_begin(&faults, message, message_size);
     value_set_defaults(config);
     enum config_mode mode = find_question(argc, argv);
     if (mode != CONFIG_SERVE) return mode;
-    if (!read_variables(config, message, message_size)) return CONFIG_WRONG;
-    mode = read_flags(config, argc, argv, message, message_size);
-
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    uint64_t online = cores < 1 ? 1 : cores > ZR_TEAM_MAX ? ZR_TEAM_MAX : (uint64_t)cores;
-    if (config->workers == 0) config->workers = online;
-    if (config->threads == 0) config->threads = online;
-    if (config->queue == 0) config->queue = QUEUE_PER_WORKER * config->workers;
+    read_file_setting(config, argc, argv, &faults);
+    if (*config->config) file_read(config, &faults);
+    read_variables(config, &faults);
+    refuse_unknown_variables(&faults);
+    mode = read_flags(config, argc, argv, &faults);
+    faults_end(&faults);
+    if (faults.count > 0) return CONFIG_WRONG;
+    if (mode != CONFIG_PRINT) value_settle(config);
     return mode;
 }

@@ -1,6 +1,7 @@
 /* settings.c - the table of all settings: a member of struct config and a row here are all that a setting needs. */
 #include "settings.h"
 
+#include <ctype.h>
 #include <string.h>
 
 #define MIB      ((uint64_t)1 << 20)
@@ -10,13 +11,15 @@
 
 /* Side and coordinates cannot be raised: the rasterizer's fixed point is proven up to these bounds. */
 static const struct setting ROWS[] = {
+    {"config", FILENAME, AT(config), false, 0, 0, 0, "", "",
+     "file of settings: lines KEY = VALUE, whose keys are the names of these flags; empty: none"},
     {"address", ADDRESS, AT(address), false, 0, 0, 0, "127.0.0.1", "", "numeric IPv4 or IPv6 address to listen on"},
     {"port", NUMBER, AT(port), false, 8080, 0, 65535, NULL, "", "port to listen on; 0: any free port"},
     {"token", SECRET, AT(token), false, 0, 0, 0, "", "",
      "bearer token that clients must send; empty: none; prefer its variable, which ps does not show"},
     {"page", SWITCH, AT(page), false, 0, 0, 0, "on", "",
      "on or off: the page at / for browsers and the manual at /docs/"},
-    {"origins", ORIGINS, AT(origins), false, 0, 0, 0, "", "",
+    {"allow-origin", ORIGINS, AT(allow_origin), false, 0, 0, 0, "", "",
      "origins whose web pages may use the daemon (CORS), such as https://example.org, with spaces or commas between "
      "them; *: all; empty: only its own page"},
     {"workers", NUMBER, AT(workers), true, 0, 0, 256, NULL, "",
@@ -89,9 +92,12 @@ static const struct setting ROWS[] = {
     {"coordinate-max", NUMBER, AT(coordinate_max), true, 0, 1, 1000000, NULL, "", "magnitude of a coordinate"},
 };
 
+enum { COUNT = sizeof ROWS / sizeof ROWS[0] };
+_Static_assert((int)COUNT <= (int)CONFIG_SETTINGS_MAX, "struct config has a source for each");
+
 const struct setting *setting_at(size_t index)
 {
-    return index < sizeof ROWS / sizeof ROWS[0] ? &ROWS[index] : NULL;
+    return index < COUNT ? &ROWS[index] : NULL;
 }
 
 const struct setting *setting_find(const char *name, size_t length)
@@ -100,4 +106,17 @@ const struct setting *setting_find(const char *name, size_t length)
     for (size_t i = 0; (s = setting_at(i)); i++)
         if (strlen(s->flag) == length && memcmp(s->flag, name, length) == 0) return s;
     return NULL;
+}
+
+struct config_source *setting_source(struct config *config, const struct setting *setting)
+{
+    return &config->sources[setting - ROWS];
+}
+
+void setting_variable(char name[SETTING_NAME_SIZE], const char *flag)
+{
+    size_t used = (size_t)snprintf(name, SETTING_NAME_SIZE, SETTING_VARIABLE);
+    for (; *flag && used < SETTING_NAME_SIZE - 1; flag++)
+        name[used++] = *flag == '-' ? '_' : (char)toupper((unsigned char)*flag);
+    name[used] = '\0';
 }

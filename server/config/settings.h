@@ -4,6 +4,10 @@
 
 #include "config.h"
 
+#define SETTING_VARIABLE "ZRASTER_"
+
+enum { SETTING_NAME_SIZE = 64 };
+
 /* value.c checks the values of each kind. */
 enum setting_kind {
     TEXT,
@@ -33,5 +37,10 @@ const struct setting *setting_at(size_t index);
 
 /* Finds a setting by the name of its flag without --. NULL: there is none. */
 const struct setting *setting_find(const char *name, size_t length);
+
+struct config_source *setting_source(struct config *config, const struct setting *setting);
+
+/* Writes the variable of a flag: ZRASTER_BODY_MAX_BYTES for body-max-bytes. */
+void setting_variable(char name[SETTING_NAME_SIZE], const char *flag);
 
 #endif

@@ -3,8 +3,9 @@
 #include <inttypes.h>
 #include <netdb.h>
 #include <string.h>
+#include <unistd.h>
 
-enum { LIST_SIZE = 64 };
+enum { LIST_SIZE = 64, QUEUE_PER_WORKER = 256 };
 
 uint64_t value_number(const struct config *config, const struct setting *setting)
 {
@@ -98,21 +99,28 @@ static const struct {
     [FILENAME] = {is_any, ""},
 };
 
-static bool set_text(struct config *config, const struct setting *s, const char *name, const char *value, char *message,
-                     size_t message_size)
+static bool has_control(const char *text)
 {
-    if (strlen(value) >= CONFIG_TEXT_SIZE) {
-        snprintf(message, message_size, "%s: longer than the %d bytes that are allowed", name, CONFIG_TEXT_SIZE - 1);
-        return false;
-    }
-    if (!KINDS[s->kind].is_right(value)) {
-        char known[LIST_SIZE] = "";
-        if (s->kind == ISA) zr_isa_list(known, sizeof known);
-        snprintf(message, message_size, "%s: '%.100s' %s%s", name, value, KINDS[s->kind].complaint, known);
-        return false;
-    }
-    snprintf((char *)config + s->offset, CONFIG_TEXT_SIZE, "%s", value);
-    return true;
+    for (; *text; text++)
+        if ((unsigned char)*text < ' ' || *text == 127) return true;
+    return false;
+}
+
+/* False: the value is a fault. */
+static bool set_text(struct config *config, const struct setting *s, const char *name, const char *value,
+                     struct faults *faults)
+{
+    char known[LIST_SIZE] = "";
+    if (s->kind == ISA) zr_isa_list(known, sizeof known);
+    if (strlen(value) >= CONFIG_TEXT_SIZE)
+        faults_add(faults, "%s: longer than the %d bytes that are allowed", name, CONFIG_TEXT_SIZE - 1);
+    else if (has_control(value))
+        faults_add(faults, "%s: the value has a control character", name);
+    else if (!KINDS[s->kind].is_right(value))
+        faults_add(faults, "%s: '%.100s' %s%s", name, value, KINDS[s->kind].complaint, known);
+    else
+        return snprintf((char *)config + s->offset, CONFIG_TEXT_SIZE, "%s", value) >= 0;
+    return false;
 }
 
 static bool parse_number(const char *text, uint64_t *out)
@@ -127,16 +135,44 @@ static bool parse_number(const char *text, uint64_t *out)
     return *text != '\0';
 }
 
-bool value_set(struct config *config, const struct setting *s, const char *name, const char *value, char *message,
-               size_t message_size)
+static bool set_number(struct config *config, const struct setting *s, const char *name, const char *value,
+                       struct faults *faults)
 {
-    if (s->kind != NUMBER) return set_text(config, s, name, value, message, message_size);
     uint64_t number;
     if (!parse_number(value, &number) || number < s->min || number > s->max) {
-        snprintf(message, message_size, "%s: '%.100s' is not a whole number from %" PRIu64 " to %" PRIu64 "%s%s", name,
-                 value, s->min, s->max, *s->unit ? " " : "", s->unit);
+        faults_add(faults, "%s: '%.100s' is not a whole number from %" PRIu64 " to %" PRIu64 "%s%s", name, value,
+                   s->min, s->max, *s->unit ? " " : "", s->unit);
         return false;
     }
     store_number(config, s, number);
     return true;
+}
+
+void value_place(const struct config *config, const struct setting *s, struct config_source source,
+                 char place[VALUE_PLACE_SIZE])
+{
+    if (source.kind == CONFIG_FILE)
+        snprintf(place, VALUE_PLACE_SIZE, "%s:%u: %s", config->config, source.line, s->flag);
+    else if (source.kind == CONFIG_VARIABLE)
+        setting_variable(place, s->flag);
+    else
+        snprintf(place, VALUE_PLACE_SIZE, "--%s", s->flag);
+}
+
+void value_set(struct config *config, const struct setting *s, struct config_source source, const char *value,
+               struct faults *faults)
+{
+    char place[VALUE_PLACE_SIZE];
+    value_place(config, s, source, place);
+    if (s->kind == NUMBER ? set_number(config, s, place, value, faults) : set_text(config, s, place, value, faults))
+        *setting_source(config, s) = source;
+}
+
+void value_settle(struct config *config)
+{
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    uint64_t online = cores < 1 ? 1 : cores > ZR_TEAM_MAX ? ZR_TEAM_MAX : (uint64_t)cores;
+    if (config->workers == 0) config->workers = online;
+    if (config->threads == 0) config->threads = online;
+    if (config->queue == 0) config->queue = QUEUE_PER_WORKER * config->workers;
 }

@@ -39,7 +39,7 @@ static bool is_read_only(const char *method)
 
 bool origin_is_allowed(const struct config *config, const struct request *request)
 {
-    return request->origin && is_among(config->origins, request->origin);
+    return request->origin && is_among(config->allow_origin, request->origin);
 }
 
 static bool is_preflight(const struct request *request)
@@ -57,7 +57,7 @@ bool origin_check(const struct config *config, const struct request *request, st
         !(is_text(request->fetch_site, "cross-site") || is_text(request->fetch_site, "same-site")))
         return true;
     problem_answer(answer, 403,
-                   "a page of another origin, %.100s, sent this request; start zrasterd with --origins for it",
+                   "a page of another origin, %.100s, sent this request; start zrasterd with --allow-origin for it",
                    request->origin ? request->origin : "unnamed");
     return false;
 }

@@ -41,7 +41,7 @@ bool agents_open(const struct service *service, const struct load *load, struct 
     if (request->origin && !is_local(request->origin) && !origin_is_allowed(service->config, request))
         problem_answer(answer, 403,
                        "pages of '%.100s' may not call " AGENTS_PATH
-                       "; start zrasterd with --origins to allow them, as pages of localhost are",
+                       "; start zrasterd with --allow-origin to allow them, as pages of localhost are",
                        request->origin);
     else if (!is_json(request->content_type))
         problem_answer(answer, 415, AGENTS_PATH " takes messages of the Content-Type application/json");

@@ -60,7 +60,7 @@ make_fixtures() {
     # A daemon without a port takes the place of the page's.
     cat >"$work/zrasterd" <<END
 #!/bin/sh
-export ZRASTER_PORT=\$ZRASTER_TEST_PORT
+export ZRASTER_PORT=\$TEST_PORT
 case " \$* " in *' --help '* | *' --version '* | *' --health '* | *' --port'*) exec "$build/zrasterd" "\$@" ;; esac
 kill "\$(cat "$work/daemon.pid")" 2>/dev/null
 tries=0
@@ -137,7 +137,7 @@ draws_without_warning() { # FILE
 }
 
 run_block() { # LANGUAGE FILE
-    export ZRASTER_TEST_PORT="${server##*:}"
+    export TEST_PORT="${server##*:}"
     # Only the daemon's address differs from the page.
     sed "s|127\.0\.0\.1:8080|${server#http://}|g; s|localhost:8080|${server#http://}|g" "$2" >"$2.run"
     within 10 curl -s -o /dev/null "$server/health"

@@ -102,12 +102,12 @@ class Off(Case):
         self.assertEqual((done.returncode, done.stderr), (2, "zrasterd: --page: 'yes' is neither on nor off\n"))
 
     def test_wrong_origins(self):
-        """--origins takes schemes and hosts alone"""
+        """--allow-origin takes schemes and hosts alone"""
         for origins in ("example.org", "https://a.example/", "ftp://a.example", "https://", "https://a.example, b"):
-            command = [os.path.join(daemon.build, "zrasterd"), "--port=0", f"--origins={origins}"]
+            command = [os.path.join(daemon.build, "zrasterd"), "--port=0", f"--allow-origin={origins}"]
             done = subprocess.run(command, capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 2, origins)
-            self.assertIn(f"--origins: '{origins}' is no list of origins", done.stderr)
+            self.assertIn(f"--allow-origin: '{origins}' is no list of origins", done.stderr)
 
 
 class Token(Case):
@@ -171,7 +171,7 @@ class Lists(Case):
 
 
 class Sites(Case):
-    flags = ["--origins=https://one.example, http://127.0.0.1:3000"]
+    flags = ["--allow-origin=https://one.example, http://127.0.0.1:3000"]
 
     def test_refused(self):
         """a page of another origin draws and stores nothing"""
@@ -192,7 +192,7 @@ class Sites(Case):
         self.assertEqual(self.daemon.send("/v1/limits", Sec_Fetch_Site="cross-site")[0], 200)
 
     def test_cors(self):
-        """an origin of --origins is answered, and its browser may read the answer"""
+        """an origin of --allow-origin is answered, and its browser may read the answer"""
         for origin in ("https://one.example", "http://127.0.0.1:3000"):
             status, headers, _ = self.daemon.send("/v1/render", TRIANGLE, Sec_Fetch_Site="cross-site", Origin=origin)
             self.assertEqual((status, headers["Access-Control-Allow-Origin"]), (200, origin))
@@ -212,7 +212,7 @@ class Sites(Case):
 
 
 class AnySite(Case):
-    flags = ["--origins=*", "--token=secret"]
+    flags = ["--allow-origin=*", "--token=secret"]
 
     def test_any(self):
         """with * any page may ask, if it has the token"""
