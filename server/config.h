@@ -1,7 +1,8 @@
 /* config.h - all settings of the daemon, from one table.
  *
- * The table in config/settings.c gives each setting its flag, default, unit, bounds and help line. The ZRASTER_* variable and
- * the name in /v1/limits follow from the flag. A flag overrides a variable, a variable overrides the default.
+ * The table in config/settings.c gives each setting its flag, default, unit, bounds and help line. The ZRASTER_*
+ * variable and the name in /v1/limits follow from the flag. A flag overrides a variable, a variable overrides the
+ * default.
  */
 #ifndef ZRASTERD_CONFIG_H
 #define ZRASTERD_CONFIG_H
@@ -20,13 +21,16 @@ enum { CONFIG_TEXT_SIZE = 256 };
 /* Filled by config_read, constant afterwards. */
 struct config {
     char address[CONFIG_TEXT_SIZE];    /* numeric IPv4 or IPv6 address */
-    char token[CONFIG_TEXT_SIZE];      /* "": none is required; never shown */
-    char cgroup[CONFIG_TEXT_SIZE];     /* folder of the control group */
-    char assets_dir[CONFIG_TEXT_SIZE]; /* "": no assets are stored */
-    char isa[CONFIG_TEXT_SIZE];        /* "auto", or an instruction set of this machine */
-    char page[CONFIG_TEXT_SIZE];       /* "on" or "off" */
-    char origins[CONFIG_TEXT_SIZE];    /* list with spaces or commas between its items; "*": all */
-    uint64_t port;                     /* 0: any free port */
+    char token[CONFIG_TEXT_SIZE];      /* "": none; never shown */
+    char token_file[CONFIG_TEXT_SIZE]; /* "": none, as for all files */
+    char keys_file[CONFIG_TEXT_SIZE], presets[CONFIG_TEXT_SIZE];
+    char only_presets[CONFIG_TEXT_SIZE]; /* "on" or "off" */
+    char cgroup[CONFIG_TEXT_SIZE];       /* folder of the control group */
+    char assets_dir[CONFIG_TEXT_SIZE];   /* "": no assets are stored */
+    char isa[CONFIG_TEXT_SIZE];          /* "auto", or an instruction set of this machine */
+    char page[CONFIG_TEXT_SIZE];         /* "on" or "off" */
+    char origins[CONFIG_TEXT_SIZE];      /* list with spaces or commas between its items; "*": all */
+    uint64_t port;                       /* 0: any free port */
 
     uint64_t workers, threads, queue, max_per_client, max_per_private_client, max_connections, max_streams;
 
