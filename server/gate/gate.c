@@ -103,7 +103,9 @@ static bool check_query(const struct lines *lines, const char *query, struct fau
             return lines_fault(lines, fault->message, fault->size,
                                "a query has no space, '?' or '#', and bytes beyond ASCII as %%XX");
     if (zr_query_split(query, room, &request, &error) == ZR_OK) return true;
-    return lines_fault(lines, fault->message, fault->size, "%s", error.items[0].detail);
+    const char *detail = error.items[0].detail, *known = strstr(detail, "; known: ");
+    return lines_fault(lines, fault->message, fault->size, "%.*s", known ? (int)(known - detail) : (int)strlen(detail),
+                       detail);
 }
 
 static bool add_preset(struct gate *gate, struct lines *lines, char *line, struct fault *fault)
