@@ -7,9 +7,9 @@
 #include <nettle/sha2.h>
 
 #include "config.h"
-#include "input/query_text.h"
 #include "input/text.h"
 #include "lines.h"
+#include "preset.h"
 
 enum { WARNING_SIZE = 1024, PRINTABLE_FIRST = '!', PRINTABLE_LAST = '~' };
 
@@ -23,6 +23,7 @@ struct gate {
     struct signature_keys keys;
     struct preset presets[GATE_PRESETS_MAX]; /* in `preset_lines` */
     struct lines preset_lines;
+    struct zr_limits limits;
     char warning[WARNING_SIZE];
 };
 
@@ -90,19 +91,16 @@ static bool is_preset_name(const char *name)
     return length >= 1 && length <= GATE_PRESET_NAME_MAX && strspn(name, ALLOWED) == length;
 }
 
-/* Checks that the query has known parameters, each once. */
-static bool check_query(const struct lines *lines, const char *query, struct fault *fault)
+static bool check_query(const struct gate *gate, const struct lines *lines, const char *query, struct fault *fault)
 {
-    struct zr_request request = {0};
     struct zr_error error = {0};
-    char room[2 * GATE_PRESET_QUERY_MAX + 2];
-    if (strlen(query) > GATE_PRESET_QUERY_MAX)
-        return lines_fault(lines, fault->message, fault->size, "a query has at most %d bytes", GATE_PRESET_QUERY_MAX);
+    if (strlen(query) > PRESET_QUERY_MAX)
+        return lines_fault(lines, fault->message, fault->size, "a query has at most %d bytes", PRESET_QUERY_MAX);
     for (const char *c = query; *c; c++)
         if (*c < PRINTABLE_FIRST || *c > PRINTABLE_LAST || *c == '#' || *c == '?')
             return lines_fault(lines, fault->message, fault->size,
                                "a query has no space, '?' or '#', and bytes beyond ASCII as %%XX");
-    if (zr_query_split(query, room, &request, &error) == ZR_OK) return true;
+    if (preset_check(query, &gate->limits, &error)) return true;
     const char *detail = error.items[0].detail, *known = strstr(detail, "; known: ");
     return lines_fault(lines, fault->message, fault->size, "%.*s", known ? (int)(known - detail) : (int)strlen(detail),
                        detail);
@@ -124,7 +122,7 @@ static bool add_preset(struct gate *gate, struct lines *lines, char *line, struc
         return lines_fault(lines, fault->message, fault->size, "the preset '%s' is here twice", line);
     if (gate->preset_count == GATE_PRESETS_MAX)
         return lines_fault(lines, fault->message, fault->size, "more than %d presets", GATE_PRESETS_MAX);
-    if (!check_query(lines, query, fault)) return false;
+    if (!check_query(gate, lines, query, fault)) return false;
     gate->presets[gate->preset_count++] = (struct preset){line, query};
     return true;
 }
@@ -163,6 +161,7 @@ struct gate *gate_read(const struct config *config, char *message, size_t messag
         snprintf(message, message_size, "out of memory");
         return NULL;
     }
+    gate->limits = config_limits(config);
     if (*config->token) hash(gate->tokens[gate->token_count++], config->token, strlen(config->token));
     if (read_secrets(gate, config->token_file, add_token, &fault) &&
         read_secrets(gate, config->keys_file, add_key, &fault) &&

@@ -20,8 +20,7 @@ enum {
     GATE_TOKENS_MAX = 64,
     GATE_TOKEN_MAX = 255, /* bytes */
     GATE_PRESETS_MAX = 256,
-    GATE_PRESET_NAME_MAX = 64,   /* bytes */
-    GATE_PRESET_QUERY_MAX = 2048 /* bytes */
+    GATE_PRESET_NAME_MAX = 64 /* bytes */
 };
 
 /* Reads all of it: --token, --token-file, --keys-file, --presets. Returns NULL if something is wrong; `message` names

@@ -9,6 +9,7 @@
 #include "config.h"
 #include "gate/gate.h"
 #include "gate/lines.h"
+#include "gate/preset.h"
 #include "support/tests.h"
 
 enum { MESSAGE_SIZE = 512 };
@@ -40,12 +41,21 @@ static void write_file(const char *text, size_t size, unsigned mode)
     assert_int_equal(chmod(path, mode), 0);
 }
 
+/* The settings of a daemon without flags, whose token is `token`. */
+static struct config config_with(const char *token)
+{
+    static struct config config;
+    char message[MESSAGE_SIZE], *flags[] = {"", "--token", (char *)(uintptr_t)token, NULL};
+    assert_int_equal(config_read(&config, 3, flags, message, sizeof message), CONFIG_SERVE);
+    return config;
+}
+
 enum file { TOKENS, KEYS, PRESETS };
 
 /* Reads a gate from the file. */
 static struct gate *read_file(enum file file, char message[MESSAGE_SIZE])
 {
-    struct config config = {0};
+    struct config config = config_with("");
     char *const members[] = {config.token_file, config.keys_file, config.presets};
     snprintf(members[file], CONFIG_TEXT_SIZE, "%s", path);
     *message = '\0';
@@ -79,7 +89,7 @@ static bool knows(const struct gate *gate, const char *token)
 
 TEST(tokens_are_those_of_the_setting_and_the_file)
 {
-    struct config config = {.token = "of the setting"};
+    struct config config = config_with("of the setting");
     char message[MESSAGE_SIZE];
     write_file("# comment\n\n  one \r\ntwo", 22, 0600);
     snprintf(config.token_file, sizeof config.token_file, "%s", path);
@@ -93,7 +103,7 @@ TEST(tokens_are_those_of_the_setting_and_the_file)
 
 TEST(without_settings_everybody_may_ask)
 {
-    const struct config config = {0};
+    const struct config config = config_with("");
     char message[MESSAGE_SIZE];
     struct gate *gate = gate_read(&config, message, sizeof message);
     assert_non_null(gate);
@@ -142,6 +152,7 @@ TEST(faults_name_file_and_line)
         {PRESETS, "a = look=%zz\n", ":1: a %-escape is broken"},
         {PRESETS, "a = width=3&widht=3\n", ":1: unknown parameter 'widht' (did you mean width?)"},
         {PRESETS, "a = width=3&width=3\n", ":1: duplicate parameter 'width'"},
+        {PRESETS, "a = width=0\n", ":1: parameter width: '0' is not a whole number of pixels from 1 to 8192"},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++)
         assert_fault(CASES[i].file, CASES[i].text, strlen(CASES[i].text), CASES[i].fault);
@@ -180,8 +191,8 @@ TEST(numbers_and_lengths_are_bounded)
          ":1: a key has 16 to 128 bytes, each of two hexadecimal digits; this line has 258 digits"},
         {PRESETS, GATE_PRESETS_MAX, "preset-%u = look=studio\n", 0, NULL},
         {PRESETS, GATE_PRESETS_MAX + 1, "preset-%u = look=studio\n", 0, ":257: more than 256 presets"},
-        {PRESETS, 1, "p%u = look=", GATE_PRESET_QUERY_MAX - 5, NULL},
-        {PRESETS, 1, "p%u = look=", GATE_PRESET_QUERY_MAX - 4, ":1: a query has at most 2048 bytes"},
+        {PRESETS, 1, "p%u = member=", PRESET_QUERY_MAX - 7, NULL},
+        {PRESETS, 1, "p%u = member=", PRESET_QUERY_MAX - 6, ":1: a query has at most 2048 bytes"},
         {TOKENS, 0, "", LINES_BYTES_MAX + 1, ": the file has more than 1 MiB"},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
@@ -198,7 +209,7 @@ TEST(files_that_are_no_regular_files_are_refused)
 {
     static const char *const PATHS[] = {"/dev/zero", "/tmp", "/nonexistent/file"};
     for (size_t i = 0; i < sizeof PATHS / sizeof *PATHS; i++) {
-        struct config config = {0};
+        struct config config = config_with("");
         char message[MESSAGE_SIZE] = "";
         snprintf(config.keys_file, sizeof config.keys_file, "%s", PATHS[i]);
         assert_null(gate_read(&config, message, sizeof message));
