@@ -389,6 +389,12 @@ bench-costs: ## predicted times beside those taken, of all scenes and models
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/tests/bench/alone/costs
 	@$(BUILD)/tests/bench/alone/costs tests/scenes/*.json $(DATA)/models/*.obj
 
+.PHONY: signature-timing
+signature-timing: ## whether the time of a check tells how much of a signature is right: SAMPLES=2000000
+	@.ci/need $(NEED_BUILD)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/tests/bench/alone/signature_timing
+	@$(BUILD)/tests/bench/alone/signature_timing $(SAMPLES)
+
 .PHONY: bench-command
 bench-command: ## the command, started anew, beside a warm HTTP request, and a batch of 1000 files: MODEL=FILE
 	@.ci/need $(NEED_BUILD) curl=curl
@@ -615,6 +621,8 @@ $(BUILD)/tests/bench/alone/library_draw: $(BUILD)/libzraster.so.0
 	$(LINK) $(BUILD)/libzraster.so.0 '-Wl,-rpath,$$ORIGIN/../../..'
 $(BUILD)/tests/bench/alone/bare_http:
 	$(LINK) -lmicrohttpd
+$(BUILD)/tests/bench/alone/signature_timing: $(BUILD)/server/gate/signature.o
+	$(LINK) -lnettle -lm
 
 $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
@@ -636,6 +644,10 @@ $(BUILD)/tests/unit/test_schema: $(BUILD)/server/routes/openapi.o $(BUILD)/serve
 $(BUILD)/tests/unit/test_framing: $(BUILD)/server/http/framing.o
 $(BUILD)/tests/unit/test_accept: $(BUILD)/server/http/accept.o
 $(BUILD)/tests/unit/test_clients: $(BUILD)/server/http/clients.o
+$(BUILD)/tests/unit/test_gate: $(addprefix $(BUILD)/server/gate/,gate.o lines.o preset.o signature.o) $(call objects,server/config/*.c)
+$(BUILD)/tests/unit/test_gate: TEST_LIBS += -lnettle
+$(BUILD)/tests/unit/test_signature: $(BUILD)/server/gate/signature.o
+$(BUILD)/tests/unit/test_signature: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/test_queue: $(BUILD)/server/work/queue.o
 $(BUILD)/tests/unit/test_images: $(addprefix $(BUILD)/server/keep/,images.o kept.o texts.o)
 $(BUILD)/tests/unit/test_images: TEST_LIBS += -lnettle

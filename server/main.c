@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "config.h"
+#include "gate/gate.h"
 #include "http/http.h"
 #include "keep/images.h"
 #include "keep/meshes.h"
@@ -38,6 +39,7 @@ static void block_signals(sigset_t *signals)
     sigemptyset(signals);
     sigaddset(signals, SIGTERM);
     sigaddset(signals, SIGINT);
+    sigaddset(signals, SIGHUP);
     pthread_sigmask(SIG_BLOCK, signals, NULL);
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN); /* writing an asset beyond the file size limit then fails, and does not end the daemon */
@@ -64,7 +66,44 @@ static void raise_file_limit(const struct config *config)
         log_event("warn", "file-limit", "fewer files may be open than max-connections asks for");
 }
 
-static int serve(const struct config *config)
+/* Reads tokens, keys and presets anew. If something is wrong, those before stay in force. */
+static void reload(const struct config *config, struct http *http)
+{
+    char message[512], detail[640];
+    struct gate *gate = gate_read(config, message, sizeof message);
+    if (gate) {
+        if (*gate_warning(gate)) log_event("warn", "gate", gate_warning(gate));
+        http_change_gate(http, gate); /* which logs it */
+    } else {
+        snprintf(detail, sizeof detail, "tokens, keys and presets stay as they were: %s", message);
+        log_event("error", "reload", detail);
+    }
+}
+
+/* Returns true if the daemon had a terminal that is closed by now: SIGHUP then means the end. */
+static bool has_lost_terminal(bool had_terminal)
+{
+    return had_terminal && !isatty(STDIN_FILENO);
+}
+
+/* Serves until SIGTERM or SIGINT. */
+static void serve_until_signal(const struct config *config, struct http *http, const sigset_t *signals)
+{
+    static const struct {
+        int number;
+        const char *name;
+    } NAMES[] = {{SIGTERM, "SIGTERM"}, {SIGINT, "SIGINT"}, {SIGHUP, "SIGHUP"}};
+    const bool had_terminal = isatty(STDIN_FILENO);
+    int number = 0, i = 0;
+    while (sigwait(signals, &number) != 0 || (number == SIGHUP && !has_lost_terminal(had_terminal)))
+        reload(config, http);
+    while (NAMES[i].number != number)
+        i++;
+    log_event("info", "drain", NAMES[i].name);
+}
+
+/* Takes ownership of the gate. */
+static int serve(const struct config *config, struct gate *gate)
 {
     sigset_t signals;
     char message[512];
@@ -76,10 +115,12 @@ static int serve(const struct config *config)
         return EXIT_FAILURE;
     }
     raise_file_limit(config);
+    if (*gate_warning(gate)) log_event("warn", "gate", gate_warning(gate));
     struct zr_team *team = zr_team_create_for((int)config->threads, config_isa(config));
     if (!team) {
         fprintf(stderr, "zrasterd: %" PRIu64 " render threads cannot be had; --threads asks for fewer\n",
                 config->threads);
+        gate_free(gate);
         log_writer_stop();
         return EXIT_FAILURE;
     }
@@ -93,6 +134,7 @@ static int serve(const struct config *config)
     if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
     if (store || !*config->assets_dir) {
         service_init(&service, config, team, &slowness, store, images, texts, meshes);
+        service.gate = gate;
         http = http_start(config, &service, message, sizeof message);
     }
     if (!http) {
@@ -103,6 +145,7 @@ static int serve(const struct config *config)
         texts_close(texts);
         meshes_close(meshes);
         zr_team_destroy(team);
+        gate_free(gate);
         log_writer_stop();
         return EXIT_FAILURE;
     }
@@ -112,9 +155,7 @@ static int serve(const struct config *config)
     printf("listening on http://%s%s%s:%u\n", is_ipv6 ? "[" : "", config->address, is_ipv6 ? "]" : "", http_port(http));
     fflush(stdout);
 
-    int signal_number = 0;
-    sigwait(&signals, &signal_number);
-    log_event("info", "drain", signal_number == SIGINT ? "SIGINT" : "SIGTERM");
+    serve_until_signal(config, http, &signals);
     http_stop(http);
     slowness_end(&slowness);
     store_close(store);
@@ -122,6 +163,7 @@ static int serve(const struct config *config)
     texts_close(texts);
     meshes_close(meshes);
     zr_team_destroy(team);
+    gate_free(service.gate);
     log_event("info", "stopped", NULL);
     log_writer_stop();
     return EXIT_SUCCESS;
@@ -170,6 +212,11 @@ int main(int argc, char **argv)
     case CONFIG_SERVE:
         break;
     }
+    struct gate *gate = gate_read(&config, message, sizeof message);
+    if (!gate) {
+        fprintf(stderr, "zrasterd: %s\n", message);
+        return EXIT_USAGE;
+    }
     mcp_memory_watch();
-    return serve(&config);
+    return serve(&config, gate);
 }

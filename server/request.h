@@ -27,9 +27,12 @@
 
 enum { REQUEST_ID_SIZE = 129 };
 
-/* Shared by all requests. Constant, except the counter and the insides of the store and of the images. */
+struct gate; /* gate/gate.h */
+
+/* Shared by all requests. Constant, except the gate, the counter and the insides of the store and of the images. */
 struct service {
     const struct config *config;
+    struct gate *gate; /* who may ask for what; for the thread that serves all connections only */
     struct zr_limits limits;
     struct slowness *slowness;
     struct zr_team *team;
@@ -61,7 +64,7 @@ struct route;
 struct request {
     char id[REQUEST_ID_SIZE];
     const char *method, *path;
-    const char *query;                                           /* behind the '?', or NULL */
+    char *query;                                                 /* behind the '?', or NULL */
     const char *content_type, *content_encoding, *authorization; /* NULL if not sent */
     const char *if_none_match, *accept, *accept_encoding;        /* NULL if not sent */
     const char *origin, *fetch_site;                             /* of browsers; NULL if not sent */
@@ -70,7 +73,8 @@ struct request {
     struct stream *stream;                                       /* with parts, on a worker; else NULL */
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */
-    bool small_only; /* set on the express (queue.h): a request that turns out to be large is given up */
+    int64_t expires_s; /* set by router_open: end of the address, in seconds since 1970; 0: none */
+    bool small_only;   /* set on the express (queue.h): a request that turns out to be large is given up */
 
     /* Set by rendering_open and drake_open: */
     char boundary[MULTIPART_BOUNDARY_SIZE]; /* of the body's parts; "": no parts */
@@ -107,6 +111,7 @@ struct route {
                               const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
     bool makes_answer;     /* `work` makes a large answer in memory */
     bool has_plain_errors; /* errors are text/plain */
+    bool is_signed;        /* needs a signature or a token, if there are keys */
 };
 
 #endif

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "gate/admit.h"
 #include "gate/origin.h"
 #include "problem.h"
 #include "routes/agents.h"
@@ -16,23 +17,23 @@
 #include "text.h"
 
 static const struct route ROUTES[] = {
-    {"/v1/render", "POST", false, rendering_open, rendering_work, true, false},
-    {"/v1/assets", "POST", false, assets_open, assets_work, false, false},
-    {"/", "GET, HEAD", true, site_open, NULL, false, false},
-    {"/docs", "GET, HEAD", true, manual_open, NULL, false, false},
-    {MANUAL_PATH, "GET, HEAD", true, manual_open, NULL, false, false},
-    {"/v1/examples", "GET, HEAD", false, examples_open, NULL, false, false},
-    {EXAMPLES_PATH, "GET, HEAD", false, examples_open, NULL, false, false},
-    {"/v1/looks", "GET, HEAD", false, looks_open, NULL, false, false},
-    {"/v1/limits", "GET, HEAD", false, limits_open, NULL, false, false},
-    {AGENTS_PATH, "POST", false, agents_open, agents_work, true, false},
-    {OPENAPI_PATH, "GET, HEAD", false, contract_open_openapi, NULL, false, false},
-    {SCENE_SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false},
-    {SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false},
-    {DRAKE_PATH, "POST", false, drake_open, drake_work, true, true},
-    {"/healthz", "GET, HEAD", true, health_open, NULL, false, false},
-    {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false, false},
-    {ASSETS_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false, false},
+    {"/v1/render", "POST", false, rendering_open, rendering_work, true, false, false},
+    {"/v1/assets", "POST", false, assets_open, assets_work, false, false, false},
+    {"/", "GET, HEAD", true, site_open, NULL, false, false, false},
+    {"/docs", "GET, HEAD", true, manual_open, NULL, false, false, false},
+    {MANUAL_PATH, "GET, HEAD", true, manual_open, NULL, false, false, false},
+    {"/v1/examples", "GET, HEAD", false, examples_open, NULL, false, false, false},
+    {EXAMPLES_PATH, "GET, HEAD", false, examples_open, NULL, false, false, false},
+    {"/v1/looks", "GET, HEAD", false, looks_open, NULL, false, false, false},
+    {"/v1/limits", "GET, HEAD", false, limits_open, NULL, false, false, false},
+    {AGENTS_PATH, "POST", false, agents_open, agents_work, true, false, false},
+    {OPENAPI_PATH, "GET, HEAD", false, contract_open_openapi, NULL, false, false, false},
+    {SCENE_SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false, false},
+    {SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false, false},
+    {DRAKE_PATH, "POST", false, drake_open, drake_work, true, true, false},
+    {"/healthz", "GET, HEAD", true, health_open, NULL, false, false, false},
+    {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false, false, false},
+    {ASSETS_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false, false, false},
 };
 
 enum { ROUTE_COUNT = sizeof ROUTES / sizeof ROUTES[0] };
@@ -60,20 +61,6 @@ static void refuse_path(const struct request *request, struct answer *answer)
         if (!is_for_all_below(route) && used < sizeof known)
             used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "", route->path);
     problem_answer(answer, 404, "there is no '%.100s' here; there are %s", request->path, known);
-}
-
-/* Compares in a time that depends on the client's text only, not on the first difference. */
-static bool token_matches(const char *token, const char *authorization)
-{
-    static const char SCHEME[] = "Bearer ";
-    if (!authorization || strncasecmp(authorization, SCHEME, sizeof SCHEME - 1) != 0) return false;
-    const char *given = authorization + sizeof SCHEME - 1;
-    given += strspn(given, " ");
-    size_t length = text_trimmed_length(given), wanted = strlen(token);
-    volatile unsigned char difference = length != wanted;
-    for (size_t i = 0; i < length; i++)
-        difference = (unsigned char)(difference | (given[i] ^ token[wanted ? i % wanted : 0]));
-    return difference == 0;
 }
 
 static bool method_allowed(const char *methods, const char *method)
@@ -121,13 +108,10 @@ enum request_next router_open(const struct service *service, const struct load *
                               struct answer *answer)
 {
     const struct route *route = request->route = find_route(request->path);
-    const char *token = service->config->token;
     answer->is_plain = route && route->has_plain_errors;
     if (!origin_check(service->config, request, answer)) return REQUEST_ANSWERED;
-    if (*token && !(route && route->open_to_all) && !token_matches(token, request->authorization)) {
-        answer_header(answer, "WWW-Authenticate", "Bearer realm=\"zraster\"");
-        problem_answer(answer, 401, "Authorization: Bearer with the right token is asked for");
-    } else if (!route) {
+    if (!admit(service, request, answer)) return REQUEST_ANSWERED;
+    if (!route) {
         refuse_path(request, answer);
     } else if (!method_allowed(route->methods, request->method)) {
         answer_header(answer, "Allow", "%s", route->methods);

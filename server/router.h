@@ -1,4 +1,4 @@
-/* router.h - chooses the handler of a request by path and method, and checks the token. */
+/* router.h - chooses the handler of a request by path and method, and asks the gate. */
 #ifndef ZRASTERD_ROUTER_H
 #define ZRASTERD_ROUTER_H
 

@@ -122,11 +122,14 @@ for part in "$@"; do
             [ "$test_part" = "$part" ] || continue
             run "server-$(basename "$test")" "ZRASTERD=$build/zrasterd" "ZRASTER_DATA=$data" "$test"
         done
-        [ "$part" = waits ] || run server-drake "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_drake.py
-        [ "$part" = waits ] || run server-nginx tests/server/test_nginx.sh "$build"
-        [ "$part" = waits ] || run server-page "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_page.py tests/server/test_parts.py tests/server/test_settings.py
-        [ "$part" = waits ] || run server-manual "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_manual.py
-        [ "$part" = waits ] || run server-mcp "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_mcp.py tests/server/test_mcp_tasks.py
+        if [ "$part" = server ]; then
+            for test in tests/server/test_*.py; do
+                run "server-$(basename "$test" .py)" "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" "$test"
+            done
+            for test in tests/server/test_*.sh; do
+                run "server-$(basename "$test" .sh)" "$test" "$build"
+            done
+        fi
         ;;
     clients)
         # The longest one begins first.

@@ -11,6 +11,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "gate/gate.h"
 #include "http_exchange.h"
 #include "http_loop.h"
 #include "http_receive.h"
@@ -103,6 +104,7 @@ static void free_http(struct http *http)
     for (size_t i = 0; i < sizeof fds / sizeof fds[0]; i++)
         if (fds[i] >= 0) close(fds[i]);
     pthread_mutex_destroy(&http->lock);
+    gate_free(atomic_load(&http->next_gate));
     free(http);
 }
 
@@ -155,6 +157,12 @@ struct http *http_start(const struct config *config, struct service *service, ch
 unsigned http_port(const struct http *http)
 {
     return http->port;
+}
+
+void http_change_gate(struct http *http, struct gate *gate)
+{
+    gate_free(atomic_exchange(&http->next_gate, gate));
+    http_loop_wake(http);
 }
 
 void http_stop(struct http *http)

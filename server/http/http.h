@@ -16,6 +16,10 @@ struct http;
 /* Listens and serves from now on. NULL: `message` has the reason. `config` and `service` must outlive the result. */
 struct http *http_start(const struct config *config, struct service *service, char *message, size_t message_size);
 
+/* Replaces service->gate and frees the one before; the loop takes `gate` within a turn, and logs the change. Any thread
+ * may call it. */
+void http_change_gate(struct http *http, struct gate *gate);
+
 unsigned http_port(const struct http *http);
 
 /* Accepts no new connections, waits up to drain_timeout_ms for the requests in flight, ends all threads and frees

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "clock.h"
+#include "gate/gate.h"
 #include "http_exchange.h"
 #include "http_receive.h"
 #include "http_work.h"
@@ -281,6 +282,19 @@ static bool drain(struct http *http, int64_t now)
 
 /* ---- the loop ---- */
 
+/* Takes the gate that http_change_gate has left, before further requests are read. */
+static void take_gate(struct http *http)
+{
+    char text[160];
+    struct gate *const next = atomic_load(&http->next_gate) ? atomic_exchange(&http->next_gate, NULL) : NULL;
+    struct gate *const before = http->service->gate;
+    if (!next) return;
+    gate_describe(next, before, text, sizeof text);
+    http->service->gate = next;
+    gate_free(before);
+    log_event("info", "reload", text);
+}
+
 static int smaller_wait(int a, int b)
 {
     return a < 0 || (b >= 0 && b < a) ? b : a;
@@ -312,6 +326,7 @@ void http_loop_run(struct http *http)
         const int tick = tick_ms(http);
         const int count = epoll_wait(http->epoll_fd, events, EVENTS, wait_ms(http));
         take_events(http, events, count);
+        take_gate(http);
         http_take_reports(http);
         MHD_run(http->daemon);
         const int64_t now = clock_ms();

@@ -37,6 +37,8 @@ struct http {
     bool sockets_cut;
     atomic_bool draining, cut_short; /* cut_short: the drain timeout has passed */
 
+    _Atomic(struct gate *) next_gate; /* from another thread, for service->gate; NULL: none */
+
     pthread_mutex_t lock;
     struct exchange *reports; /* list, from workers to the loop */
 };

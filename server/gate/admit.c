@@ -1,0 +1,66 @@
+#include "admit.h"
+
+#include <string.h>
+#include <strings.h>
+#include <time.h>
+
+#include "gate.h"
+#include "problem.h"
+#include "text.h"
+
+static bool has_token(const struct gate *gate, const char *authorization)
+{
+    static const char SCHEME[] = "Bearer ";
+    if (!gate_asks_for_token(gate) || !authorization || strncasecmp(authorization, SCHEME, sizeof SCHEME - 1) != 0)
+        return false;
+    const char *given = authorization + sizeof SCHEME - 1;
+    given += strspn(given, " ");
+    return gate_knows_token(gate, given, text_trimmed_length(given));
+}
+
+static bool refuse_without_token(struct answer *answer)
+{
+    answer_header(answer, "WWW-Authenticate", "Bearer realm=\"zraster\"");
+    problem_answer(answer, 401, "Authorization: Bearer with the right token is asked for");
+    return false;
+}
+
+/* Details of a 403. They tell nothing that the sender does not know, but that a signature was right once. */
+static const char *refusal(enum signature_status status, size_t key_count)
+{
+    if (key_count == 0) return "no signature is known here; start zrasterd with --keys-file for that";
+    switch (status) {
+    case SIGNATURE_MISSING:
+        return "this address needs a signature, or a token";
+    case SIGNATURE_MALFORMED:
+        return "the last parameter of the address is signature, with 64 lower-case hexadecimal digits; exp, before it, "
+               "has seconds since 1970; each stands there once";
+    case SIGNATURE_EXPIRED:
+        return "the signature of this address has expired";
+    default:
+        return "the signature does not match this address";
+    }
+}
+
+bool admit(const struct service *service, struct request *request, struct answer *answer)
+{
+    const struct gate *gate = service->gate;
+    const struct route *route = request->route;
+    const bool asks = gate_asks_for_token(gate);
+    if (route && route->open_to_all) return true;
+    if (!route || !route->is_signed)
+        return !asks || has_token(gate, request->authorization) || refuse_without_token(answer);
+
+    const struct signature_keys *keys = gate_keys(gate);
+    const enum signature_status status =
+        signature_check(keys, request->path, request->query, (int64_t)time(NULL), &request->expires_s);
+    if (status == SIGNATURE_MISSING) {
+        if (has_token(gate, request->authorization)) return true;
+        if (keys->count == 0) return !asks || refuse_without_token(answer);
+    } else {
+        signature_strip(request->query);
+    }
+    if (status == SIGNATURE_GOOD) return true;
+    problem_answer(answer, 403, "%s", refusal(status, keys->count));
+    return false;
+}
