@@ -159,7 +159,7 @@ unsigned http_port(const struct http *http)
 
 void http_stop(struct http *http)
 {
-    atomic_store(&http->draining, true);
+    atomic_store(&http->leaving, true);
     http_loop_wake(http);
     pthread_join(http->thread, NULL);
     free_http(http);
