@@ -124,6 +124,7 @@ for part in "$@"; do
         done
         [ "$part" = waits ] || run server-drake "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_drake.py
         [ "$part" = waits ] || run server-nginx tests/server/test_nginx.sh "$build"
+        [ "$part" = waits ] || run server-fleet "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_fleet.py
         [ "$part" = waits ] || run server-page "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_page.py tests/server/test_parts.py
         [ "$part" = waits ] || run server-manual "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_manual.py
         [ "$part" = waits ] || run server-mcp "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/server/test_mcp.py tests/server/test_mcp_tasks.py

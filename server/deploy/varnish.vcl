@@ -65,27 +65,43 @@ sub vcl_hash {
     hash_data(req.http.Authorization);
 }
 
+sub turn_to_other {
+    if (beresp.backend == zraster_1) {
+        set bereq.backend = zraster_2;
+    } else {
+        set bereq.backend = zraster_1;
+    }
+}
+
 sub vcl_backend_response {
-    # Another replica may be free. The last 503 is passed on with its Retry-After.
+    # The other replica may be free. The last 503 is passed on with its Retry-After.
     if (beresp.status == 503 && bereq.retries < 2) {
+        call turn_to_other;
         return (retry);
     }
     # Parts go on one by one. Other answers go on once they are whole: until then, another replica can take over.
     set beresp.do_stream = beresp.http.Content-Type ~ "^multipart/";
-    if (beresp.status >= 400 || !beresp.http.Cache-Control) {
+    if (beresp.status >= 400 || beresp.http.Cache-Control !~ "public|max-age|no-cache" || beresp.http.Cache-Control ~ "no-store|private") {
         set beresp.uncacheable = true;
         set beresp.ttl = 0s;
         return (deliver);
     }
-    # An answer past its time is revalidated by its ETag, and served while no replica is there.
-    set beresp.grace = 1h;
+    # An answer past its time is revalidated by its ETag: at once for no-cache, else after the grace, in which it is served while
+    # the new one is fetched or no replica is there.
     if (beresp.http.ETag) {
         set beresp.keep = 7d;
     }
+    if (beresp.http.Cache-Control ~ "no-cache") {
+        set beresp.ttl = 1ms;
+        set beresp.grace = 0s;
+        return (deliver);
+    }
+    set beresp.grace = 1h;
 }
 
 sub vcl_backend_error {
-    if (bereq.retries < 2) {
+    if (bereq.retries < 4) {
+        call turn_to_other;
         return (retry);
     }
 }

@@ -300,8 +300,8 @@ TEST(sigterm_with_a_delay_serves_until_it_has_passed)
 {
     enum { DELAY_MS = 1000 };
     static const char READY[] = "GET /readyz HTTP/1.1\r\nHost: a\r\n\r\n";
-    static const char RENDER[] =
-        "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 16\r\n\r\n{\"polygons\": []}";
+    static const char RENDER[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 57\r\n\r\n"
+                                 "{\"polygons\": [{\"vertices\": [[0,0,0], [1,0,0], [0,1,0]]}]}";
     struct daemon server = daemon_start(LIST(LET_IN, "--drain-delay-ms=1000"));
     int kept = client_connect(&server);
     assert_true(client_write(kept, READY, sizeof READY - 1));
