@@ -56,13 +56,15 @@ def replace(fleet, number, how, down=0.2):
     time.sleep(fleet.proxy.settle)
 
 
-def once_under_load(fleet, ends):
-    """Ends replicas in turns, one by each signal, while requests come."""
+def once_under_load(fleet):
+    """Kills a replica and starts it again, then terminates the other one, while requests come."""
     load = Load(fleet.proxy.port, fleet.replicas[0], clients=4).start()
-    for i, how in enumerate(ends):
-        time.sleep(0.1)
-        replace(fleet, i % 2, how)
+    time.sleep(0.1)
+    replace(fleet, 0, signal.SIGKILL)
+    fleet.replicas[1].end()
+    time.sleep(0.3)
     load.stop()
+    fleet.replicas[1].start()
     return load.done > 100 and load.failed == 0 and load.others == 0, load.text()
 
 
