@@ -47,8 +47,8 @@ NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck cu
 	/usr/share/i18n/charmaps=locales /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/tifffile=python3-tifffile? dwebp=webp djpeg=libjpeg-turbo-progs \
 	update-mime-database=shared-mime-info $(NEED_REFERENCE) \
 	$(NEED_PYTHON)
-# Debian starts it as a service once it is installed, so only CI installs it; elsewhere its test is left out, and says so.
-NEED_SERVICE := /usr/sbin/nginx=nginx
+# Debian starts them as services once they are installed, so only CI installs them; elsewhere their tests are left out, and say so.
+NEED_SERVICE := /usr/sbin/nginx=nginx /usr/sbin/haproxy=haproxy /usr/sbin/varnishd=varnish /usr/lib/python3/dist-packages/yaml=python3-yaml
 NEED_BROWSER := chromium=chromium /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/numpy=python3-numpy
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
@@ -306,6 +306,12 @@ same-command: ## all scenes of tests/scenes, and every look of three models: the
 	@.ci/need $(NEED_BUILD) curl=curl
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster
 	@SAME=all DATA="$(DATA)" tests/clients/test_same_bytes.sh $(BUILD)
+
+.PHONY: fleet
+fleet: ## replicas that end behind HAProxy, nginx and Varnish, 20 000 requests each: none fails; REQUESTS=N, ONLY=nginx, FLEET_ROOT=DIR
+	@.ci/need $(NEED_BUILD) $(NEED_SERVICE)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@$(PYTHON) tests/fleet/fleet.py $(BUILD) --requests $(or $(REQUESTS),20000) --only "$(ONLY)"
 
 .PHONY: algorithms
 algorithms: ## the five algorithms against one another: 100 000 triangles and 40 000 polygons

@@ -46,7 +46,8 @@ struct config {
     uint64_t assets_max_bytes;
 
     uint64_t header_timeout_ms, idle_timeout_ms, body_timeout_ms, body_min_bytes_per_second;
-    uint64_t answer_min_bytes_per_second, write_timeout_ms, render_timeout_ms, drain_timeout_ms, cost_max_ms;
+    uint64_t answer_min_bytes_per_second, write_timeout_ms, render_timeout_ms, drain_delay_ms, drain_timeout_ms,
+        cost_max_ms;
 
     uint64_t json_depth_max, window_side_max, window_pixels_max, polygon_vertices_max, instances_max, image_pixels_max;
     uint64_t coordinate_max;

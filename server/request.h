@@ -50,7 +50,7 @@ void service_init(struct service *service, const struct config *config, struct z
 
 /* Load of the daemon at the beginning of a request. */
 struct load {
-    bool draining;
+    bool leaving, draining;            /* the daemon is to end; it takes no more work */
     bool queue_full, large_queue_full; /* the queue for a body of this size; the one for large bodies */
     bool answers_full;                 /* unsent answers fill answer_memory_bytes */
     unsigned retry_after_s;

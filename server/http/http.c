@@ -167,7 +167,7 @@ void http_change_gate(struct http *http, struct gate *gate)
 
 void http_stop(struct http *http)
 {
-    atomic_store(&http->draining, true);
+    atomic_store(&http->leaving, true);
     http_loop_wake(http);
     pthread_join(http->thread, NULL);
     free_http(http);

@@ -22,8 +22,8 @@ void http_change_gate(struct http *http, struct gate *gate);
 
 unsigned http_port(const struct http *http);
 
-/* Accepts no new connections, waits up to drain_timeout_ms for the requests in flight, ends all threads and frees
- * everything. */
+/* Reports the daemon as not ready, and serves for drain_delay_ms more. Then accepts no new connections, waits up to
+ * drain_timeout_ms for the requests in flight, ends all threads and frees everything. */
 void http_stop(struct http *http);
 
 #endif

@@ -192,7 +192,7 @@ static enum MHD_Result reply(struct exchange *exchange)
     if (exchange->connection->phase != PHASE_WRITE) /* answers of workers have entered it already */
         connections_enter(&http->connections, exchange->connection, PHASE_WRITE);
     router_finish(answer, exchange->http->service, &exchange->request);
-    answer->close |= atomic_load(&http->draining);
+    answer->close |= atomic_load(&http->leaving);
     exchange->file = answer->file;
     struct MHD_Response *response = answer->is_broken ? NULL : create_response(exchange);
     enum MHD_Result result = MHD_NO;
@@ -232,6 +232,7 @@ static size_t count_coming(const struct http *http)
 
 static void get_load(struct http *http, uint64_t body_bytes, struct load *load)
 {
+    load->leaving = atomic_load(&http->leaving);
     load->draining = atomic_load(&http->draining);
     enum queue_lane lane = http_lane_of(body_bytes);
     load->queue_full = queue_is_full(http->queue, lane, lane == QUEUE_LARGE ? count_coming(http) : 0);

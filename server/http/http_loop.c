@@ -261,10 +261,20 @@ static void cut_short(struct http *http, int64_t now)
     }
 }
 
+/* Load balancers look at /readyz and turn to other daemons, before this one refuses connections. */
+static bool delay_has_passed(struct http *http, int64_t now)
+{
+    if (http->leave_began_ms == 0) http->leave_began_ms = now;
+    if (now - http->leave_began_ms < (int64_t)http->config->drain_delay_ms) return false;
+    atomic_store(&http->draining, true);
+    return true;
+}
+
 /* Returns true once all requests are finished. A request that a client sent before it could know of the end is still
  * read for GRACE_MS, and then counts as in flight. */
 static bool drain(struct http *http, int64_t now)
 {
+    if (!delay_has_passed(http, now)) return false;
     if (http->drain_began_ms == 0) begin_drain(http, now);
     const int64_t elapsed = now - http->drain_began_ms;
     if (http->in_flight == 0 && (http->connections.count == 0 || elapsed >= GRACE_MS)) return true;
@@ -314,7 +324,7 @@ static int wait_ms(struct http *http)
     MHD_UNSIGNED_LONG_LONG library_ms;
     if (MHD_get_timeout(http->daemon, &library_ms) == MHD_YES)
         wait = smaller_wait(wait, library_ms > INT32_MAX ? INT32_MAX : (int)library_ms);
-    if (atomic_load(&http->draining)) wait = smaller_wait(wait, REST_MS);
+    if (atomic_load(&http->leaving)) wait = smaller_wait(wait, REST_MS);
     return wait;
 }
 
@@ -334,6 +344,6 @@ void http_loop_run(struct http *http)
             end_all_overdue(http, now);
             checked_ms = now;
         }
-        if (atomic_load(&http->draining) && drain(http, now)) return;
+        if (atomic_load(&http->leaving) && drain(http, now)) return;
     }
 }

@@ -13,10 +13,10 @@
 /* Opens the descriptors of the loop. False: none available. */
 bool http_loop_open(struct http *http);
 
-/* Runs until http->draining is set and all requests are finished. */
+/* Runs until http->leaving is set and all requests are finished. */
 void http_loop_run(struct http *http);
 
-/* Wakes the loop to check http->draining. Thread-safe. */
+/* Wakes the loop to check http->leaving. Thread-safe. */
 void http_loop_wake(struct http *http);
 
 #endif

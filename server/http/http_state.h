@@ -30,12 +30,14 @@ struct http {
     bool listener_rests; /* no descriptor, or no place, for a new connection */
     bool is_self_test;   /* logs nothing */
     struct upload_budget uploads;
-    atomic_size_t answer_bytes;     /* of answers that are not sent yet, and of works that wait for readers */
-    atomic_size_t streams;          /* works that may stream their answers */
-    size_t in_flight;               /* exchanges with a complete header */
-    int64_t drain_began_ms, cut_ms; /* 0: not yet */
+    atomic_size_t answer_bytes; /* of answers that are not sent yet, and of works that wait for readers */
+    atomic_size_t streams;      /* works that may stream their answers */
+    size_t in_flight;           /* exchanges with a complete header */
+    int64_t leave_began_ms, drain_began_ms, cut_ms; /* 0: not yet */
     bool sockets_cut;
-    atomic_bool draining, cut_short; /* cut_short: the drain timeout has passed */
+    /* leaving: the daemon is to end, and serves as ever; draining: the drain delay has passed, cut_short: the drain
+     * timeout, too */
+    atomic_bool leaving, draining, cut_short;
 
     _Atomic(struct gate *) next_gate; /* from another thread, for service->gate; NULL: none */
 

@@ -24,8 +24,8 @@ TEST(help_lists_every_flag)
                LIST("--address", "--port", "--workers", "--threads", "--queue", "--max-per-client", "--max-connections",
                     "--body-max-bytes", "--upload-memory-bytes", "--header-timeout-ms", "--idle-timeout-ms",
                     "--body-timeout-ms", "--body-min-bytes-per-second", "--write-timeout-ms", "--render-timeout-ms",
-                    "--drain-timeout-ms", "--request-memory-bytes", "--keep-memory-bytes", "--token",
-                    "--json-depth-max", "--window-side-max", "--window-pixels-max", "--polygon-vertices-max",
+                    "--drain-delay-ms", "--drain-timeout-ms", "--request-memory-bytes", "--keep-memory-bytes",
+                    "--token", "--json-depth-max", "--window-side-max", "--window-pixels-max", "--polygon-vertices-max",
                     "--assets-dir", "--assets-max-bytes", "--instances-max", "--image-pixels-max", "--coordinate-max",
                     "--isa", "--health", "--version", "ZRASTER_"));
 }

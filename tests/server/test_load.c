@@ -294,6 +294,34 @@ TEST(sigterm_lets_renders_in_flight_end)
     free(scene);
 }
 
+/* Until the delay has passed, load balancers may still send requests: over connections that are open, and over new
+ * ones. */
+TEST(sigterm_with_a_delay_serves_until_it_has_passed)
+{
+    enum { DELAY_MS = 1000 };
+    static const char READY[] = "GET /readyz HTTP/1.1\r\nHost: a\r\n\r\n";
+    static const char RENDER[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 57\r\n\r\n"
+                                 "{\"polygons\": [{\"vertices\": [[0,0,0], [1,0,0], [0,1,0]]}]}";
+    struct daemon server = daemon_start(LIST(LET_IN, "--drain-delay-ms=1000"));
+    int kept = client_connect(&server);
+    assert_true(client_write(kept, READY, sizeof READY - 1));
+    free(client_read(kept, "ready\"}", 5000));
+    const double began = seconds();
+    daemon_signal(&server);
+    assert_true(wait_for_status(&server, "/readyz", 503));
+    for (int is_fresh = 0; is_fresh < 2; is_fresh++) {
+        int fd = is_fresh ? client_connect(&server) : kept;
+        assert_true(fd >= 0 && client_write(fd, RENDER, sizeof RENDER - 1));
+        char *text = client_read(fd, NULL, 5000);
+        assert_int_equal(raw_status(text), 200);
+        assert_non_null(strstr(text, "Connection: close"));
+        free(text);
+        close(fd);
+    }
+    daemon_stop(&server);
+    assert_true((seconds() - began) * 1000 >= DELAY_MS);
+}
+
 TEST(drain_that_takes_too_long_is_cut_short)
 {
     struct daemon server =

@@ -1,9 +1,10 @@
 #!/bin/sh
-# test_nginx.sh BUILD: Debian's nginx, with the configuration of clients/docs/how-to/nginx.md, before two daemons that share a folder of
-# assets. Only addresses and folders differ from the page. Prints TAP.
+# test_nginx.sh BUILD: Debian's nginx, with server/deploy/nginx.conf, which clients/docs/how-to/nginx.md shows, before two daemons that
+# share a folder of assets. Only addresses and folders differ from the file. Prints TAP.
 set -u
 build=$(realpath "$1")
 page=clients/docs/how-to/nginx.md
+file=server/deploy/nginx.conf
 nginx=$(PATH=$PATH:/usr/sbin command -v nginx)
 work=$(mktemp -d)
 . tests/support/verdict.sh
@@ -15,6 +16,9 @@ said=$work/said complained=$work/complained
 pids=
 trap 'kill $pids 2>/dev/null; wait 2>/dev/null; rm -rf "$work"' EXIT
 unset ZRASTER_SERVER
+
+sed -n '/^```nginx$/,/^```$/p' $page | sed '/^```/d' >"$said"
+verdict "the page shows the file" eval 'sed "/^# Two daemons/d" $file | cmp - "$said"'
 
 [ -n "$nginx" ] || {
     skip "the service behind nginx" "nginx is missing (the package nginx)"
@@ -45,15 +49,15 @@ configure() { # PORT
         [ "$(id -u)" != 0 ] || echo 'user root;'
         echo "daemon off; pid $work/pid; error_log $work/errors; events {}"
         echo "http { access_log off; client_body_temp_path $work/body; proxy_temp_path $work/proxy; fastcgi_temp_path $work/f; uwsgi_temp_path $work/u; scgi_temp_path $work/s;"
-        sed -n '/^```nginx$/,/^```$/p' $page | sed -e '/^```/d' -e "s|listen 80;|listen 127.0.0.1:$1;|" -e "s|/var/lib/nginx/|$work/|" \
-            -e "s|127.0.0.1:8081|${address_1#http://}|" -e "s|127.0.0.1:8082|${address_2#http://}|"
+        sed -e "s|listen 80;|listen 127.0.0.1:$1;|" -e "s|/var/lib/nginx/|$work/|" \
+            -e "s|127.0.0.1:8081|${address_1#http://}|" -e "s|127.0.0.1:8082|${address_2#http://}|" $file
         echo '}'
     } >"$work/nginx.conf"
 }
 configure 20000
-check "nginx accepts the configuration of the page" 0 "$nginx" -t -p "$work" -e "$work/errors" -c "$work/nginx.conf"
+check "nginx accepts the configuration" 0 "$nginx" -t -p "$work" -e "$work/errors" -c "$work/nginx.conf"
 is_up() { curl -sf -o /dev/null "$front/healthz"; }
-folder=$(sed -n 's/^proxy_cache_path \([^ ]*\) .*/\1/p' $page)
+folder=$(sed -n 's/^proxy_cache_path \([^ ]*\) .*/\1/p' $file)
 if [ -e /etc/debian_version ] && [ "$nginx" = /usr/sbin/nginx ]; then
     verdict "Debian has the folder in which nginx makes that of the cache" [ -d "${folder%/*}" ]
 fi
