@@ -26,10 +26,10 @@ struct config_source {
 
 /* Filled by config_read, constant afterwards. */
 struct config {
-    char config[CONFIG_TEXT_SIZE];       /* the file of settings; "": none */
-    char address[CONFIG_TEXT_SIZE];      /* numeric IPv4 or IPv6 address */
-    char token[CONFIG_TEXT_SIZE];        /* "": none; never shown */
-    char token_file[CONFIG_TEXT_SIZE];   /* "": none, as for all files */
+    char config[CONFIG_TEXT_SIZE];     /* the file of settings; "": none */
+    char address[CONFIG_TEXT_SIZE];    /* numeric IPv4 or IPv6 address */
+    char token[CONFIG_TEXT_SIZE];      /* "": none; never shown */
+    char token_file[CONFIG_TEXT_SIZE]; /* "": none, as for all files */
     char keys_file[CONFIG_TEXT_SIZE], presets[CONFIG_TEXT_SIZE];
     char only_presets[CONFIG_TEXT_SIZE]; /* "on" or "off" */
     char cgroup[CONFIG_TEXT_SIZE];       /* folder of the control group */
