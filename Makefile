@@ -649,11 +649,15 @@ $(BUILD)/tests/unit/test_mcp: $(mcp)
 $(BUILD)/tests/unit/test_schema: $(BUILD)/server/routes/openapi.o $(BUILD)/server/routes/openapi_texts.o
 $(BUILD)/tests/unit/test_framing: $(BUILD)/server/http/framing.o
 $(BUILD)/tests/unit/test_accept: $(BUILD)/server/http/accept.o
-$(BUILD)/tests/unit/test_clients: $(BUILD)/server/http/clients.o
-$(BUILD)/tests/unit/test_gate: $(addprefix $(BUILD)/server/gate/,gate.o lines.o preset.o signature.o) $(call objects,server/config/*.c)
+$(BUILD)/tests/unit/test_gate: $(addprefix $(BUILD)/server/gate/,gate.o lines.o preset.o signature.o forwarded.o networks.o ip.o) $(call objects,server/config/*.c)
 $(BUILD)/tests/unit/test_gate: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/test_signature: $(BUILD)/server/gate/signature.o
 $(BUILD)/tests/unit/test_signature: TEST_LIBS += -lnettle
+$(BUILD)/tests/unit/test_clients: $(addprefix $(BUILD)/server/,http/clients.o gate/ip.o)
+$(BUILD)/tests/unit/test_networks: $(addprefix $(BUILD)/server/gate/,forwarded.o networks.o ip.o)
+$(BUILD)/tests/unit/test_proxy_header: $(addprefix $(BUILD)/server/,http/proxy_header.o gate/ip.o)
+$(BUILD)/tests/unit/test_trace: $(BUILD)/server/log/trace.o
+$(BUILD)/tests/unit/test_log_text: $(addprefix $(BUILD)/server/,log/log_text.o text.o)
 $(BUILD)/tests/unit/test_queue: $(BUILD)/server/work/queue.o
 $(BUILD)/tests/unit/test_images: $(addprefix $(BUILD)/server/keep/,images.o kept.o texts.o)
 $(BUILD)/tests/unit/test_images: TEST_LIBS += -lnettle

@@ -31,13 +31,16 @@ struct config {
     char token[CONFIG_TEXT_SIZE];      /* "": none; never shown */
     char token_file[CONFIG_TEXT_SIZE]; /* "": none, as for all files */
     char keys_file[CONFIG_TEXT_SIZE], presets[CONFIG_TEXT_SIZE];
-    char only_presets[CONFIG_TEXT_SIZE]; /* "on" or "off" */
-    char cgroup[CONFIG_TEXT_SIZE];       /* folder of the control group */
-    char assets_dir[CONFIG_TEXT_SIZE];   /* "": no assets are stored */
-    char isa[CONFIG_TEXT_SIZE];          /* "auto", or an instruction set of this machine */
-    char page[CONFIG_TEXT_SIZE];         /* "on" or "off" */
-    char allow_origin[CONFIG_TEXT_SIZE]; /* list with spaces or commas between its items; "*": all */
-    uint64_t port;                       /* 0: any free port */
+    char only_presets[CONFIG_TEXT_SIZE];    /* "on" or "off" */
+    char cgroup[CONFIG_TEXT_SIZE];          /* folder of the control group */
+    char assets_dir[CONFIG_TEXT_SIZE];      /* "": no assets are stored */
+    char isa[CONFIG_TEXT_SIZE];             /* "auto", or an instruction set of this machine */
+    char page[CONFIG_TEXT_SIZE];            /* "on" or "off" */
+    char allow_origin[CONFIG_TEXT_SIZE];    /* list with spaces or commas between its items; "*": all */
+    char trusted_proxies[CONFIG_TEXT_SIZE]; /* a list as networks.h has it; "": none */
+    char proxy_protocol[CONFIG_TEXT_SIZE];  /* "on" or "off" */
+    char client_header[CONFIG_TEXT_SIZE];   /* as forwarded.h has it */
+    uint64_t port;                          /* 0: any free port */
 
     uint64_t workers, threads, queue, max_per_client, max_per_private_client, max_connections, max_streams;
 

@@ -118,3 +118,9 @@ void request_take_id(struct request *request, struct service *service, const cha
     uint64_t number = atomic_fetch_add(&service->id_next, 1);
     snprintf(request->id, sizeof request->id, "%016" PRIx64 "-%06" PRIx64, service->id_base, number);
 }
+
+void request_take_trace(struct request *request, struct service *service, const char *traceparent)
+{
+    if (traceparent)
+        trace_read(&request->trace, traceparent, service->id_base + atomic_fetch_add(&service->id_next, 1));
+}

@@ -20,6 +20,7 @@
 #include "keep/store.h"
 #include "keep/texts.h"
 #include "log/step_times.h"
+#include "log/trace.h"
 #include "mcp/handler.h"
 #include "routes/multipart.h"
 #include "work/slowness.h"
@@ -63,6 +64,7 @@ struct route;
 
 struct request {
     char id[REQUEST_ID_SIZE];
+    struct trace trace;
     const char *method, *path;
     char *query;                                                 /* behind the '?', or NULL */
     const char *content_type, *content_encoding, *authorization; /* NULL if not sent */
@@ -90,6 +92,9 @@ void request_free(struct request *request);
 
 /* Sets the id: the client's if it has 1..128 of [A-Za-z0-9._-], else a new one. */
 void request_take_id(struct request *request, struct service *service, const char *client_id);
+
+/* Sets the trace from a header (NULL: not sent); a malformed one counts for nothing. */
+void request_take_trace(struct request *request, struct service *service, const char *traceparent);
 
 /* REQUEST_LARGE: small_only is set and the request is large; there is no answer yet. */
 enum request_next { REQUEST_ANSWERED, REQUEST_WORK, REQUEST_LARGE };

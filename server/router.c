@@ -134,5 +134,6 @@ void router_finish(struct answer *answer, const struct service *service, const s
 {
     origin_finish(service->config, request, answer);
     answer_header(answer, "X-Request-Id", "%s", request->id);
+    if (*request->trace.id) answer_header(answer, "traceresponse", "%s", request->trace.answer);
     answer_header(answer, "Zraster-Version", ZR_VERSION);
 }

@@ -31,6 +31,13 @@ static const struct setting ROWS[] = {
     {"allow-origin", ORIGINS, AT(allow_origin), false, 0, 0, 0, "", "",
      "origins whose web pages may use the daemon (CORS), such as https://example.org, with spaces or commas between "
      "them; *: all; empty: only its own page"},
+    {"trusted-proxies", NETWORKS, AT(trusted_proxies), false, 0, 0, 0, "", "",
+     "addresses and networks of proxies that name their clients, such as 10.0.0.1 or 10.0.0.0/8, loopback, private, "
+     "with spaces or commas between them; empty: none"},
+    {"client-header", CLIENT_HEADER, AT(client_header), false, 0, 0, 0, "x-forwarded-for", "",
+     "header that trusted proxies append the client's address to: x-forwarded-for, forwarded (RFC 7239), or none"},
+    {"proxy-protocol", SWITCH, AT(proxy_protocol), false, 0, 0, 0, "off", "",
+     "on or off: connections of trusted proxies begin with a PROXY header, version 1 or 2"},
     {"workers", NUMBER, AT(workers), true, 0, 0, 256, NULL, "",
      "requests processed at once, besides one small request; 0: one per core"},
     {"threads", NUMBER, AT(threads), true, 0, 0, ZR_TEAM_MAX, NULL, "",
@@ -42,7 +49,7 @@ static const struct setting ROWS[] = {
      "that may wait in each queue, small and large; beyond 2 per worker, only those that should start within a second; "
      "0: 256 per worker"},
     {"max-per-client", NUMBER, AT(max_per_client), true, 4, 0, 65536, NULL, "requests",
-     "in flight per public address (IPv6: per network of 64 bits); 0: no limit, for use behind a proxy"},
+     "in flight per public address (IPv6: per network of 64 bits); 0: no limit; behind a proxy, see --trusted-proxies"},
     {"max-per-private-client", NUMBER, AT(max_per_private_client), true, 0, 0, 65536, NULL, "requests",
      "in flight per address of this machine or of a private network; 0: no limit"},
     {"max-connections", NUMBER, AT(max_connections), true, 1024, 8, 65536, NULL, "", "open connections"},

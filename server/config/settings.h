@@ -16,6 +16,8 @@ enum setting_kind {
     ISA,
     ORIGINS,
     SWITCH,
+    NETWORKS,
+    CLIENT_HEADER,
     FOLDER,   /* "": none */
     FILENAME, /* "": none */
     NUMBER

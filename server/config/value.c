@@ -5,6 +5,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "gate/forwarded.h"
+
 enum { LIST_SIZE = 64, QUEUE_PER_WORKER = 256 };
 
 uint64_t value_number(const struct config *config, const struct setting *setting)
@@ -83,6 +85,18 @@ static bool are_origins(const char *text)
     return true;
 }
 
+static bool are_networks(const char *text)
+{
+    struct networks networks;
+    return networks_parse(&networks, text);
+}
+
+static bool is_client_header(const char *text)
+{
+    enum forwarded_form form;
+    return forwarded_form_parse(&form, text);
+}
+
 /* What a value of a kind is, and how a message says that one is not. */
 static const struct {
     bool (*is_right)(const char *text);
@@ -95,6 +109,9 @@ static const struct {
     [ORIGINS] = {are_origins, "is no list of origins such as https://example.org: scheme and host, without a path or a "
                               "/ at the end"},
     [SWITCH] = {is_switch, "is neither on nor off"},
+    [NETWORKS] = {are_networks, "is no list of addresses and networks such as 10.0.0.1, 10.0.0.0/8, 2001:db8::/32, "
+                                "loopback and private"},
+    [CLIENT_HEADER] = {is_client_header, "is none of x-forwarded-for, forwarded and none"},
     [FOLDER] = {is_any, ""},
     [FILENAME] = {is_any, ""},
 };

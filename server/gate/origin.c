@@ -7,7 +7,8 @@
 #include "text.h"
 
 #define EXPOSED                                                                                                        \
-    "Location, Retry-After, Server-Timing, X-Request-Id, Zraster-Encoder, Zraster-Look, Zraster-Version, "             \
+    "Location, Retry-After, Server-Timing, traceresponse, X-Request-Id, Zraster-Encoder, Zraster-Look, "               \
+    "Zraster-Version, "                                                                                                \
     "Zraster-Warnings"
 #define TAKEN                                                                                                          \
     "Authorization, Content-Encoding, Content-Type, If-None-Match, MCP-Protocol-Version, Mcp-Method, Mcp-Name, "       \

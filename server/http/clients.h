@@ -9,25 +9,26 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <sys/socket.h>
 
-enum { CLIENT_BUCKETS = 1024, CLIENT_KEY_SIZE = 16 };
+#include "gate/ip.h"
+
+enum { CLIENT_BUCKETS = 1024 };
 
 struct client {
     struct client *next; /* in its bucket */
-    uint8_t key[CLIENT_KEY_SIZE];
-    bool is_loopback, is_private; /* private: loopback, and networks without routes on the internet */
-    size_t connections;
-    size_t in_flight; /* requests */
+    struct ip key;
+    bool is_loopback, is_private; /* as ip.h has them */
+    size_t connections;           /* and requests that a proxy passed on */
+    size_t in_flight;             /* requests */
 };
 
 struct clients {
     struct client *buckets[CLIENT_BUCKETS];
 };
 
-/* Adds a connection to the client with this address and returns the client; NULL: out of memory. Undo it by
- * clients_leave. */
-struct client *clients_join(struct clients *clients, const struct sockaddr *address);
+/* Adds a connection, or a request that came over that of a proxy, to the client with this address and returns the
+ * client; NULL: out of memory. Undo it by clients_leave. */
+struct client *clients_join(struct clients *clients, const struct ip *address);
 void clients_leave(struct clients *clients, struct client *client);
 
 #endif

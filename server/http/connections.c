@@ -1,7 +1,7 @@
 #include "connections.h"
 
-#include <arpa/inet.h>
 #include <linux/tcp.h>
+#include <netinet/in.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,6 +22,9 @@ enum {
 bool connections_init(struct connections *connections, const struct config *config)
 {
     *connections = (struct connections){.config = config, .fd_count = FDS_MIN};
+    networks_parse(&connections->trusted, config->trusted_proxies); /* and these texts are checked ones */
+    forwarded_form_parse(&connections->form, config->client_header);
+    connections->asks_for_proxy = strcmp(config->proxy_protocol, "on") == 0;
     connections->by_fd = calloc(FDS_MIN, sizeof *connections->by_fd);
     return connections->by_fd;
 }
@@ -70,20 +73,26 @@ static void count_phase(struct connections *connections, struct connection *conn
     *count = in ? *count + 1 : *count - 1;
 }
 
+static void trust(const struct connections *connections, struct connection *connection)
+{
+    connection->is_trusted = networks_contain(&connections->trusted, &connection->address);
+    connection->framing.reads_client = connection->is_trusted;
+}
+
 struct connection *connections_add(struct connections *connections, int fd, const struct sockaddr *address)
 {
     struct connection *old = connections_find(connections, fd);
     if (old) connections_remove(connections, old); /* libmicrohttpd closed it before it added it */
+    const struct ip peer = ip_of_socket(address);
     struct connection *connection = calloc(1, sizeof *connection);
     if (!connection || !make_room(connections, (size_t)fd) ||
-        !(connection->client = clients_join(&connections->clients, address))) {
+        !(connection->client = clients_join(&connections->clients, &peer))) {
         free(connection);
         return NULL;
     }
-    const void *bytes = address->sa_family == AF_INET6
-                            ? (const void *)&((const struct sockaddr_in6 *)(const void *)address)->sin6_addr
-                            : (const void *)&((const struct sockaddr_in *)(const void *)address)->sin_addr;
-    inet_ntop(address->sa_family, bytes, connection->address, sizeof connection->address);
+    connection->peer = connection->address = peer;
+    trust(connections, connection);
+    connection->awaits_proxy = connection->is_trusted && connections->asks_for_proxy;
     connection->fd = fd;
     connection->previous = connections->last;
     if (connections->last)
@@ -101,7 +110,7 @@ struct connection *connections_add(struct connections *connections, int fd, cons
 
 void connections_remove(struct connections *connections, struct connection *connection)
 {
-    connections_release(connection);
+    connections_release(connections, connection);
     count_phase(connections, connection, false);
     if (connection->previous)
         connection->previous->next = connection->next;
@@ -115,6 +124,47 @@ void connections_remove(struct connections *connections, struct connection *conn
     connections->count--;
     clients_leave(&connections->clients, connection->client);
     free(connection);
+}
+
+static void take_source(struct connections *connections, struct connection *connection)
+{
+    struct client *client = clients_join(&connections->clients, &connection->proxy.source);
+    if (!client) {
+        framing_refuse(&connection->framing, 503, "out of memory");
+        return;
+    }
+    clients_leave(&connections->clients, connection->client);
+    connection->client = client;
+    connection->address = connection->proxy.source;
+    trust(connections, connection);
+}
+
+bool connections_is_within_proxy(const struct connection *connection)
+{
+    return connection->awaits_proxy && connection->proxy.taken > 0;
+}
+
+size_t connections_take_proxy(struct connections *connections, struct connection *connection, char *bytes, size_t size)
+{
+    struct proxy_header *proxy = &connection->proxy;
+    if (!connection->awaits_proxy) {
+        const struct framing *framing = &connection->framing;
+        const bool is_first = framing->state == FRAMING_START && framing->passed == 0 && framing->empty_lines == 0;
+        if (is_first && proxy_header_begins(bytes, size))
+            framing_refuse(&connection->framing, 400,
+                           connection->is_trusted
+                               ? "a PROXY header, which --proxy-protocol=on would read"
+                               : "a PROXY header from an address that --trusted-proxies does not name");
+        return size;
+    }
+    const size_t taken = proxy_header_take(proxy, bytes, size);
+    if (proxy->wrong) framing_refuse(&connection->framing, 400, proxy->wrong);
+    if (proxy->is_whole) {
+        connection->awaits_proxy = false;
+        if (proxy->has_source) take_source(connections, connection);
+    }
+    memmove(bytes, bytes + taken, size - taken);
+    return size - taken;
 }
 
 struct connection *connections_find(const struct connections *connections, int fd)
@@ -155,7 +205,7 @@ void connections_enter(struct connections *connections, struct connection *conne
         connection->taken_before = connection->taken_bytes = bytes_taken(connection);
     }
     /* PHASE_HEADER, too: bytes of it may have come with the request before. */
-    if (is_waiting(phase) || phase == PHASE_REFUSED) connections_release(connection);
+    if (is_waiting(phase) || phase == PHASE_REFUSED) connections_release(connections, connection);
 }
 
 void connections_pause(struct connection *connection, int64_t ms)
@@ -164,21 +214,29 @@ void connections_pause(struct connection *connection, int64_t ms)
     connection->credit_until_ms += ms;
 }
 
-bool connections_admit(struct connections *connections, struct connection *connection, uint64_t *most)
+const char *connections_admit(struct connections *connections, struct connection *connection, const struct ip *address,
+                              uint64_t *most)
 {
     const struct config *config = connections->config;
     struct client *client = connection->client;
+    if (!ip_is_same(address, &connection->address)) client = clients_join(&connections->clients, address);
+    if (!client) client = connection->client; /* out of memory */
     *most = client->is_private ? config->max_per_private_client : config->max_per_client;
-    if (*most > 0 && client->in_flight >= *most) return false;
+    const char *forbids = client->is_private ? "maxPerPrivateClient" : "maxPerClient";
+    connection->asker = client;
     client->in_flight++;
-    connection->in_flight = true;
-    return true;
+    if (*most == 0 || client->in_flight <= *most) return NULL;
+    connections_release(connections, connection);
+    return forbids;
 }
 
-void connections_release(struct connection *connection)
+void connections_release(struct connections *connections, struct connection *connection)
 {
-    if (connection->in_flight) connection->client->in_flight--;
-    connection->in_flight = false;
+    struct client *asker = connection->asker;
+    if (!asker) return;
+    asker->in_flight--;
+    if (asker != connection->client) clients_leave(&connections->clients, asker);
+    connection->asker = NULL;
 }
 
 /* Returns the priority for giving up a place; 0: never. */

@@ -17,7 +17,6 @@
 #ifndef ZRASTERD_CONNECTIONS_H
 #define ZRASTERD_CONNECTIONS_H
 
-#include <netinet/in.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -25,6 +24,8 @@
 #include "clients.h"
 #include "config.h"
 #include "framing.h"
+#include "gate/forwarded.h"
+#include "proxy_header.h"
 
 enum phase { PHASE_IDLE, PHASE_HEADER, PHASE_BODY, PHASE_WORK, PHASE_WRITE, PHASE_REFUSED, PHASES };
 
@@ -33,8 +34,12 @@ struct exchange;
 struct connection {
     struct connection *next, *previous; /* oldest first */
     int fd;
-    char address[INET6_ADDRSTRLEN];
-    struct client *client;
+    struct ip peer, address; /* address: that of a PROXY header, else that of the peer */
+    struct client *client;   /* with this address */
+    struct client *asker;    /* counts the request in flight; NULL: none does */
+    bool is_trusted;         /* a proxy's address: its requests may name their clients */
+    bool awaits_proxy;       /* a PROXY header is asked for and not whole */
+    struct proxy_header proxy;
     enum phase phase;
     int64_t began_ms, deadline_ms; /* of the phase */
     uint64_t body_bytes;           /* received in PHASE_BODY */
@@ -45,12 +50,14 @@ struct connection {
     struct framing framing;
     uint64_t answered;         /* finished requests; framing.passed counts requests with a complete header */
     struct exchange *exchange; /* current request, or NULL */
-    bool in_flight;            /* counts in client->in_flight */
     bool has_left;             /* the client has closed its sending half */
 };
 
 struct connections {
     const struct config *config;
+    struct networks trusted; /* of --trusted-proxies */
+    enum forwarded_form form;
+    bool asks_for_proxy; /* trusted proxies begin connections by a PROXY header */
     struct connection *first, *last;
     struct connection **by_fd;
     size_t fd_count;
@@ -64,6 +71,13 @@ void connections_free(struct connections *connections);
 /* Adds an accepted socket in PHASE_IDLE. NULL: out of memory, and the socket stays the caller's. */
 struct connection *connections_add(struct connections *connections, int fd, const struct sockaddr *address);
 
+/* Takes the bytes of a PROXY header from the front of those received, with the address that it names, and returns the
+ * count of the others, which are moved to the front. A fault becomes that of connection->framing. */
+size_t connections_take_proxy(struct connections *connections, struct connection *connection, char *bytes, size_t size);
+
+/* Returns true if a PROXY header has begun and not ended. */
+bool connections_is_within_proxy(const struct connection *connection);
+
 /* Call before the socket is closed. */
 void connections_remove(struct connections *connections, struct connection *connection);
 
@@ -76,10 +90,13 @@ void connections_enter(struct connections *connections, struct connection *conne
 /* Moves the deadline of a reader in PHASE_WRITE by a wait for bytes. */
 void connections_pause(struct connection *connection, int64_t ms);
 
-/* Counts the request as in flight. False: its client has `most` requests in flight, its maximum (0: no maximum). */
-bool connections_admit(struct connections *connections, struct connection *connection, uint64_t *most);
+/* Counts the request of the client with this address as in flight. Returns the setting that forbids it, as /v1/limits
+ * has it, and its value; NULL: it is counted. */
+const char *connections_admit(struct connections *connections, struct connection *connection, const struct ip *client,
+                              uint64_t *most);
+
 /* Ends the count of the request as in flight. */
-void connections_release(struct connection *connection);
+void connections_release(struct connections *connections, struct connection *connection);
 
 /* Returns the bytes of the current answer that the client's system has acknowledged; 0 outside PHASE_WRITE. */
 uint64_t connections_taken(const struct connection *connection);

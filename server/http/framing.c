@@ -49,8 +49,7 @@ static bool start_request(struct framing *f, char c)
         f->state = FRAMING_EMPTY_LF;
         return true;
     }
-    const uint64_t passed = f->passed;
-    *f = (struct framing){.state = FRAMING_METHOD, .passed = passed};
+    *f = (struct framing){.reads_client = f->reads_client, .state = FRAMING_METHOD, .passed = f->passed};
     if (!is_token((unsigned char)c))
         return refuse(f, 400,
                       c == 0x16 ? "these bytes look like TLS; plain HTTP is spoken here"
@@ -144,7 +143,8 @@ static bool is_read_here(const struct framing *f)
                                         "mcp-method",    "mcp-name"};
     for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++)
         if (equals(f->name, f->name_length, NAMES[i])) return true;
-    return false;
+    return f->reads_client &&
+           (equals(f->name, f->name_length, "x-forwarded-for") || equals(f->name, f->name_length, "forwarded"));
 }
 
 /* Returns true for headers whose valid values have no space. Space around a value is no part of it (RFC 9112, 5). But
@@ -361,6 +361,12 @@ static size_t skip_body(struct framing *f, size_t size)
     f->left -= skipped;
     if (f->left == 0) f->state = f->state == FRAMING_BODY ? FRAMING_START : FRAMING_CHUNK_DATA_CR;
     return skipped;
+}
+
+void framing_refuse(struct framing *f, int status, const char *detail)
+{
+    refuse(f, status, detail);
+    f->state = FRAMING_REFUSED;
 }
 
 size_t framing_scan(struct framing *f, char *bytes, size_t size)

@@ -57,8 +57,9 @@ enum framing_state {
 
 enum { FRAMING_WORD_SIZE = 24 }; /* room for each name and value that is compared, and one byte more for longer ones */
 
-/* Starts as {0}. The last four members are the result. */
+/* Starts as {0}, but for reads_client. The last four members are the result. */
 struct framing {
+    bool reads_client; /* the headers pass in which proxies name their clients */
     enum framing_state state;
     bool is_trailer, is_old, is_chunked; /* is_old: HTTP/1.0 */
     uint32_t line_bytes;                 /* of the current method, target, name, value, chunk size or extension */
@@ -80,6 +81,9 @@ struct framing {
 /* Scans `size` bytes, moves those that pass to the front of `bytes` and returns their count. On a refusal they end with
  * the last complete request. */
 size_t framing_scan(struct framing *framing, char *bytes, size_t size);
+
+/* Refuses the bytes from here on for a reason that the scanner does not know. */
+void framing_refuse(struct framing *framing, int status, const char *detail);
 
 /* Returns true if a request's header has begun and not ended. */
 static inline bool framing_is_within_header(const struct framing *framing)

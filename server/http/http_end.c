@@ -6,9 +6,15 @@
 #include "log/log.h"
 
 /* All requests pass here once: those of exchanges, and those that libmicrohttpd never saw. */
-static void tell(const struct http *http, const struct log_request *request)
+static void tell(const struct http *http, const struct ip *peer, const struct ip *client, struct log_request *request)
 {
-    if (!http->is_self_test) log_request(request);
+    char peer_text[IP_TEXT_SIZE], client_text[IP_TEXT_SIZE];
+    if (http->is_self_test) return;
+    ip_print(peer, peer_text);
+    ip_print(client, client_text);
+    request->remote = peer_text;
+    request->client = client_text;
+    log_request(request);
 }
 
 /* The times of work belong to the worker until it ends. */
@@ -27,39 +33,39 @@ void http_log_exchange(struct exchange *exchange)
         detail = "the request was malformed or not whole";
     else if (!is_at_work && exchange->stream.is_begun)
         detail = exchange->made.detail;
-    tell(exchange->http, &(struct log_request){
-                             .id = exchange->request.id,
-                             .remote = exchange->remote,
-                             .method = exchange->method,
-                             .route = exchange->request.route ? exchange->request.route->path : NULL,
-                             .path = exchange->request.path,
-                             .query = exchange->request.query,
-                             .look = answer_find_header(answer, "Zraster-Look"),
-                             .warnings = answer->warnings + (is_at_work ? 0 : exchange->made.warnings),
-                             .traceparent = exchange->traceparent,
-                             .detail = detail,
-                             .status = exchange->replied ? answer->status : 0,
-                             .aborted = !exchange->is_whole,
-                             .bytes_in = exchange->body_bytes,
-                             .bytes_out = exchange->bytes_out,
-                             .total_ms = (double)(clock_us() - exchange->began_us) / 1000.0,
-                             .times = is_at_work ? NO_STEP_TIMES : exchange->times,
-                         });
+    tell(exchange->http, &exchange->peer, &exchange->client,
+         &(struct log_request){
+             .id = exchange->request.id,
+             .method = exchange->method,
+             .route = exchange->request.route ? exchange->request.route->path : NULL,
+             .path = exchange->request.path,
+             .query = exchange->request.query,
+             .look = answer_find_header(answer, "Zraster-Look"),
+             .warnings = answer->warnings + (is_at_work ? 0 : exchange->made.warnings),
+             .trace = &exchange->request.trace,
+             .detail = detail,
+             .status = exchange->replied ? answer->status : 0,
+             .aborted = !exchange->is_whole,
+             .bytes_in = exchange->body_bytes,
+             .bytes_out = exchange->bytes_out,
+             .total_ms = (double)(clock_us() - exchange->began_us) / 1000.0,
+             .times = is_at_work ? NO_STEP_TIMES : exchange->times,
+         });
 }
 
 void http_log_connection(const struct http *http, const struct connection *connection, const char *id, int status,
                          size_t bytes_out, const char *detail)
 {
-    tell(http, &(struct log_request){
-                   .id = id,
-                   .remote = connection->address,
-                   .status = status,
-                   .aborted = status == 0,
-                   .bytes_out = bytes_out,
-                   .total_ms = (double)(clock_ms() - connection->began_ms),
-                   .times = NO_STEP_TIMES,
-                   .detail = detail,
-               });
+    tell(http, &connection->peer, &connection->address,
+         &(struct log_request){
+             .id = id,
+             .status = status,
+             .aborted = status == 0,
+             .bytes_out = bytes_out,
+             .total_ms = (double)(clock_ms() - connection->began_ms),
+             .times = NO_STEP_TIMES,
+             .detail = detail,
+         });
 }
 
 void http_close_exchange(struct exchange *exchange)

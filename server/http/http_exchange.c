@@ -10,7 +10,6 @@
 #include "clock.h"
 #include "http_end.h"
 #include "http_work.h"
-#include "log/log.h"
 #include "problem.h"
 #include "router.h"
 
@@ -36,6 +35,8 @@ void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket
         if (!connection) return;
         if (connection->phase == PHASE_HEADER && framing_is_within_header(&connection->framing))
             http_log_connection(http, connection, NULL, 0, 0, "the connection ended within a request's header");
+        if (connections_is_within_proxy(connection) && connection->phase != PHASE_REFUSED)
+            http_log_connection(http, connection, NULL, 0, 0, "the connection ended within its PROXY header");
         connections_remove(&http->connections, connection);
         return;
     }
@@ -117,7 +118,8 @@ void *http_on_request_line(void *context, const char *target, struct MHD_Connect
         free(exchange);
         return NULL;
     }
-    snprintf(exchange->remote, sizeof exchange->remote, "%s", exchange->connection->address);
+    exchange->peer = exchange->connection->peer;
+    exchange->client = exchange->connection->address;
     exchange->request.path = exchange->target;
     exchange->connection->exchange = exchange;
     return exchange;
@@ -255,6 +257,34 @@ static const char *header(struct exchange *exchange, const char *name)
     return MHD_lookup_connection_value(exchange->mhd, MHD_HEADER_KIND, name);
 }
 
+struct header_list {
+    const char *name;
+    size_t used;
+    char text[FRAMING_VALUES_MAX + 2 * FRAMING_FIELDS_MAX];
+};
+
+/* Joins the values of all headers of a name (RFC 9110, 5.3). framing.h bounds them. */
+static enum MHD_Result join_values(void *context, enum MHD_ValueKind kind, const char *name, const char *value)
+{
+    struct header_list *list = context;
+    (void)kind;
+    const size_t length = value && strcasecmp(name, list->name) == 0 ? strlen(value) : 0;
+    if (length == 0 || list->used + length + 2 >= sizeof list->text) return MHD_YES;
+    list->used += (size_t)sprintf(list->text + list->used, "%s%s", list->used ? "," : "", value);
+    return MHD_YES;
+}
+
+/* Finds the client for whom a trusted proxy asks. */
+static void find_client(struct exchange *exchange)
+{
+    const struct connections *connections = &exchange->http->connections;
+    struct header_list list = {.name = forwarded_header(connections->form)};
+    if (!list.name) return;
+    MHD_get_connection_values(exchange->mhd, MHD_HEADER_KIND, join_values, &list);
+    exchange->client =
+        forwarded_client(connections->form, &connections->trusted, &exchange->connection->address, list.text);
+}
+
 static void open_exchange(struct exchange *exchange, const char *method, const char *version)
 {
     struct http *http = exchange->http;
@@ -273,8 +303,8 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.fetch_site = header(exchange, "Sec-Fetch-Site");
     MHD_get_connection_values(exchange->mhd, MHD_HEADER_KIND, read_accept, &accept);
     exchange->request.parts = accept_parts(&accept);
-    const char *trace = header(exchange, "traceparent");
-    if (trace && log_is_traceparent(trace)) snprintf(exchange->traceparent, TRACEPARENT_SIZE, "%s", trace);
+    if (exchange->connection->is_trusted) find_client(exchange);
+    request_take_trace(&exchange->request, http->service, header(exchange, "traceparent"));
     request_take_id(&exchange->request, http->service, header(exchange, "X-Request-Id"));
     const char *length = header(exchange, "Content-Length");
     if (length) exchange->length = strtoull(length, NULL, 10); /* digits: framing_scan refuses other values */
@@ -322,11 +352,13 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
     }
     if (router_open(http->service, &load, &exchange->request, answer) == REQUEST_ANSWERED)
         return reply_early(exchange, is_chunked, expects_continue);
-    if (!connections_admit(&http->connections, exchange->connection, &most)) {
+    const char *forbids = connections_admit(&http->connections, exchange->connection, &exchange->client, &most);
+    if (forbids) {
+        char client[IP_TEXT_SIZE];
+        ip_print(&exchange->client, client);
         answer_header(answer, "Retry-After", "%u", load.retry_after_s);
-        problem_answer(answer, 429, "more than %s, %llu, requests in flight from %s",
-                       exchange->connection->client->is_private ? "maxPerPrivateClient" : "maxPerClient",
-                       (unsigned long long)most, exchange->connection->address);
+        problem_answer(answer, 429, "more than %s, %llu, requests in flight from %s", forbids, (unsigned long long)most,
+                       client);
         return reply_early(exchange, is_chunked, expects_continue);
     }
     exchange->step = STEP_BODY;

@@ -208,7 +208,12 @@ static void end_overdue(struct http *http, struct connection *connection, int64_
         shutdown(connection->fd, SHUT_RDWR); /* recv() or send() reports it to libmicrohttpd */
     if (connection->phase == PHASE_WORK) connection->deadline_ms = http_work_deadline_ms(connection->exchange);
     if (stream_rests(connection, now)) return;
-    switch (connections_overdue(&http->connections, connection, now)) {
+    enum overdue overdue = connections_overdue(&http->connections, connection, now);
+    if (overdue == OVERDUE_CLOSE && connections_is_within_proxy(connection) && connection->phase == PHASE_IDLE) {
+        http_refuse(http, connection, 408, "the PROXY header came too slowly");
+        return;
+    }
+    switch (overdue) {
     case OVERDUE_NO:
         break;
     case OVERDUE_408:

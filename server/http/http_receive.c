@@ -61,7 +61,8 @@ static ssize_t receive(struct http *http, struct connection *connection, char *b
         if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) return -1;
         if (count < 0) return end_within_request(connection);
         is_more = (size_t)count == room;
-        passed += framing_scan(framing, bytes + passed, (size_t)count);
+        const size_t left = connections_take_proxy(&http->connections, connection, bytes + passed, (size_t)count);
+        passed += framing_scan(framing, bytes + passed, left);
         const bool is_request = !framing_is_between(framing) || framing->passed > known; /* not just an empty line */
         if (connection->phase == PHASE_IDLE && is_request)
             connections_enter(&http->connections, connection, PHASE_HEADER);
@@ -111,9 +112,12 @@ bool http_receive_works(struct http *http)
     static const char GOOD[] = "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n";
     /* A request that every version of libmicrohttpd accepts in its least strict mode. */
     static const char BAD[] = "GET /healthz HTTP/1.1\r\nHost: a\r\nContent-Length: 0\r\nContent-Length: 0\r\n\r\n";
+    const bool asks_for_proxy = http->connections.asks_for_proxy;
     http->is_self_test = true;
+    http->connections.asks_for_proxy = false;
     const bool works = answers(http, GOOD, sizeof GOOD - 1, "HTTP/1.1 200 ") &&
                        answers(http, BAD, sizeof BAD - 1, "HTTP/1.1 400 Bad Request\r\nConnection: close\r\n");
     http->is_self_test = false;
+    http->connections.asks_for_proxy = asks_for_proxy;
     return works;
 }

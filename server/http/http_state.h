@@ -48,7 +48,7 @@ struct http {
 /* Connections beyond max-connections for health checks from this machine. */
 enum { HTTP_LOOPBACK_CONNECTIONS = 16 };
 
-enum { METHOD_SIZE = FRAMING_METHOD_MAX + 1, TRACEPARENT_SIZE = 56 };
+enum { METHOD_SIZE = FRAMING_METHOD_MAX + 1 };
 
 /* State of an exchange: the meaning of the next callback of libmicrohttpd. */
 enum step {
@@ -67,7 +67,7 @@ struct exchange {
     struct connection *connection;
     struct exchange *next;                   /* in http->reports */
     bool is_reported, has_answer, has_ended; /* with http->lock: in the list, since there is an answer or work ended */
-    char remote[INET6_ADDRSTRLEN];
+    struct ip peer, client;                  /* client: as told by a trusted proxy, else the peer */
     enum step step;
     bool opened, replied, logged, client_left;
     bool was_slow;     /* the client read the answer too slowly */
@@ -79,7 +79,7 @@ struct exchange {
     int64_t suspended_ms;
     bool is_last; /* the client ends the connection after this request: bytes behind it are no request */
     char *target; /* path and query, split by a zero once the header is complete */
-    char method[METHOD_SIZE], traceparent[TRACEPARENT_SIZE];
+    char method[METHOD_SIZE];
     int64_t began_us;
     atomic_int_least64_t work_began_ms; /* 0: not on a worker */
     uint64_t body_bytes, length;        /* length: Content-Length, 0 if unknown */

@@ -7,16 +7,13 @@
 #include <string.h>
 #include <time.h>
 
+#include "log_text.h"
 #include "log_writer.h"
-#include "text.h"
-
-/* LINE_SIZE: room for all texts of a request, each byte escaped to six. */
-enum { FIELD_SIZE = 513, LINE_SIZE = 32 << 10 };
 
 /* Built once per request on the thread that serves all connections: without a tree and without malloc. */
 struct line {
     size_t used;
-    char bytes[LINE_SIZE];
+    char bytes[LOG_LINE_SIZE];
 };
 
 /* Omits text that does not fit. */
@@ -42,23 +39,29 @@ static void begin_line(struct line *line, const char *level)
     add(line, "{\"time\":\"%s.%03ldZ\",\"level\":\"%s\"", day, now.tv_nsec / 1000000, level);
 }
 
-/* Adds a string, escaped as in RFC 8259, 7. */
 static void add_text(struct line *line, const char *name, const char *text)
 {
-    char clean[FIELD_SIZE], escaped[6 * FIELD_SIZE];
-    size_t used = 0;
+    char escaped[LOG_TEXT_ESCAPED_SIZE];
     if (!text || !*text) return;
-    text_to_utf8(clean, sizeof clean, text);
-    for (const char *c = clean; *c; c++) {
-        if ((unsigned char)*c < ' ') {
-            used += (size_t)snprintf(escaped + used, sizeof escaped - used, "\\u%04x", (unsigned)*c);
-            continue;
-        }
-        if (*c == '"' || *c == '\\') escaped[used++] = '\\';
-        escaped[used++] = *c;
-    }
-    escaped[used] = '\0';
+    log_text_escape(escaped, text);
     add(line, ",\"%s\":\"%s\"", name, escaped);
+}
+
+static void add_query(struct line *line, const char *query)
+{
+    char shown[LOG_TEXT_SIZE];
+    log_text_redact(shown, sizeof shown, query ? query : "");
+    add_text(line, "query", shown);
+}
+
+static void add_trace(struct line *line, const struct trace *trace)
+{
+    if (!trace || !*trace->id) return;
+    add_text(line, "traceparent", trace->given);
+    add_text(line, "traceId", trace->id);
+    add_text(line, "spanId", trace->span);
+    add_text(line, "parentSpanId", trace->parent);
+    add(line, ",\"sampled\":%s", trace->is_sampled ? "true" : "false");
 }
 
 static void add_ms(struct line *line, const char *name, double ms)
@@ -96,11 +99,12 @@ void log_request(const struct log_request *request)
     int status = request->status;
     begin_line(&line, status >= 500 ? "error" : status >= 400 || request->aborted ? "warn" : "info");
     add_text(&line, "requestId", request->id);
+    add_text(&line, "client", request->client);
     add_text(&line, "remote", request->remote);
     add_text(&line, "method", request->method);
     add_text(&line, "route", request->route);
     add_text(&line, "path", request->path);
-    add_text(&line, "query", request->query);
+    add_query(&line, request->query);
     add(&line, ",\"status\":%d%s", status, request->aborted ? ",\"aborted\":true" : "");
     add(&line, ",\"bytesIn\":%" PRIu64 ",\"bytesOut\":%" PRIu64, request->bytes_in, request->bytes_out);
     add_ms(&line, "totalMs", request->total_ms);
@@ -111,7 +115,7 @@ void log_request(const struct log_request *request)
     add_ms(&line, "predictedMs", request->times.predicted_ms);
     add_text(&line, "look", request->look);
     if (request->warnings) add(&line, ",\"warnings\":%zu", request->warnings);
-    add_text(&line, "traceparent", request->traceparent);
+    add_trace(&line, request->trace);
     add_text(&line, "detail", request->detail);
     write_line(&line);
 }
@@ -123,16 +127,4 @@ void log_event(const char *level, const char *event, const char *detail)
     add_text(&line, "event", event);
     add_text(&line, "detail", detail);
     write_line(&line);
-}
-
-bool log_is_traceparent(const char *text)
-{
-    static const char FORM[] = "xx-xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx-xxxxxxxxxxxxxxxx-xx";
-    if (strlen(text) != sizeof FORM - 1) return false;
-    for (size_t i = 0; i < sizeof FORM - 1; i++) {
-        bool hex = (text[i] >= '0' && text[i] <= '9') || (text[i] >= 'a' && text[i] <= 'f');
-        if (FORM[i] == 'x' ? !hex : text[i] != '-') return false;
-    }
-    /* Version ff and all-zero ids are invalid. */
-    return strncmp(text, "ff", 2) != 0 && strspn(text + 3, "0") < 32 && strspn(text + 36, "0") < 16;
 }

@@ -1,5 +1,4 @@
 /* Which addresses are one client, and which are of a private network. */
-#include <arpa/inet.h>
 #include <string.h>
 
 #include "http/clients.h"
@@ -7,11 +6,9 @@
 
 static struct client *join(struct clients *clients, const char *text)
 {
-    struct sockaddr_in6 six = {.sin6_family = AF_INET6};
-    struct sockaddr_in four = {.sin_family = AF_INET};
-    const bool is_six = strchr(text, ':');
-    assert_int_equal(inet_pton(is_six ? AF_INET6 : AF_INET, text, is_six ? (void *)&six.sin6_addr : &four.sin_addr), 1);
-    return clients_join(clients, is_six ? (struct sockaddr *)&six : (struct sockaddr *)&four);
+    struct ip ip;
+    assert_true(ip_parse(&ip, text, strlen(text)));
+    return clients_join(clients, &ip);
 }
 
 static bool are_one(const char *a, const char *b)

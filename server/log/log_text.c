@@ -1,0 +1,93 @@
+#include "log_text.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "text.h"
+
+enum { NAME_SIZE = 16 };
+
+/* Returns the code point of a character of valid UTF-8, up to U+FFFF, and its length; longer ones as 0. */
+static unsigned decode(const unsigned char *c, size_t *length)
+{
+    *length = c[0] < 0x80 ? 1 : c[0] < 0xE0 ? 2 : c[0] < 0xF0 ? 3 : 4;
+    switch (*length) {
+    case 1:
+        return c[0];
+    case 2:
+        return (c[0] & 0x1Fu) << 6 | (c[1] & 0x3Fu);
+    case 3:
+        return (c[0] & 0xFu) << 12 | (c[1] & 0x3Fu) << 6 | (c[2] & 0x3Fu);
+    default:
+        return 0;
+    }
+}
+
+static bool is_unsafe(unsigned code)
+{
+    const bool is_control = code < 0x20 || (code >= 0x7F && code < 0xA0);
+    const bool is_mark = code == 0x61C || code == 0xFEFF || (code >= 0x200B && code <= 0x200F) ||
+                         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F);
+    return is_control || is_mark;
+}
+
+void log_text_escape(char out[LOG_TEXT_ESCAPED_SIZE], const char *text)
+{
+    char clean[LOG_TEXT_SIZE];
+    size_t used = 0, length;
+    text_to_utf8(clean, sizeof clean, text);
+    for (const char *c = clean; *c; c += length) {
+        const unsigned code = decode((const unsigned char *)c, &length);
+        if (length < 4 && is_unsafe(code)) {
+            used += (size_t)snprintf(out + used, LOG_TEXT_ESCAPED_SIZE - used, "\\u%04x", code);
+            continue;
+        }
+        if (*c == '"' || *c == '\\') out[used++] = '\\';
+        memcpy(out + used, c, length);
+        used += length;
+    }
+    out[used] = '\0';
+}
+
+/* ---- secrets ---- */
+
+static int hex_digit(char c)
+{
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+}
+
+static bool is_secret(const char *from, const char *to)
+{
+    static const char *const SECRETS[] = {"signature", "token", "access_token"};
+    char name[NAME_SIZE];
+    size_t used = 0;
+    for (; from < to && used < sizeof name - 1; from++) {
+        const bool is_escaped = *from == '%' && to - from > 2 && hex_digit(from[1]) >= 0 && hex_digit(from[2]) >= 0;
+        name[used++] = is_escaped ? (char)(hex_digit(from[1]) << 4 | hex_digit(from[2])) : *from;
+        if (is_escaped) from += 2;
+    }
+    name[used] = '\0';
+    if (from < to) return false; /* longer than all */
+    for (size_t i = 0; i < sizeof SECRETS / sizeof SECRETS[0]; i++)
+        if (strcasecmp(name, SECRETS[i]) == 0) return true;
+    return false;
+}
+
+void log_text_redact(char *out, size_t size, const char *query)
+{
+    size_t used = 0;
+    out[0] = '\0';
+    for (const char *at = query; *at && used + 1 < size;) {
+        const size_t length = strcspn(at, "&");
+        const char *const end = at + length, *equals = memchr(at, '=', length);
+        const bool is_hidden = equals && is_secret(at, equals);
+        const int shown = (int)((is_hidden ? equals + 1 : end) - at);
+        used += (size_t)snprintf(out + used, size - used, "%.*s%s%s", shown, at, is_hidden ? "-" : "", *end ? "&" : "");
+        at = *end ? end + 1 : end;
+    }
+}
