@@ -640,6 +640,7 @@ $(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/
 $(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/routes/gunzip.o
 $(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/routes/multipart.o
 $(BUILD)/tests/fuzz/fuzz_mcp: $(mcp)
+$(BUILD)/tests/fuzz/fuzz_proxy: $(addprefix $(BUILD)/server/,gate/forwarded.o gate/networks.o gate/ip.o http/proxy_header.o log/log_text.o log/trace.o text.o)
 $(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) -lcmocka -lpng -ljpeg -lwebp -lz
 

@@ -24,7 +24,7 @@ enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 static const char *top;
 static const char *const targets[] = {"json", "obj",      "mtl",     "stl",   "ply",   "gltf",      "3mf",
                                       "zip",  "png",      "npy",     "array", "gzip",  "multipart", "image_png",
-                                      "jpeg", "zip_body", "meshopt", "webp",  "draco", "mcp"};
+                                      "jpeg", "zip_body", "meshopt", "webp",  "draco", "mcp",       "proxy"};
 
 void fail(const char *what)
 {
@@ -377,6 +377,19 @@ static void write_bodies(void)
          "\r\ncontent-disposition:form-data;name=\"x\"\r\n\r\n--a b\r\n--a b'()+_,-./:=?c--epilogue"},
     };
     WRITE_TEXTS("multipart", multiparts);
+    static const struct text proxies[] = {
+        {"v1-four", "pPROXY TCP4 192.0.2.1 10.0.0.1 56324 443\r\n"},
+        {"v1-six", "pPROXY TCP6 2001:db8::1 ::1 56324 443\r\n"},
+        {"v1-unknown", "pPROXY UNKNOWN\r\n"},
+        {"forwarded", "ffor=\"[2001:db8::1]:4711\";proto=https, For=192.0.2.1;by=\"a,b\", for=10.0.0.2"},
+        {"x-forwarded-for", "x1.1.1.1, 192.0.2.1:80, [2001:db8::1]:80, 10.0.0.2"},
+        {"traceparent", "t00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01"},
+        {"later-traceparent", "tcc-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01-more"},
+    };
+    WRITE_TEXTS("proxy", proxies);
+    static const char binary[] =
+        "p\r\n\r\n\0\r\nQUIT\n\x21\x11\x00\x0f\xc0\x00\x02\x01\x0a\x00\x00\x01\xdc\x04\x01\xbb\x04\x00";
+    write_seed("proxy", "v2-four", binary, sizeof binary);
 }
 
 #define MCP_CALL(tool, arguments)                                                                                      \
