@@ -122,6 +122,7 @@ static const char render_headers[] = ZR_SCHEMA({
     "Zraster-Encoder": {"$ref": "#/components/headers/Zraster-Encoder"},
     "Zraster-Warnings": {"$ref": "#/components/headers/Zraster-Warnings"},
     "Server-Timing": {"$ref": "#/components/headers/Server-Timing"},
+    "traceresponse": {"$ref": "#/components/headers/traceresponse"},
     "Vary": {"$ref": "#/components/headers/Vary"}
 });
 

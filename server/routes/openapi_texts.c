@@ -375,6 +375,11 @@ const char openapi_components[] = ZR_SCHEMA({
         },
         "Zraster-Warnings": {"description": "Warnings, joined by semicolons.", "schema": {"type": "string"}},
         "Server-Timing": {"description": "Times of the steps in ms.", "schema": {"type": "string"}},
+        "traceresponse": {
+            "description": "Answer to a traceparent: the trace and the span of this request.",
+            "schema": {"type": "string"},
+            "example": "00-0af7651916cd43dd8448eb211c80319c-00f067aa0ba902b7-01"
+        },
         "Vary": {"description": "Headers that decide about the answer.", "schema": {"type": "string"}},
         "ETag": {"description": "Name of these bytes.", "schema": {"type": "string"}},
         "Location": {"description": "Path of the asset.", "schema": {"type": "string"}},
