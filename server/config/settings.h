@@ -16,8 +16,7 @@ enum setting_kind {
     ISA,
     ORIGINS,
     SWITCH,
-    FOLDER,   /* "": none */
-    FILENAME, /* "": none */
+    FOLDER, /* "": none */
     NUMBER
 };
 

@@ -96,7 +96,6 @@ static const struct {
                               "/ at the end"},
     [SWITCH] = {is_switch, "is neither on nor off"},
     [FOLDER] = {is_any, ""},
-    [FILENAME] = {is_any, ""},
 };
 
 static bool has_control(const char *text)
