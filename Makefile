@@ -566,7 +566,7 @@ $(BUILD)/server/site_files.c: server/page/build.sh server/site.sh $(wildcard ser
 
 # The manual, likewise.
 $(BUILD)/server/manual_files.c: $(wildcard server/manual/*) server/site.sh server/page/index.html server/page/colors.css README.md CHANGELOG.md clients/python/README.md server/api/v1.md \
-		$(wildcard clients/docs/*.md clients/docs/*/*.md clients/docs/pictures/*.png clients/gallery/*.png)
+		$(wildcard clients/docs/*.md clients/docs/*/*.md clients/docs/pictures/*.png clients/gallery/*.png clients/gallery/*.webp)
 	@mkdir -p $(@D)
 	$(Q)server/manual/build.sh $@
 

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -74,7 +75,8 @@ static void send_no_memory(int socket_fd)
     char text[512];
     int length = snprintf(text, sizeof text,
                           "HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\nRetry-After: 1\r\n"
-                          "Content-Type: application/problem+json\r\nContent-Length: %zu\r\n\r\n%s",
+                          "Content-Type: application/problem+json\r\nContent-Length: %zu\r\n"
+                          "X-Content-Type-Options: nosniff\r\nCache-Control: no-store\r\n\r\n%s",
                           sizeof BODY - 1, BODY);
     (void)!send(socket_fd, text, (size_t)length, MSG_NOSIGNAL | MSG_DONTWAIT);
 }
@@ -99,6 +101,48 @@ const char *answer_find_header(const struct answer *answer, const char *name)
     for (size_t i = 0; i < answer->header_count; i++)
         if (strcmp(answer->headers[i].name, name) == 0) return answer->headers[i].value;
     return NULL;
+}
+
+/* Returns header_count if there is none. */
+static size_t place_of(const struct answer *answer, const char *name)
+{
+    size_t i = 0;
+    while (i < answer->header_count && strcasecmp(answer->headers[i].name, name) != 0)
+        i++;
+    return i;
+}
+
+const char *answer_find(const struct answer *answer, const char *name)
+{
+    const size_t place = place_of(answer, name);
+    return place < answer->header_count ? answer->headers[place].value : NULL;
+}
+
+/* Searches a name in a list with commas between its items. */
+static bool is_among(const char *list, const char *name)
+{
+    for (const char *p = list; *p; p += strcspn(p, ","), p += *p == ',') {
+        p += strspn(p, " ");
+        if (strcspn(p, " ,") == strlen(name) && strncasecmp(p, name, strlen(name)) == 0) return true;
+    }
+    return false;
+}
+
+void answer_vary(struct answer *answer, const char *name)
+{
+    const char *before = answer_find(answer, "Vary");
+    char *joined = NULL;
+    if (!before) {
+        answer_header(answer, "Vary", "%s", name);
+    } else if (!is_among(before, name)) {
+        if (asprintf(&joined, "%s, %s", before, name) < 0) {
+            answer->is_broken = true;
+            return;
+        }
+        struct answer_header *header = &answer->headers[place_of(answer, "Vary")];
+        free(header->value);
+        header->value = joined;
+    }
 }
 
 void answer_body(struct answer *answer, const char *content_type, char *bytes, size_t size)

@@ -11,7 +11,7 @@
 #include "base/status.h"
 
 /* A detail: one of the core, and what is before it. */
-enum { ANSWER_HEADERS_MAX = 16, ANSWER_DETAIL_SIZE = ZR_DETAIL_SIZE + 160 };
+enum { ANSWER_HEADERS_MAX = 32, ANSWER_DETAIL_SIZE = ZR_DETAIL_SIZE + 160 };
 
 struct answer_header {
     const char *name; /* static lifetime */
@@ -44,6 +44,12 @@ void answer_header(struct answer *answer, const char *name, const char *format, 
 
 /* Returns the value of a header that was added, or NULL. */
 const char *answer_find_header(const struct answer *answer, const char *name);
+
+/* Returns the value of a header, NULL if the answer has none of this name. */
+const char *answer_find(const struct answer *answer, const char *name);
+
+/* Adds the name of a header of requests to Vary, unless it is there. */
+void answer_vary(struct answer *answer, const char *name);
 
 /* Sets the body. Takes ownership of `bytes` (malloc'd). */
 void answer_body(struct answer *answer, const char *content_type, char *bytes, size_t size);

@@ -82,9 +82,9 @@ void config_print_help(FILE *out);
 /* Prints the settings in the form of the file of --config, each with where it comes from. Secrets are not shown. */
 void config_print(const struct config *config, FILE *out);
 
-/* Checks the folders and files that the settings name, and says in `message` how many settings are given. False:
+/* Checks the folders that the settings name, and says in `message` how many settings are given. False:
  * `message` has a line for each fault. */
-bool config_check_paths(const struct config *config, char *message, size_t message_size);
+bool config_check_folders(const struct config *config, char *message, size_t message_size);
 
 /* Adds each limit in force to `object`: bodyMaxBytes for --body-max-bytes. False: out of memory. */
 bool config_add_limits(const struct config *config, struct cJSON *object);

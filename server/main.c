@@ -178,13 +178,15 @@ static void print_faults(char *message)
 /* Checks all that a start reads, and listens nowhere. */
 static int check(const struct config *config)
 {
-    char message[CONFIG_MESSAGE_SIZE];
-    const bool is_right = config_check_paths(config, message, sizeof message);
-    if (is_right)
-        puts(message);
-    else
-        print_faults(message);
-    return is_right ? EXIT_SUCCESS : EXIT_USAGE;
+    char message[CONFIG_MESSAGE_SIZE], fault[CONFIG_MESSAGE_SIZE];
+    const bool is_right = config_check_folders(config, message, sizeof message);
+    struct gate *gate = gate_read(config, fault, sizeof fault);
+    const bool is_whole = is_right && gate;
+    if (!is_right) print_faults(message);
+    if (!gate) print_faults(fault);
+    if (is_whole) puts(message);
+    gate_free(gate);
+    return is_whole ? EXIT_SUCCESS : EXIT_USAGE;
 }
 
 int main(int argc, char **argv)

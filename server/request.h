@@ -70,6 +70,7 @@ struct request {
     const char *content_type, *content_encoding, *authorization; /* NULL if not sent */
     const char *if_none_match, *accept, *accept_encoding;        /* NULL if not sent */
     const char *origin, *fetch_site;                             /* of browsers; NULL if not sent */
+    const char *asked_method;                                    /* of a preflight; NULL if not sent */
     struct mcp_headers mcp;                                      /* of POST /mcp */
     enum accept_parts parts;                                     /* form of an answer of several files */
     struct stream *stream;                                       /* with parts, on a worker; else NULL */

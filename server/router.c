@@ -6,6 +6,7 @@
 
 #include "gate/admit.h"
 #include "gate/origin.h"
+#include "gate/safety.h"
 #include "problem.h"
 #include "routes/agents.h"
 #include "routes/assets.h"
@@ -104,17 +105,27 @@ static enum request_next open_work(const struct service *service, const struct l
     return REQUEST_ANSWERED;
 }
 
+/* Answers OPTIONS of a path or of the daemon (*), without a token: preflights have none. */
+static bool answer_options(const struct request *request, struct answer *answer)
+{
+    const bool is_for_all = strcmp(request->path, "*") == 0;
+    if (strcmp(request->method, "OPTIONS") != 0 || !(request->route || is_for_all)) return false;
+    answer->status = 204;
+    answer_header(answer, "Allow", "%s, OPTIONS", is_for_all ? "GET, HEAD, POST, PUT" : request->route->methods);
+    return true;
+}
+
 enum request_next router_open(const struct service *service, const struct load *load, struct request *request,
                               struct answer *answer)
 {
     const struct route *route = request->route = find_route(request->path);
     answer->is_plain = route && route->has_plain_errors;
-    if (!origin_check(service->config, request, answer)) return REQUEST_ANSWERED;
+    if (answer_options(request, answer) || !origin_check(service->config, request, answer)) return REQUEST_ANSWERED;
     if (!admit(service, request, answer)) return REQUEST_ANSWERED;
     if (!route) {
         refuse_path(request, answer);
     } else if (!method_allowed(route->methods, request->method)) {
-        answer_header(answer, "Allow", "%s", route->methods);
+        answer_header(answer, "Allow", "%s, OPTIONS", route->methods);
         problem_answer(answer, 405, "%s takes %s", route->path, route->methods);
     } else if (route->work) {
         return open_work(service, load, request, answer);
@@ -133,6 +144,7 @@ enum request_next router_work(const struct service *service, const struct reques
 void router_finish(struct answer *answer, const struct service *service, const struct request *request)
 {
     origin_finish(service->config, request, answer);
+    safety_finish(answer);
     answer_header(answer, "X-Request-Id", "%s", request->id);
     if (*request->trace.id) answer_header(answer, "traceresponse", "%s", request->trace.answer);
     answer_header(answer, "Zraster-Version", ZR_VERSION);

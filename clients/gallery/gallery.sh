@@ -22,6 +22,15 @@ render() { # NAME OPTION...: NAME.json -> NAME.png
     count=$((count + 1))
 }
 count=0
+# Those of the README and the manual are WebPs, since the daemon has them in it.
+small() { # NAME OPTION...: NAME.json -> NAME.webp
+    name=$1
+    shift
+    "$build/zraster" "$out/$name.json" "$@" --encoding webp --quality 90 -o "$out/$name.webp" >"$out/client.log" 2>&1 || {
+        cat "$out/client.log" >&2
+        exit 1
+    }
+}
 
 # ---- the page, in sections ----
 
@@ -213,12 +222,13 @@ command cube "" "nodes that move by \"animate\", in fog" cube.json cube.json -o 
 printed=${DATA:-../shared/data}/models/printed
 printed() { # NAME LOOK FILE WHAT MEMBERS
     [ -f "$printed/$3.stl" ] || {
-        echo "LEFT OUT: the picture $1: there is no $printed/$3.stl. $here/$1.png stays as it is." >&2
+        echo "LEFT OUT: the picture $1: there is no $printed/$3.stl. $here/$1.webp stays as it is." >&2
         return
     }
     printf '{"look": "%s", "up": "z", "window": {"width": 330, "height": 250}, %s, %s"meshes": [{"asset": "part"}]}\n' \
         "$2" "$printed_view" "${5:+$5, }" >"$out/$1.json"
-    render "$1" --part "part=$printed/$3.stl" --compress small
+    render "$1" --part "part=$printed/$3.stl"
+    small "$1" --part "part=$printed/$3.stl"
     put_figure "$1" "" "$4; by Patrick Barrett (azdle/printables, CC0)" "zraster $1.json --part part=$3.stl" "$1.json" "$5"
 }
 printed_view='"view": {"azimuthDegrees": 35, "elevationDegrees": 28, "perspective": {"yfovDegrees": 30}, "fit": {"padding": 0.04}}'
@@ -244,10 +254,13 @@ meshes="{\"name\": \"pawn\", \"material\": \"slate\", $pawn}, {\"name\": \"gold\
 nodes='"nodes": [{"mesh": "pawn"}, {"mesh": "gold", "translation": [2.3, 0, -0.3]}, {"mesh": "red", "translation": [1.35, 0, 1.5], "scale": [0.6, 0.6, 0.6]}, {"mesh": "white", "translation": [-2.2, 0, -0.9], "scale": [0.9, 0.9, 0.9]}, {"mesh": "gold", "translation": [-1.25, 0, 0.95], "scale": [0.35, 0.35, 0.35]}]'
 printf '{"look": "studio", "window": {"width": 800, "height": 400}, "view": {"azimuthDegrees": 12, "elevationDegrees": 20, "perspective": {"yfovDegrees": 26}}, %s, %s, "meshes": [%s]}\n' \
     "$materials" "$nodes" "$meshes" >"$out/still.json"
-render still --compress small
-for name in parts-section parts-drawing parts-blueprint parts-uncut; do
-    render "$name" --compress small
+for name in still parts-section parts-drawing parts-blueprint parts-uncut cube; do
+    small "$name"
 done
+(cd "$out" && for name in sheet turntable; do
+    # shellcheck disable=SC2046
+    "$zraster" $(sed "s/^zraster //; s/ -o .*png / -o $name.webp --quality 90 /; s/ --compress small//" $name.sh)
+done) >"$out/client.log" 2>&1 || { cat "$out/client.log" >&2; exit 1; }
 for look in studio technical clay dark metal outdoor blueprint xray; do
     scene "\"look\": \"$look\", \"window\": {\"width\": 128, \"height\": 160}" "$pawn" >"$out/look-$look.json"
     render look-$look --compress small

@@ -1,4 +1,4 @@
-/* check.c - folders and files that settings name. */
+/* check.c - folders that settings name. */
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -6,21 +6,21 @@
 
 #include "value.h"
 
-static void check_path(const struct config *config, const struct setting *s, struct config_source source,
-                       struct faults *faults)
+static void check_folder(const struct config *config, const struct setting *s, struct config_source source,
+                         struct faults *faults)
 {
     struct stat status;
     const char *path = value_text(config, s);
     char place[VALUE_PLACE_SIZE];
     value_place(config, s, source, place);
-    const bool is_folder = s->kind == FOLDER, is_there = stat(path, &status) == 0;
-    if (is_there && is_folder != S_ISDIR(status.st_mode))
-        faults_add(faults, "%s: '%.200s' is %s folder", place, path, is_folder ? "no" : "a");
-    else if (!is_there || access(path, is_folder ? R_OK | W_OK | X_OK : R_OK) != 0)
+    const bool is_there = stat(path, &status) == 0;
+    if (is_there && !S_ISDIR(status.st_mode))
+        faults_add(faults, "%s: '%.200s' is no folder", place, path);
+    else if (!is_there || access(path, R_OK | W_OK | X_OK) != 0)
         faults_add(faults, "%s: cannot use '%.200s': %s", place, path, strerror(errno));
 }
 
-bool config_check_paths(const struct config *config, char *message, size_t message_size)
+bool config_check_folders(const struct config *config, char *message, size_t message_size)
 {
     struct faults faults;
     const struct setting *s;
@@ -28,8 +28,7 @@ bool config_check_paths(const struct config *config, char *message, size_t messa
     faults_begin(&faults, message, message_size);
     for (size_t i = 0; (s = setting_at(i)); i++) {
         counts[config->sources[i].kind]++;
-        if ((s->kind == FOLDER || s->kind == FILENAME) && *value_text(config, s))
-            check_path(config, s, config->sources[i], &faults);
+        if (s->kind == FOLDER && *value_text(config, s)) check_folder(config, s, config->sources[i], &faults);
     }
     faults_end(&faults);
     if (faults.count > 0) return false;

@@ -11,7 +11,7 @@
 
 /* Side and coordinates cannot be raised: the rasterizer's fixed point is proven up to these bounds. */
 static const struct setting ROWS[] = {
-    {"config", FILENAME, AT(config), false, 0, 0, 0, "", "",
+    {"config", TEXT, AT(config), false, 0, 0, 0, "", "",
      "file of settings: lines KEY = VALUE, whose keys are the names of these flags; empty: none"},
     {"address", ADDRESS, AT(address), false, 0, 0, 0, "127.0.0.1", "", "numeric IPv4 or IPv6 address to listen on"},
     {"port", NUMBER, AT(port), false, 8080, 0, 65535, NULL, "", "port to listen on; 0: any free port"},

@@ -113,7 +113,6 @@ static const struct {
                                 "loopback and private"},
     [CLIENT_HEADER] = {is_client_header, "is none of x-forwarded-for, forwarded and none"},
     [FOLDER] = {is_any, ""},
-    [FILENAME] = {is_any, ""},
 };
 
 static bool has_control(const char *text)

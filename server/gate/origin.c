@@ -7,12 +7,11 @@
 #include "text.h"
 
 #define EXPOSED                                                                                                        \
-    "Location, Retry-After, Server-Timing, traceresponse, X-Request-Id, Zraster-Encoder, Zraster-Look, "               \
-    "Zraster-Version, "                                                                                                \
-    "Zraster-Warnings"
+    "Content-Disposition, ETag, Location, Retry-After, Server-Timing, traceresponse, WWW-Authenticate, X-Request-Id, " \
+    "Zraster-Encoder, Zraster-Look, Zraster-Version, Zraster-Warnings"
 #define TAKEN                                                                                                          \
     "Authorization, Content-Encoding, Content-Type, If-None-Match, MCP-Protocol-Version, Mcp-Method, Mcp-Name, "       \
-    "X-Request-Id"
+    "X-Request-Id, traceparent, tracestate"
 
 static bool is_text(const char *value, const char *text)
 {
@@ -43,18 +42,9 @@ bool origin_is_allowed(const struct config *config, const struct request *reques
     return request->origin && is_among(config->allow_origin, request->origin);
 }
 
-static bool is_preflight(const struct request *request)
-{
-    return request->method && strcmp(request->method, "OPTIONS") == 0 && request->route;
-}
-
 bool origin_check(const struct config *config, const struct request *request, struct answer *answer)
 {
-    if (origin_is_allowed(config, request)) {
-        if (is_preflight(request)) answer->status = 204;
-        return answer->status == 0;
-    }
-    if (is_read_only(request->method) ||
+    if (origin_is_allowed(config, request) || is_read_only(request->method) ||
         !(is_text(request->fetch_site, "cross-site") || is_text(request->fetch_site, "same-site")))
         return true;
     problem_answer(answer, 403,
@@ -63,12 +53,22 @@ bool origin_check(const struct config *config, const struct request *request, st
     return false;
 }
 
+/* Returns true for the question that a browser asks before a request of a page of another origin. */
+static bool is_preflight(const struct request *request)
+{
+    return request->method && strcmp(request->method, "OPTIONS") == 0 && request->route && request->asked_method;
+}
+
+/* Access-Control-Allow-Private-Network is not sent: no browser asks for it any more (Local Network Access asks the
+ * person). */
 void origin_finish(const struct config *config, const struct request *request, struct answer *answer)
 {
-    if (!origin_is_allowed(config, request)) return;
-    answer_header(answer, "Access-Control-Allow-Origin", "%s", request->origin);
+    const bool is_any = is_among(config->allow_origin, "*");
+    if (!*config->allow_origin) return;
+    if (!is_any) answer_vary(answer, "Origin");
+    if (!is_any && !origin_is_allowed(config, request)) return;
+    answer_header(answer, "Access-Control-Allow-Origin", "%s", is_any ? "*" : request->origin);
     answer_header(answer, "Access-Control-Expose-Headers", EXPOSED);
-    answer_header(answer, "Vary", "Origin");
     if (!is_preflight(request)) return;
     answer_header(answer, "Access-Control-Allow-Methods", "%s", request->route->methods);
     answer_header(answer, "Access-Control-Allow-Headers", TAKEN);

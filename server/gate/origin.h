@@ -7,16 +7,14 @@
 
 #include "request.h"
 
-/* Returns false if the answer is ready: 204 to a preflight of an origin among --allow-origin, or 403 to a request that
- * draws or stores something, from a page of another origin that is not among them. Needs request->route, which may be
- * NULL.
- */
+/* Returns false if the answer is ready: 403 to a request that draws or stores something, from a page of another origin
+ * that is not among --allow-origin. */
 bool origin_check(const struct config *config, const struct request *request, struct answer *answer);
 
 /* Returns true if the request names an origin among --allow-origin. */
 bool origin_is_allowed(const struct config *config, const struct request *request);
 
-/* Adds the headers of CORS to an answer for an origin among --allow-origin. */
+/* Adds the headers of CORS, to refusals, too: those that an origin among --allow-origin needs, and Vary. */
 void origin_finish(const struct config *config, const struct request *request, struct answer *answer);
 
 #endif

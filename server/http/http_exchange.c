@@ -301,6 +301,7 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.accept_encoding = header(exchange, "Accept-Encoding");
     exchange->request.origin = header(exchange, "Origin");
     exchange->request.fetch_site = header(exchange, "Sec-Fetch-Site");
+    exchange->request.asked_method = header(exchange, "Access-Control-Request-Method");
     MHD_get_connection_values(exchange->mhd, MHD_HEADER_KIND, read_accept, &accept);
     exchange->request.parts = accept_parts(&accept);
     if (exchange->connection->is_trusted) find_client(exchange);

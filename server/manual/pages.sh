@@ -29,4 +29,4 @@ sed -n 's/^[^=|]*|\([^|]*\).*/\1/p' "$out/list" | while read -r address; do
 done
 cat server/page/colors.css $here/manual.css >"$out/manual.css"
 echo "$out/manual.css|manual.css|text/css; charset=utf-8"
-while IFS='|' read -r file address; do echo "$file|$address|image/png"; done <"$out/pictures"
+while IFS='|' read -r file address; do echo "$file|$address|image/${file##*.}"; done <"$out/pictures"

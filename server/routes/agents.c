@@ -107,7 +107,7 @@ static void read_faults(const struct answer *answer, struct mcp_faults *faults)
 
 static bool is_zip(const struct answer *answer)
 {
-    const char *type = answer_find_header(answer, "Content-Type");
+    const char *type = answer_find(answer, "Content-Type");
     return type && strcmp(type, "application/zip") == 0;
 }
 

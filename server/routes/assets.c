@@ -91,7 +91,7 @@ static void answer_there(struct answer *answer, const char *name, int file, size
     /* The bytes under a hash never change. */
     answer_header(answer, "ETag", "\"%s\"", name);
     answer_header(answer, "Cache-Control", "public, max-age=31536000, immutable");
-    answer_header(answer, "X-Content-Type-Options", "nosniff");
+    answer_header(answer, "Cross-Origin-Resource-Policy", "cross-origin");
 }
 
 static enum request_next get(const struct service *service, const struct request *request,

@@ -141,7 +141,7 @@ static void add_timing(struct answer *answer, const struct step_times *times)
 static void add_look(struct answer *answer, const char *look)
 {
     answer_header(answer, "Zraster-Look", "%s", look);
-    answer_header(answer, "Vary", "Accept");
+    answer_vary(answer, "Accept");
 }
 
 /* ---- early detection of large requests ---- */

@@ -70,8 +70,7 @@ static void answer_site_file(const struct request *request, const struct site_fi
     if (is_packed && !unpacks && !has_file) answer_header(answer, "Content-Encoding", "gzip");
     answer_header(answer, "ETag", "%s", tag);
     answer_header(answer, "Cache-Control", "no-cache");
-    if (is_packed) answer_header(answer, "Vary", "Accept-Encoding");
-    answer_header(answer, "X-Content-Type-Options", "nosniff");
+    if (is_packed) answer_vary(answer, "Accept-Encoding");
 }
 
 /* Answers 404 and returns true if the page and the manual are off. */
@@ -85,9 +84,7 @@ static bool refuse_if_off(const struct service *service, struct answer *answer, 
 static void answer_policy(struct answer *answer, const char *policy)
 {
     answer_header(answer, "Content-Security-Policy", "%s", policy);
-    answer_header(answer, "Referrer-Policy", "no-referrer");
     answer_header(answer, "Cross-Origin-Opener-Policy", "same-origin");
-    answer_header(answer, "Cross-Origin-Resource-Policy", "same-origin");
 }
 
 bool site_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)

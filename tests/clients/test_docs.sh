@@ -60,6 +60,7 @@ make_fixtures() {
     # A daemon without a port takes the place of the page's.
     cat >"$work/zrasterd" <<END
 #!/bin/sh
+case " \$* " in *' --check-config '* | *' --print-config '*) exec "$build/zrasterd" "\$@" ;; esac
 export ZRASTER_PORT=\$TEST_PORT
 case " \$* " in *' --help '* | *' --version '* | *' --health '* | *' --port'*) exec "$build/zrasterd" "\$@" ;; esac
 kill "\$(cat "$work/daemon.pid")" 2>/dev/null

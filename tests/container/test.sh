@@ -93,9 +93,38 @@ render_a_picture() {
         head -c 8 "$work/solids.png" | od -An -tx1 | grep -q '89 50 4e 47'
 }
 
+# Uid, capabilities and the like of the daemon, as the kernel has them.
+status_of() { awk -v name="$1:" '$1 == name { print $2 }' "/proc/$(docker inspect -f '{{.State.Pid}}' zraster-test)/status"; }
+is_bare() {
+    [ "$(status_of Uid)" = 65532 ] && [ "$(status_of Gid)" = 65532 ] && [ "$(status_of NoNewPrivs)" = 1 ] &&
+        for name in CapInh CapPrm CapEff CapBnd CapAmb; do
+            [ "$(status_of $name)" = 0000000000000000 ] || { echo "$name $(status_of $name)"; return 1; }
+        done
+}
+is_healthy() { docker exec -e "ZRASTER_PORT=${server##*:}" -e ZRASTER_ADDRESS=127.0.0.1 zraster-test /zrasterd --health; }
+settings_are_right() {
+    docker run --rm --network none -e ZRASTER_SERVICE_HOST=10.0.0.1 -e ZRASTER_PORT_8080_TCP=tcp://10.0.0.1:8080 zraster:test --check-config
+}
+
+# The list of packages that the image has: each library of it is of a Debian package, of this version.
+lists_packages() {
+    docker create --name zraster-files zraster:test >/dev/null && docker export zraster-files >"$work/image.tar"
+    docker rm zraster-files >/dev/null
+    tar -xOf "$work/image.tar" usr/share/doc/zraster/packages.txt >"$work/packages.txt" || return 1
+    tar -tf "$work/image.tar" | sed -n 's|^\(.*\.so.*\)$|/\1|p' | LC_ALL=C sort >"$work/libraries.txt"
+    cut -d ' ' -f 4 "$work/packages.txt" | diff "$work/libraries.txt" - && [ "$(grep -cvE '^[a-z0-9.+:-]+ [0-9][^ ]* [a-z0-9.+-]+ /[^ ]+$' "$work/packages.txt")" = 0 ]
+}
+
 is_not_root() { [ "$(docker inspect -f '{{.Config.User}}' zraster:test)" = 65532:65532 ]; }
 has_no_shell() { ! docker run --rm --network none --entrypoint /bin/sh zraster:test -c true; }
-drains() { docker stop -t 20 zraster-test >/dev/null && [ "$(docker inspect -f '{{.State.ExitCode}}' zraster-test)" = 0 ]; }
+# A request of some seconds is in flight when SIGTERM comes.
+drains() {
+    "$client" render clients/examples/solids.json --server "$server" --turntable 60 -s 640x480 --samples 16 -o "$work/turn.zip" &
+    sleep 0.7
+    kill -0 $! || return 1
+    docker stop -t 60 zraster-test >/dev/null
+    wait $! && [ -s "$work/turn.zip" ] && [ "$(docker inspect -f '{{.State.ExitCode}}' zraster-test)" = 0 ]
+}
 
 trap stop_engine EXIT
 check "an engine starts" eval 'unpack_engine && start_engine'
@@ -103,10 +132,15 @@ check "a base image is there" make_base
 check "the image builds" build_image
 # Most of it is Debian's libraries. Ours is the daemon.
 size=$(docker image inspect -f '{{.Size}}' zraster:test)
-check "the image is under 21 MB: $size bytes" [ "${size:-21000000}" -lt 21000000 ]
+check "the image is under 20 MB: $size bytes" [ "${size:-20000000}" -lt 20000000 ]
+check "it lists its libraries with their packages" lists_packages
+sed 's/^/# /' "$work/packages.txt"
 check "it does not run as root" is_not_root
 check "it has no shell" has_no_shell
 check "it starts read-only, without capabilities, in 256 MB" run_hardened
 check "it renders the example scene" render_a_picture
-check "docker stop drains it: exit status 0" drains
+check "its process is 65532, without capabilities, and gets none" is_bare
+check "its health check answers" is_healthy
+check "its settings are right beside the service links of Kubernetes" settings_are_right
+check "docker stop drains it: a request in flight is answered, exit status 0" drains
 [ "$failed" = 0 ]

@@ -230,10 +230,10 @@ TEST(unknown_path_gives_404)
 TEST(wrong_method_gives_405_with_allow)
 {
     struct reply reply = client_get(&server, "/v1/render");
-    assert_string_equal(reply_header(&reply, "Allow"), "POST");
+    assert_string_equal(reply_header(&reply, "Allow"), "POST, OPTIONS");
     assert_problem(reply, 405, "POST");
     reply = client_send(&server, "DELETE", "/healthz", NULL, NULL, 0);
-    assert_string_equal(reply_header(&reply, "Allow"), "GET, HEAD");
+    assert_string_equal(reply_header(&reply, "Allow"), "GET, HEAD, OPTIONS");
     assert_problem(reply, 405, "GET, HEAD");
 }
 

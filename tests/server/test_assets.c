@@ -180,10 +180,10 @@ TEST(names_that_are_no_hash_give_404)
 TEST(other_methods_give_405_with_allow)
 {
     struct reply reply = send("DELETE", "/v1/assets/" ABC_NAME, NULL, NULL, 0);
-    assert_string_equal(reply_header(&reply, "Allow"), "GET, HEAD, PUT");
+    assert_string_equal(reply_header(&reply, "Allow"), "GET, HEAD, PUT, OPTIONS");
     assert_problem(reply, 405, "GET, HEAD, PUT");
     reply = send("GET", "/v1/assets", NULL, NULL, 0);
-    assert_string_equal(reply_header(&reply, "Allow"), "POST");
+    assert_string_equal(reply_header(&reply, "Allow"), "POST, OPTIONS");
     assert_problem(reply, 405, "POST");
 }
 

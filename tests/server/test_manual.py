@@ -109,7 +109,7 @@ class Manual(Case):
     def test_answers(self):
         """pages have a strict policy, a strong entity tag and the type of their file; they come compressed or not"""
         for at, content_type in (("/docs/", "text/html; charset=utf-8"), ("/docs/quickstart", "text/html; charset=utf-8"),
-                                 ("/docs/manual.css", "text/css; charset=utf-8"), ("/docs/gallery/still.png", "image/png")):
+                                 ("/docs/manual.css", "text/css; charset=utf-8"), ("/docs/gallery/still.webp", "image/webp"), ("/docs/gallery/look-clay.png", "image/png")):
             status, headers, data = self.daemon.send(at, Accept_Encoding="gzip")
             self.assertEqual((status, headers["Content-Type"], headers["X-Content-Type-Options"]), (200, content_type, "nosniff"))
             self.assertTrue(headers["Content-Security-Policy"].startswith("default-src 'none'; style-src 'self'; img-src 'self' data:;"))

@@ -275,7 +275,7 @@ class Http(unittest.TestCase):
         """Only POST, only JSON, only pages of this machine; gzip as everywhere"""
         for method in ("GET", "DELETE"):
             status, headers, _ = self.daemon.request("/mcp", None, {}, method)
-            self.assertEqual((status, headers["Allow"]), (405, "POST"))
+            self.assertEqual((status, headers["Allow"]), (405, "POST, OPTIONS"))
         ping = json.dumps({"jsonrpc": "2.0", "id": 1, "method": "ping"}).encode()
         kind = {"Content-Type": "application/json"}
         for origin, expected in (

@@ -196,27 +196,46 @@ class Sites(Case):
         for origin in ("https://one.example", "http://127.0.0.1:3000"):
             status, headers, _ = self.daemon.send("/v1/render", TRIANGLE, Sec_Fetch_Site="cross-site", Origin=origin)
             self.assertEqual((status, headers["Access-Control-Allow-Origin"]), (200, origin))
-            self.assertIn("Origin", headers.get_all("Vary"))
+            self.assertIn("Origin", headers["Vary"])
             self.assertIn("Server-Timing", headers["Access-Control-Expose-Headers"])
         for origin in ("https://one.example.org", "https://one", "http://one.example", "null"):
             status, headers, _ = self.daemon.send("/v1/render", TRIANGLE, Sec_Fetch_Site="cross-site", Origin=origin)
             self.assertEqual((status, headers["Access-Control-Allow-Origin"]), (403, None))
 
     def test_preflight(self):
-        """a preflight of such an origin is answered without a token; others get 405"""
-        status, headers, data = self.daemon.send("/v1/render", None, "OPTIONS", Origin="https://one.example", Access_Control_Request_Method="POST")
+        """a preflight of such an origin is answered without a token; others get none of the headers of CORS"""
+        ask = {"Origin": "https://one.example", "Access_Control_Request_Method": "POST"}
+        status, headers, data = self.daemon.send("/v1/render", None, "OPTIONS", **ask)
         self.assertEqual((status, headers["Access-Control-Allow-Methods"], data), (204, "POST", b""))
-        for name in ("Authorization", "MCP-Protocol-Version", "Mcp-Method", "Mcp-Name"):
+        self.assertEqual(headers["Access-Control-Max-Age"], "7200")
+        for name in ("Authorization", "MCP-Protocol-Version", "Mcp-Method", "Mcp-Name", "traceparent"):
             self.assertIn(name, headers["Access-Control-Allow-Headers"])
-        self.assertEqual(self.daemon.send("/v1/render", None, "OPTIONS", Origin="https://two.example")[0], 405)
+        status, headers, _ = self.daemon.send("/v1/render", None, "OPTIONS", Origin="https://one.example")
+        self.assertEqual((status, headers["Access-Control-Allow-Methods"]), (204, None))
+        status, headers, _ = self.daemon.send("/v1/render", None, "OPTIONS", **ask | {"Origin": "https://two.example"})
+        self.assertEqual(status, 204)
+        self.assertEqual([name for name in headers if name.startswith("Access-Control")], [])
+
+    def test_vary(self):
+        """each answer says in one line that it depends on the origin, beside what else it depends on"""
+        for path, names in (("/", "Accept-Encoding, Origin"), ("/v1/limits", "Origin"), ("/none", "Origin")):
+            for origin in ({}, {"Origin": "https://one.example"}, {"Origin": "https://two.example"}):
+                _, headers, _ = self.daemon.send(path, **origin)
+                self.assertEqual(headers.get_all("Vary"), [names])
+        _, headers, _ = self.daemon.send("/v1/render", TRIANGLE, Sec_Fetch_Site="cross-site", Origin="https://two.example")
+        self.assertEqual(headers.get_all("Vary"), ["Origin"])
+        self.assertEqual(self.daemon.send("/v1/render", TRIANGLE)[1].get_all("Vary"), ["Accept, Origin"])
 
 
 class AnySite(Case):
     flags = ["--allow-origin=*", "--token=secret"]
 
     def test_any(self):
-        """with * any page may ask, if it has the token"""
+        """with * any page may ask, if it has the token, and the answers are the same for all"""
         ask = {"Sec_Fetch_Site": "cross-site", "Origin": "https://two.example"}
-        self.assertEqual(self.daemon.send("/v1/render", TRIANGLE, **ask)[0], 401)
+        status, headers, _ = self.daemon.send("/v1/render", TRIANGLE, **ask)
+        self.assertEqual((status, headers["Access-Control-Allow-Origin"]), (401, "*"))
         self.assertEqual(self.daemon.send("/v1/render", TRIANGLE, Authorization="Bearer secret", **ask)[0], 200)
         self.assertEqual(self.daemon.send("/v1/render", None, "OPTIONS", Origin="https://two.example")[0], 204)
+        _, headers, _ = self.daemon.send("/v1/limits")
+        self.assertEqual((headers["Access-Control-Allow-Origin"], headers["Vary"]), ("*", None))

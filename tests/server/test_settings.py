@@ -156,6 +156,12 @@ class Check(Case):
         self.assertEqual(self.faults(text="\nassets-dir = none\n"), ["c.conf:2: assets-dir: cannot use 'none': No such file or directory"])
         self.assertEqual(self.faults(text="assets-dir = c.conf\n"), ["c.conf:1: assets-dir: 'c.conf' is no folder"])
 
+    def test_files_of_the_gate(self):
+        """--check-config reads the files that SIGHUP reads anew"""
+        lines = self.faults(text="assets-dir = none\ntoken-file = nobody\n")
+        self.assertEqual(len(lines), 2)
+        self.assertIn("nobody", lines[1])
+
 
 class Print(Case):
     def test_again(self):
