@@ -40,11 +40,12 @@ struct service {
     struct kept *images;   /* decoded images; NULL: none are kept */
     struct texts *texts;   /* decoded data: URIs; NULL: none are kept */
     struct meshes *meshes; /* model files as read; NULL: none are kept */
+    struct kept *answers;  /* answers of addresses; NULL: none are kept */
     uint64_t id_base;      /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };
 
-/* `store`, `images`, `texts` and `meshes` may be NULL. */
+/* `store`, `images`, `texts` and `meshes` may be NULL. The caller may set `answers` afterwards. */
 void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
                   struct store *store, struct kept *images, struct texts *texts, struct meshes *meshes);
 
@@ -84,6 +85,12 @@ struct request {
     /* Set by assets_open: */
     const char *asset; /* name of the asset, in `path`; "": a new asset; NULL: another route */
     bool has_asset;    /* If-None-Match: the client has the asset */
+
+    /* Set by renders_open: */
+    char scene[STORE_NAME_SIZE];    /* name of the stored scene; "": another route */
+    struct zr_file_hash answer_key; /* hash of all that determines the answer */
+    bool is_pinned;                 /* the query names its look with the version */
+    bool has_answer;                /* If-None-Match: the client has the answer */
 };
 
 void request_free(struct request *request);

@@ -13,6 +13,7 @@
 #include "routes/drake.h"
 #include "routes/health.h"
 #include "routes/rendering.h"
+#include "routes/renders.h"
 #include "routes/site.h"
 #include "text.h"
 
@@ -34,6 +35,8 @@ static const struct route ROUTES[] = {
     {"/healthz", "GET, HEAD", true, health_open, NULL, false, false, false},
     {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false, false, false},
     {ASSETS_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false, false, false},
+    {SCENES_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false, false, false},
+    {RENDERS_PATH, "GET, HEAD", false, renders_open, renders_work, true, false, true},
 };
 
 enum { ROUTE_COUNT = sizeof ROUTES / sizeof ROUTES[0] };
@@ -133,6 +136,7 @@ enum request_next router_work(const struct service *service, const struct reques
 void router_finish(struct answer *answer, const struct service *service, const struct request *request)
 {
     origin_finish(service->config, request, answer);
+    if (answer->status >= 400) answer_header(answer, "Cache-Control", "no-store");
     answer_header(answer, "X-Request-Id", "%s", request->id);
     answer_header(answer, "Zraster-Version", ZR_VERSION);
 }

@@ -164,6 +164,10 @@ static struct MHD_Response *create_response(struct exchange *exchange)
         response = MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, STREAM_BLOCK, http_read_stream, exchange, NULL);
     else if (answer->file > 0)
         response = MHD_create_response_from_fd64(answer->size, answer->file);
+    else if (answer->is_unsized) /* HEAD, 304: the callback is never called */
+        response = MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, 1, no_bytes, NULL, NULL);
+    else if (answer->release) /* lent until the exchange ends */
+        response = MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_PERSISTENT);
     else if (answer->bytes || answer->size == 0)
         response = MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_MUST_FREE);
     else /* A size without bytes (HEAD, 304): the callback is never called. */

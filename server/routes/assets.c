@@ -16,7 +16,7 @@ bool assets_open(const struct service *service, const struct load *load, struct 
     char tag[STORE_NAME_SIZE + 2];
     static const char FORM[] = "multipart/form-data";
     bool is_new = strcmp(request->method, "POST") == 0;
-    const char *name = is_new ? "" : request->path + sizeof ASSETS_PATH - 1;
+    const char *name = is_new ? "" : request->path + strlen(request->route->path);
     if (!service->store) {
         problem_answer(answer, 404, "no assets are kept here; start zrasterd with --assets-dir=DIRECTORY for that");
         return false;
@@ -37,13 +37,14 @@ bool assets_open(const struct service *service, const struct load *load, struct 
 
 /* ---- uploads ---- */
 
-static void answer_kept(struct answer *answer, const char *name, size_t size, bool is_new)
+static void answer_kept(struct answer *answer, const struct request *request, const char *name, size_t size,
+                        bool is_new)
 {
     char text[STORE_NAME_SIZE + 64];
     int length = snprintf(text, sizeof text, "{\"sha256\":\"%s\",\"size\":%zu}\n", name, size);
     answer_copy(answer, "application/json", text, (size_t)length);
     if (answer->status != 200) return;
-    answer_header(answer, "Location", ASSETS_PATH "%s", name);
+    answer_header(answer, "Location", "%s%s", *request->asset ? request->route->path : ASSETS_PATH, name);
     if (is_new) answer->status = 201;
 }
 
@@ -76,7 +77,7 @@ static enum request_next put(const struct service *service, const struct request
         problem_answer(answer, 500, "the asset could not be written: %s", strerror(errno));
         break;
     default:
-        answer_kept(answer, name, body.size, status == STORE_NEW);
+        answer_kept(answer, request, name, body.size, status == STORE_NEW);
         break;
     }
     return REQUEST_ANSWERED;
