@@ -72,7 +72,7 @@ class Folder(unittest.TestCase):
 class Addresses(Folder):
     def test_store(self):
         """scenes and assets are one store"""
-        data = SCENE % b""
+        data = SCENE % b" "
         name = sha256(data)
         status, headers, text = self.client.send("PUT", "/v1/scenes/" + name, data)
         self.assertEqual((status, headers["Location"], json.loads(text)["sha256"]), (201, "/v1/scenes/" + name, name))
@@ -166,8 +166,8 @@ class Addresses(Folder):
         """files that are no scene, and scenes beyond the limits, are refused as in a render"""
         png = self.get(self.client.put(CUBE))[2]
         self.assert_problem(self.get(self.client.put(png)), 422, "PNG picture")
-        self.assert_problem(self.get(self.client.put(b"")), 422, "")
-        self.assert_problem(self.get(self.client.put(b'{"polygons":')), 422, "")
+        self.assert_problem(self.get(self.client.put(b"")), 400, "is empty")
+        self.assertEqual(self.get(self.client.put(b'{"polygons":'), "", "HEAD")[0], 400)
         missing = b'{"look":"studio@2","meshes":[{"asset":"sha256:%s"}]}' % sha256(b"missing").encode()
         self.assert_problem(self.get(self.client.put(missing)), 422, "no asset is kept")
 
@@ -183,7 +183,7 @@ class Bounds(Folder):
 
     def test_cost(self):
         """work beyond costMaxMs is 422, as in a render, also for HEAD"""
-        scene = SCENE.replace(b"64", b"8000").replace(b"48", b"8000") % b'"look":"studio@2",'
+        scene = SCENE.replace(b"64", b"2000").replace(b"48", b"2000") % b'"look":"studio@2","samples":16,'
         name = self.client.put(scene)
         self.assert_problem(self.get(name), 422, "costMaxMs")
         self.assertEqual(self.client.send("POST", "/v1/render", scene, Content_Type="application/json")[0], 422)
