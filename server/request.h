@@ -75,6 +75,7 @@ struct request {
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */
     int64_t expires_s; /* set by router_open: end of the address, in seconds since 1970; 0: none */
+    bool is_private;   /* set by router_open: a token opened it; shared caches must not keep the answer */
     bool small_only;   /* set on the express (queue.h): a request that turns out to be large is given up */
 
     /* Set by rendering_open and drake_open: */
