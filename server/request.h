@@ -91,6 +91,7 @@ struct request {
     char scene[STORE_NAME_SIZE];    /* name of the stored scene; "": another route */
     struct zr_file_hash answer_key; /* hash of all that determines the answer */
     bool is_pinned;                 /* the query names its look with the version */
+    bool has_preset;                /* SIGHUP may change its parameters */
     bool has_answer;                /* If-None-Match: the client has the answer */
 };
 

@@ -7,6 +7,7 @@
 #include <strings.h>
 
 #include "body.h"
+#include "gate/admit.h"
 #include "problem.h"
 #include "text.h"
 
@@ -85,13 +86,15 @@ static enum request_next put(const struct service *service, const struct request
 
 /* ---- downloads ---- */
 
-static void answer_there(struct answer *answer, const char *name, int file, size_t size, bool has_asset)
+enum { ASSET_S = 31536000 };
+
+static void answer_there(const struct request *request, int file, size_t size, struct answer *answer)
 {
     answer_file(answer, "application/octet-stream", file, size);
-    answer->status = has_asset ? 304 : 200;
+    answer->status = request->has_asset ? 304 : 200;
     /* The bytes under a hash never change. */
-    answer_header(answer, "ETag", "\"%s\"", name);
-    answer_header(answer, "Cache-Control", "public, max-age=31536000, immutable");
+    answer_header(answer, "ETag", "\"%s\"", request->asset);
+    admit_caching(request, ASSET_S, true, answer);
     answer_header(answer, "X-Content-Type-Options", "nosniff");
 }
 
@@ -108,7 +111,7 @@ static enum request_next get(const struct service *service, const struct request
         status = store_fetch(service->store, request->asset, cancel, &file, &size);
     switch (status) {
     case STORE_THERE:
-        answer_there(answer, request->asset, file, size, request->has_asset);
+        answer_there(request, file, size, answer);
         break;
     case STORE_CANCELLED:
         problem_answer(answer, 504, "the asset could not be read within renderTimeoutMs, %" PRIu64 " ms",

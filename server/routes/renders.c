@@ -6,12 +6,17 @@
 #include <string.h>
 
 #include "assets.h"
+#include "gate/admit.h"
+#include "gate/gate.h"
 #include "input/query_text.h"
 #include "keep/answers.h"
 #include "problem.h"
 #include "render_key.h"
 #include "rendering.h"
 #include "text.h"
+
+/* Times for which caches need not ask again. */
+enum { FIXED_S = 31536000, CHANGING_S = 300 };
 
 /* ---- headers ---- */
 
@@ -33,8 +38,8 @@ static struct tag tag_of(const struct zr_file_hash *key)
 static void add_headers(const struct request *request, bool is_pinned, struct answer *answer)
 {
     answer_header(answer, "ETag", "%s", tag_of(&request->answer_key).text);
-    answer_header(answer, "Cache-Control",
-                  is_pinned || request->is_pinned ? "public, max-age=31536000, immutable" : "public, max-age=300");
+    const bool is_fixed = !request->has_preset && (is_pinned || request->is_pinned);
+    admit_caching(request, is_fixed ? FIXED_S : CHANGING_S, is_fixed, answer);
     answer_header(answer, "Accept-Ranges", "none");
 }
 
@@ -72,11 +77,19 @@ static bool read_path(struct request *request, const char **preset, struct answe
     return false;
 }
 
-/* Returns the parameters of a preset, NULL if there is no such preset. */
-static const char *find_preset(const struct service *service, const char *name)
+/* Returns the parameters of a preset, "" without one. NULL: the answer is ready. */
+static const char *find_preset(const struct gate *gate, const char *name, const char *query, struct answer *answer)
 {
-    (void)service, (void)name;
-    return NULL;
+    char known[ANSWER_DETAIL_SIZE];
+    gate_list_presets(gate, known, sizeof known);
+    const char *parameters = name ? gate_preset(gate, name) : "";
+    if (gate_has_only_presets(gate) && (!name || (query && *query)))
+        problem_answer(answer, 403,
+                       "addresses have a preset here and no parameters: " RENDERS_PATH "{sha256}/PRESET; there are: %s",
+                       known);
+    else if (!parameters)
+        problem_answer(answer, 404, "there is no preset '%.64s' here%s%s", name, *known ? "; there are: " : "", known);
+    return answer->status ? NULL : parameters;
 }
 
 /* Reads "name=value&name=value" into request->render. */
@@ -120,20 +133,18 @@ static bool answer_kept(const struct service *service, const struct request *req
 bool renders_open(const struct service *service, const struct load *load, struct request *request,
                   struct answer *answer)
 {
-    const char *preset, *parameters = "";
+    const char *preset;
     (void)load;
     if (!service->store) {
         problem_answer(answer, 404, "no scenes are kept here; start zrasterd with --assets-dir=DIRECTORY for that");
         return false;
     }
     if (!read_path(request, &preset, answer)) return false;
-    if (preset && !(parameters = find_preset(service, preset))) {
-        problem_answer(answer, 404, "there is no preset '%.64s' here", preset);
-        return false;
-    }
-    if (!read_parameters(request, parameters, answer)) return false;
+    const char *parameters = find_preset(service->gate, preset, request->query, answer);
+    if (!parameters || !read_parameters(request, parameters, answer)) return false;
     request->render.format = ZR_FORMAT_UNKNOWN;
     request->parts = ACCEPT_NO_PARTS; /* an address has one form */
+    request->has_preset = preset;
     request->is_pinned = request->render.look && strchr(request->render.look, '@');
     if (!render_key(request->scene, &request->render, &service->limits, &request->answer_key)) {
         problem_busy(answer, 1, "out of memory");
