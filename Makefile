@@ -647,6 +647,8 @@ $(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a $(BUILD)/libcore.
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/routes/multipart.o
 $(BUILD)/tests/unit/test_mcp: $(mcp)
+$(BUILD)/tests/unit/test_query_plain: $(BUILD)/server/routes/render_key.o
+$(BUILD)/tests/unit/test_query_plain: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/test_schema: $(BUILD)/server/routes/openapi.o $(BUILD)/server/routes/openapi_texts.o
 $(BUILD)/tests/unit/test_framing: $(BUILD)/server/http/framing.o
 $(BUILD)/tests/unit/test_accept: $(BUILD)/server/http/accept.o

@@ -174,8 +174,8 @@ void answer_send(const struct answer *answer, int socket_fd)
         send_no_memory(socket_fd);
         return;
     }
-    fprintf(out, "HTTP/1.1 %d %s\r\nConnection: close\r\nContent-Length: %zu\r\n", answer->status,
-            answer_reason(answer->status), answer->size);
+    fprintf(out, "HTTP/1.1 %d %s\r\nConnection: close\r\n", answer->status, answer_reason(answer->status));
+    if (!answer->is_unsized) fprintf(out, "Content-Length: %zu\r\n", answer->size);
     for (size_t i = 0; i < answer->header_count; i++)
         fprintf(out, "%s: %s\r\n", answer->headers[i].name, answer->headers[i].value);
     fputs("\r\n", out);
@@ -196,7 +196,11 @@ void answer_file(struct answer *answer, const char *content_type, int file, size
 
 void answer_drop_bytes(struct answer *answer)
 {
-    free(answer->bytes);
+    if (answer->release)
+        answer->release(answer);
+    else
+        free(answer->bytes);
+    answer->release = NULL;
     answer->bytes = NULL;
     if (answer->file > 0) close(answer->file);
     answer->file = 0;

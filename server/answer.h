@@ -1,6 +1,6 @@
 /* answer.h - the answer to a request: status, headers, bytes.
  *
- * Owns its bytes, its file and the values of its headers. Starts as {0}; status 0: no answer yet.
+ * Owns its bytes, unless they are lent, its file and the values of its headers. Starts as {0}; status 0: no answer yet.
  */
 #ifndef ZRASTERD_ANSWER_H
 #define ZRASTERD_ANSWER_H
@@ -18,6 +18,9 @@ struct answer_header {
     char *value;      /* malloc'd */
 };
 
+struct kept;
+struct kept_held;
+
 struct answer {
     int status;
     bool close;     /* close the connection after this answer */
@@ -26,6 +29,11 @@ struct answer {
     char *bytes;    /* body; NULL: none, or that of `file` */
     int file;       /* open file, sent from its beginning; 0: none */
     size_t size;    /* of the body; without bytes (HEAD, 304) the value of Content-Length only */
+    bool is_unsized; /* HEAD, 304: there is no Content-Length, since the size is not known */
+    /* Bytes that are lent (keep/answers.h): gives them back. NULL: they are malloc'd. */
+    void (*release)(struct answer *answer);
+    struct kept *lender;
+    struct kept_held *lent;
     size_t header_count;
     struct answer_header headers[ANSWER_HEADERS_MAX];
     size_t warnings;                 /* of the render, for the log */

@@ -45,7 +45,7 @@ struct config {
     uint64_t workers, threads, queue, max_per_client, max_per_private_client, max_connections, max_streams;
 
     uint64_t body_max_bytes, upload_memory_bytes, request_memory_bytes, keep_memory_bytes, answer_memory_bytes;
-    uint64_t keep_image_bytes, keep_text_bytes, keep_mesh_bytes;
+    uint64_t keep_image_bytes, keep_text_bytes, keep_mesh_bytes, keep_answer_bytes;
     uint64_t assets_max_bytes;
 
     uint64_t header_timeout_ms, idle_timeout_ms, body_timeout_ms, body_min_bytes_per_second;

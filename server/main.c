@@ -12,6 +12,7 @@
 #include "config.h"
 #include "gate/gate.h"
 #include "http/http.h"
+#include "keep/answers.h"
 #include "keep/images.h"
 #include "keep/meshes.h"
 #include "keep/store.h"
@@ -128,6 +129,7 @@ static int serve(const struct config *config, struct gate *gate)
     struct kept *images = images_open(config->keep_image_bytes);
     struct texts *texts = texts_open(config->keep_text_bytes);
     struct meshes *meshes = meshes_open(config->keep_mesh_bytes);
+    struct kept *answers = answers_open(config->keep_answer_bytes);
     struct http *http = NULL;
     struct slowness slowness;
     slowness_start(&slowness, config_isa(config));
@@ -135,6 +137,7 @@ static int serve(const struct config *config, struct gate *gate)
     if (store || !*config->assets_dir) {
         service_init(&service, config, team, &slowness, store, images, texts, meshes);
         service.gate = gate;
+        service.answers = answers;
         http = http_start(config, &service, message, sizeof message);
     }
     if (!http) {
@@ -144,6 +147,7 @@ static int serve(const struct config *config, struct gate *gate)
         kept_close(images);
         texts_close(texts);
         meshes_close(meshes);
+        kept_close(answers);
         zr_team_destroy(team);
         gate_free(gate);
         log_writer_stop();
@@ -162,6 +166,7 @@ static int serve(const struct config *config, struct gate *gate)
     kept_close(images);
     texts_close(texts);
     meshes_close(meshes);
+    kept_close(answers);
     zr_team_destroy(team);
     gate_free(service.gate);
     log_event("info", "stopped", NULL);

@@ -19,6 +19,7 @@ void service_init(struct service *service, const struct config *config, struct z
     service->images = images;
     service->texts = texts;
     service->meshes = meshes;
+    service->answers = NULL;
     service->slowness = slowness;
     service->limits = config_limits(config);
     service->team = team;
@@ -84,7 +85,8 @@ static bool memory_is_short(const char *folder)
 /* Drops all kept values that no request uses. False if there are none. */
 static bool drop_kept(const struct service *service)
 {
-    struct kept *const tables[] = {service->images, texts_kept(service->texts), meshes_kept(service->meshes)};
+    struct kept *const tables[] = {service->images, texts_kept(service->texts), meshes_kept(service->meshes),
+                                   service->answers};
     bool dropped = false;
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
         if (tables[i] && kept_drop(tables[i])) dropped = true;

@@ -41,11 +41,12 @@ struct service {
     struct kept *images;   /* decoded images; NULL: none are kept */
     struct texts *texts;   /* decoded data: URIs; NULL: none are kept */
     struct meshes *meshes; /* model files as read; NULL: none are kept */
+    struct kept *answers;  /* answers of addresses; NULL: none are kept */
     uint64_t id_base;      /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };
 
-/* `store`, `images`, `texts` and `meshes` may be NULL. */
+/* `store`, `images`, `texts` and `meshes` may be NULL. The caller may set `answers` afterwards. */
 void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
                   struct store *store, struct kept *images, struct texts *texts, struct meshes *meshes);
 
@@ -77,6 +78,7 @@ struct request {
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */
     int64_t expires_s; /* set by router_open: end of the address, in seconds since 1970; 0: none */
+    bool is_private;   /* set by router_open: a token opened it; shared caches must not keep the answer */
     bool small_only;   /* set on the express (queue.h): a request that turns out to be large is given up */
 
     /* Set by rendering_open and drake_open: */
@@ -87,6 +89,13 @@ struct request {
     /* Set by assets_open: */
     const char *asset; /* name of the asset, in `path`; "": a new asset; NULL: another route */
     bool has_asset;    /* If-None-Match: the client has the asset */
+
+    /* Set by renders_open: */
+    char scene[STORE_NAME_SIZE];    /* name of the stored scene; "": another route */
+    struct zr_file_hash answer_key; /* hash of all that determines the answer */
+    bool is_pinned;                 /* the query names its look with the version */
+    bool has_preset;                /* SIGHUP may change its parameters */
+    bool has_answer;                /* If-None-Match: the client has the answer */
 };
 
 void request_free(struct request *request);

@@ -14,6 +14,7 @@
 #include "routes/drake.h"
 #include "routes/health.h"
 #include "routes/rendering.h"
+#include "routes/renders.h"
 #include "routes/site.h"
 #include "text.h"
 
@@ -35,6 +36,8 @@ static const struct route ROUTES[] = {
     {"/healthz", "GET, HEAD", true, health_open, NULL, false, false, false},
     {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false, false, false},
     {ASSETS_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false, false, false},
+    {SCENES_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false, false, false},
+    {RENDERS_PATH, "GET, HEAD", false, renders_open, renders_work, true, false, true},
 };
 
 enum { ROUTE_COUNT = sizeof ROUTES / sizeof ROUTES[0] };

@@ -1,5 +1,6 @@
 /* Keys of the picture: the look, and the keys that override it. */
 #include <float.h>
+#include <string.h>
 
 #include "input/json_objects.h"
 #include "input/json_scene.h"
@@ -34,6 +35,7 @@ bool zr_read_look(struct zr_json *json, const struct zr_json_path *path, const s
     const char *word = "";
     if (!zr_json_string(json, path, field, &word)) return false;
     root->look = zr_look_find(word);
+    root->scene->has_open_look = !strchr(word, '@');
     return root->look || zr_json_fault(json, path, "%s", zr_looks_refuse(word).text);
 }
 

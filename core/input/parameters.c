@@ -272,6 +272,7 @@ static void open_query(const struct zr_request *request, const struct zr_limits 
                                .projection = ZR_UNSET,
                                .up = ZR_UNSET};
     if (format->has_view) return;
+    given->scene->has_open_look = true; /* until a look with a version is read */
     /* A key of the query's view overrides that key of the look's view. */
     given->look = request->look ? zr_look_find(request->look) : NULL;
     if (!given->look) given->look = zr_look_find(is_svg(request) ? "technical" : "studio");

@@ -297,6 +297,7 @@ struct zr_file_facts {
 
 struct zr_scene {
     const struct zr_look *look; /* its values are already merged into the other members */
+    bool has_open_look;         /* the version of the look is not named */
     zr_vec4 background;
     zr_vec3 ambient;
     struct zr_fog fog;

@@ -1,5 +1,6 @@
 #include "admit.h"
 
+#include <inttypes.h>
 #include <string.h>
 #include <strings.h>
 #include <time.h>
@@ -42,25 +43,37 @@ static const char *refusal(enum signature_status status, size_t key_count)
     }
 }
 
+/* Admits a request for its token, or refuses it. */
+static bool admit_token(const struct gate *gate, struct request *request, struct answer *answer)
+{
+    request->is_private = has_token(gate, request->authorization);
+    return request->is_private || !gate_asks_for_token(gate) || refuse_without_token(answer);
+}
+
 bool admit(const struct service *service, struct request *request, struct answer *answer)
 {
     const struct gate *gate = service->gate;
     const struct route *route = request->route;
-    const bool asks = gate_asks_for_token(gate);
     if (route && route->open_to_all) return true;
-    if (!route || !route->is_signed)
-        return !asks || has_token(gate, request->authorization) || refuse_without_token(answer);
+    if (!route || !route->is_signed) return admit_token(gate, request, answer);
 
     const struct signature_keys *keys = gate_keys(gate);
     const enum signature_status status =
         signature_check(keys, request->path, request->query, (int64_t)time(NULL), &request->expires_s);
-    if (status == SIGNATURE_MISSING) {
-        if (has_token(gate, request->authorization)) return true;
-        if (keys->count == 0) return !asks || refuse_without_token(answer);
-    } else {
+    if (status == SIGNATURE_MISSING && keys->count == 0) return admit_token(gate, request, answer);
+    if (status != SIGNATURE_MISSING)
         signature_strip(request->query);
-    }
-    if (status == SIGNATURE_GOOD) return true;
+    else
+        request->is_private = has_token(gate, request->authorization);
+    if (status == SIGNATURE_GOOD || request->is_private) return true;
     problem_answer(answer, 403, "%s", refusal(status, keys->count));
     return false;
+}
+
+void admit_caching(const struct request *request, int64_t seconds, bool is_immutable, struct answer *answer)
+{
+    const int64_t left = request->expires_s - (int64_t)time(NULL);
+    if (request->expires_s > 0 && left < seconds) seconds = left > 0 ? left : 0;
+    answer_header(answer, "Cache-Control", "%s, max-age=%" PRId64 "%s", request->is_private ? "private" : "public",
+                  seconds, is_immutable ? ", immutable" : "");
 }

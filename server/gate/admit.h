@@ -9,4 +9,8 @@
  * Returns false if the answer is ready: 401 or 403. On the thread of service->gate. */
 bool admit(const struct service *service, struct request *request, struct answer *answer);
 
+/* Adds Cache-Control to an answer that stays the same for `seconds`, or for ever (`is_immutable`): no longer than the
+ * address is valid, and for no shared cache if a token opened it (RFC 9111, 3.5: "public" would allow it). */
+void admit_caching(const struct request *request, int64_t seconds, bool is_immutable, struct answer *answer);
+
 #endif

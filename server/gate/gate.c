@@ -23,6 +23,7 @@ struct gate {
     struct signature_keys keys;
     struct preset presets[GATE_PRESETS_MAX]; /* in `preset_lines` */
     struct lines preset_lines;
+    bool has_only_presets;
     struct zr_limits limits;
     char warning[WARNING_SIZE];
 };
@@ -153,6 +154,18 @@ static bool read_secrets(struct gate *gate, const char *path, add_fn *add, struc
     return is_read;
 }
 
+static bool read_all(struct gate *gate, const struct config *config, struct fault *fault)
+{
+    if (!read_secrets(gate, config->token_file, add_token, fault) ||
+        !read_secrets(gate, config->keys_file, add_key, fault))
+        return false;
+    if (gate->keys.count > 0 && gate->token_count == 0)
+        warn(gate, "there are keys and no token: who has no signature may still POST and PUT", "");
+    if (*config->presets) return read_entries(gate, config->presets, add_preset, &gate->preset_lines, fault);
+    if (gate->has_only_presets) snprintf(fault->message, fault->size, "--only-presets=on needs --presets");
+    return !gate->has_only_presets;
+}
+
 struct gate *gate_read(const struct config *config, char *message, size_t message_size)
 {
     struct fault fault = {message, message_size};
@@ -162,14 +175,9 @@ struct gate *gate_read(const struct config *config, char *message, size_t messag
         return NULL;
     }
     gate->limits = config_limits(config);
+    gate->has_only_presets = strcmp(config->only_presets, "on") == 0;
     if (*config->token) hash(gate->tokens[gate->token_count++], config->token, strlen(config->token));
-    if (read_secrets(gate, config->token_file, add_token, &fault) &&
-        read_secrets(gate, config->keys_file, add_key, &fault) &&
-        (!*config->presets || read_entries(gate, config->presets, add_preset, &gate->preset_lines, &fault))) {
-        if (gate->keys.count > 0 && gate->token_count == 0)
-            warn(gate, "there are keys and no token: who has no signature may still POST and PUT", "");
-        return gate;
-    }
+    if (read_all(gate, config, &fault)) return gate;
     gate_free(gate);
     return NULL;
 }
@@ -230,6 +238,11 @@ const char *gate_preset(const struct gate *gate, const char *name)
     for (size_t i = 0; i < gate->preset_count; i++)
         if (strcmp(gate->presets[i].name, name) == 0) return gate->presets[i].query;
     return NULL;
+}
+
+bool gate_has_only_presets(const struct gate *gate)
+{
+    return gate->has_only_presets;
 }
 
 void gate_list_presets(const struct gate *gate, char *text, size_t size)

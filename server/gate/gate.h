@@ -46,6 +46,9 @@ const struct signature_keys *gate_keys(const struct gate *gate);
 /* Returns the query of a preset, as it is in the file, NULL if there is no such preset. Belongs to the gate. */
 const char *gate_preset(const struct gate *gate, const char *name);
 
+/* Returns true if addresses take a preset and no parameters of their own. */
+bool gate_has_only_presets(const struct gate *gate);
+
 /* Writes the names of the presets with commas between them, those that have room, in the order of the file. */
 void gate_list_presets(const struct gate *gate, char *text, size_t size);
 

@@ -157,6 +157,15 @@ static ssize_t no_bytes(void *context, uint64_t position, char *bytes, size_t si
     return MHD_CONTENT_READER_END_WITH_ERROR;
 }
 
+/* For HEAD and 304, without Content-Length. libmicrohttpd 0.9.75 sends the last chunk of an answer without body, so the
+ * connection must end instead. The callback is never called. */
+static struct MHD_Response *create_unsized_response(void)
+{
+    struct MHD_Response *response = MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, 1, no_bytes, NULL, NULL);
+    if (response) MHD_set_response_options(response, MHD_RF_HTTP_VERSION_1_0_ONLY, MHD_RO_END);
+    return response;
+}
+
 /* Takes ownership of the answer's bytes or file. */
 static struct MHD_Response *create_response(struct exchange *exchange)
 {
@@ -166,6 +175,10 @@ static struct MHD_Response *create_response(struct exchange *exchange)
         response = MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, STREAM_BLOCK, http_read_stream, exchange, NULL);
     else if (answer->file > 0)
         response = MHD_create_response_from_fd64(answer->size, answer->file);
+    else if (answer->is_unsized)
+        response = create_unsized_response();
+    else if (answer->release) /* lent until the exchange ends */
+        response = MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_PERSISTENT);
     else if (answer->bytes || answer->size == 0)
         response = MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_MUST_FREE);
     else /* A size without bytes (HEAD, 304): the callback is never called. */

@@ -113,7 +113,7 @@ static bool is_zip(const struct answer *answer)
 
 static enum mcp_draw_status draw(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn)
 {
-    static const struct rendering_kind kind = {unpack, report, true};
+    static const struct rendering_kind kind = {unpack, report, NULL, true};
     const struct agents *agents = context;
     const struct zr_asset file = {.name = draw->file_name, .bytes = draw->file, .size = draw->file_size};
     struct request request = *agents->request;

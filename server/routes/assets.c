@@ -7,6 +7,7 @@
 #include <strings.h>
 
 #include "body.h"
+#include "gate/admit.h"
 #include "problem.h"
 #include "text.h"
 
@@ -16,7 +17,7 @@ bool assets_open(const struct service *service, const struct load *load, struct 
     char tag[STORE_NAME_SIZE + 2];
     static const char FORM[] = "multipart/form-data";
     bool is_new = strcmp(request->method, "POST") == 0;
-    const char *name = is_new ? "" : request->path + sizeof ASSETS_PATH - 1;
+    const char *name = is_new ? "" : request->path + strlen(request->route->path);
     if (!service->store) {
         problem_answer(answer, 404, "no assets are kept here; start zrasterd with --assets-dir=DIRECTORY for that");
         return false;
@@ -37,13 +38,14 @@ bool assets_open(const struct service *service, const struct load *load, struct 
 
 /* ---- uploads ---- */
 
-static void answer_kept(struct answer *answer, const char *name, size_t size, bool is_new)
+static void answer_kept(struct answer *answer, const struct request *request, const char *name, size_t size,
+                        bool is_new)
 {
     char text[STORE_NAME_SIZE + 64];
     int length = snprintf(text, sizeof text, "{\"sha256\":\"%s\",\"size\":%zu}\n", name, size);
     answer_copy(answer, "application/json", text, (size_t)length);
     if (answer->status != 200) return;
-    answer_header(answer, "Location", ASSETS_PATH "%s", name);
+    answer_header(answer, "Location", "%s%s", *request->asset ? request->route->path : ASSETS_PATH, name);
     if (is_new) answer->status = 201;
 }
 
@@ -76,7 +78,7 @@ static enum request_next put(const struct service *service, const struct request
         problem_answer(answer, 500, "the asset could not be written: %s", strerror(errno));
         break;
     default:
-        answer_kept(answer, name, body.size, status == STORE_NEW);
+        answer_kept(answer, request, name, body.size, status == STORE_NEW);
         break;
     }
     return REQUEST_ANSWERED;
@@ -84,13 +86,15 @@ static enum request_next put(const struct service *service, const struct request
 
 /* ---- downloads ---- */
 
-static void answer_there(struct answer *answer, const char *name, int file, size_t size, bool has_asset)
+enum { ASSET_S = 31536000 };
+
+static void answer_there(const struct request *request, int file, size_t size, struct answer *answer)
 {
     answer_file(answer, "application/octet-stream", file, size);
-    answer->status = has_asset ? 304 : 200;
+    answer->status = request->has_asset ? 304 : 200;
     /* The bytes under a hash never change. */
-    answer_header(answer, "ETag", "\"%s\"", name);
-    answer_header(answer, "Cache-Control", "public, max-age=31536000, immutable");
+    answer_header(answer, "ETag", "\"%s\"", request->asset);
+    admit_caching(request, ASSET_S, true, answer);
     answer_header(answer, "Cross-Origin-Resource-Policy", "cross-origin");
 }
 
@@ -107,7 +111,7 @@ static enum request_next get(const struct service *service, const struct request
         status = store_fetch(service->store, request->asset, cancel, &file, &size);
     switch (status) {
     case STORE_THERE:
-        answer_there(answer, request->asset, file, size, request->has_asset);
+        answer_there(request, file, size, answer);
         break;
     case STORE_CANCELLED:
         problem_answer(answer, 504, "the asset could not be read within renderTimeoutMs, %" PRIu64 " ms",

@@ -1,4 +1,4 @@
-/* assets.h - routes below /v1/assets, and the assets named by scenes.
+/* assets.h - routes below /v1/assets and /v1/scenes, which are one store, and the assets named by scenes.
  *
  *     POST      /v1/assets             bytes -> their name
  *     PUT       /v1/assets/{sha256}    bytes, checked against the name
@@ -10,6 +10,7 @@
 #include "request.h"
 
 #define ASSETS_PATH "/v1/assets/"
+#define SCENES_PATH "/v1/scenes/"
 
 /* Handlers for the router. assets_open sets request->asset and has_asset. */
 bool assets_open(const struct service *service, const struct load *load, struct request *request,

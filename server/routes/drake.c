@@ -206,7 +206,7 @@ enum request_next drake_work(const struct service *service, const struct request
                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
 {
     /* Files that differ in the pose of the camera are never the same: a copy of each would cost half of the reading. */
-    static const struct rendering_kind kind = {unpack, report, false};
+    static const struct rendering_kind kind = {unpack, report, NULL, false};
     answer->is_plain = true;
     const enum request_next next = rendering_run(&kind, service, request, arena, cancel, times, answer);
     if (answer->status == 415 || answer->status == 422) answer->status = 400; /* the protocol has no other fault */

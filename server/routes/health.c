@@ -31,14 +31,16 @@ static void write_counts(struct kept *kept, char out[COUNTS_SIZE])
 
 bool health_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
-    char images[COUNTS_SIZE], texts[COUNTS_SIZE], meshes[COUNTS_SIZE], *text = NULL;
+    char images[COUNTS_SIZE], texts[COUNTS_SIZE], meshes[COUNTS_SIZE], answers[COUNTS_SIZE], *text = NULL;
     write_counts(service->images, images);
     write_counts(texts_kept(service->texts), texts);
     write_counts(meshes_kept(service->meshes), meshes);
+    write_counts(service->answers, answers);
     (void)load;
     (void)request;
     const int length =
-        asprintf(&text, "{\"images\":%s,\"texts\":%s,\"meshes\":%s,\"status\":\"ok\"}\n", images, texts, meshes);
+        asprintf(&text, "{\"images\":%s,\"texts\":%s,\"meshes\":%s,\"answers\":%s,\"status\":\"ok\"}\n", images, texts,
+                 meshes, answers);
     answer_text(answer, text, length);
     return false;
 }

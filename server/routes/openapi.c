@@ -74,7 +74,7 @@ static void print_body(struct zr_print *print)
 }
 
 /* Prints the media types of the encodings, each once. */
-static void print_pictures(struct zr_print *print)
+static void print_pictures(struct zr_print *print, bool has_parts)
 {
     zr_print_begin(print, "content", '{');
     for (int i = 0; i < ZR_ENCODING_COUNT; i++) {
@@ -96,7 +96,9 @@ static void print_pictures(struct zr_print *print)
                 "description": "Files of several outputs: CHANNEL.EXTENSION.",
                 "type": "string", "contentMediaType": "application/zip"
             }
-        },
+        }
+    }));
+    if (has_parts) zr_print_members(print, ZR_SCHEMA({
         "multipart/mixed": {
             "schema": {
                 "description": "Files of several outputs, and those of several views as soon as each is drawn.",
@@ -126,6 +128,79 @@ static const char render_headers[] = ZR_SCHEMA({
     "Vary": {"$ref": "#/components/headers/Vary"}
 });
 
+static const char address_headers[] = ZR_SCHEMA({
+    "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"},
+    "Zraster-Version": {"$ref": "#/components/headers/Zraster-Version"},
+    "Zraster-Look": {"$ref": "#/components/headers/Zraster-Look"},
+    "Zraster-Encoder": {"$ref": "#/components/headers/Zraster-Encoder"},
+    "Zraster-Warnings": {"$ref": "#/components/headers/Zraster-Warnings"},
+    "Server-Timing": {"$ref": "#/components/headers/Server-Timing"},
+    "ETag": {"$ref": "#/components/headers/ETag"},
+    "Cache-Control": {"$ref": "#/components/headers/Cache-Control"},
+    "Accept-Ranges": {"$ref": "#/components/headers/Accept-Ranges"}
+});
+
+static const char address_faults[] = ZR_SCHEMA({
+    "304": {"description": "The client has the picture."},
+    "400": {"$ref": "#/components/responses/problem"}, "401": {"$ref": "#/components/responses/problem"},
+    "404": {"$ref": "#/components/responses/problem"}, "413": {"$ref": "#/components/responses/problem"},
+    "422": {"$ref": "#/components/responses/problem"}, "429": {"$ref": "#/components/responses/busy"},
+    "503": {"$ref": "#/components/responses/busy"}, "504": {"$ref": "#/components/responses/problem"},
+    "default": {"$ref": "#/components/responses/problem"}
+});
+
+static const char head_faults[] = ZR_SCHEMA({
+    "304": {"description": "The client has the picture."}, "4XX": {"description": "There is no such picture."},
+    "default": {"description": "Nothing is known now."}
+});
+
+/* Prints one path of pictures with addresses. `parameters`: those of the path. */
+static void print_address(struct zr_print *print, const char *path, const char *const ids[2], const char *parameters,
+                          const struct zr_limits *limits)
+{
+    zr_print_begin(print, path, '{');
+    zr_print_json(print, "parameters", parameters);
+    for (int is_head = 0; is_head < 2; is_head++) {
+        zr_print_begin(print, is_head ? "head" : "get", '{');
+        zr_print_string(print, "operationId", ids[is_head]);
+        zr_print_json(print, "tags", ZR_SCHEMA(["render"]));
+        zr_print_string(print, "summary",
+                        is_head ? "Return the headers of a picture, undrawn" : "Draw a stored scene or model");
+        zr_parameters_print(print, limits);
+        zr_print_begin(print, "responses", '{');
+        zr_print_begin(print, "200", '{');
+        zr_print_string(print, "description", is_head ? "The picture can be asked for." : "The outputs.");
+        zr_print_json(print, "headers", address_headers);
+        if (!is_head) print_pictures(print, false);
+        zr_print_end(print, '}');
+        zr_print_members(print, is_head ? head_faults : address_faults);
+        zr_print_end(print, '}');
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, '}');
+}
+
+static void print_addresses(struct zr_print *print, const struct zr_limits *limits)
+{
+    static const char *const plain[] = {"getRender", "headRender"}, *const preset[] = {"getPreset", "headPreset"};
+    print_address(print, "/v1/renders/{sha256}", plain, ZR_SCHEMA([
+        {
+            "name": "sha256", "in": "path", "required": true, "description": "SHA-256 of the stored scene or model.",
+            "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
+        }
+    ]), limits);
+    print_address(print, "/v1/renders/{sha256}/{preset}", preset, ZR_SCHEMA([
+        {
+            "name": "sha256", "in": "path", "required": true, "description": "SHA-256 of the stored scene or model.",
+            "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
+        },
+        {
+            "name": "preset", "in": "path", "required": true, "description": "Name of parameters that the daemon has.",
+            "schema": {"type": "string"}
+        }
+    ]), limits);
+}
+
 static void print_render(struct zr_print *print, const struct zr_limits *limits)
 {
     zr_print_begin(print, "/v1/render", '{');
@@ -140,7 +215,7 @@ static void print_render(struct zr_print *print, const struct zr_limits *limits)
     zr_print_begin(print, "200", '{');
     zr_print_string(print, "description", "The outputs.");
     zr_print_json(print, "headers", render_headers);
-    print_pictures(print);
+    print_pictures(print, true);
     zr_print_end(print, '}');
     zr_print_members(print, ZR_SCHEMA({
         "400": {"$ref": "#/components/responses/problem"}, "401": {"$ref": "#/components/responses/problem"},
@@ -178,6 +253,7 @@ void openapi_print(struct zr_buffer *out, const struct zr_limits *limits)
     ]));
     zr_print_begin(&print, "paths", '{');
     print_render(&print, limits);
+    print_addresses(&print, limits);
     for (const char *const *path = openapi_paths; *path; path++)
         zr_print_members(&print, *path);
     zr_print_end(&print, '}');

@@ -67,6 +67,55 @@ static const char assets[] = ZR_SCHEMA({
                 "304": {"description": "The client has the file."}, "4XX": {"description": "It is not stored."}
             }
         }
+    },
+    "/v1/scenes/{sha256}": {
+        "parameters": [
+            {
+                "name": "sha256", "in": "path", "required": true, "description": "SHA-256 of the bytes.",
+                "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
+            }
+        ],
+        "put": {
+            "operationId": "putScene", "tags": ["assets"], "summary": "Store a scene or model under its hash",
+            "requestBody": {"$ref": "#/components/requestBodies/file"},
+            "responses": {
+                "200": {"$ref": "#/components/responses/stored"}, "201": {"$ref": "#/components/responses/stored"},
+                "4XX": {"$ref": "#/components/responses/problem"},
+                "default": {"$ref": "#/components/responses/problem"}
+            }
+        },
+        "get": {
+            "operationId": "getScene", "tags": ["assets"], "summary": "Return a stored scene or model",
+            "responses": {
+                "200": {
+                    "description": "The bytes.",
+                    "headers": {
+                        "ETag": {"$ref": "#/components/headers/ETag"},
+                        "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}
+                    },
+                    "content": {
+                        "application/octet-stream": {
+                            "schema": {"type": "string", "contentMediaType": "application/octet-stream"}
+                        }
+                    }
+                },
+                "304": {"description": "The client has the file."}, "4XX": {"$ref": "#/components/responses/problem"},
+                "default": {"$ref": "#/components/responses/problem"}
+            }
+        },
+        "head": {
+            "operationId": "hasScene", "tags": ["assets"], "summary": "Tell whether a scene is stored",
+            "responses": {
+                "200": {
+                    "description": "It is stored.",
+                    "headers": {
+                        "ETag": {"$ref": "#/components/headers/ETag"},
+                        "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}
+                    }
+                },
+                "304": {"description": "The client has the file."}, "4XX": {"description": "It is not stored."}
+            }
+        }
     }
 });
 
@@ -382,6 +431,8 @@ const char openapi_components[] = ZR_SCHEMA({
         },
         "Vary": {"description": "Headers that decide about the answer.", "schema": {"type": "string"}},
         "ETag": {"description": "Name of these bytes.", "schema": {"type": "string"}},
+        "Cache-Control": {"description": "Time for which caches keep the answer.", "schema": {"type": "string"}},
+        "Accept-Ranges": {"description": "none: the answer is always whole.", "schema": {"type": "string"}},
         "Location": {"description": "Path of the asset.", "schema": {"type": "string"}},
         "Retry-After": {"description": "Seconds to wait.", "schema": {"type": "integer"}}
     },

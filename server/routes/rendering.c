@@ -107,8 +107,9 @@ struct rendering {
     struct meshes_use meshes;
     struct zr_cost cost; /* predicted cost; all 0 before the prediction */
     struct answer *answer;
-    struct zr_files files;   /* drawn */
-    struct zr_look_pin look; /* of a stream */
+    struct zr_files files; /* drawn */
+    struct zr_look_pin look;
+    bool has_open_look; /* its version is not named */
     const char *busy;        /* reason why there can be no stream now */
 };
 
@@ -138,10 +139,11 @@ static void add_timing(struct answer *answer, const struct step_times *times)
     if (used) answer_header(answer, "Server-Timing", "%s", text);
 }
 
-static void add_look(struct answer *answer, const char *look)
+/* Accept chooses the form of several files, but for addresses. */
+static void add_look(const struct rendering *r)
 {
-    answer_header(answer, "Zraster-Look", "%s", look);
-    answer_vary(answer, "Accept");
+    answer_header(r->answer, "Zraster-Look", "%s", r->look.text);
+    if (!*r->request->scene) answer_vary(r->answer, "Accept");
 }
 
 /* ---- early detection of large requests ---- */
@@ -290,7 +292,7 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
     (void)error;
     stream->held_bytes = view->held_bytes;
     if (view->number == 0) {
-        add_look(r->answer, r->look.text);
+        add_look(r);
         add_timing(r->answer, r->times);
         parts_begin(stream, r->request->parts, r->answer);
     }
@@ -311,7 +313,6 @@ static enum zr_status stream_several(struct rendering *r, struct zr_views *views
 {
     struct stream *stream = r->request->stream;
     const struct zr_views_taker taker = {send_view, r};
-    r->look = zr_look_pin_of(views->scene->look);
     r->busy = stream_open(stream);
     if (r->busy) return ZR_CANCELLED;
     int64_t mark = clock_us();
@@ -319,6 +320,19 @@ static enum zr_status stream_several(struct rendering *r, struct zr_views *views
     stream->held_bytes = r->arena->held; /* while the end of the body waits */
     r->times->render_ms = ms_since(&mark) - (double)stream->waited_us / 1000.0;
     return status;
+}
+
+/* Asks for the headers of a picture, which is not drawn. */
+static bool is_head(const struct request *request)
+{
+    return strcmp(request->method, "HEAD") == 0;
+}
+
+static void answer_without_image(const struct rendering *r)
+{
+    r->answer->status = 200;
+    r->answer->is_unsized = true;
+    add_look(r);
 }
 
 static enum zr_status run_steps(struct rendering *r, const struct zr_request *request, struct zr_answer *result,
@@ -332,6 +346,9 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
     if (status == ZR_OK) status = predict(r, &views, &resolved, error);
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
+    r->look = zr_look_pin_of(views.scene->look);
+    r->has_open_look = views.scene->has_open_look;
+    if (is_head(r->request)) return ZR_OK;
     if (!views.set) return draw_one(r, views.scene, resolved, result, error);
     return is_stream(r, &views) ? stream_several(r, &views, error) : draw_several(r, &views, result, error);
 }
@@ -343,7 +360,7 @@ static void answer_image(const struct rendering *r, const struct zr_answer *resu
         answer_copy(answer, result->content_type, result->bytes, result->size);
     else
         parts_answer(answer, r->request->parts, &r->files);
-    add_look(answer, result->look);
+    add_look(r);
     answer->warnings = result->warning_count;
     if (*result->encoders) answer_header(answer, "Zraster-Encoder", "%s", result->encoders);
     if (result->warnings && *result->warnings) {
@@ -396,7 +413,11 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
         return REQUEST_LARGE;
     times->parse_ms += unpack_ms;
     if (status == ZR_OK) {
-        if (result.look) answer_image(&r, &result); /* else it is streamed */
+        if (is_head(request))
+            answer_without_image(&r);
+        else if (result.look) /* else it is streamed */
+            answer_image(&r, &result);
+        if (kind->finish) kind->finish(service, request, !r.has_open_look, answer);
     } else if (r.busy) {
         problem_busy(answer, 1, r.busy);
     } else if (status == ZR_NO_MEMORY) {
@@ -425,6 +446,6 @@ static void report(struct answer *answer, enum zr_status status, const struct zr
 enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
                                  const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
 {
-    static const struct rendering_kind kind = {unpack, report, true};
+    static const struct rendering_kind kind = {unpack, report, NULL, true};
     return rendering_run(&kind, service, request, arena, cancel, times, answer);
 }

@@ -13,12 +13,14 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
                                  const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
 
-/* A kind of render: how a body becomes the renderer's input, how faults of the input are reported, and whether model
- * files are kept as read. */
+/* A kind of render: how a body becomes the renderer's input, how faults of the input are reported, what is added to an
+ * answer with a picture, and whether model files are kept as read. */
 struct rendering_kind {
     enum body_status (*unpack)(const struct service *service, const struct request *request, struct zr_arena *arena,
                                const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer);
     void (*report)(struct answer *answer, enum zr_status status, const struct zr_error *error);
+    /* is_pinned: the look has no version that may change. NULL: nothing is added. */
+    void (*finish)(const struct service *service, const struct request *request, bool is_pinned, struct answer *answer);
     bool keeps_meshes;
 };
 

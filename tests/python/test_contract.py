@@ -122,7 +122,8 @@ class Contract(unittest.TestCase):
         paths = set(self.openapi["paths"])
         known.remove("/docs")  # leads to /docs/, whose pages have one path in OpenAPI
         self.assertLessEqual(set(known), paths)
-        self.assertEqual(paths - set(known), {"/docs/{address}", "/v1/assets/{sha256}", "/v1/schema/{object}.json", "/v1/examples/{name}"})
+        self.assertEqual(paths - set(known), {"/docs/{address}", "/v1/assets/{sha256}", "/v1/scenes/{sha256}", "/v1/renders/{sha256}",
+                                             "/v1/renders/{sha256}/{preset}", "/v1/schema/{object}.json", "/v1/examples/{name}"})
         for methods in self.openapi["paths"].values():
             for method, operation in methods.items():
                 if method != "parameters":

@@ -113,6 +113,15 @@ TEST(without_settings_everybody_may_ask)
     gate_free(gate);
 }
 
+TEST(only_presets_needs_presets)
+{
+    struct config config = config_with("");
+    char message[MESSAGE_SIZE];
+    strcpy(config.only_presets, "on");
+    assert_null(gate_read(&config, message, sizeof message));
+    assert_string_equal(message, "--only-presets=on needs --presets");
+}
+
 TEST(presets_have_names_and_queries)
 {
     char names[32];

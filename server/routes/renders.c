@@ -1,0 +1,213 @@
+#include "renders.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "assets.h"
+#include "gate/admit.h"
+#include "gate/gate.h"
+#include "input/query_text.h"
+#include "keep/answers.h"
+#include "problem.h"
+#include "render_key.h"
+#include "rendering.h"
+#include "text.h"
+
+/* Times for which caches need not ask again. */
+enum { FIXED_S = 31536000, CHANGING_S = 300 };
+
+/* ---- headers ---- */
+
+struct tag {
+    char text[2 * sizeof(struct zr_file_hash) + 3];
+};
+
+static struct tag tag_of(const struct zr_file_hash *key)
+{
+    struct tag tag;
+    char *at = tag.text;
+    *at++ = '"';
+    for (size_t i = 0; i < sizeof key->bytes; i++)
+        at += sprintf(at, "%02x", key->bytes[i]);
+    strcpy(at, "\"");
+    return tag;
+}
+
+static void add_headers(const struct request *request, bool is_pinned, struct answer *answer)
+{
+    answer_header(answer, "ETag", "%s", tag_of(&request->answer_key).text);
+    const bool is_fixed = !request->has_preset && (is_pinned || request->is_pinned);
+    admit_caching(request, is_fixed ? FIXED_S : CHANGING_S, is_fixed, answer);
+    answer_header(answer, "Accept-Ranges", "none");
+}
+
+static void answer_unchanged(const struct request *request, bool is_pinned, struct answer *answer)
+{
+    answer->status = 304;
+    answer->is_unsized = true;
+    add_headers(request, is_pinned, answer);
+}
+
+/* ---- opening ---- */
+
+/* Returns true if the query has a parameter of this name, in plain letters. */
+static bool query_has(const char *query, const char *name)
+{
+    const size_t length = strlen(name);
+    for (const char *pair = query; *pair; pair += *pair == '&') {
+        if (strncmp(pair, name, length) == 0 && strchr("=&", pair[length])) return true;
+        pair += strcspn(pair, "&");
+    }
+    return false;
+}
+
+/* Reads SHA-256 and the name of a preset from the path. *preset is NULL if there is none. */
+static bool read_path(struct request *request, const char **preset, struct answer *answer)
+{
+    const char *name = request->path + sizeof RENDERS_PATH - 1, *slash = strchr(name, '/');
+    const size_t length = slash ? (size_t)(slash - name) : strlen(name);
+    *preset = slash ? slash + 1 : NULL;
+    if (length < STORE_NAME_SIZE) memcpy(request->scene, name, length); /* the rest is zero */
+    if (store_is_name(request->scene)) return true;
+    problem_answer(answer, 404,
+                   "an address is /v1/renders/{sha256}: the SHA-256 of a scene or model, 64 lower-case hexadecimal "
+                   "digits");
+    return false;
+}
+
+/* Returns the parameters of a preset, "" without one. NULL: the answer is ready. */
+static const char *find_preset(const struct gate *gate, const char *name, const char *query, struct answer *answer)
+{
+    char known[ANSWER_DETAIL_SIZE];
+    gate_list_presets(gate, known, sizeof known);
+    const char *parameters = name ? gate_preset(gate, name) : "";
+    if (gate_has_only_presets(gate) && (!name || (query && *query)))
+        problem_answer(answer, 403,
+                       "addresses have a preset here and no parameters: " RENDERS_PATH "{sha256}/PRESET; there are: %s",
+                       known);
+    else if (!parameters)
+        problem_answer(answer, 404, "there is no preset '%.64s' here%s%s", name, *known ? "; there are: " : "", known);
+    return answer->status ? NULL : parameters;
+}
+
+/* Reads "name=value&name=value" into request->render. */
+static bool read_parameters(struct request *request, const char *preset, struct answer *answer)
+{
+    const char *query = request->query ? request->query : "";
+    struct zr_error error = {0};
+    if (query_has(query, "url")) {
+        problem_answer(answer, 400,
+                       "query: addresses are not fetched: upload the file by PUT /v1/scenes/{sha256}, and ask for "
+                       "/v1/renders/{sha256}");
+        return false;
+    }
+    request->query_values = malloc(zr_query_room(preset) + zr_query_room(query));
+    if (!request->query_values) {
+        problem_busy(answer, 1, "out of memory");
+        return false;
+    }
+    if (zr_query_split(preset, request->query_values, &request->render, &error) == ZR_OK &&
+        zr_query_split(query, request->query_values + zr_query_room(preset), &request->render, &error) == ZR_OK)
+        return true;
+    problem_answer(answer, 400, "query: %s", error.items[0].detail);
+    return false;
+}
+
+/* Answers with the kept answer, which may outlive its scene. */
+static bool answer_kept(const struct service *service, const struct request *request, struct answer *answer)
+{
+    bool is_pinned;
+    if (!answers_find(service->answers, &request->answer_key, answer, &is_pinned)) return false;
+    if (request->has_answer) {
+        answer_free(answer);
+        answer_unchanged(request, is_pinned, answer);
+        return true;
+    }
+    add_headers(request, is_pinned, answer);
+    if (strcmp(request->method, "HEAD") == 0) answer_drop_bytes(answer);
+    return true;
+}
+
+bool renders_open(const struct service *service, const struct load *load, struct request *request,
+                  struct answer *answer)
+{
+    const char *preset;
+    (void)load;
+    if (!service->store) {
+        problem_answer(answer, 404, "no scenes are kept here; start zrasterd with --assets-dir=DIRECTORY for that");
+        return false;
+    }
+    if (!read_path(request, &preset, answer)) return false;
+    const char *parameters = find_preset(service->gate, preset, request->query, answer);
+    if (!parameters || !read_parameters(request, parameters, answer)) return false;
+    request->render.format = ZR_FORMAT_UNKNOWN;
+    request->parts = ACCEPT_NO_PARTS; /* an address has one form */
+    request->has_preset = preset;
+    request->is_pinned = request->render.look && strchr(request->render.look, '@');
+    if (!render_key(request->scene, &request->render, &service->limits, &request->answer_key)) {
+        problem_busy(answer, 1, "out of memory");
+        return false;
+    }
+    request->has_answer = text_has_tag(request->if_none_match, tag_of(&request->answer_key).text);
+    return !answer_kept(service, request, answer);
+}
+
+/* ---- working ---- */
+
+static void answer_missing(struct answer *answer)
+{
+    problem_answer(answer, 404, "no scene is kept under this name; upload it by PUT /v1/scenes/{sha256}");
+}
+
+/* Reads the stored file. */
+static enum body_status unpack(const struct service *service, const struct request *request, struct zr_arena *arena,
+                               const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
+{
+    const uint64_t most = service->config->body_max_bytes;
+    const void *bytes = NULL;
+    *render = request->render;
+    enum store_status status = store_look(service->store, request->scene, &render->size);
+    if (status == STORE_THERE && request->small_only && render->size > REQUEST_SMALL_BYTES) return BODY_LARGE;
+    if (status == STORE_THERE && render->size > most) {
+        problem_answer(answer, 413, "the scene has %zu bytes; bodyMaxBytes is %" PRIu64, render->size, most);
+        return BODY_REFUSED;
+    }
+    if (status == STORE_THERE) status = store_read(service->store, request->scene, arena, &bytes, &render->size);
+    render->bytes = bytes;
+    if (status == STORE_THERE) return zr_is_cancelled(cancel) ? BODY_CANCELLED : BODY_READY;
+    if (status == STORE_MISSING)
+        answer_missing(answer);
+    else if (status == STORE_NO_MEMORY)
+        problem_memory(answer, arena, NULL);
+    else
+        problem_answer(answer, 500, "the scene could not be read");
+    return BODY_REFUSED;
+}
+
+/* The type of the file is not a header of the request here. */
+static void report(struct answer *answer, enum zr_status status, const struct zr_error *error)
+{
+    problem_answer_error(answer, status == ZR_BAD_TYPE ? 422 : problem_http_status(status), error);
+}
+
+static void finish(const struct service *service, const struct request *request, bool is_pinned, struct answer *answer)
+{
+    if (answer->status != 200) return;
+    answers_keep(service->answers, &request->answer_key, answer, is_pinned);
+    add_headers(request, is_pinned, answer);
+}
+
+enum request_next renders_work(const struct service *service, const struct request *request, struct zr_arena *arena,
+                               const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+{
+    static const struct rendering_kind kind = {unpack, report, finish, true};
+    size_t size;
+    if (!request->has_answer) return rendering_run(&kind, service, request, arena, cancel, times, answer);
+    if (store_look(service->store, request->scene, &size) == STORE_THERE)
+        answer_unchanged(request, false, answer);
+    else
+        answer_missing(answer);
+    return REQUEST_ANSWERED;
+}
