@@ -4,8 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "assets.h"
+#include "gate/gate.h"
 #include "input/query_text.h"
 #include "keep/answers.h"
 #include "problem.h"
@@ -30,11 +32,22 @@ static struct tag tag_of(const struct zr_file_hash *key)
     return tag;
 }
 
+enum { PINNED_S = 31536000, OPEN_S = 300 };
+
+/* No cache keeps a picture longer than its address is signed for. */
+static void add_cache_control(const struct request *request, bool is_pinned, struct answer *answer)
+{
+    const int64_t most = is_pinned ? PINNED_S : OPEN_S, left = request->expires_s - (int64_t)time(NULL);
+    if (request->expires_s && left < most)
+        answer_header(answer, "Cache-Control", "public, max-age=%" PRId64, left > 0 ? left : 0);
+    else
+        answer_header(answer, "Cache-Control", "public, max-age=%" PRId64 "%s", most, is_pinned ? ", immutable" : "");
+}
+
 static void add_headers(const struct request *request, bool is_pinned, struct answer *answer)
 {
     answer_header(answer, "ETag", "%s", tag_of(&request->answer_key).text);
-    answer_header(answer, "Cache-Control",
-                  is_pinned || request->is_pinned ? "public, max-age=31536000, immutable" : "public, max-age=300");
+    add_cache_control(request, is_pinned || request->is_pinned, answer);
     answer_header(answer, "Accept-Ranges", "none");
 }
 
@@ -72,11 +85,18 @@ static bool read_path(struct request *request, const char **preset, struct answe
     return false;
 }
 
-/* Returns the parameters of a preset, NULL if there is no such preset. */
-static const char *find_preset(const struct service *service, const char *name)
+/* Sets *parameters to those of a preset. */
+static bool find_preset(const struct service *service, const char *name, const char **parameters, struct answer *answer)
 {
-    (void)service, (void)name;
-    return NULL;
+    char known[ANSWER_DETAIL_SIZE / 2] = "";
+    *parameters = gate_preset(service->gate, name);
+    if (*parameters) return true;
+    gate_list_presets(service->gate, known, sizeof known);
+    if (*known)
+        problem_answer(answer, 404, "there is no preset '%.64s'; there are %s", name, known);
+    else
+        problem_answer(answer, 404, "there is no preset '%.64s'; zrasterd has them with --presets=FILE", name);
+    return false;
 }
 
 /* Reads "name=value&name=value" into request->render. */
@@ -127,10 +147,7 @@ bool renders_open(const struct service *service, const struct load *load, struct
         return false;
     }
     if (!read_path(request, &preset, answer)) return false;
-    if (preset && !(parameters = find_preset(service, preset))) {
-        problem_answer(answer, 404, "there is no preset '%.64s' here", preset);
-        return false;
-    }
+    if (preset && !find_preset(service, preset, &parameters, answer)) return false;
     if (!read_parameters(request, parameters, answer)) return false;
     request->render.format = ZR_FORMAT_UNKNOWN;
     request->parts = ACCEPT_NO_PARTS; /* an address has one form */
