@@ -148,6 +148,10 @@ bool renders_open(const struct service *service, const struct load *load, struct
     }
     if (!read_path(request, &preset, answer)) return false;
     if (preset && !find_preset(service, preset, &parameters, answer)) return false;
+    if (strcmp(service->config->only_presets, "on") == 0 && (!preset || (request->query && *request->query))) {
+        problem_answer(answer, 403, "addresses are /v1/renders/{sha256}/{preset} here, without parameters of their own");
+        return false;
+    }
     if (!read_parameters(request, parameters, answer)) return false;
     request->render.format = ZR_FORMAT_UNKNOWN;
     request->parts = ACCEPT_NO_PARTS; /* an address has one form */
