@@ -7,6 +7,7 @@ struct kept_answer {
     struct kept_value value;
     bool is_pinned;
     int status;
+    size_t warnings;
     size_t size, header_count;
     struct answer_header headers[ANSWER_HEADERS_MAX]; /* values are behind the bytes */
     char bytes[];
@@ -42,6 +43,7 @@ bool answers_find(struct kept *answers, const struct zr_file_hash *key, struct a
     answer->status = there->status;
     answer->bytes = there->bytes;
     answer->size = there->size;
+    answer->warnings = there->warnings;
     for (size_t i = 0; i < there->header_count; i++)
         answer_header(answer, there->headers[i].name, "%s", there->headers[i].value);
     *is_pinned = there->is_pinned;
@@ -59,6 +61,7 @@ void answers_keep(struct kept *answers, const struct zr_file_hash *key, const st
     *made = (struct kept_answer){.value = {.hash = *key, .bytes = room},
                                  .is_pinned = is_pinned,
                                  .status = answer->status,
+                                 .warnings = answer->warnings,
                                  .size = answer->size,
                                  .header_count = answer->header_count};
     memcpy(made->bytes, answer->bytes, answer->size);

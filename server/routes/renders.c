@@ -41,6 +41,7 @@ static void add_headers(const struct request *request, bool is_pinned, struct an
     const bool is_fixed = !request->has_preset && (is_pinned || request->is_pinned);
     admit_caching(request, is_fixed ? FIXED_S : CHANGING_S, is_fixed, answer);
     answer_header(answer, "Accept-Ranges", "none");
+    answer_header(answer, "Cross-Origin-Resource-Policy", "cross-origin"); /* pages of other sites show pictures */
 }
 
 static void answer_unchanged(const struct request *request, bool is_pinned, struct answer *answer)

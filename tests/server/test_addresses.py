@@ -86,7 +86,7 @@ class Addresses(Folder):
         """an address has the bytes of a render with the same query"""
         for data, kind in ((SCENE % b"", "application/json"), (CUBE, "model/obj")):
             name = self.client.put(data)
-            for query in ("", "?channel=color,depth", "?channel=info", "?encoding=jpeg&quality=50"):
+            for query in ("", "?channel=color,depth", "?encoding=jpeg&quality=50"):
                 answer = self.get(name, query)
                 posted = self.client.send("POST", "/v1/render" + query, data, Content_Type=kind)
                 self.assertEqual((answer[0], answer[2]), (200, posted[2]))
@@ -156,7 +156,7 @@ class Addresses(Folder):
         self.assert_problem(self.get(name, "?width=9&width=9"), 400, "duplicate parameter 'width'")
         self.assert_problem(self.get(name, "?width=99999"), 422, "99999")
         self.assert_problem(self.get(name, "?look=studi"), 400, "studio")
-        self.assert_problem(self.get(name, "/small"), 404, "there is no preset 'small'")
+        self.assert_problem(self.get(name, "/small"), 404, "there is no preset 'small'; zrasterd has them with --presets=FILE")
         self.assert_problem(self.get(sha256(b"none")), 404, "upload it by PUT")
         for path in ("", "x", name.upper(), name + "0", name[:-1], "../" + name, name[:-1] + "/"):
             self.assert_problem(self.get(path), 404, "64 lower-case")
@@ -222,7 +222,7 @@ class Bounds(Folder):
         """kept answers stay within their bytes, and displace the least recently used"""
         name = self.client.put(CUBE + b"#")
         for width in range(200, 240):
-            self.assertEqual(self.get(name, f"?look=studio@1&width={width}")[0], 200)
+            self.assertEqual(self.get(name, f"?look=studio@1&height=64&width={width}")[0], 200)
         counts = self.counts()
         self.assertLessEqual(counts["bytes"], 65536)
         self.assertGreater(counts["count"], 0)
@@ -233,14 +233,14 @@ class Bounds(Folder):
     def test_kept_shared(self):
         """many readers share a kept answer while others displace it"""
         name = self.client.put(CUBE + b"##")
-        wanted = {width: self.get(name, f"?look=studio@1&width={width}")[2] for width in range(300, 308)}
+        wanted = {width: self.get(name, f"?look=textbook&height=40&width={width}")[2] for width in range(300, 308)}
         faults = []
 
         def ask(seed):
             client = Client(self.daemon)
             for i in range(60):
                 width = 300 + (i * (seed + 1)) % 8
-                answer = client.send("GET", f"/v1/renders/{name}?look=studio@1&width={width}")
+                answer = client.send("GET", f"/v1/renders/{name}?look=textbook&height=40&width={width}")
                 if answer[0] != 200 or answer[2] != wanted[width]:
                     faults.append(answer[:2])
             client.close()
@@ -254,41 +254,75 @@ class Bounds(Folder):
 
 
 QUERIES = ["", "?channel=depth", "?encoding=jpeg", "?strict=0&compress=fast", "?channel=info", "?encoding=jpeg&quality=85"]
+OF_MESHES = ["?height=48&look=textbook", "?look=textbook&height=048", "?look=textbook@1&height=48&width=640", "?height=48&look=studio&width=64",
+             "?look=studio&width=64&height=48&exposure=1e0", "?look=studio&width=64&height=48&color=tomato"]
+
+
+def scenes():
+    """Returns 200 scenes and models with their queries."""
+    made = []
+    for path in sorted(glob.glob("tests/scenes/*.json")):
+        if not os.path.basename(path).startswith("look-"):  # these are large
+            with open(path, "rb") as file:
+                made.append((file.read(), QUERIES))
+    for look in (b"studio", b"studio@1", b"technical", b"metal@2", b"xray"):
+        for side in range(40, 44):
+            made.append((SCENE.replace(b"64", b"%d" % side) % b'"look":"%s",' % look, QUERIES))
+    while len(made) < 200:
+        made.append((CUBE.replace(b"v 1 1 1", b"v 1 1 1.%d" % len(made)), OF_MESHES))
+    return made[:200]
 
 
 class Tags(unittest.TestCase):
     def test_equal_tags_are_equal_bytes(self):
-        """200 scenes with 6 queries: equal tags mean equal bytes, over restarts, threads and instruction sets"""
-        scenes = [path for path in sorted(glob.glob("tests/scenes/*.json")) if os.path.getsize(path) < 20000]
-        data = []
-        for path in scenes:
-            with open(path, "rb") as file:
-                data.append(file.read())
-        while len(data) < 200:
-            data.append(CUBE.replace(b"v 1 1 1", b"v 1 1 1.%d" % len(data)))
-        data = data[:200]
-        bytes_of, tags_of, drawn = {}, {}, 0
+        """200 scenes with 6 queries each: equal tags mean equal bytes, over restarts, threads and instruction sets"""
+        digest_of, tags_of, drawn = {}, {}, 0
         with tempfile.TemporaryDirectory() as folder:
             for flags in (("--threads=1", "--isa=scalar"), ("--threads=3", "--keep-answer-bytes=100000000")):
                 server = daemon.Daemon("--assets-dir", folder, *flags)
                 client = Client(server)
-                for scene in data:
-                    name = client.put(scene)
-                    for query in QUERIES:
+                for data, queries in scenes():
+                    name = client.put(data)
+                    for query in queries:
                         status, headers, body = client.send("GET", f"/v1/renders/{name}{query}")
                         if status != 200:
-                            self.assertEqual(headers["ETag"], None)
+                            self.assertEqual((status, headers["ETag"]), (422, None), (data[:80], query, body))
                             continue
                         drawn += 1
                         digest = sha256(body)
-                        self.assertEqual(bytes_of.setdefault(headers["ETag"], digest), digest, (scene[:80], query, flags))
-                        tags_of.setdefault((digest, name), set()).add(headers["ETag"])
+                        self.assertEqual(digest_of.setdefault(headers["ETag"], digest), digest, (data[:80], query, flags))
+                        tags_of.setdefault((name, digest), set()).add(headers["ETag"])
                 client.close()
                 server.stop()
-        self.assertGreater(drawn, 1500)
-        # Two tags for one picture: a query that gives the default of one scene alone.
+        self.assertGreater(drawn, 2000)
+        # Queries that give a default of the scene, such as its only channel or the quality of JPEG, have tags of their own.
         doubles = sum(len(tags) - 1 for tags in tags_of.values())
-        self.assertLess(doubles, len(tags_of) / 2)
+        self.assertLess(doubles, drawn / 5)
+
+
+class Presets(unittest.TestCase):
+    def test_presets(self):
+        """a preset is the same picture as its parameters; with --only-presets nothing else is drawn"""
+        with tempfile.TemporaryDirectory() as folder, tempfile.NamedTemporaryFile("w", suffix=".txt") as presets:
+            presets.write("small = look=studio@1&width=64&height=48\n")
+            presets.flush()
+            server = daemon.Daemon("--assets-dir", folder, "--presets", presets.name)
+            client = Client(server)
+            address = "/v1/renders/" + client.put(CUBE)
+            named, spelt = client.send("GET", address + "/small"), client.send("GET", address + "?height=48&width=64&look=studio@1")
+            self.assertEqual((named[0], named[1]["ETag"], named[1]["Cache-Control"], named[2]), (200, spelt[1]["ETag"], FOREVER, spelt[2]))
+            self.assertEqual(client.send("GET", address + "/small?channel=depth")[0], 200)
+            for path, words in (("/small?width=65", "duplicate parameter 'width'"), ("/large", "there are small")):
+                self.assertIn(words, json.loads(client.send("GET", address + path)[2])["detail"])
+            client.close()
+            server.stop()
+            server = daemon.Daemon("--assets-dir", folder, "--presets", presets.name, "--only-presets=on")
+            client = Client(server)
+            self.assertEqual(client.send("GET", address + "/small")[2], named[2])
+            for path in ("", "?width=64", "/small?channel=depth"):
+                self.assertEqual(client.send("GET", address + path)[0], 403, path)
+            client.close()
+            server.stop()
 
 
 class Nowhere(unittest.TestCase):
