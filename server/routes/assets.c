@@ -3,12 +3,18 @@
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #include "body.h"
 #include "problem.h"
 #include "text.h"
+
+enum { WHOLE_MAX = 32 << 10 };
+
+static const char ASSET_TYPE[] = "application/octet-stream";
 
 bool assets_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
@@ -84,9 +90,23 @@ static enum request_next put(const struct service *service, const struct request
 
 /* ---- downloads ---- */
 
+/* A small asset is sent as bytes, in one call with the header: if the daemon is killed, a proxy has got all of the
+ * answer or none, and in the latter case can ask another daemon. */
+static void answer_asset(struct answer *answer, int file, size_t size)
+{
+    char *bytes = file > 0 && size > 0 && size <= WHOLE_MAX ? malloc(size) : NULL;
+    if (bytes && pread(file, bytes, size, 0) == (ssize_t)size) {
+        close(file);
+        answer_body(answer, ASSET_TYPE, bytes, size);
+        return;
+    }
+    free(bytes);
+    answer_file(answer, ASSET_TYPE, file, size);
+}
+
 static void answer_there(struct answer *answer, const char *name, int file, size_t size, bool has_asset)
 {
-    answer_file(answer, "application/octet-stream", file, size);
+    answer_asset(answer, file, size);
     answer->status = has_asset ? 304 : 200;
     /* The bytes under a hash never change. */
     answer_header(answer, "ETag", "\"%s\"", name);
