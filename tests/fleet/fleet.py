@@ -87,7 +87,7 @@ def revalidated(fleet):
     answers = []
     for _ in range(3):
         answers.append(fleet.ask("GET", path))
-        time.sleep(1.2)
+        time.sleep(2.1)  # nginx counts in whole seconds
     whole, not_modified = (fleet.count(f'"method":"GET".*"path":"{path}".*"status":{status}') for status in (200, 304))
     return all(a[::2] == (200, data) for a in answers) and (whole, not_modified) == (1, 2), f"3 requests: {whole} by the replica, {not_modified} revalidated"
 

@@ -125,7 +125,7 @@ class Proxy:
     """One of HAProxy, nginx and Varnish: `check` is the command that checks its file, `run` the one that serves."""
 
     name = caches = None
-    settle = 0.0  # seconds until it sends requests to a replica that is back
+    settle = 0.2  # seconds until it sends requests to a replica that is back, and none is under way that found it away
 
     without_retries = cached_for_a_second = ()  # texts of its file, and what a test puts in their place
 
