@@ -3,13 +3,19 @@
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #include "body.h"
 #include "gate/admit.h"
 #include "problem.h"
 #include "text.h"
+
+enum { WHOLE_MAX = 32 << 10, ASSET_S = 31536000 };
+
+static const char ASSET_TYPE[] = "application/octet-stream";
 
 bool assets_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
@@ -86,11 +92,23 @@ static enum request_next put(const struct service *service, const struct request
 
 /* ---- downloads ---- */
 
-enum { ASSET_S = 31536000 };
+/* A small asset is sent as bytes, in one call with the header: if the daemon is killed, a proxy has got all of the
+ * answer or none, and in the latter case can ask another daemon. */
+static void answer_asset(struct answer *answer, int file, size_t size)
+{
+    char *bytes = file > 0 && size > 0 && size <= WHOLE_MAX ? malloc(size) : NULL;
+    if (bytes && pread(file, bytes, size, 0) == (ssize_t)size) {
+        close(file);
+        answer_body(answer, ASSET_TYPE, bytes, size);
+        return;
+    }
+    free(bytes);
+    answer_file(answer, ASSET_TYPE, file, size);
+}
 
 static void answer_there(const struct request *request, int file, size_t size, struct answer *answer)
 {
-    answer_file(answer, "application/octet-stream", file, size);
+    answer_asset(answer, file, size);
     answer->status = request->has_asset ? 304 : 200;
     /* The bytes under a hash never change. */
     answer_header(answer, "ETag", "\"%s\"", request->asset);

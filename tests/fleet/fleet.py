@@ -3,6 +3,7 @@ replicas that end under load, rolling restarts, caches, large bodies, slow clien
 FLEET_ROOT=DIR: the proxies of another root, such as one of Debian 13."""
 import argparse
 import hashlib
+import http.client
 import json
 import os
 import signal
@@ -87,7 +88,7 @@ def revalidated(fleet):
     answers = []
     for _ in range(3):
         answers.append(fleet.ask("GET", path))
-        time.sleep(1.2)
+        time.sleep(2.1)  # nginx counts in whole seconds
     whole, not_modified = (fleet.count(f'"method":"GET".*"path":"{path}".*"status":{status}') for status in (200, 304))
     return all(a[::2] == (200, data) for a in answers) and (whole, not_modified) == (1, 2), f"3 requests: {whole} by the replica, {not_modified} revalidated"
 
@@ -118,6 +119,33 @@ def large_body(fleet):
     same = drawn[2] == ask(fleet.replicas[0].port, "POST", "/v1/render", body, JSON)[2]
     text = f"PUT {stored}, GET {status} of {len(got)} bytes, POST {drawn[0]}"
     return stored in (200, 201) and (status, got) == (200, data) and drawn[0] == 200 and same, text
+
+
+def cut_off(fleet):
+    """20 MB that are asked for while replicas are killed: the proxy waits for the whole, and asks the other replica."""
+    data = os.urandom(LARGE)
+    path = "/v1/assets/" + hashlib.sha256(data).hexdigest()
+    fleet.ask("PUT", path, data)
+    results, ends = [], threading.Event()
+
+    def ask_again():
+        while not ends.is_set():
+            try:
+                key = f"Bearer {len(results)} {threading.get_ident()}"  # keeps answers from the others
+                results.append(fleet.ask("GET", path, headers={"Authorization": key})[::2] == (200, data))
+            except (OSError, http.client.HTTPException):
+                results.append(False)
+
+    clients = [threading.Thread(target=ask_again) for _ in range(3)]
+    for client in clients:
+        client.start()
+    for i in range(8):
+        replace(fleet, i % 2, signal.SIGKILL)
+    ends.set()
+    for client in clients:
+        client.join()
+    sent = fleet.count(f'"path":"{path}".*"status":200')
+    return all(results) and sent < len(results), f"{sum(results)} of {len(results)} answers of 20 MB are whole; 8 replicas were killed, which sent {sent}"
 
 
 def slow_client(fleet, seconds=6):
@@ -204,7 +232,7 @@ def main():
             tap.put(f"{kind.name}, kill -9 and SIGTERM in turns", under_load(fleet, count, (signal.SIGKILL, signal.SIGTERM)))
             if kind.caches:
                 tap.put(f"{kind.name}, cache", cached(fleet))
-            for case in (large_body, slow_client, overload, no_metrics):
+            for case in (*((cut_off,) if kind.waits_for_whole else ()), large_body, slow_client, overload, no_metrics):
                 tap.put(f"{kind.name}, {case.__name__.replace('_', ' ')}", case(fleet))
         with Fleet(build, kind, *DELAY) as fleet:
             tap.put(f"{kind.name}, rolling restart", under_load(fleet, count, (signal.SIGTERM,)))

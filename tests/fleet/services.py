@@ -125,8 +125,9 @@ class Proxy:
     """One of HAProxy, nginx and Varnish: `check` is the command that checks its file, `run` the one that serves."""
 
     name = caches = None
-    settle = 0.0  # seconds until it sends requests to a replica that is back
+    settle = 0.2  # seconds until it sends requests to a replica that is back, and none is under way that found it away
 
+    waits_for_whole = False
     without_retries = cached_for_a_second = ()  # texts of its file, and what a test puts in their place
 
     def __init__(self, replicas, edits=()):
@@ -215,6 +216,7 @@ class Nginx(Proxy):
 
 class Varnish(Proxy):
     name, program, package, caches, settle = "Varnish", "varnishd", "varnish", True, 1.2
+    waits_for_whole = True
     cached_for_a_second = (("set beresp.grace = 1h;", "set beresp.ttl = 1s; set beresp.grace = 0s;"),)
 
     def configure(self, first, second):

@@ -42,6 +42,7 @@ asset=$server/v1/assets/$(sha256sum $scene | cut -d ' ' -f 1)
 answers() { [ "$(curl -s -o "$said" -w '%{http_code}' "$@")" -lt 300 ]; }
 verdict "it draws" answers "$server/v1/render" --data-binary @$scene
 verdict "keeps an asset" answers -X PUT "$asset" --data-binary @$scene
+verdict "returns it" answers "$asset"
 verdict "and is healthy" "$build/zrasterd" --health --port "${server##*:}"
 kill "$daemon"
 wait "$daemon"
@@ -56,5 +57,7 @@ comm -23 "$work/used" "$work/allowed" >"$said"
 verdict "all of them are allowed" [ ! -s "$said" ]
 families=$(sed -n 's/.* socket(\(AF_[A-Z0-9]*\),.*/\1/p' "$work/trace" | sort -u)
 verdict "its sockets are of the families of the unit" [ -z "$(for family in $families; do grep '^RestrictAddressFamilies=' $unit | grep -qw "$family" || echo "$family"; done)" ]
+# A killed daemon then leaves no half of such an answer to a proxy, which could not ask another daemon any more.
+verdict "a small asset is sent in one call with its header" eval '! grep -q sendfile "$work/trace"'
 verdict "and no memory is writable and executable" eval '! grep -q "PROT_WRITE|PROT_EXEC" "$work/trace"'
 verdicts

@@ -120,19 +120,35 @@ class Compose(unittest.TestCase):
 
 
 class Unit(unittest.TestCase):
-    def test_security(self):
-        """the unit's exposure is at most 2.0 for systemd-analyze"""
+    def setUp(self):
+        with open(".packages/zrasterd.service.in", encoding="utf-8") as file:
+            self.text = file.read().replace("@bindir@", build)
+
+    def analyze(self, *arguments):
         if not shutil.which("systemd-analyze"):
             self.skipTest("systemd-analyze is missing (the package systemd)")
         folder = services.Folder()
         self.addCleanup(folder.remove)
-        with open(".packages/zrasterd.service.in", encoding="utf-8") as file:
-            path = folder.write("zrasterd.service", file.read().replace("@bindir@", "/usr/bin"))
-        done = subprocess.run(["systemd-analyze", "security", "--offline=true", "--no-pager", folder.host + "/zrasterd.service"], capture_output=True, text=True, check=False)
+        path = os.path.join(folder.host, "zrasterd.service")
+        folder.write("zrasterd.service", self.text)
+        return subprocess.run(["systemd-analyze", *arguments, path], capture_output=True, text=True, check=False)
+
+    def test_valid(self):
+        """systemd-analyze verifies the unit"""
+        done = self.analyze("verify", "--man=no")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_security(self):
+        """the unit's exposure is at most 2.0 for systemd-analyze"""
+        done = self.analyze("security", "--offline=true", "--no-pager")
         level = re.search(r"Overall exposure level for zrasterd.service: ([\d.]+)", done.stdout)
         self.assertIsNotNone(level, done.stdout + done.stderr)
         print(f"# exposure of the unit: {level[1]}")
         self.assertLessEqual(float(level[1]), 2.0)
+
+    def test_times(self):
+        """the unit gives the daemon time to drain: 20 s of delay, the timeout, and 4 s for cancelled work"""
+        self.assertGreaterEqual(float(re.search(r"(?m)^TimeoutStopSec=(\d+)$", self.text)[1]), 20 + limits()["drain-timeout-ms"] / 1000 + 4)
 
 
 if __name__ == "__main__":
