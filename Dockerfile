@@ -19,6 +19,18 @@ RUN mkdir -p /image && cp build/zrasterd /image/zrasterd \
     && server/deploy/container/packages.sh /image >/image/usr/share/doc/zraster/packages.txt
 COPY LICENSE /image/usr/share/doc/zraster/
 
+# docker build --target batch: the command instead of the daemon, for server/deploy/kubernetes/indexed-job.yaml.
+FROM build AS build-batch
+RUN apt-get update && apt-get install -y --no-install-recommends libcurl4-gnutls-dev && rm -rf /var/lib/apt/lists/*
+RUN make -j"$(nproc)" CFLAGS=-O3 LDFLAGS=-s build/zraster
+RUN mkdir -p /batch && cp build/zraster /batch/zraster \
+    && ldd build/zraster | grep -o '/[^ ]*' | xargs -I LIBRARY cp -L --parents LIBRARY /batch/
+FROM scratch AS batch
+COPY --from=build-batch /batch /
+COPY LICENSE /usr/share/doc/zraster/
+USER 65532:65532
+ENTRYPOINT ["/zraster"]
+
 FROM scratch
 COPY --from=build /image /
 USER 65532:65532

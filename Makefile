@@ -45,7 +45,7 @@ NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
 NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl strace=strace pkg-config=pkg-config bwrap=bubblewrap admesh=admesh \
 	/usr/share/i18n/charmaps=locales /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/tifffile=python3-tifffile? dwebp=webp djpeg=libjpeg-turbo-progs \
-	update-mime-database=shared-mime-info $(NEED_REFERENCE) \
+	update-mime-database=shared-mime-info parallel=parallel pgrep=procps $(NEED_REFERENCE) \
 	$(NEED_PYTHON)
 # Debian starts them as services once they are installed, so only CI installs them; elsewhere their tests are left out, and say so.
 NEED_SERVICE := /usr/sbin/nginx=nginx /usr/sbin/haproxy=haproxy /usr/sbin/varnishd=varnish /usr/lib/python3/dist-packages/yaml=python3-yaml
@@ -312,6 +312,19 @@ fleet: ## replicas that end behind HAProxy, nginx and Varnish, 20 000 requests e
 	@.ci/need $(NEED_BUILD) $(NEED_SERVICE)
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
 	@$(PYTHON) tests/fleet/fleet.py $(BUILD) --requests $(or $(REQUESTS),20000) --only "$(ONLY)"
+
+.PHONY: slurm
+slurm: ## the array job on a Slurm of its own, with a node that ends (root; apt-get install slurm-wlm munge, which start services)
+	@.ci/need $(NEED_BUILD) ip=iproute2 unshare=util-linux
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
+	@tests/batches/test_slurm.sh $(BUILD)
+
+MANIFEST_PACKAGES := kubernetes-models@4.5.1 typescript@5 yaml@2
+.PHONY: manifests
+manifests: ## the manifests of Kubernetes beside its schemas (npm)
+	@.ci/need $(NEED_NODE)
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/manifests $(MANIFEST_PACKAGES)
+	@node tests/batches/manifests.js $(BUILD)/manifests server/deploy/kubernetes/*.yaml
 
 .PHONY: algorithms
 algorithms: ## the five algorithms against one another: 100 000 triangles and 40 000 polygons

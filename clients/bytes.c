@@ -165,9 +165,13 @@ static bool write_beside(const struct bytes *bytes, const char *path)
         beside = NULL;
     if (beside && !is_nameless) descriptor = mkstemp(beside);
     bool ok = beside && descriptor >= 0 && fchmod(descriptor, mode_for(path)) == 0 && write_all(bytes, descriptor);
-    if (ok) ok = is_nameless ? give_name(descriptor, beside, path) : rename(beside, path) == 0;
-    const int why = errno;
-    if (descriptor >= 0) close(descriptor);
+    if (ok && is_nameless) ok = give_name(descriptor, beside, path);
+    int why = errno;
+    const bool is_closed = descriptor < 0 || close(descriptor) == 0;
+    if (ok && !is_nameless) { /* a network file system has the bytes only now */
+        ok = is_closed && rename(beside, path) == 0;
+        why = errno;
+    }
     if (!ok && beside && descriptor >= 0) unlink(beside);
     errno = why;
     free(beside);

@@ -5,16 +5,22 @@
 #include "job.h"
 
 struct file_list {
-    struct job *jobs;
-    size_t count, room;
+    struct job *jobs; /* of the shard */
+    size_t count;
+    /* while the list is made */
+    struct listed *files; /* of all shards */
+    size_t file_count, room;
+    struct shard shard;
     const char *folder; /* of the outputs; "": the current one */
     const struct options *options;
 };
 
-/* Adds the jobs of all arguments. A folder stands for the files below it that have the ending of a format; their
- * outputs keep the folders below it. "-" stands for lines of standard input: names, or objects {"file": ..., "output":
+/* Makes the jobs of all arguments, or of one shard of them. A folder stands for the files below it that have the ending
+ * of a format; their outputs keep the folders below it. "-" stands for lines of standard input: names, or objects
+ * {"file": ..., "output":
  * ..., "look": ...} with any parameters. Returns 0, or an exit status reported on stderr: a file is missing, a line is
- * wrong, or two outputs have the same name. The texts live until the process ends. */
+ * wrong, or two outputs have the same name, also if they are of other shards. The order depends on names alone. The
+ * texts live until the process ends. */
 int file_list_make(struct file_list *list, const struct options *options);
 
 #endif

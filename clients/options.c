@@ -10,7 +10,7 @@
 #include "scene/shadings.h"
 #include "words.h"
 
-enum { SIZE_DIGITS = 7 };
+enum { SIZE_DIGITS = 7, SHARD_DIGITS = 7 };
 
 int options_wrong(const char *format, ...)
 {
@@ -244,6 +244,19 @@ static int check_channels(const struct options *options)
     return 0;
 }
 
+/* Checks I/N, with I below N. */
+static int check_shard(const struct options *options)
+{
+    const char *shard = options->own[OPTION_SHARD];
+    if (!shard) return 0;
+    const size_t first = count_digits(shard), second = shard[first] == '/' ? count_digits(shard + first + 1) : 0;
+    const bool are_numbers =
+        first >= 1 && first <= SHARD_DIGITS && second >= 1 && second <= SHARD_DIGITS && !shard[first + 1 + second];
+    const struct shard read = are_numbers ? options_shard(options) : (struct shard){0};
+    if (read.index < read.count) return 0;
+    return options_wrong("--shard accepts I/N, the shard I of N, from 0/N to N-1/N, such as 0/4 or 3/4, not %s", shard);
+}
+
 static int check_values(struct options *options)
 {
     const char *strict = options->parameters[PARAMETER_strict], *threads = options->own[OPTION_THREADS];
@@ -254,6 +267,7 @@ static int check_values(struct options *options)
     if (!server && getenv("ZRASTER_SERVER") && *getenv("ZRASTER_SERVER"))
         options->own[OPTION_SERVER] = getenv("ZRASTER_SERVER");
     int wrong = check_channels(options);
+    if (!wrong) wrong = check_shard(options);
     if (!wrong) wrong = read_size(options);
     if (!wrong) complete_size(options);
     return wrong;
@@ -290,6 +304,13 @@ bool options_strict(const struct options *options)
 unsigned options_threads(const struct options *options)
 {
     return options->own[OPTION_THREADS] ? (unsigned)atoi(options->own[OPTION_THREADS]) : 0;
+}
+
+struct shard options_shard(const struct options *options)
+{
+    const char *shard = options->own[OPTION_SHARD];
+    if (!shard) return (struct shard){0, 1};
+    return (struct shard){(size_t)atol(shard), (size_t)atol(strchr(shard, '/') + 1)};
 }
 
 /* Sets the command. Returns the number of arguments that name it: 1, or 0 for the default. */

@@ -103,6 +103,12 @@ bool options_strict(const struct options *options);
 /* Returns the number of --threads; 0: all processors. */
 unsigned options_threads(const struct options *options);
 
+/* The files of a batch whose number in the list leaves `index` when divided by `count`; 0 of 1: all. */
+struct shard {
+    size_t index, count;
+};
+struct shard options_shard(const struct options *options);
+
 /* Endings of file names, for messages: of meshes " .obj .3mf .stl", of all formats " json obj 3mf stl". */
 #define OPTIONS_ENDING_true(suffix)
 #define OPTIONS_ENDING_false(suffix)                                " ." suffix

@@ -166,19 +166,26 @@ struct target output_target(const char *file, const char *out)
     return target;
 }
 
-char *output_name(const struct target *target, const char *channel, const char *extension)
+char *output_name_begin(const struct target *target)
 {
     const char *folder = target->folder, *stem = target->stem;
-    const bool is_main = strcmp(channel, "color") == 0;
-    char *name = NULL;
     const bool slash = *folder && folder[strlen(folder) - 1] != '/';
-    for (int again = 0; again < 2; again++) { /* the input is never overwritten */
+    char *name = NULL;
+    return asprintf(&name, "%s%s%.*s", folder, slash ? "/" : "", (int)(dot_of(stem) - stem), stem) < 0 ? NULL : name;
+}
+
+char *output_name(const struct target *target, const char *channel, const char *extension)
+{
+    const bool is_main = strcmp(channel, "color") == 0;
+    char *begin = output_name_begin(target), *name = NULL;
+    for (int again = 0; begin && again < 2; again++) { /* the input is never overwritten */
         free(name);
-        if (asprintf(&name, "%s%s%.*s%s%s%s.%s", folder, slash ? "/" : "", (int)(dot_of(stem) - stem), stem,
-                     again ? ".out" : "", is_main ? "" : ".", is_main ? "" : channel, extension) < 0)
-            return NULL;
-        if (strcmp(target->file, "-") == 0 || !bytes_same_file(target->file, name)) break;
+        if (asprintf(&name, "%s%s%s%s.%s", begin, again ? ".out" : "", is_main ? "" : ".", is_main ? "" : channel,
+                     extension) < 0)
+            name = NULL;
+        if (!name || strcmp(target->file, "-") == 0 || !bytes_same_file(target->file, name)) break;
     }
+    free(begin);
     return name;
 }
 

@@ -38,6 +38,10 @@ int output_save(const struct target *target, const struct answer *answer, bool n
 /* Returns the name of the output CHANNEL.EXT, to be freed; NULL without memory. */
 char *output_name(const struct target *target, const char *channel, const char *extension);
 
+/* Returns the beginning of the names of all outputs, to be freed: FOLDER/STEM without its ending; NULL without memory.
+ */
+char *output_name_begin(const struct target *target);
+
 /* Returns the last part of a path. */
 const char *output_base(const char *path);
 

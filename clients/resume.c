@@ -5,18 +5,25 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "tables.h"
 
 enum { CHANNEL_SIZE = 64 };
+
+/* Returns true for a file that is not empty. After a power cut, a file system may have the names of files, but not
+ * their bytes. */
+static bool has_bytes(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) == 0 && (about.st_size > 0 || !S_ISREG(about.st_mode));
+}
 
 /* Returns true if an output exists. The only output of a file has no channel in its name. */
 static bool exists(const struct target *target, const char *channel, const char *encoding, bool is_only)
 {
     const char *extension = tables_extension(channel, encoding);
     char *name = extension ? output_name(target, is_only ? "color" : channel, extension) : NULL;
-    const bool is_there = name && access(name, F_OK) == 0;
+    const bool is_there = name && has_bytes(name);
     free(name);
     return is_there;
 }
@@ -79,7 +86,7 @@ bool resume_has_all(const struct job *job)
     const char *channels = job->options->parameters[PARAMETER_channel];
     const char *encoding = job->options->parameters[PARAMETER_encoding];
     const enum input_kind kind = input_kind_of(target->file, job->options);
-    if (target->out) return access(target->out, F_OK) == 0;
+    if (target->out) return has_bytes(target->out);
     if (channels || encoding) return has_channels(target, channels ? channels : "color", encoding ? encoding : "");
     return kind == INPUT_MESH ? exists(target, "color", "", true) : has_file(target, kind == INPUT_SCENE);
 }

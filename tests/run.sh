@@ -142,6 +142,8 @@ for part in "$@"; do
         run encodings tests/clients/test_encodings.sh "$build"
         run wrong-lines tests/clients/test_wrong_lines.sh "$build"
         run gallery tests/clients/test_gallery.sh "$build"
+        run array tests/batches/test_array.sh "$build"
+        run manifests "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/batches/test_manifests.py
         run pictures tests/clients/test_pictures.sh "$build"
         run reference-pages tests/clients/test_reference.sh "$build"
         run guide "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/clients/test_guide.py

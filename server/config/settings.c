@@ -72,8 +72,8 @@ static const struct setting ROWS[] = {
      "of model files kept as read from the second time on, with copies of those that were not stored, in blocks of "
      "4096; the least recently used are dropped first, and all if memory is short; 0: none"},
     {"keep-answer-bytes", NUMBER, AT(keep_answer_bytes), true, 0, 0, 1024 * GIB, NULL, "bytes",
-     "of answers of addresses kept under their ETags, in blocks of 4096; the least recently used are dropped first, and "
-     "all if memory is short; 0: none"},
+     "of answers of addresses kept under their ETags, in blocks of 4096; the least recently used are dropped first, "
+     "and all if memory is short; 0: none"},
     {"answer-memory-bytes", NUMBER, AT(answer_memory_bytes), true, 512 * MIB, 1, 1024 * GIB, NULL, "bytes",
      "of all answers that wait for their readers, and of streams that do; beyond it, no render begins"},
     {"cgroup", TEXT, AT(cgroup), false, 0, 0, 0, "/sys/fs/cgroup", "",

@@ -38,9 +38,8 @@ bool health_open(const struct service *service, const struct load *load, struct 
     write_counts(service->answers, answers);
     (void)load;
     (void)request;
-    const int length =
-        asprintf(&text, "{\"images\":%s,\"texts\":%s,\"meshes\":%s,\"answers\":%s,\"status\":\"ok\"}\n", images, texts,
-                 meshes, answers);
+    const int length = asprintf(&text, "{\"images\":%s,\"texts\":%s,\"meshes\":%s,\"answers\":%s,\"status\":\"ok\"}\n",
+                                images, texts, meshes, answers);
     answer_text(answer, text, length);
     return false;
 }

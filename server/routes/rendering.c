@@ -110,7 +110,7 @@ struct rendering {
     struct zr_files files; /* drawn */
     struct zr_look_pin look;
     bool has_open_look; /* its version is not named */
-    const char *busy;        /* reason why there can be no stream now */
+    const char *busy;   /* reason why there can be no stream now */
 };
 
 static double ms_since(int64_t *mark_us)

@@ -290,6 +290,34 @@ wait $pid
 verdict "an interrupted batch ends with 130" [ $? = 130 ]
 verdict "and the message names --resume" grep -q 'interrupted: --resume draws the rest' "$complained"
 
+printf '' >alone/part.npy
+check "an output that a power cut left empty" 0 "$zraster" batch more/part.stl -o alone -s 8 -c depth --resume --json
+verdict "is drawn again" [ "$(grep -c '"status":"done"' "$said")" = 1 -a -s alone/part.npy ]
+
+# Shards
+for shard in 0 1 2 3; do
+    check "shard $shard of a folder" 0 "$zraster" batch many -o sharded -s 64 --shard $shard/4 --json
+    cat "$said" >>shards.txt
+    verdict "has its part of the 13 files" [ "$(wc -l <"$said")" = $(((16 - shard) / 4)) ]
+done
+verdict "every file is in one shard" [ "$(cut -d '"' -f 4 shards.txt | sort -u | wc -l)" = 13 -a "$(wc -l <shards.txt)" = 13 ]
+verdict "and has the bytes of a whole batch" diff -r drawn sharded
+check "a shard, resumed" 0 "$zraster" batch many -o sharded -s 64 --shard 1/4 --json --resume
+verdict "skips its files" [ "$(grep -c '"status":"skipped"' "$said")" = 3 ]
+check "a shard beyond the last file" 0 "$zraster" batch many -o sharded -s 64 --shard 13/20 --json
+verdict "is empty" [ ! -s "$said" ]
+printf '{"file": "part.stl", "output": "lines/%s.png", "width": 8, "height": 6}\n' a b c >lines.txt
+"$zraster" batch - --shard 1/3 --json <lines.txt >"$said" 2>"$complained"
+verdict "lines are counted from 0" grep -q '"outputs":\["lines/b.png"\]' "$said"
+verdict "and drawn alone" [ ! -e lines/a.png -a ! -e lines/c.png -a "$(size_of_png lines/b.png)" = 8x6 ]
+seq -f 'far/set-%07.0f.stl' 0 199999 >lines.txt
+(ulimit -v 200000 && "$zraster" batch - --shard 3/200000 --json -j 1 <lines.txt >"$said" 2>"$complained")
+verdict "200 000 names, of which a shard has one, need little memory" grep -q '^{"file":"far/set-0000003.stl","status":"failed"' "$said"
+echo 'other/set-0000007.stl' >>lines.txt
+"$zraster" batch - --shard 3/200000 -o drawn <lines.txt >"$said" 2>"$complained"
+verdict "files of other shards are refused if they would have the same output" [ $? = 2 ]
+verdict "with their lines" grep -q 'lines 8 and 200001, .* would have the same output, drawn/set-0000007;' "$complained"
+
 # Ctrl-C
 interrupt() { # TEXT COMMAND...
     text=$1
