@@ -662,10 +662,11 @@ $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/routes/multipart.o
 $(BUILD)/tests/unit/test_mcp: $(mcp)
 $(BUILD)/tests/unit/test_query_plain: $(BUILD)/server/routes/render_key.o
 $(BUILD)/tests/unit/test_query_plain: TEST_LIBS += -lnettle
-$(BUILD)/tests/unit/test_schema: $(BUILD)/server/routes/openapi.o $(BUILD)/server/routes/openapi_texts.o
+$(BUILD)/tests/unit/test_schema: $(addprefix $(BUILD)/server/routes/,openapi.o openapi_components.o openapi_texts.o)
 $(BUILD)/tests/unit/test_framing: $(BUILD)/server/http/framing.o
 $(BUILD)/tests/unit/test_accept: $(BUILD)/server/http/accept.o
 $(BUILD)/tests/unit/test_gate: $(addprefix $(BUILD)/server/gate/,gate.o lines.o preset.o signature.o forwarded.o networks.o ip.o) $(BUILD)/server/mcp/near.o $(call objects,server/config/*.c)
+$(BUILD)/tests/unit/test_metrics: $(call objects,server/metrics/*.c) $(BUILD)/server/refusal.o
 $(BUILD)/tests/unit/test_gate: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/test_signature: $(BUILD)/server/gate/signature.o
 $(BUILD)/tests/unit/test_signature: TEST_LIBS += -lnettle

@@ -64,6 +64,7 @@ void answer_to_no_memory(struct answer *answer)
 {
     answer_free(answer);
     answer->status = 503;
+    answer->refusal = REFUSAL_MEMORY;
     answer->is_broken = true;
     snprintf(answer->detail, sizeof answer->detail, NO_MEMORY);
 }

@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #include "base/status.h"
+#include "refusal.h"
 
 /* A detail: one of the core, and what is before it. */
 enum { ANSWER_HEADERS_MAX = 32, ANSWER_DETAIL_SIZE = ZR_DETAIL_SIZE + 160 };
@@ -23,13 +24,14 @@ struct kept_held;
 
 struct answer {
     int status;
-    bool close;      /* close the connection after this answer */
-    bool is_plain;   /* an error is text/plain (problem.h) */
-    bool is_broken;  /* memory ran out for a header or a field: the answer must not be sent */
-    char *bytes;     /* body; NULL: none, or that of `file` */
-    int file;        /* open file, sent from its beginning; 0: none */
-    size_t size;     /* of the body; without bytes (HEAD, 304) the value of Content-Length only */
-    bool is_unsized; /* HEAD, 304: there is no Content-Length, since the size is not known */
+    enum refusal refusal; /* of a 503 or 429 */
+    bool close;           /* close the connection after this answer */
+    bool is_plain;        /* an error is text/plain (problem.h) */
+    bool is_broken;       /* memory ran out for a header or a field: the answer must not be sent */
+    char *bytes;          /* body; NULL: none, or that of `file` */
+    int file;             /* open file, sent from its beginning; 0: none */
+    size_t size;          /* of the body; without bytes (HEAD, 304) the value of Content-Length only */
+    bool is_unsized;      /* HEAD, 304: there is no Content-Length, since the size is not known */
     /* Bytes that are lent (keep/answers.h): gives them back. NULL: they are malloc'd. */
     void (*release)(struct answer *answer);
     struct kept *lender;

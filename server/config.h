@@ -35,6 +35,7 @@ struct config {
     char cgroup[CONFIG_TEXT_SIZE];          /* folder of the control group */
     char assets_dir[CONFIG_TEXT_SIZE];      /* "": no assets are stored */
     char isa[CONFIG_TEXT_SIZE];             /* "auto", or an instruction set of this machine */
+    char metrics[CONFIG_TEXT_SIZE];         /* "on" or "off" */
     char page[CONFIG_TEXT_SIZE];            /* "on" or "off" */
     char allow_origin[CONFIG_TEXT_SIZE];    /* list with spaces or commas between its items; "*": all */
     char trusted_proxies[CONFIG_TEXT_SIZE]; /* a list as networks.h has it; "": none */

@@ -19,6 +19,7 @@
 #include "log/log.h"
 #include "log/log_writer.h"
 #include "mcp/memory.h"
+#include "metrics/metrics.h"
 #include "request.h"
 #include "routes/health_check.h"
 #include "work/slowness.h"
@@ -104,6 +105,30 @@ static void serve_until_signal(const struct config *config, struct http *http, c
 }
 
 /* Takes ownership of the gate. */
+static void announce(const struct config *config, const struct zr_team *team, const struct http *http)
+{
+    char message[64];
+    snprintf(message, sizeof message, "rendering with %s", zr_isa_name(zr_team_isa(team)));
+    log_event("info", "start", message);
+    const bool is_ipv6 = strchr(config->address, ':') != NULL;
+    printf("listening on http://%s%s%s:%u\n", is_ipv6 ? "[" : "", config->address, is_ipv6 ? "]" : "", http_port(http));
+    fflush(stdout);
+}
+
+/* Frees all that requests shared. */
+static void end_service(struct service *service)
+{
+    slowness_end(service->slowness);
+    store_close(service->store);
+    kept_close(service->images);
+    texts_close(service->texts);
+    meshes_close(service->meshes);
+    kept_close(service->answers);
+    zr_team_destroy(service->team);
+    gate_free(service->gate);
+    metrics_free(service->metrics);
+}
+
 static int serve(const struct config *config, struct gate *gate)
 {
     sigset_t signals;
@@ -134,44 +159,22 @@ static int serve(const struct config *config, struct gate *gate)
     struct slowness slowness;
     slowness_start(&slowness, config_isa(config));
     if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
-    if (store || !*config->assets_dir) {
-        service_init(&service, config, team, &slowness, store, images, texts, meshes);
-        service.gate = gate;
-        service.answers = answers;
-        http = http_start(config, &service, message, sizeof message);
-    }
-    if (!http) {
+    service_init(&service, config, team, &slowness, store, images, texts, meshes);
+    service.gate = gate;
+    service.answers = answers;
+    service.metrics = metrics_create();
+    if (store || !*config->assets_dir) http = http_start(config, &service, message, sizeof message);
+    if (http) {
+        announce(config, team, http);
+        serve_until_signal(config, http, &signals);
+        http_stop(http);
+    } else {
         fprintf(stderr, "zrasterd: %s\n", message);
-        slowness_end(&slowness);
-        store_close(store);
-        kept_close(images);
-        texts_close(texts);
-        meshes_close(meshes);
-        kept_close(answers);
-        zr_team_destroy(team);
-        gate_free(gate);
-        log_writer_stop();
-        return EXIT_FAILURE;
     }
-    snprintf(message, sizeof message, "rendering with %s", zr_isa_name(zr_team_isa(team)));
-    log_event("info", "start", message);
-    bool is_ipv6 = strchr(config->address, ':') != NULL;
-    printf("listening on http://%s%s%s:%u\n", is_ipv6 ? "[" : "", config->address, is_ipv6 ? "]" : "", http_port(http));
-    fflush(stdout);
-
-    serve_until_signal(config, http, &signals);
-    http_stop(http);
-    slowness_end(&slowness);
-    store_close(store);
-    kept_close(images);
-    texts_close(texts);
-    meshes_close(meshes);
-    kept_close(answers);
-    zr_team_destroy(team);
-    gate_free(service.gate);
-    log_event("info", "stopped", NULL);
+    end_service(&service);
+    if (http) log_event("info", "stopped", NULL);
     log_writer_stop();
-    return EXIT_SUCCESS;
+    return http ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 static void print_faults(char *message)

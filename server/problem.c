@@ -142,10 +142,11 @@ void problem_answer_error(struct answer *answer, int http_status, const struct z
     finish(answer, root);
 }
 
-void problem_busy(struct answer *answer, unsigned retry_after_s, const char *detail)
+void problem_busy(struct answer *answer, unsigned retry_after_s, enum refusal refusal)
 {
     answer_header(answer, "Retry-After", "%u", retry_after_s ? retry_after_s : 1);
-    problem_answer(answer, 503, "%s", detail);
+    problem_answer(answer, 503, "%s", refusal_text(refusal));
+    answer->refusal = refusal;
 }
 
 /* Returns true if the request would fit without the shadow maps of its lights. */
@@ -157,7 +158,7 @@ static bool are_lamps_too_many(const struct zr_arena *arena, const struct zr_cos
 void problem_memory(struct answer *answer, const struct zr_arena *arena, const struct zr_cost *cost)
 {
     if (arena->wanted == 0)
-        problem_busy(answer, 1, "the system has no memory for the request now");
+        problem_busy(answer, 1, REFUSAL_MEMORY);
     else if (arena->wanted == SIZE_MAX)
         problem_answer(answer, 422, "the request needs more memory than can be had; requestMemoryBytes is %zu bytes",
                        arena->ceiling);

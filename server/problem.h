@@ -23,7 +23,7 @@ void problem_answer(struct answer *answer, int http_status, const char *format, 
 void problem_answer_error(struct answer *answer, int http_status, const struct zr_error *error);
 
 /* Turns the answer into a 503 with Retry-After. */
-void problem_busy(struct answer *answer, unsigned retry_after_s, const char *detail);
+void problem_busy(struct answer *answer, unsigned retry_after_s, enum refusal refusal);
 
 /* Reports a failed arena. 422 if the request can never fit: it names the bytes needed and, from the predicted `cost`
  * (or NULL), their main use. 503 if the system has no memory now. */

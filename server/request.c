@@ -20,6 +20,7 @@ void service_init(struct service *service, const struct config *config, struct z
     service->texts = texts;
     service->meshes = meshes;
     service->answers = NULL;
+    service->metrics = NULL;
     service->slowness = slowness;
     service->limits = config_limits(config);
     service->team = team;
@@ -93,14 +94,14 @@ static bool drop_kept(const struct service *service)
     return dropped;
 }
 
-const char *load_busy_with(const struct load *load, const struct service *service, bool makes_answer)
+enum refusal load_busy_with(const struct load *load, const struct service *service, bool makes_answer)
 {
-    if (load->draining) return "the service is going down";
-    if (load->queue_full) return "the queue is full";
-    if (makes_answer && load->answers_full) return "the answers that wait for their readers fill answerMemoryBytes";
-    if (!memory_is_short(service->config->cgroup)) return NULL;
-    if (drop_kept(service) && !memory_is_short(service->config->cgroup)) return NULL;
-    return "the memory of the container is nearly used up";
+    if (load->draining) return REFUSAL_DRAINING;
+    if (load->queue_full) return REFUSAL_QUEUE;
+    if (makes_answer && load->answers_full) return REFUSAL_ANSWERS;
+    if (!memory_is_short(service->config->cgroup)) return REFUSAL_NONE;
+    if (drop_kept(service) && !memory_is_short(service->config->cgroup)) return REFUSAL_NONE;
+    return REFUSAL_CONTAINER;
 }
 
 void request_free(struct request *request)

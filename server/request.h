@@ -30,6 +30,8 @@ enum { REQUEST_ID_SIZE = 129 };
 
 struct gate; /* gate/gate.h */
 
+struct metrics; /* metrics/metrics.h */
+
 /* Shared by all requests. Constant, except the gate, the counter and the insides of the store and of the images. */
 struct service {
     const struct config *config;
@@ -37,16 +39,17 @@ struct service {
     struct zr_limits limits;
     struct slowness *slowness;
     struct zr_team *team;
-    struct store *store;   /* NULL: no assets are stored */
-    struct kept *images;   /* decoded images; NULL: none are kept */
-    struct texts *texts;   /* decoded data: URIs; NULL: none are kept */
-    struct meshes *meshes; /* model files as read; NULL: none are kept */
-    struct kept *answers;  /* answers of addresses; NULL: none are kept */
-    uint64_t id_base;      /* random, so that ids of two daemons differ */
+    struct store *store;     /* NULL: no assets are stored */
+    struct kept *images;     /* decoded images; NULL: none are kept */
+    struct texts *texts;     /* decoded data: URIs; NULL: none are kept */
+    struct meshes *meshes;   /* model files as read; NULL: none are kept */
+    struct kept *answers;    /* answers of addresses; NULL: none are kept */
+    struct metrics *metrics; /* NULL: nothing is counted */
+    uint64_t id_base;        /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };
 
-/* `store`, `images`, `texts` and `meshes` may be NULL. The caller may set `answers` afterwards. */
+/* `store`, `images`, `texts` and `meshes` may be NULL. The caller may set `answers` and `metrics` afterwards. */
 void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
                   struct store *store, struct kept *images, struct texts *texts, struct meshes *meshes);
 
@@ -58,8 +61,8 @@ struct load {
     unsigned retry_after_s;
 };
 
-/* Returns the reason against more work, or NULL. makes_answer: the work makes a large answer in memory. */
-const char *load_busy_with(const struct load *load, const struct service *service, bool makes_answer);
+/* Returns the reason against more work, or REFUSAL_NONE. makes_answer: the work makes a large answer in memory. */
+enum refusal load_busy_with(const struct load *load, const struct service *service, bool makes_answer);
 
 struct route;
 

@@ -13,6 +13,7 @@
 #include "routes/contract.h"
 #include "routes/drake.h"
 #include "routes/health.h"
+#include "routes/metrics.h"
 #include "routes/rendering.h"
 #include "routes/renders.h"
 #include "routes/site.h"
@@ -34,6 +35,7 @@ static const struct route ROUTES[] = {
     {SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false, false},
     {DRAKE_PATH, "POST", false, drake_open, drake_work, true, true, false},
     {"/healthz", "GET, HEAD", true, health_open, NULL, false, false, false},
+    {"/metrics", "GET, HEAD", true, metrics_open, NULL, false, false, false},
     {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false, false, false},
     {ASSETS_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false, false, false},
     {SCENES_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false, false, false},
@@ -102,7 +104,7 @@ static enum request_next open_work(const struct service *service, const struct l
     }
     if (!read_content_encoding(request, answer) || !request->route->open(service, load, request, answer))
         return REQUEST_ANSWERED;
-    const char *busy = load_busy_with(load, service, request->route->makes_answer);
+    const enum refusal busy = load_busy_with(load, service, request->route->makes_answer);
     if (!busy) return REQUEST_WORK;
     problem_busy(answer, load->retry_after_s, busy);
     return REQUEST_ANSWERED;

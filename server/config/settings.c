@@ -26,6 +26,7 @@ static const struct setting ROWS[] = {
      "file of presets for /v1/renders/, one a line, such as small = look=studio&width=320; SIGHUP reads it anew"},
     {"only-presets", SWITCH, AT(only_presets), false, 0, 0, 0, "off", "",
      "on or off: addresses below /v1/renders/ take a preset and no parameters of their own"},
+    {"metrics", SWITCH, AT(metrics), false, 0, 0, 0, "on", "", "on or off: /metrics for Prometheus, without a token"},
     {"page", SWITCH, AT(page), false, 0, 0, 0, "on", "",
      "on or off: the page at / for browsers and the manual at /docs/"},
     {"allow-origin", ORIGINS, AT(allow_origin), false, 0, 0, 0, "", "",

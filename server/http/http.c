@@ -16,6 +16,8 @@
 #include "http_loop.h"
 #include "http_receive.h"
 #include "http_work.h"
+#include "log/log_writer.h"
+#include "metrics/metrics.h"
 
 enum {
     BACKLOG = 512,
@@ -137,6 +139,26 @@ static bool start(struct http *http, char *message, size_t message_size)
     return pthread_create(&http->thread, NULL, serve, http) == 0;
 }
 
+/* For metrics, on the thread of the loop. */
+static void look(void *context, struct metrics_now *now)
+{
+    struct http *http = context;
+    const struct service *service = http->service;
+    struct kept *const kept[METRICS_KEPT] = {service->images, texts_kept(service->texts), meshes_kept(service->meshes),
+                                             service->answers};
+    now->queue = queue_look(http->queue);
+    now->in_progress = http->in_flight;
+    now->streams = atomic_load(&http->streams);
+    for (int i = 0; i < PHASES; i++)
+        now->connections[i] = http->connections.counts[i];
+    now->connections_max = (size_t)http->config->max_connections;
+    now->answer_bytes = atomic_load(&http->answer_bytes);
+    now->upload_bytes = atomic_load(&http->uploads.held);
+    for (int i = 0; i < METRICS_KEPT; i++)
+        if (kept[i]) now->kept[i] = kept_look(kept[i]);
+    now->lost_lines = log_writer_lost_ever();
+}
+
 struct http *http_start(const struct config *config, struct service *service, char *message, size_t message_size)
 {
     snprintf(message, message_size, "cannot start: out of memory or threads");
@@ -144,6 +166,10 @@ struct http *http_start(const struct config *config, struct service *service, ch
     if (!http) return NULL;
     http->config = config;
     http->service = service;
+    if (service->metrics) {
+        service->metrics->look = look;
+        service->metrics->context = http;
+    }
     http->uploads.body_max = (size_t)config->body_max_bytes;
     http->uploads.memory_max = (size_t)config->upload_memory_bytes;
     http->epoll_fd = http->wake_fd = -1;

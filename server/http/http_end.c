@@ -4,6 +4,7 @@
 
 #include "clock.h"
 #include "log/log.h"
+#include "metrics/metrics.h"
 
 /* All requests pass here once: those of exchanges, and those that libmicrohttpd never saw. */
 static void tell(const struct http *http, const struct ip *peer, const struct ip *client, struct log_request *request)
@@ -15,6 +16,7 @@ static void tell(const struct http *http, const struct ip *peer, const struct ip
     request->remote = peer_text;
     request->client = client_text;
     log_request(request);
+    metrics_count(http->service->metrics, request);
 }
 
 /* The times of work belong to the worker until it ends. */
@@ -45,6 +47,9 @@ void http_log_exchange(struct exchange *exchange)
              .trace = &exchange->request.trace,
              .detail = detail,
              .status = exchange->replied ? answer->status : 0,
+             .refusal = answer->refusal,
+             .client_left = exchange->client_left,
+             .was_slow = exchange->was_slow,
              .aborted = !exchange->is_whole,
              .bytes_in = exchange->body_bytes,
              .bytes_out = exchange->bytes_out,
@@ -54,12 +59,13 @@ void http_log_exchange(struct exchange *exchange)
 }
 
 void http_log_connection(const struct http *http, const struct connection *connection, const char *id, int status,
-                         size_t bytes_out, const char *detail)
+                         enum refusal refusal, size_t bytes_out, const char *detail)
 {
     tell(http, &connection->peer, &connection->address,
          &(struct log_request){
              .id = id,
              .status = status,
+             .refusal = refusal,
              .aborted = status == 0,
              .bytes_out = bytes_out,
              .total_ms = (double)(clock_ms() - connection->began_ms),

@@ -34,9 +34,11 @@ void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket
         struct connection *connection = *socket_context;
         if (!connection) return;
         if (connection->phase == PHASE_HEADER && framing_is_within_header(&connection->framing))
-            http_log_connection(http, connection, NULL, 0, 0, "the connection ended within a request's header");
+            http_log_connection(http, connection, NULL, 0, REFUSAL_NONE, 0,
+                                "the connection ended within a request's header");
         if (connections_is_within_proxy(connection) && connection->phase != PHASE_REFUSED)
-            http_log_connection(http, connection, NULL, 0, 0, "the connection ended within its PROXY header");
+            http_log_connection(http, connection, NULL, 0, REFUSAL_NONE, 0,
+                                "the connection ended within its PROXY header");
         connections_remove(&http->connections, connection);
         return;
     }
@@ -74,9 +76,13 @@ static void reply_past_library(struct exchange *exchange)
 void http_refuse(struct http *http, struct connection *connection, int status, const char *detail)
 {
     struct exchange *exchange = connection->exchange;
+    const enum refusal refusal = status != 503                  ? REFUSAL_NONE
+                                 : atomic_load(&http->draining) ? REFUSAL_DRAINING
+                                                                : REFUSAL_CONNECTIONS;
     if (exchange && exchange->opened) {
         answer_free(&exchange->answer); /* the answer that waited for the end of the body */
         problem_answer(&exchange->answer, status, "%s", detail);
+        exchange->answer.refusal = refusal;
         reply_past_library(exchange);
         return;
     }
@@ -85,8 +91,9 @@ void http_refuse(struct http *http, struct connection *connection, int status, c
     if (exchange) exchange->logged = true; /* an incomplete header: logged below */
     request_take_id(&nameless, http->service, NULL);
     problem_answer(&answer, status, "%s", detail);
+    answer.refusal = refusal;
     router_finish(&answer, http->service, &nameless);
-    http_log_connection(http, connection, nameless.id, status, answer.size, detail);
+    http_log_connection(http, connection, nameless.id, status, answer.refusal, answer.size, detail);
     send_past_library(http, connection, &answer);
     answer_free(&answer);
 }
@@ -373,6 +380,7 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
         answer_header(answer, "Retry-After", "%u", load.retry_after_s);
         problem_answer(answer, 429, "more than %s, %llu, requests in flight from %s", forbids, (unsigned long long)most,
                        client);
+        answer->refusal = REFUSAL_CLIENT;
         return reply_early(exchange, is_chunked, expects_continue);
     }
     exchange->step = STEP_BODY;
@@ -394,8 +402,7 @@ static enum MHD_Result take_body(struct exchange *exchange, const char *bytes, s
                        (unsigned long long)http->config->body_max_bytes);
         break;
     case UPLOAD_NO_MEMORY:
-        problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE),
-                     "too many bodies are coming in");
+        problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), REFUSAL_UPLOADS);
         break;
     }
     reply_past_library(exchange);
@@ -413,7 +420,7 @@ enum MHD_Result http_on_request(void *context, struct MHD_Connection *mhd, const
             struct http *http = context;
             struct answer answer = {0};
             answer_to_no_memory(&answer);
-            http_log_connection(http, connection, NULL, answer.status, 0, answer.detail);
+            http_log_connection(http, connection, NULL, answer.status, answer.refusal, 0, answer.detail);
             send_past_library(http, connection, &answer);
         }
         return MHD_NO;

@@ -8,8 +8,6 @@
 #include "router.h"
 #include "routes/parts.h"
 
-static const char ANSWERS_FULL[] = "the answers that wait for their readers fill answerMemoryBytes";
-
 enum queue_lane http_lane_of(uint64_t body_bytes)
 {
     return body_bytes > REQUEST_SMALL_BYTES ? QUEUE_LARGE : QUEUE_SMALL;
@@ -120,7 +118,7 @@ static bool put_back(struct exchange *exchange, struct zr_arena *arena)
     }
     exchange->times = NO_STEP_TIMES;
     if (queue_put_back(http->queue, &exchange->job)) return true;
-    problem_busy(&exchange->made, queue_wait_estimate_s(http->queue, QUEUE_LARGE), "the queue is full");
+    problem_busy(&exchange->made, queue_wait_estimate_s(http->queue, QUEUE_LARGE), REFUSAL_QUEUE);
     return false;
 }
 
@@ -135,12 +133,12 @@ static void work(struct queue_job *job, struct zr_arena *arena)
     exchange->cancel.parent = job->overdue;
     bool cancelled = atomic_load(&exchange->cancel.raised);
     if (!cancelled && !exchange->request.asset && http_answers_are_full(http)) /* assets take no memory */
-        problem_busy(made, queue_wait_estimate_s(http->queue, QUEUE_LARGE), ANSWERS_FULL);
+        problem_busy(made, queue_wait_estimate_s(http->queue, QUEUE_LARGE), REFUSAL_ANSWERS);
     else if (!cancelled && begin(exchange, arena) == REQUEST_LARGE && put_back(exchange, arena))
         return;
     if (atomic_load(&http->cut_short) && (cancelled || made->status == 504)) {
         answer_free(made);
-        problem_busy(made, 1, "the service went down");
+        problem_busy(made, 1, REFUSAL_DRAINING);
     }
     if (exchange->has_stream) atomic_fetch_sub(&http->streams, 1);
     if (exchange->stream.is_begun) {
@@ -270,7 +268,7 @@ enum MHD_Result http_begin_work(struct exchange *exchange)
     exchange->is_working = true;
     enum queue_lane lane = http_lane_of(exchange->upload.size);
     if (!queue_push(http->queue, &exchange->job, lane)) {
-        problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, lane), "the queue is full");
+        problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, lane), REFUSAL_QUEUE);
         end_work(exchange);
         begin_answer(exchange);
     }

@@ -106,6 +106,7 @@ void log_request(const struct log_request *request)
     add_text(&line, "path", request->path);
     add_query(&line, request->query);
     add(&line, ",\"status\":%d%s", status, request->aborted ? ",\"aborted\":true" : "");
+    add_text(&line, "refused", refusal_word(request->refusal));
     add(&line, ",\"bytesIn\":%" PRIu64 ",\"bytesOut\":%" PRIu64, request->bytes_in, request->bytes_out);
     add_ms(&line, "totalMs", request->total_ms);
     add_ms(&line, "parseMs", request->times.parse_ms);

@@ -9,6 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "refusal.h"
 #include "step_times.h"
 #include "trace.h"
 
@@ -18,14 +19,15 @@ enum { LOG_LINE_SIZE = 32 << 10 };
 /* Empty texts (NULL or "") are omitted. */
 struct log_request {
     const char *id, *method, *path, *query, *detail;
-    const char *remote;        /* address of the other end of the connection */
-    const char *client;        /* address of the client, as a trusted proxy told it; else that of `remote` */
-    const struct trace *trace; /* NULL: none */
-    const char *route;         /* its path in the table of routes; NULL: none was found */
-    const char *look;          /* with its version, as answered: "studio@2" */
-    size_t warnings;           /* of the answer */
-    int status;                /* 0: no answer was sent */
-    bool aborted;
+    const char *remote;                  /* address of the other end of the connection */
+    const char *client;                  /* address of the client, as a trusted proxy told it; else that of `remote` */
+    const struct trace *trace;           /* NULL: none */
+    const char *route;                   /* its path in the table of routes; NULL: none was found */
+    const char *look;                    /* with its version, as answered: "studio@2" */
+    size_t warnings;                     /* of the answer */
+    int status;                          /* 0: no answer was sent */
+    enum refusal refusal;                /* of a 503 or 429 */
+    bool aborted, client_left, was_slow; /* the answer did not arrive whole; its client left, or read it too slowly */
     uint64_t bytes_in, bytes_out;
     double total_ms;
     struct step_times times;

@@ -15,7 +15,7 @@ static struct {
     pthread_cond_t changed, written;
     pthread_t thread;
     bool running, stopping, waiting;
-    uint64_t head, tail, lost;
+    uint64_t head, tail, lost, lost_ever;
     char bytes[LOG_BUFFER_BYTES];
 } writer = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
@@ -98,6 +98,7 @@ bool log_writer_put(const char *line, size_t size)
         if (writer.waiting) pthread_cond_signal(&writer.changed);
     } else if (!at_once) {
         writer.lost++;
+        writer.lost_ever++;
     }
     pthread_mutex_unlock(&writer.lock);
     if (at_once) write_all(line, size);
@@ -110,6 +111,14 @@ uint64_t log_writer_take_lost(void)
     const bool is_stuck = LOG_BUFFER_BYTES - (writer.head - writer.tail) < LOG_BUFFER_BYTES / 2;
     const uint64_t lost = is_stuck ? 0 : writer.lost;
     writer.lost -= lost;
+    pthread_mutex_unlock(&writer.lock);
+    return lost;
+}
+
+uint64_t log_writer_lost_ever(void)
+{
+    pthread_mutex_lock(&writer.lock);
+    const uint64_t lost = writer.lost_ever;
     pthread_mutex_unlock(&writer.lock);
     return lost;
 }

@@ -23,4 +23,7 @@ bool log_writer_put(const char *line, size_t size);
 /* Returns and resets the count of lost lines once half of the buffer is free; 0 until then. */
 uint64_t log_writer_take_lost(void);
 
+/* Returns the count of lines that were lost since the start. */
+uint64_t log_writer_lost_ever(void);
+
 #endif

@@ -50,7 +50,7 @@ bool health_open_ready(const struct service *service, const struct load *load, s
 {
     const bool full = load->queue_full || load->large_queue_full;
     const struct load any = {load->leaving, load->leaving, full, full, load->answers_full, load->retry_after_s};
-    const char *busy = load_busy_with(&any, service, true);
+    const enum refusal busy = load_busy_with(&any, service, true);
     (void)request;
     if (busy) {
         problem_busy(answer, load->retry_after_s, busy);

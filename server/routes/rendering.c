@@ -29,7 +29,7 @@ static bool read_query(struct request *request, struct answer *answer)
     if (!request->query || !*request->query) return true;
     request->query_values = malloc(zr_query_room(request->query));
     if (!request->query_values) {
-        problem_busy(answer, 1, "out of memory");
+        problem_busy(answer, 1, REFUSAL_MEMORY);
         return false;
     }
     if (zr_query_split(request->query, request->query_values, &request->render, &error) == ZR_OK) return true;
@@ -110,7 +110,7 @@ struct rendering {
     struct zr_files files; /* drawn */
     struct zr_look_pin look;
     bool has_open_look; /* its version is not named */
-    const char *busy;   /* reason why there can be no stream now */
+    enum refusal busy;  /* reason why there can be no stream now */
 };
 
 static double ms_since(int64_t *mark_us)

@@ -106,7 +106,7 @@ static bool read_parameters(struct request *request, const char *preset, struct 
     }
     request->query_values = malloc(zr_query_room(preset) + zr_query_room(query));
     if (!request->query_values) {
-        problem_busy(answer, 1, "out of memory");
+        problem_busy(answer, 1, REFUSAL_MEMORY);
         return false;
     }
     if (zr_query_split(preset, request->query_values, &request->render, &error) == ZR_OK &&
@@ -148,7 +148,7 @@ bool renders_open(const struct service *service, const struct load *load, struct
     request->has_preset = preset;
     request->is_pinned = request->render.look && strchr(request->render.look, '@');
     if (!render_key(request->scene, &request->render, &service->limits, &request->answer_key)) {
-        problem_busy(answer, 1, "out of memory");
+        problem_busy(answer, 1, REFUSAL_MEMORY);
         return false;
     }
     request->has_answer = text_has_tag(request->if_none_match, tag_of(&request->answer_key).text);

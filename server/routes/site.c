@@ -61,7 +61,7 @@ static void answer_site_file(const struct request *request, const struct site_fi
     } else {
         char *bytes = decompress(file);
         if (!bytes) {
-            problem_busy(answer, 1, "out of memory");
+            problem_busy(answer, 1, REFUSAL_MEMORY);
             return;
         }
         answer->status = 200;

@@ -428,6 +428,19 @@ unsigned queue_wait_estimate_s(struct queue *queue, enum queue_lane lane)
     return seconds >= 59 ? 60 : 1 + (unsigned)seconds;
 }
 
+struct queue_state queue_look(struct queue *queue)
+{
+    struct queue_state state = {.workers = queue->options.workers};
+    pthread_mutex_lock(&queue->lock);
+    state.busy = queue->busy;
+    for (int lane = 0; lane < QUEUE_LANES; lane++)
+        state.waiting[lane] = queue->lanes[lane].waiting;
+    for (size_t i = 0; i < queue->worker_count; i++)
+        state.used_bytes += queue->workers[i].used;
+    pthread_mutex_unlock(&queue->lock);
+    return state;
+}
+
 void queue_stop(struct queue *queue)
 {
     pthread_mutex_lock(&queue->lock);

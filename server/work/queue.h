@@ -83,6 +83,14 @@ bool queue_is_full(struct queue *queue, enum queue_lane lane, size_t coming);
 /* Returns the predicted wait of a new job in s, 1..60, from the times of the last jobs. */
 unsigned queue_wait_estimate_s(struct queue *queue, enum queue_lane lane);
 
+struct queue_state {
+    size_t waiting[QUEUE_LANES];
+    size_t workers, busy; /* busy: jobs at work, without the express, and without those that wait for their readers */
+    size_t used_bytes;    /* memory of the last jobs of all threads, which the threads keep for the next ones */
+};
+
+struct queue_state queue_look(struct queue *queue);
+
 /* Runs all waiting jobs and ends the threads. Afterwards it accepts no job; the functions above may still be called. */
 void queue_stop(struct queue *queue);
 

@@ -27,11 +27,11 @@ static size_t smallest(size_t a, size_t b, size_t c)
 
 /* ---- the writer ---- */
 
-const char *stream_open(struct stream *stream)
+enum refusal stream_open(struct stream *stream)
 {
-    if (!stream->owner.open(stream->owner.context)) return "as many answers as maxStreams are streamed";
+    if (!stream->owner.open(stream->owner.context)) return REFUSAL_STREAMS;
     stream->bytes = malloc(STREAM_ROOM);
-    return stream->bytes ? NULL : "out of memory";
+    return stream->bytes ? REFUSAL_NONE : REFUSAL_MEMORY;
 }
 
 void stream_begin(struct stream *stream, struct answer *answer)

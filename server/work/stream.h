@@ -54,8 +54,8 @@ void stream_free(struct stream *stream);
 
 /* ---- the writer ---- */
 
-/* Call before the work for the answer. NULL, or the reason why there can be no stream now. */
-const char *stream_open(struct stream *stream);
+/* Call before the work for the answer. REFUSAL_NONE, or the reason why there can be no stream now. */
+enum refusal stream_open(struct stream *stream);
 
 /* Sends an answer without its body, which follows. Leaves an empty answer. */
 void stream_begin(struct stream *stream, struct answer *answer);

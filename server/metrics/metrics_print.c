@@ -1,0 +1,355 @@
+#include "metrics_print.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include "core.h"
+#include "process.h"
+#include "scene/looks.h"
+
+enum type { COUNTER, GAUGE, HISTOGRAM, INFO };
+
+struct printer {
+    FILE *out;
+    const struct metrics *metrics;
+    const struct metrics_now *now;
+    struct process_now process;
+    enum metrics_form form;
+    const char *name; /* of the family */
+    enum type type;
+};
+
+/* ---- samples ---- */
+
+/* Bounds are numbers with a point in OpenMetrics. */
+static void print_bound(FILE *out, double bound)
+{
+    if (bound == floor(bound))
+        fprintf(out, "%.1f", bound);
+    else
+        fprintf(out, "%g", bound);
+}
+
+/* Prints "NAME_total{labels} value" of a counter, and "NAME{labels} value" of a gauge. `labels` may be "". */
+static void print_sample(const struct printer *p, const char *labels, double value)
+{
+    const char *ending = p->type == COUNTER ? "_total" : p->type == INFO ? "_info" : "";
+    fprintf(p->out, "%s%s%s%s%s %.15g\n", p->name, ending, *labels ? "{" : "", labels, *labels ? "}" : "", value);
+}
+
+__attribute__((format(printf, 3, 4))) static void print_labelled(const struct printer *p, double value,
+                                                                 const char *format, ...)
+{
+    char labels[256];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(labels, sizeof labels, format, arguments);
+    va_end(arguments);
+    print_sample(p, labels, value);
+}
+
+static void print_histogram(const struct printer *p, const char *labels, const struct histogram *histogram,
+                            const struct histogram_bounds *bounds)
+{
+    uint64_t below = 0;
+    const char *comma = *labels ? "," : "";
+    for (size_t i = 0; i <= bounds->count; i++) {
+        below += histogram->buckets[i];
+        fprintf(p->out, "%s_bucket{%s%sle=\"", p->name, labels, comma);
+        if (i < bounds->count)
+            print_bound(p->out, bounds->values[i]);
+        else
+            fputs("+Inf", p->out);
+        fprintf(p->out, "\"} %" PRIu64 "\n", below);
+    }
+    const char *open = *labels ? "{" : "", *close = *labels ? "}" : "";
+    fprintf(p->out, "%s_sum%s%s%s %.15g\n", p->name, open, labels, close, histogram->sum);
+    fprintf(p->out, "%s_count%s%s%s %" PRIu64 "\n", p->name, open, labels, close, below);
+}
+
+static const char *route_word(const struct metrics *metrics, size_t route)
+{
+    return route ? metrics->routes[route] : "none";
+}
+
+/* ---- families of requests ---- */
+
+static void print_requests(const struct printer *p)
+{
+    const struct metrics *m = p->metrics;
+    for (size_t route = 0; route < m->route_count; route++)
+        for (size_t method = 0; method < METRICS_METHODS; method++)
+            for (size_t status = 0; status < METRICS_STATUSES; status++) {
+                const uint64_t count = m->requests[route][method][status];
+                char number[16] = "other";
+                if (count == 0) continue;
+                if (metrics_status(status) >= 0) snprintf(number, sizeof number, "%d", metrics_status(status));
+                print_labelled(p, (double)count, "route=\"%s\",method=\"%s\",status=\"%s\"", route_word(m, route),
+                               metrics_method(method), number);
+            }
+}
+
+static void print_durations(const struct printer *p)
+{
+    char labels[128];
+    for (size_t route = 0; route < p->metrics->route_count; route++) {
+        if (histogram_count(&p->metrics->durations[route]) == 0) continue;
+        snprintf(labels, sizeof labels, "route=\"%s\"", route_word(p->metrics, route));
+        print_histogram(p, labels, &p->metrics->durations[route], &histogram_seconds);
+    }
+}
+
+static void print_steps(const struct printer *p)
+{
+    char labels[64];
+    for (int step = 0; step < METRICS_STEPS; step++) {
+        snprintf(labels, sizeof labels, "step=\"%s\"", metrics_step_word(step));
+        print_histogram(p, labels, &p->metrics->steps[step], &histogram_seconds);
+    }
+}
+
+static void print_bodies(const struct printer *p)
+{
+    print_histogram(p, "", &p->metrics->bodies, &histogram_bytes);
+}
+
+static void print_answers(const struct printer *p)
+{
+    print_histogram(p, "", &p->metrics->answers, &histogram_bytes);
+}
+
+static void print_pictures(const struct printer *p)
+{
+    for (int i = 0; i < zr_look_count && i < METRICS_LOOKS; i++)
+        if (p->metrics->pictures[i])
+            print_labelled(p, (double)p->metrics->pictures[i], "look=\"%s\"", zr_look_pin_of(&zr_looks[i]).text);
+}
+
+static void print_warnings(const struct printer *p)
+{
+    print_sample(p, "", (double)p->metrics->warnings);
+}
+
+static void print_refusals(const struct printer *p)
+{
+    for (int i = REFUSAL_NONE + 1; i < REFUSALS; i++)
+        print_labelled(p, (double)p->metrics->refusals[i], "reason=\"%s\"", refusal_word(i));
+}
+
+static void print_aborts(const struct printer *p)
+{
+    for (int i = 0; i < METRICS_ABORTS; i++)
+        print_labelled(p, (double)p->metrics->aborts[i], "reason=\"%s\"", metrics_abort_word(i));
+}
+
+static void print_timeouts(const struct printer *p)
+{
+    print_sample(p, "", (double)p->metrics->timeouts);
+}
+
+/* ---- families of the daemon ---- */
+
+static void print_build(const struct printer *p)
+{
+    print_labelled(p, 1, "version=\"" ZR_VERSION "\",isa=\"%s\",rules=\"%d\"", p->now->isa, ZR_RULES);
+}
+
+static void print_queues(const struct printer *p)
+{
+    print_labelled(p, (double)p->now->queue.waiting[QUEUE_SMALL], "queue=\"small\"");
+    print_labelled(p, (double)p->now->queue.waiting[QUEUE_LARGE], "queue=\"large\"");
+}
+
+static void print_connections(const struct printer *p)
+{
+    static const char *const words[PHASES] = {
+        [PHASE_IDLE] = "idle", [PHASE_HEADER] = "header", [PHASE_BODY] = "body",
+        [PHASE_WORK] = "work", [PHASE_WRITE] = "write",   [PHASE_REFUSED] = "refused"};
+    for (int i = 0; i < PHASES; i++)
+        print_labelled(p, (double)p->now->connections[i], "phase=\"%s\"", words[i]);
+}
+
+/* Prints a number of each kind of kept values; `offset`: of the number in struct kept_state. */
+static void print_kept(const struct printer *p, size_t offset)
+{
+    for (int i = 0; i < METRICS_KEPT; i++) {
+        uint64_t value;
+        memcpy(&value, (const char *)&p->now->kept[i] + offset, sizeof value);
+        print_labelled(p, (double)value, "kind=\"%s\"", metrics_kept_word(i));
+    }
+}
+
+static void print_hits(const struct printer *p)
+{
+    print_kept(p, offsetof(struct kept_state, hits));
+}
+
+static void print_misses(const struct printer *p)
+{
+    print_kept(p, offsetof(struct kept_state, misses));
+}
+
+static void print_dropped(const struct printer *p)
+{
+    print_kept(p, offsetof(struct kept_state, dropped));
+}
+
+static void print_kept_bytes(const struct printer *p)
+{
+    print_kept(p, offsetof(struct kept_state, bytes));
+}
+
+static void print_kept_entries(const struct printer *p)
+{
+    print_kept(p, offsetof(struct kept_state, count));
+}
+
+/* ---- families with one number ---- */
+
+enum number {
+    WORKERS,
+    BUSY,
+    IN_PROGRESS,
+    STREAMS,
+    CONNECTIONS_MAX,
+    ANSWER_BYTES,
+    UPLOAD_BYTES,
+    RENDER_BYTES,
+    LOST_LINES,
+    READY,
+    CPU_S,
+    RESIDENT,
+    VIRTUAL,
+    OPEN_FILES,
+    MAX_FILES,
+    START_S,
+    NO_NUMBER
+};
+
+static double number_of(const struct printer *p, enum number number)
+{
+    const struct metrics_now *now = p->now;
+    switch (number) {
+    case WORKERS:
+        return (double)now->queue.workers;
+    case BUSY:
+        return (double)now->queue.busy;
+    case IN_PROGRESS:
+        return (double)now->in_progress;
+    case STREAMS:
+        return (double)now->streams;
+    case CONNECTIONS_MAX:
+        return (double)now->connections_max;
+    case ANSWER_BYTES:
+        return (double)now->answer_bytes;
+    case UPLOAD_BYTES:
+        return (double)now->upload_bytes;
+    case RENDER_BYTES:
+        return (double)now->queue.used_bytes;
+    case LOST_LINES:
+        return (double)now->lost_lines;
+    case READY:
+        return now->is_ready;
+    case CPU_S:
+        return p->process.cpu_s;
+    case RESIDENT:
+        return p->process.resident_bytes;
+    case VIRTUAL:
+        return p->process.virtual_bytes;
+    case OPEN_FILES:
+        return p->process.open_files;
+    case MAX_FILES:
+        return p->process.max_files;
+    case START_S:
+        return p->metrics->start_s;
+    case NO_NUMBER:
+        break;
+    }
+    return -1;
+}
+
+/* ---- the table ---- */
+
+static const struct family {
+    const char *name; /* without _total and _info */
+    enum type type;
+    const char *unit; /* "": none */
+    const char *help;
+    void (*print)(const struct printer *printer); /* NULL: one number */
+    enum number number;
+} FAMILIES[] = {
+    {"zraster_build", INFO, "", "Version, instruction set, and version of the rules.", print_build, NO_NUMBER},
+    {"zraster_ready", GAUGE, "", "1 if the daemon accepts work, as /readyz.", NULL, READY},
+    {"zraster_http_requests", COUNTER, "", "Requests; status 0: no answer was sent.", print_requests, NO_NUMBER},
+    {"zraster_http_request_duration_seconds", HISTOGRAM, "seconds",
+     "Time from the request line to the end of the answer.", print_durations, NO_NUMBER},
+    {"zraster_http_request_step_seconds", HISTOGRAM, "seconds", "Time of a step of the requests that reached it.",
+     print_steps, NO_NUMBER},
+    {"zraster_http_request_body_bytes", HISTOGRAM, "bytes", "Size of the bodies of requests.", print_bodies, NO_NUMBER},
+    {"zraster_http_answer_body_bytes", HISTOGRAM, "bytes", "Size of the bodies of answers, as far as they were read.",
+     print_answers, NO_NUMBER},
+    {"zraster_http_requests_in_progress", GAUGE, "", "Requests with a complete header and without an end.", NULL,
+     IN_PROGRESS},
+    {"zraster_http_refused", COUNTER, "", "Requests refused by 503 or 429.", print_refusals, NO_NUMBER},
+    {"zraster_http_aborted", COUNTER, "", "Requests whose answer did not arrive whole.", print_aborts, NO_NUMBER},
+    {"zraster_http_timeouts", COUNTER, "", "Requests whose work took longer than renderTimeoutMs (504).",
+     print_timeouts, NO_NUMBER},
+    {"zraster_http_connections", GAUGE, "", "Open connections.", print_connections, NO_NUMBER},
+    {"zraster_http_connections_limit", GAUGE, "", "Connections that may be open, maxConnections.", NULL,
+     CONNECTIONS_MAX},
+    {"zraster_pictures", COUNTER, "", "Answers with pictures, by their look.", print_pictures, NO_NUMBER},
+    {"zraster_picture_warnings", COUNTER, "", "Warnings of pictures.", print_warnings, NO_NUMBER},
+    {"zraster_queue_length", GAUGE, "", "Requests that wait for a worker.", print_queues, NO_NUMBER},
+    {"zraster_workers", GAUGE, "", "Workers, without the thread for one small request beside them.", NULL, WORKERS},
+    {"zraster_workers_busy", GAUGE, "", "Workers at work.", NULL, BUSY},
+    {"zraster_streams", GAUGE, "", "Answers that are streamed.", NULL, STREAMS},
+    {"zraster_render_memory_bytes", GAUGE, "bytes", "Memory that the last requests of all workers used.", NULL,
+     RENDER_BYTES},
+    {"zraster_answer_memory_bytes", GAUGE, "bytes", "Memory of answers and streams that wait for their readers.", NULL,
+     ANSWER_BYTES},
+    {"zraster_upload_memory_bytes", GAUGE, "bytes", "Memory of the bodies of requests.", NULL, UPLOAD_BYTES},
+    {"zraster_kept_hits", COUNTER, "", "Kept values that were used again.", print_hits, NO_NUMBER},
+    {"zraster_kept_misses", COUNTER, "", "Values that were made, since none was kept.", print_misses, NO_NUMBER},
+    {"zraster_kept_dropped", COUNTER, "", "Kept values that made room for others.", print_dropped, NO_NUMBER},
+    {"zraster_kept_entries", GAUGE, "", "Kept values.", print_kept_entries, NO_NUMBER},
+    {"zraster_kept_bytes", GAUGE, "bytes", "Memory of kept values.", print_kept_bytes, NO_NUMBER},
+    {"zraster_log_lines_lost", COUNTER, "", "Lines of the log that were not read as fast as they came.", NULL,
+     LOST_LINES},
+    {"process_cpu_seconds", COUNTER, "seconds", "Processor time of the daemon.", NULL, CPU_S},
+    {"process_resident_memory_bytes", GAUGE, "bytes", "Resident memory.", NULL, RESIDENT},
+    {"process_virtual_memory_bytes", GAUGE, "bytes", "Virtual memory.", NULL, VIRTUAL},
+    {"process_open_fds", GAUGE, "", "Open files.", NULL, OPEN_FILES},
+    {"process_max_fds", GAUGE, "", "Files that may be open.", NULL, MAX_FILES},
+    {"process_start_time_seconds", GAUGE, "seconds", "Start of the daemon, in seconds since 1970.", NULL, START_S},
+};
+
+/* Prints the lines above the samples. In the text format, a counter's name has its ending, and an info is a gauge. */
+static void print_head(const struct printer *p, const struct family *family)
+{
+    static const char *const words[] = {"counter", "gauge", "histogram", "info"};
+    const bool is_open = p->form == METRICS_OPEN;
+    const char *ending = is_open ? "" : family->type == COUNTER ? "_total" : family->type == INFO ? "_info" : "";
+    const char *type = !is_open && family->type == INFO ? "gauge" : words[family->type];
+    fprintf(p->out, "# HELP %s%s %s\n# TYPE %s%s %s\n", family->name, ending, family->help, family->name, ending, type);
+    if (is_open && *family->unit) fprintf(p->out, "# UNIT %s %s\n", family->name, family->unit);
+}
+
+void metrics_print(FILE *out, const struct metrics *metrics, const struct metrics_now *now, enum metrics_form form)
+{
+    struct printer printer = {.out = out, .metrics = metrics, .now = now, .process = process_look(), .form = form};
+    for (size_t i = 0; i < sizeof FAMILIES / sizeof *FAMILIES; i++) {
+        const struct family *family = &FAMILIES[i];
+        printer.name = family->name;
+        printer.type = family->type;
+        const double number = family->print ? 0 : number_of(&printer, family->number);
+        if (number < 0) continue; /* the kernel does not tell it */
+        print_head(&printer, family);
+        if (family->print)
+            family->print(&printer);
+        else
+            print_sample(&printer, "", number);
+    }
+    if (form == METRICS_OPEN) fputs("# EOF\n", out);
+}

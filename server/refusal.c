@@ -1,0 +1,26 @@
+#include "refusal.h"
+
+static const struct {
+    const char *word, *text;
+} ROWS[REFUSALS] = {
+    [REFUSAL_NONE] = {"", ""},
+    [REFUSAL_DRAINING] = {"draining", "the service is going down"},
+    [REFUSAL_QUEUE] = {"queue", "the queue is full"},
+    [REFUSAL_ANSWERS] = {"answers", "the answers that wait for their readers fill answerMemoryBytes"},
+    [REFUSAL_UPLOADS] = {"uploads", "too many bodies are coming in"},
+    [REFUSAL_STREAMS] = {"streams", "as many answers as maxStreams are streamed"},
+    [REFUSAL_CONTAINER] = {"container", "the memory of the container is nearly used up"},
+    [REFUSAL_MEMORY] = {"memory", "the system has no memory for the request now"},
+    [REFUSAL_CONNECTIONS] = {"connections", ""},
+    [REFUSAL_CLIENT] = {"client", ""},
+};
+
+const char *refusal_text(enum refusal refusal)
+{
+    return ROWS[refusal].text;
+}
+
+const char *refusal_word(enum refusal refusal)
+{
+    return ROWS[refusal].word;
+}

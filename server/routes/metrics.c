@@ -1,0 +1,39 @@
+#include "routes/metrics.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "metrics/metrics_print.h"
+#include "problem.h"
+
+#define OPEN_TYPE "application/openmetrics-text"
+
+bool metrics_open(const struct service *service, const struct load *load, struct request *request,
+                  struct answer *answer)
+{
+    struct metrics *metrics = service->metrics;
+    struct metrics_now now = {.isa = zr_isa_name(zr_team_isa(service->team)),
+                              .is_ready = !load->leaving && !load_busy_with(load, service, true)};
+    char *text = NULL;
+    size_t size = 0;
+    if (strcmp(service->config->metrics, "off") == 0) {
+        problem_answer(answer, 404, "there are no metrics here; zrasterd has them with --metrics=on");
+        return false;
+    }
+    const bool is_open = request->accept && strcasestr(request->accept, OPEN_TYPE);
+    FILE *out = metrics ? open_memstream(&text, &size) : NULL;
+    if (out) {
+        metrics->look(metrics->context, &now);
+        metrics_print(out, metrics, &now, is_open ? METRICS_OPEN : METRICS_TEXT);
+        answer->is_broken |= fclose(out) != 0;
+    }
+    answer->status = 200;
+    answer->is_broken |= !text;
+    if (text)
+        answer_body(answer,
+                    is_open ? OPEN_TYPE "; version=1.0.0; charset=utf-8" : "text/plain; version=0.0.4; charset=utf-8",
+                    text, size);
+    answer_header(answer, "Cache-Control", "no-store");
+    answer_vary(answer, "Accept");
+    return false;
+}
