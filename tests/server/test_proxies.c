@@ -7,6 +7,7 @@
 #include <cjson/cJSON.h>
 
 #include "client.h"
+#include "support/sanitized.h"
 #include "support/tests.h"
 
 enum { SILENCE_MS = 5000, FLOOD_BYTES = 10 << 20 };
@@ -223,7 +224,7 @@ TEST(slow_and_broken_proxy_headers_end_and_are_logged)
     char *text = NULL;
     for (int i = 0; i < 40 && (!text || !*text); i++) {
         free(text);
-        client_write(fd, "PROXY UNKNOWN aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa" + i, 1);
+        client_write(fd, i < 6 ? &"PROXY "[i] : "a", 1);
         text = client_read(fd, NULL, 50);
     }
     assert_int_equal(raw_status(text), 408);
@@ -414,7 +415,8 @@ TEST(floods_get_clear_answers_and_cost_no_other_request)
     assert_flood("GET /healthz" REST, "a", ": b\r\n\r\n", 431, "longer than 64 bytes");
     assert_flood("", "\r\n", "GET /healthz" REST "\r\n", 400, "empty lines");
     assert_flood("", "G", " / HTTP/1.1\r\n\r\n", 501, "no method");
-    assert_true(daemon_memory_kib(&shy, "VmHWM:") - before < 4 << 10);
+    const long after = daemon_memory_kib(&shy, "VmHWM:");
+    assert_true(IS_SANITIZED || after - before < 4 << 10); /* whose allocators keep what is freed */
 }
 
 RUN_TESTS(start, stop)
