@@ -15,6 +15,7 @@
 #include "keep/answers.h"
 #include "keep/images.h"
 #include "keep/meshes.h"
+#include "keep/sizes.h"
 #include "keep/store.h"
 #include "log/log.h"
 #include "log/log_writer.h"
@@ -130,6 +131,7 @@ static int serve(const struct config *config, struct gate *gate)
     struct texts *texts = texts_open(config->keep_text_bytes);
     struct meshes *meshes = meshes_open(config->keep_mesh_bytes);
     struct kept *answers = answers_open(config->keep_answer_bytes);
+    struct sizes *sizes = sizes_open();
     struct http *http = NULL;
     struct slowness slowness;
     slowness_start(&slowness, config_isa(config));
@@ -138,6 +140,7 @@ static int serve(const struct config *config, struct gate *gate)
         service_init(&service, config, team, &slowness, store, images, texts, meshes);
         service.gate = gate;
         service.answers = answers;
+        service.sizes = sizes;
         http = http_start(config, &service, message, sizeof message);
     }
     if (!http) {
@@ -148,6 +151,7 @@ static int serve(const struct config *config, struct gate *gate)
         texts_close(texts);
         meshes_close(meshes);
         kept_close(answers);
+        sizes_close(sizes);
         zr_team_destroy(team);
         gate_free(gate);
         log_writer_stop();
@@ -167,6 +171,7 @@ static int serve(const struct config *config, struct gate *gate)
     texts_close(texts);
     meshes_close(meshes);
     kept_close(answers);
+    sizes_close(sizes);
     zr_team_destroy(team);
     gate_free(service.gate);
     log_event("info", "stopped", NULL);

@@ -20,6 +20,7 @@ void service_init(struct service *service, const struct config *config, struct z
     service->texts = texts;
     service->meshes = meshes;
     service->answers = NULL;
+    service->sizes = NULL;
     service->slowness = slowness;
     service->limits = config_limits(config);
     service->team = team;
