@@ -162,7 +162,7 @@ class Addresses(Folder):
         self.assert_problem(self.get(name, "?width=9&width=9"), 400, "duplicate parameter 'width'")
         self.assert_problem(self.get(name, "?width=99999"), 422, "99999")
         self.assert_problem(self.get(name, "?look=studi"), 400, "studio")
-        self.assert_problem(self.get(name, "/small"), 404, "there is no preset 'small'; zrasterd has them with --presets=FILE")
+        self.assert_problem(self.get(name, "/small"), 404, "there is no preset 'small' here")
         self.assert_problem(self.get(sha256(b"none")), 404, "upload it by PUT")
         for path in ("", "x", name.upper(), name + "0", name[:-1], "../" + name, name[:-1] + "/"):
             self.assert_problem(self.get(path), 404, "64 lower-case")
@@ -316,9 +316,9 @@ class Presets(unittest.TestCase):
             client = Client(server)
             address = "/v1/renders/" + client.put(CUBE)
             named, spelt = client.send("GET", address + "/small"), client.send("GET", address + "?height=48&width=64&look=studio@1")
-            self.assertEqual((named[0], named[1]["ETag"], named[1]["Cache-Control"], named[2]), (200, spelt[1]["ETag"], FOREVER, spelt[2]))
+            self.assertEqual((named[0], named[1]["ETag"], named[1]["Cache-Control"], named[2]), (200, spelt[1]["ETag"], SOON, spelt[2]))
             self.assertEqual(client.send("GET", address + "/small?channel=depth")[0], 200)
-            for path, words in (("/small?width=65", "duplicate parameter 'width'"), ("/large", "there are small")):
+            for path, words in (("/small?width=65", "duplicate parameter 'width'"), ("/large", "there are: small")):
                 self.assertIn(words, json.loads(client.send("GET", address + path)[2])["detail"])
             client.close()
             server.stop()
