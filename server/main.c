@@ -15,6 +15,7 @@
 #include "keep/answers.h"
 #include "keep/images.h"
 #include "keep/meshes.h"
+#include "keep/sizes.h"
 #include "keep/store.h"
 #include "log/log.h"
 #include "log/log_writer.h"
@@ -124,6 +125,7 @@ static void end_service(struct service *service)
     texts_close(service->texts);
     meshes_close(service->meshes);
     kept_close(service->answers);
+    sizes_close(service->sizes);
     zr_team_destroy(service->team);
     gate_free(service->gate);
     metrics_free(service->metrics);
@@ -155,6 +157,7 @@ static int serve(const struct config *config, struct gate *gate)
     struct texts *texts = texts_open(config->keep_text_bytes);
     struct meshes *meshes = meshes_open(config->keep_mesh_bytes);
     struct kept *answers = answers_open(config->keep_answer_bytes);
+    struct sizes *sizes = sizes_open();
     struct http *http = NULL;
     struct slowness slowness;
     slowness_start(&slowness, config_isa(config));
@@ -162,6 +165,7 @@ static int serve(const struct config *config, struct gate *gate)
     service_init(&service, config, team, &slowness, store, images, texts, meshes);
     service.gate = gate;
     service.answers = answers;
+    service.sizes = sizes;
     service.metrics = metrics_create();
     if (store || !*config->assets_dir) http = http_start(config, &service, message, sizeof message);
     if (http) {

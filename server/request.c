@@ -21,6 +21,7 @@ void service_init(struct service *service, const struct config *config, struct z
     service->meshes = meshes;
     service->answers = NULL;
     service->metrics = NULL;
+    service->sizes = NULL;
     service->slowness = slowness;
     service->limits = config_limits(config);
     service->team = team;

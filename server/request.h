@@ -44,12 +44,14 @@ struct service {
     struct texts *texts;     /* decoded data: URIs; NULL: none are kept */
     struct meshes *meshes;   /* model files as read; NULL: none are kept */
     struct kept *answers;    /* answers of addresses; NULL: none are kept */
+    struct sizes *sizes;     /* of answers of addresses; may be NULL */
     struct metrics *metrics; /* NULL: nothing is counted */
     uint64_t id_base;        /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };
 
-/* `store`, `images`, `texts` and `meshes` may be NULL. The caller may set `answers` and `metrics` afterwards. */
+/* `store`, `images`, `texts` and `meshes` may be NULL. The caller may set `answers`, `sizes` and `metrics`
+ * afterwards. */
 void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
                   struct store *store, struct kept *images, struct texts *texts, struct meshes *meshes);
 

@@ -38,7 +38,8 @@ size_t zr_query_plain_room(const struct zr_request *request)
 {
     size_t room = sizeof "{,\"mesh\":true}";
     for (const struct row *row = rows; row < rows + ROWS; row++)
-        if (text_of(request, row)) room += strlen(row->name) + 4 + 6 * strlen(text_of(request, row)) + ZR_PARAMETER_ROOM;
+        if (text_of(request, row))
+            room += strlen(row->name) + 4 + 6 * strlen(text_of(request, row)) + ZR_PARAMETER_ROOM;
     return room;
 }
 

@@ -10,6 +10,7 @@
 #include "gate/gate.h"
 #include "input/query_text.h"
 #include "keep/answers.h"
+#include "keep/sizes.h"
 #include "problem.h"
 #include "render_key.h"
 #include "rendering.h"
@@ -44,10 +45,11 @@ static void add_headers(const struct request *request, bool is_pinned, struct an
     answer_header(answer, "Cross-Origin-Resource-Policy", "cross-origin"); /* pages of other sites show pictures */
 }
 
-static void answer_unchanged(const struct request *request, bool is_pinned, struct answer *answer)
+static void answer_unchanged(const struct service *service, const struct request *request, struct answer *answer)
 {
+    bool is_pinned = false;
     answer->status = 304;
-    answer->is_unsized = true;
+    answer->is_unsized = !sizes_find(service->sizes, &request->answer_key, &answer->size, &is_pinned);
     add_headers(request, is_pinned, answer);
 }
 
@@ -123,7 +125,7 @@ static bool answer_kept(const struct service *service, const struct request *req
     if (!answers_find(service->answers, &request->answer_key, answer, &is_pinned)) return false;
     if (request->has_answer) {
         answer_free(answer);
-        answer_unchanged(request, is_pinned, answer);
+        answer_unchanged(service, request, answer);
         return true;
     }
     add_headers(request, is_pinned, answer);
@@ -196,6 +198,10 @@ static void report(struct answer *answer, enum zr_status status, const struct zr
 static void finish(const struct service *service, const struct request *request, bool is_pinned, struct answer *answer)
 {
     if (answer->status != 200) return;
+    if (answer->is_unsized)
+        answer->is_unsized = !sizes_find(service->sizes, &request->answer_key, &answer->size, &is_pinned);
+    else
+        sizes_note(service->sizes, &request->answer_key, answer->size, is_pinned);
     answers_keep(service->answers, &request->answer_key, answer, is_pinned);
     add_headers(request, is_pinned, answer);
 }
@@ -207,7 +213,7 @@ enum request_next renders_work(const struct service *service, const struct reque
     size_t size;
     if (!request->has_answer) return rendering_run(&kind, service, request, arena, cancel, times, answer);
     if (store_look(service->store, request->scene, &size) == STORE_THERE)
-        answer_unchanged(request, false, answer);
+        answer_unchanged(service, request, answer);
     else
         answer_missing(answer);
     return REQUEST_ANSWERED;

@@ -105,11 +105,12 @@ class Addresses(Folder):
             self.assertEqual((answer[0], answer[1]["Content-Type"], answer[2]), (200, "application/zip", plain[2]))
 
     def test_head(self):
-        """HEAD has the headers and the status of GET, without a length"""
-        name = self.client.put(CUBE)
+        """HEAD has the headers and the status of GET, with its length once it is known"""
+        name = self.client.put(CUBE + b"# head")
         for query in ("", "?look=studio@1", "?look=studio"):
-            got, told = self.get(name, query), self.get(name, query, "HEAD")
-            self.assertEqual((told[0], told[2], told[1]["Content-Length"]), (200, b"", None))
+            first, got, told = self.get(name, query, "HEAD"), self.get(name, query), self.get(name, query, "HEAD")
+            self.assertEqual((first[0], first[2], first[1]["Content-Length"], first[1]["Connection"]), (200, b"", None, "close"))
+            self.assertEqual((told[0], told[2], told[1]["Content-Length"]), (200, b"", str(len(got[2]))))
             for header in ("ETag", "Cache-Control", "Accept-Ranges", "Zraster-Look"):
                 self.assertEqual(told[1][header], got[1][header])
             self.assertNotIn("render", told[1]["Server-Timing"])
@@ -119,15 +120,20 @@ class Addresses(Folder):
     def test_unchanged(self):
         """a client that has the picture gets 304, which draws nothing"""
         name = self.client.put(CUBE)
-        tag = self.get(name, "?look=studio@1")[1]["ETag"]
+        first = self.get(name, "?look=studio@1")
+        tag, length = first[1]["ETag"], first[1]["Content-Length"]
         for tags in (tag, "W/" + tag, f'"a", {tag} , "b"', "*"):
             for method in ("GET", "HEAD"):
                 status, headers, data = self.get(name, "?look=studio@1", method, If_None_Match=tags)
-                self.assertEqual((status, data, headers["Content-Length"], headers["Server-Timing"]), (304, b"", None, None), tags)
+                self.assertEqual((status, data, headers["Content-Length"], headers["Server-Timing"]), (304, b"", length, None), tags)
                 self.assertEqual((headers["ETag"], headers["Cache-Control"]), (tag, FOREVER))
         for tags in (tag[1:-1], tag.replace('"', ""), '"' + name + '"', tag[:-2] + '"'):
             self.assertEqual(self.get(name, "?look=studio@1", If_None_Match=tags)[0], 200)
         self.assertEqual(self.get(name, "?look=studio@1&width=99", If_None_Match=tag)[0], 200)
+        self.assertIsNone(self.get(name, "?look=studio@1&width=98", If_None_Match="*")[1]["Content-Length"])
+        scene = self.client.put(SCENE % b"  ")
+        tag = self.get(scene)[1]["ETag"]
+        self.assertEqual(self.get(scene, If_None_Match=tag)[1]["Cache-Control"], FOREVER)
         gone = sha256(b"gone")
         self.assert_problem(self.get(gone, If_None_Match="*"), 404, "no scene is kept")
 
@@ -156,7 +162,7 @@ class Addresses(Folder):
         self.assert_problem(self.get(name, "?width=9&width=9"), 400, "duplicate parameter 'width'")
         self.assert_problem(self.get(name, "?width=99999"), 422, "99999")
         self.assert_problem(self.get(name, "?look=studi"), 400, "studio")
-        self.assert_problem(self.get(name, "/small"), 404, "there is no preset 'small'; zrasterd has them with --presets=FILE")
+        self.assert_problem(self.get(name, "/small"), 404, "there is no preset 'small' here")
         self.assert_problem(self.get(sha256(b"none")), 404, "upload it by PUT")
         for path in ("", "x", name.upper(), name + "0", name[:-1], "../" + name, name[:-1] + "/"):
             self.assert_problem(self.get(path), 404, "64 lower-case")
@@ -310,9 +316,9 @@ class Presets(unittest.TestCase):
             client = Client(server)
             address = "/v1/renders/" + client.put(CUBE)
             named, spelt = client.send("GET", address + "/small"), client.send("GET", address + "?height=48&width=64&look=studio@1")
-            self.assertEqual((named[0], named[1]["ETag"], named[1]["Cache-Control"], named[2]), (200, spelt[1]["ETag"], FOREVER, spelt[2]))
+            self.assertEqual((named[0], named[1]["ETag"], named[1]["Cache-Control"], named[2]), (200, spelt[1]["ETag"], SOON, spelt[2]))
             self.assertEqual(client.send("GET", address + "/small?channel=depth")[0], 200)
-            for path, words in (("/small?width=65", "duplicate parameter 'width'"), ("/large", "there are small")):
+            for path, words in (("/small?width=65", "duplicate parameter 'width'"), ("/large", "there are: small")):
                 self.assertIn(words, json.loads(client.send("GET", address + path)[2])["detail"])
             client.close()
             server.stop()
