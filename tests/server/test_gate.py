@@ -249,7 +249,7 @@ class Signatures(unittest.TestCase):
         """the picture of a preset may change, so caches ask again; an unknown one is refused with the known ones"""
         self.assertEqual(self.daemon.send(sign(f"{self.path}/small"))[1]["Cache-Control"], "public, max-age=300")
         status, detail = self.detail(sign(f"{self.path}/large"))
-        self.assertEqual((status, detail), (404, "there is no preset 'large' here; there are: small"))
+        self.assertEqual((status, detail), (404, "there is no preset 'large'; there are: small"))
 
     def test_log(self):
         """the log has no signature, be it right or wrong"""
