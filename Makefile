@@ -43,7 +43,7 @@ NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJS
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
-NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl strace=strace pkg-config=pkg-config bwrap=bubblewrap admesh=admesh \
+NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev openssl=openssl pngcheck=pngcheck curl=curl strace=strace pkg-config=pkg-config bwrap=bubblewrap admesh=admesh \
 	/usr/share/i18n/charmaps=locales /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/tifffile=python3-tifffile? dwebp=webp djpeg=libjpeg-turbo-progs \
 	update-mime-database=shared-mime-info parallel=parallel pgrep=procps $(NEED_REFERENCE) \
 	$(NEED_PYTHON)

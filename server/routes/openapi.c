@@ -143,8 +143,9 @@ static const char address_headers[] = ZR_SCHEMA({
 static const char address_faults[] = ZR_SCHEMA({
     "304": {"description": "The client has the picture."},
     "400": {"$ref": "#/components/responses/problem"}, "401": {"$ref": "#/components/responses/problem"},
-    "404": {"$ref": "#/components/responses/problem"}, "413": {"$ref": "#/components/responses/problem"},
-    "422": {"$ref": "#/components/responses/problem"}, "429": {"$ref": "#/components/responses/busy"},
+    "403": {"$ref": "#/components/responses/problem"}, "404": {"$ref": "#/components/responses/problem"},
+    "413": {"$ref": "#/components/responses/problem"}, "422": {"$ref": "#/components/responses/problem"},
+    "429": {"$ref": "#/components/responses/busy"},
     "503": {"$ref": "#/components/responses/busy"}, "504": {"$ref": "#/components/responses/problem"},
     "default": {"$ref": "#/components/responses/problem"}
 });
@@ -187,7 +188,9 @@ static void print_addresses(struct zr_print *print, const struct zr_limits *limi
         {
             "name": "sha256", "in": "path", "required": true, "description": "SHA-256 of the stored scene or model.",
             "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
-        }
+        },
+        {"$ref": "#/components/parameters/exp"},
+        {"$ref": "#/components/parameters/signature"}
     ]), limits);
     print_address(print, "/v1/renders/{sha256}/{preset}", preset, ZR_SCHEMA([
         {
@@ -197,7 +200,9 @@ static void print_addresses(struct zr_print *print, const struct zr_limits *limi
         {
             "name": "preset", "in": "path", "required": true, "description": "Name of parameters that the daemon has.",
             "schema": {"type": "string"}
-        }
+        },
+        {"$ref": "#/components/parameters/exp"},
+        {"$ref": "#/components/parameters/signature"}
     ]), limits);
 }
 

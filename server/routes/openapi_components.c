@@ -32,6 +32,18 @@ const char openapi_page_schemas[] = ZR_SCHEMA({
 });
 
 const char openapi_components[] = ZR_SCHEMA({
+    "parameters": {
+        "exp": {
+            "name": "exp", "in": "query",
+            "description": "End of the signature, in seconds since 1970; without it, there is none.",
+            "schema": {"type": "integer", "minimum": 0}
+        },
+        "signature": {
+            "name": "signature", "in": "query",
+            "description": "HMAC-SHA256 of path and query before this parameter, which is the last one.",
+            "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
+        }
+    },
     "securitySchemes": {
         "token": {"type": "http", "scheme": "bearer", "description": "The token of a daemon that has one."}
     },

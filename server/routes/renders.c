@@ -91,7 +91,8 @@ static const char *find_preset(const struct gate *gate, const char *name, const 
                        "addresses have a preset here and no parameters: " RENDERS_PATH "{sha256}/PRESET; there are: %s",
                        known);
     else if (!parameters)
-        problem_answer(answer, 404, "there is no preset '%.64s' here%s%s", name, *known ? "; there are: " : "", known);
+        problem_answer(answer, 404, "there is no preset '%.64s'%s%s", name,
+                       *known ? "; there are: " : "; zrasterd has them with --presets=FILE", known);
     return answer->status ? NULL : parameters;
 }
 
