@@ -27,11 +27,16 @@ class Fleet:
         assets = os.path.join(self.folder.host, "assets")
         os.mkdir(assets)
         common = ("--assets-dir", assets, "--trusted-proxies", "127.0.0.1", "--workers", "4", *flags)
-        self.replicas = [Replica(build, self.folder, i, *common).start() for i in (1, 2)]
+        self.replicas = [Replica(build, self.folder, i, *common) for i in (1, 2)]
         self.proxy = kind(self.replicas, edits)
 
     def __enter__(self):
-        self.proxy.start()
+        try:
+            for part in (*self.replicas, self.proxy):
+                part.start()
+        except RuntimeError:
+            self.__exit__()
+            raise
         return self
 
     def __exit__(self, *_):
