@@ -128,6 +128,20 @@ def named(fleet):
     return (status, right, wrong) == (200, 1, 0), f"{right} line of the log has the client's address, {wrong} the forged one"
 
 
+def large_body(fleet):
+    """20 MB as an asset, and as a scene."""
+    data = os.urandom(LARGE)
+    path = "/v1/assets/" + hashlib.sha256(data).hexdigest()
+    stored = fleet.ask("PUT", path, data)[0]
+    status, _, got = fleet.ask("GET", path)
+    body = next(scenes())
+    padded = body[:-1] + b" " * (LARGE - len(body)) + b"}"
+    drawn = fleet.ask("POST", "/v1/render", padded, JSON)
+    same = drawn[2] == ask(fleet.replicas[0].port, "POST", "/v1/render", body, JSON)[2]
+    text = f"PUT {stored}, GET {status} of {len(got)} bytes, POST {drawn[0]}"
+    return stored in (200, 201) and (status, got) == (200, data) and drawn[0] == 200 and same, text
+
+
 def cut_off(fleet, kills=16):
     """20 MB that are asked for while replicas are killed: the proxy waits for the whole, and asks the other replica."""
     data = os.urandom(LARGE)
