@@ -4,7 +4,6 @@ FLEET_ROOT=DIR: the proxies of another root, such as one of Debian 13."""
 import argparse
 import hashlib
 import http.client
-import json
 import os
 import signal
 import socket
