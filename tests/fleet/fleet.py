@@ -4,7 +4,6 @@ FLEET_ROOT=DIR: the proxies of another root, such as one of Debian 13."""
 import argparse
 import hashlib
 import http.client
-import json
 import os
 import signal
 import socket
@@ -26,12 +25,17 @@ class Fleet:
         self.folder = Folder()
         assets = os.path.join(self.folder.host, "assets")
         os.mkdir(assets)
-        common = ("--assets-dir", assets, "--max-per-client", "0", "--workers", "4", *flags)
-        self.replicas = [Replica(build, self.folder, i, *common).start() for i in (1, 2)]
+        common = ("--assets-dir", assets, "--trusted-proxies", "127.0.0.1", "--workers", "4", *flags)
+        self.replicas = [Replica(build, self.folder, i, *common) for i in (1, 2)]
         self.proxy = kind(self.replicas, edits)
 
     def __enter__(self):
-        self.proxy.start()
+        try:
+            for part in (*self.replicas, self.proxy):
+                part.start()
+        except RuntimeError:
+            self.__exit__()
+            raise
         return self
 
     def __exit__(self, *_):
@@ -94,17 +98,33 @@ def revalidated(fleet):
 
 
 def cached(fleet):
-    """An asset is asked of a replica once."""
+    """An asset, and a picture with an address, are asked of a replica once."""
     data = os.urandom(100000)
-    path = "/v1/assets/" + hashlib.sha256(data).hexdigest()
-    fleet.ask("PUT", path, data)
-    answers = [fleet.ask("GET", path) for _ in range(50)]
-    asked = fleet.count(f'"method":"GET".*"path":"{path}"')
-    hits = sum(headers["X-Cache"] == "HIT" for _, headers, _ in answers)
-    same = all((status, got) == (200, data) for status, _, got in answers)
-    not_modified = fleet.ask("GET", path, headers={"If-None-Match": answers[0][1]["ETag"]})[0]
-    text = f"50 requests of an asset: {asked} of them reached a replica, {hits} hits; {not_modified} for its ETag"
-    return same and asked == 1 and hits == 49 and not_modified == 304, text
+    asset, scene = "/v1/assets/" + hashlib.sha256(data).hexdigest(), b'{"look": "studio@2", ' + next(scenes())[1:]
+    address = "/v1/renders/" + hashlib.sha256(scene).hexdigest()
+    good, texts = True, []
+    fleet.ask("PUT", asset, data)
+    fleet.ask("PUT", address.replace("renders", "scenes"), scene)
+    picture = ask(fleet.replicas[0].port, "POST", "/v1/render", scene, JSON)[2]
+    before = fleet.count(f'"path":"{address}"')
+    for path, wanted in ((asset, data), (address, picture)):
+        answers = [fleet.ask("GET", path) for _ in range(50)]
+        wait_for(lambda path=path: fleet.count(f'"method":"GET".*"path":"{path}"') > 0)  # logs come later
+        asked = fleet.count(f'"method":"GET".*"path":"{path}"')
+        hits = sum(headers["X-Cache"] == "HIT" for _, headers, _ in answers)
+        not_modified = fleet.ask("GET", path, headers={"If-None-Match": answers[0][1]["ETag"]})[0]
+        good &= all(a[::2] == (200, wanted) for a in answers) and (asked, hits, not_modified) == (1, 49, 304)
+        texts.append(f"50 requests of {path[:12]}: {asked} reached a replica, {hits} hits, {not_modified} for the ETag")
+    return good and before == 0, "; ".join(texts)
+
+
+def named(fleet):
+    """A replica hears the client's address from the proxy, and none that the client makes up."""
+    forged = {"X-Forwarded-For": "192.0.2.1", "Forwarded": "for=192.0.2.1"}
+    status = fleet.ask("GET", "/healthz?named", headers=forged, source="127.0.0.8")[0]
+    wait_for(lambda: fleet.count("/healthz.*named") > 0)  # logs come later
+    right, wrong = (fleet.count(f'"client":"{address}"') for address in ("127.0.0.8", "192.0.2.1"))
+    return (status, right, wrong) == (200, 1, 0), f"{right} line of the log has the client's address, {wrong} the forged one"
 
 
 def large_body(fleet):
@@ -121,7 +141,7 @@ def large_body(fleet):
     return stored in (200, 201) and (status, got) == (200, data) and drawn[0] == 200 and same, text
 
 
-def cut_off(fleet):
+def cut_off(fleet, kills=16):
     """20 MB that are asked for while replicas are killed: the proxy waits for the whole, and asks the other replica."""
     data = os.urandom(LARGE)
     path = "/v1/assets/" + hashlib.sha256(data).hexdigest()
@@ -139,13 +159,13 @@ def cut_off(fleet):
     clients = [threading.Thread(target=ask_again) for _ in range(3)]
     for client in clients:
         client.start()
-    for i in range(8):
+    for i in range(kills):
         replace(fleet, i % 2, signal.SIGKILL)
     ends.set()
     for client in clients:
         client.join()
     sent = fleet.count(f'"path":"{path}".*"status":200')
-    return all(results) and sent < len(results), f"{sum(results)} of {len(results)} answers of 20 MB are whole; 8 replicas were killed, which sent {sent}"
+    return all(results), f"{sum(results)} of {len(results)} answers of 20 MB are whole; {kills} replicas were killed, which sent {sent}"
 
 
 def slow_client(fleet, seconds=6):
@@ -232,7 +252,7 @@ def main():
             tap.put(f"{kind.name}, kill -9 and SIGTERM in turns", under_load(fleet, count, (signal.SIGKILL, signal.SIGTERM)))
             if kind.caches:
                 tap.put(f"{kind.name}, cache", cached(fleet))
-            for case in (*((cut_off,) if kind.waits_for_whole else ()), large_body, slow_client, overload, no_metrics):
+            for case in (named, *((cut_off,) if kind.waits_for_whole else ()), large_body, slow_client, overload, no_metrics):
                 tap.put(f"{kind.name}, {case.__name__.replace('_', ' ')}", case(fleet))
         with Fleet(build, kind, *DELAY) as fleet:
             tap.put(f"{kind.name}, rolling restart", under_load(fleet, count, (signal.SIGTERM,)))

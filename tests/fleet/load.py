@@ -23,9 +23,9 @@ def other_text(body, number):
     return body + "".join("\t" if number >> bit & 1 else " " for bit in range(24)).encode()
 
 
-def ask(port, method, path, body=None, headers=None, timeout=90.0):
+def ask(port, method, path, body=None, headers=None, source="127.0.0.1"):
     """Returns status, headers and bytes over a connection of its own."""
-    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=timeout)
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=90, source_address=(source, 0))
     try:
         connection.request(method, path, body, headers or {})
         answer = connection.getresponse()

@@ -38,15 +38,15 @@ class Proxies(unittest.TestCase):
 
     def test_haproxy(self):
         """HAProxy accepts haproxy.cfg; a replica is killed, another one terminated: no request fails"""
-        self.case(services.HAProxy, fleet.no_metrics)
+        self.case(services.HAProxy, fleet.named, fleet.no_metrics)
 
     def test_nginx(self):
         """nginx accepts nginx.conf; a replica is killed, another one terminated: no request fails; assets are cached"""
-        self.case(services.Nginx, fleet.cached, fleet.no_metrics)
+        self.case(services.Nginx, fleet.cached, fleet.named, fleet.no_metrics)
 
     def test_varnish(self):
         """Varnish accepts varnish.vcl; a replica is killed, another one terminated: no request fails; assets are cached"""
-        self.case(services.Varnish, fleet.cached, fleet.no_metrics)
+        self.case(services.Varnish, fleet.cached, fleet.named, fleet.no_metrics)
 
 
 class Numbers(unittest.TestCase):
@@ -104,6 +104,7 @@ class Compose(unittest.TestCase):
         """HAProxy is told the addresses of the replicas, and its file is there"""
         haproxy = self.services["haproxy"]
         told = {haproxy["environment"][f"ZRASTER_{i}"] for i in (1, 2)}
+        self.assertEqual({r["environment"]["ZRASTER_TRUSTED_PROXIES"] for r in self.replicas}, {haproxy["networks"]["inside"]["ipv4_address"]})
         self.assertEqual(told, {f"{r['networks']['inside']['ipv4_address']}:{r['environment']['ZRASTER_PORT']}" for r in self.replicas})
         for volume in haproxy["volumes"]:
             self.assertTrue(os.path.exists(os.path.join(deploy, volume.split(":")[0])), volume)
