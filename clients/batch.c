@@ -169,7 +169,7 @@ int command_batch(struct options *options)
 {
     static struct batch batch = {.lock = PTHREAD_MUTEX_INITIALIZER};
     batch.options = options;
-    if (options->file_count == 0)
+    if (options->file_count == 0 && !options->own[OPTION_LIST])
         return options_wrong("batch needs files: \"zraster batch FOLDER\", or \"zraster batch -\" with names or JSON "
                              "Lines on standard input");
     const char *folder = options->own[OPTION_OUTPUT];

@@ -2,6 +2,7 @@
 
 #include <cjson/cJSON.h>
 #include <dirent.h>
+#include <errno.h>
 #include <glob.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -181,17 +182,27 @@ static int add_line(struct file_list *list, const char *text, size_t line)
     return status;
 }
 
-static int add_lines(struct file_list *list)
+static int add_lines(struct file_list *list, FILE *from)
 {
     char *text = NULL;
     size_t room = 0, line = 0;
     int status = 0;
-    for (ssize_t length; status == 0 && (length = getline(&text, &room, stdin)) >= 0;) {
+    for (ssize_t length; status == 0 && (length = getline(&text, &room, from)) >= 0;) {
         while (length > 0 && (text[length - 1] == '\n' || text[length - 1] == '\r'))
             text[--length] = '\0';
         status = add_line(list, text, ++line);
     }
     free(text);
+    return status;
+}
+
+static int add_list(struct file_list *list, const char *path)
+{
+    FILE *file = fopen(path, "r");
+    if (!file) return options_wrong("--list %s: %s", path, strerror(errno));
+    int status = add_lines(list, file);
+    if (status == 0 && ferror(file)) status = options_wrong("--list %s: %s", path, strerror(errno));
+    fclose(file);
     return status;
 }
 
@@ -211,7 +222,7 @@ static int add_glob(struct file_list *list, const char *pattern)
 static int add_argument(struct file_list *list, const char *argument)
 {
     struct stat about;
-    if (strcmp(argument, "-") == 0) return add_lines(list);
+    if (strcmp(argument, "-") == 0) return add_lines(list, stdin);
     if (stat(argument, &about) != 0 && strpbrk(argument, "*?[")) return add_glob(list, argument);
     if (stat(argument, &about) == 0 && S_ISDIR(about.st_mode)) {
         const size_t before = list->file_count;
@@ -330,6 +341,7 @@ int file_list_make(struct file_list *list, const struct options *options)
     int status = 0;
     for (size_t i = 0; status == 0 && i < options->file_count; i++)
         status = add_argument(list, options->files[i]);
+    if (status == 0 && options->own[OPTION_LIST]) status = add_list(list, options->own[OPTION_LIST]);
     if (status == 0) status = check_names(list);
     return status ? status : make_jobs(list);
 }

@@ -15,12 +15,11 @@ struct file_list {
     const struct options *options;
 };
 
-/* Makes the jobs of all arguments, or of one shard of them. A folder stands for the files below it that have the ending
- * of a format; their outputs keep the folders below it. "-" stands for lines of standard input: names, or objects
- * {"file": ..., "output":
- * ..., "look": ...} with any parameters. Returns 0, or an exit status reported on stderr: a file is missing, a line is
- * wrong, or two outputs have the same name, also if they are of other shards. The order depends on names alone. The
- * texts live until the process ends. */
+/* Makes the jobs of all arguments and of --list, or of one shard of them. A folder stands for the files below it that
+ * have the ending of a format; their outputs keep the folders below it. "-" stands for lines of standard input: names,
+ * or objects {"file": ..., "output": ..., "look": ...} with any parameters. The order depends on names alone. Returns
+ * 0, or an exit status reported on stderr: a file is missing, a line is wrong, or two outputs have the same name, also
+ * if they are of other shards. The texts live until the process ends. */
 int file_list_make(struct file_list *list, const struct options *options);
 
 #endif

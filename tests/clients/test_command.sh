@@ -310,6 +310,8 @@ printf '{"file": "part.stl", "output": "lines/%s.png", "width": 8, "height": 6}\
 "$zraster" batch - --shard 1/3 --json <lines.txt >"$said" 2>"$complained"
 verdict "lines are counted from 0" grep -q '"outputs":\["lines/b.png"\]' "$said"
 verdict "and drawn alone" [ ! -e lines/a.png -a ! -e lines/c.png -a "$(size_of_png lines/b.png)" = 8x6 ]
+check "a list is read from a file as from standard input" 0 "$zraster" batch --list lines.txt --shard 2/3 --json
+verdict "with the same shards" grep -q '"outputs":\["lines/c.png"\]' "$said"
 seq -f 'far/set-%07.0f.stl' 0 199999 >lines.txt
 (ulimit -v 200000 && "$zraster" batch - --shard 3/200000 --json -j 1 <lines.txt >"$said" 2>"$complained")
 verdict "200 000 names, of which a shard has one, need little memory" grep -q '^{"file":"far/set-0000003.stl","status":"failed"' "$said"

@@ -115,6 +115,18 @@ lists_packages() {
     cut -d ' ' -f 4 "$work/packages.txt" | diff "$work/libraries.txt" - && [ "$(grep -cvE '^[a-z0-9.+:-]+ [0-9][^ ]* [a-z0-9.+-]+ /[^ ]+$' "$work/packages.txt")" = 0 ]
 }
 
+build_command() { DOCKER_BUILDKIT=1 docker build --network host --target batch -t zraster-batch:test .; }
+# As a pod of server/deploy/kubernetes/indexed-job.yaml.
+draws_shards() {
+    rm -rf "$work/models" "$work/pictures"
+    mkdir -p "$work/models" "$work/pictures" && chmod 777 "$work/pictures" && cp clients/examples/solids.json "$work/models/a.json" &&
+        cp clients/examples/solids.json "$work/models/b.json" && chmod -R a+rX "$work/models" || return 1
+    for shard in 0 1; do
+        docker run --rm --network none --read-only --cap-drop ALL --security-opt no-new-privileges --memory 256m -v "$work/models:/models:ro" \
+            -v "$work/pictures:/pictures" zraster-batch:test batch /models -o /pictures --shard $shard/2 --resume --json -c color || return 1
+    done
+    [ "$(ls "$work/pictures" | tr '\n' ' ')" = "a.png b.png " ] && cmp "$work/pictures/a.png" "$work/solids.png"
+}
 is_not_root() { [ "$(docker inspect -f '{{.Config.User}}' zraster:test)" = 65532:65532 ]; }
 has_no_shell() { ! docker run --rm --network none --entrypoint /bin/sh zraster:test -c true; }
 # A request of some seconds is in flight when SIGTERM comes.
@@ -142,5 +154,7 @@ check "it renders the example scene" render_a_picture
 check "its process is 65532, without capabilities, and gets none" is_bare
 check "its health check answers" is_healthy
 check "its settings are right beside the service links of Kubernetes" settings_are_right
+check "the image of the command builds" build_command
+check "it draws shards as in a job of Kubernetes, read-only, without capabilities" draws_shards
 check "docker stop drains it: a request in flight is answered, exit status 0" drains
 [ "$failed" = 0 ]
