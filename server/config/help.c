@@ -17,9 +17,9 @@ void config_print_help(FILE *out)
         "faults\n"
         "  --print-config  prints the settings as a file for --config, and where each comes from\n\n"
         "There are three ways to give a setting. A later one overrides an earlier one:\n"
-        "  body-max-bytes = 1000000        a line of the file that --config names\n"
-        "  ZRASTER_BODY_MAX_BYTES=1000000  a variable\n"
-        "  --body-max-bytes=1000000        a flag\n\n");
+        "  a line of the file of --config   body-max-bytes = 1000000\n"
+        "  a variable                       ZRASTER_BODY_MAX_BYTES=1000000\n"
+        "  a flag                           --body-max-bytes=1000000\n\n");
     const struct setting *s;
     for (size_t i = 0; (s = setting_at(i)); i++) {
         fprintf(out, "  --%s=%s\n      %s%s%s\n", s->flag, s->kind != NUMBER ? "TEXT" : "N", s->unit,

@@ -63,9 +63,10 @@ static bool is_link_port(const char *text)
 
 bool unknown_is_others(const char *name, size_t length, const char *value)
 {
-    /* Of the command, the Python package, tests and the bench. */
-    static const char *const OTHERS[] = {"ZRASTER_SERVER", "ZRASTER_LIBRARY", "ZRASTER_DATA", "ZRASTER_BUILD",
-                                         "ZRASTER_BENCH_TURNS"};
+    /* Of the command, the Python package, files of server/deploy, tests and the bench. */
+    static const char *const OTHERS[] = {"ZRASTER_SERVER", "ZRASTER_LIBRARY",    "ZRASTER_FRONT", "ZRASTER_STATUS",
+                                         "ZRASTER_SHARDS", "ZRASTER_1",          "ZRASTER_2",     "ZRASTER_DATA",
+                                         "ZRASTER_BUILD",  "ZRASTER_BENCH_TURNS"};
     char text[256];
     if (length >= sizeof text) return false;
     memcpy(text, name, length);

@@ -87,11 +87,16 @@ repack() { # PNG OUT
     } >"$work/base.json"
     "$build/zraster" "$work/base.json" -o "$2" >>"$said" 2>>"$complained"
 }
-is_todays() { # PNG
+is_todays() { # PNG or WebP
     cmp -s "$1" "$out/${1##*/}" && return 0
+    case $1 in *.webp)
+        ${PYTHON:-/usr/bin/python3} tests/clients/alike.py "$1" "$out/${1##*/}" >>"$said" 2>>"$complained"
+        return
+        ;;
+    esac
     repack "$1" "$work/a.png" && repack "$out/${1##*/}" "$work/b.png" && cmp "$work/a.png" "$work/b.png" >>"$said" 2>&1
 }
-pictures=$(grep -oE '(\]\(|src=")clients/[^")]*\.png' README.md | sed 's/.*[("]//')
+pictures=$(grep -oE '(\]\(|src=")clients/[^")]*\.(png|webp)' README.md | sed 's/.*[("]//')
 verdict "the README has a picture, one of each look but textbook, four of an assembly, a turntable, a sheet, a spinning cube, and three of printed parts" [ "$(echo "$pictures" | wc -l)" = 19 ]
 for picture in $pictures; do
     if grep -q "^LEFT OUT: .* $picture stays" "$complained"; then
@@ -107,4 +112,6 @@ cp "$work/clay.png" "$work/look-clay.png"
 verdict "but the same pixels" is_todays "$work/look-clay.png"
 cp "$work/clay.png" "$work/look-dark.png"
 verdict "and other pixels are noticed" eval '! is_todays "$work/look-dark.png" && is_png "$work/a.png" && is_png "$work/b.png"'
+cp "$out/parts-uncut.webp" "$work/parts-section.webp"
+verdict "of WebPs, too" eval '! is_todays "$work/parts-section.webp"'
 verdicts

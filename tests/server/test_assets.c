@@ -55,6 +55,7 @@ static void assert_kept_headers(const struct reply *reply, const char *name)
     assert_string_equal(reply_header(reply, "ETag"), tag);
     assert_string_equal(reply_header(reply, "Cache-Control"), "public, max-age=31536000, immutable");
     assert_string_equal(reply_header(reply, "X-Content-Type-Options"), "nosniff");
+    assert_string_equal(reply_header(reply, "Cross-Origin-Resource-Policy"), "cross-origin");
 }
 
 TEST(uploaded_bytes_come_back_under_their_hash)

@@ -140,7 +140,7 @@ class Names(Case):
             for protocol in ("TCP", "UDP"):
                 port = f"{name}_PORT_8080_{protocol}"
                 links |= {port: "tcp://10.0.0.1:8080", port + "_PROTO": "tcp", port + "_PORT": "8080", port + "_ADDR": "10.0.0.1"}
-        self.assertEqual(self.printed(ZRASTER_SERVER="http://a", ZRASTER_TOKEN="", **links)["port"], ("8080", "default"))
+        self.assertEqual(self.printed(ZRASTER_SERVER="http://a", ZRASTER_FRONT=":80", ZRASTER_TOKEN="", **links)["port"], ("8080", "default"))
         self.assertEqual(len(self.faults(ZRASTER_PORT_8080_ICMP="1", ZRASTER_PORT_TCP="1", ZRASTER_A_PORT="80")), 3)
 
 
