@@ -162,7 +162,7 @@ class Addresses(Folder):
         self.assert_problem(self.get(name, "?width=9&width=9"), 400, "duplicate parameter 'width'")
         self.assert_problem(self.get(name, "?width=99999"), 422, "99999")
         self.assert_problem(self.get(name, "?look=studi"), 400, "studio")
-        self.assert_problem(self.get(name, "/small"), 404, "there is no preset 'small' here")
+        self.assert_problem(self.get(name, "/small"), 404, "there is no preset 'small'; zrasterd has them with --presets=FILE")
         self.assert_problem(self.get(sha256(b"none")), 404, "upload it by PUT")
         for path in ("", "x", name.upper(), name + "0", name[:-1], "../" + name, name[:-1] + "/"):
             self.assert_problem(self.get(path), 404, "64 lower-case")
