@@ -1,4 +1,5 @@
 """The files of server/deploy: each is accepted by its own program, and serves two replicas while they end. `make fleet` is longer."""
+import concurrent.futures
 import os
 import re
 import shutil
@@ -27,26 +28,43 @@ def limits():
     return {flag: int(number) for flag, number in re.findall(r"--([a-z-]+)=N\n[^(]*\(default: (\d+)\)", text.replace("\n      ", "\n"))}
 
 
+def faults(kind, parts):
+    """Returns what goes wrong with two replicas behind the proxy."""
+    with fleet.Fleet(build, kind) as service:
+        problems = service.proxy.problems()
+        results = [(not problems, problems), fleet.once_under_load(service), *(part(service) for part in parts)]
+        return [text for good, text in results if not good]
+
+
 class Proxies(unittest.TestCase):
-    def case(self, kind, *parts):
-        if not kind.command_there():
+    PARTS = {services.HAProxy: (fleet.named, fleet.no_metrics), services.Nginx: (fleet.cached, fleet.named, fleet.no_metrics), services.Varnish: (fleet.cached, fleet.named, fleet.no_metrics)}
+
+    @classmethod
+    def setUpClass(cls):
+        """All at once: they wait most of the time."""
+        cls.pool = concurrent.futures.ThreadPoolExecutor()
+        cls.faults = {kind: cls.pool.submit(faults, kind, parts) for kind, parts in cls.PARTS.items() if kind.command_there()}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.pool.shutdown()
+
+    def case(self, kind):
+        if kind not in self.faults:
             self.skipTest(f"{kind.program} is missing (the package {kind.package})")
-        with fleet.Fleet(build, kind) as service:
-            self.assertEqual(service.proxy.problems(), "")
-            for result in (fleet.once_under_load(service), *(part(service) for part in parts)):
-                self.assertTrue(result[0], result[1])
+        self.assertEqual(self.faults[kind].result(), [])
 
     def test_haproxy(self):
         """HAProxy accepts haproxy.cfg; a replica is killed, another one terminated: no request fails"""
-        self.case(services.HAProxy, fleet.named, fleet.no_metrics)
+        self.case(services.HAProxy)
 
     def test_nginx(self):
         """nginx accepts nginx.conf; a replica is killed, another one terminated: no request fails; assets are cached"""
-        self.case(services.Nginx, fleet.cached, fleet.named, fleet.no_metrics)
+        self.case(services.Nginx)
 
     def test_varnish(self):
         """Varnish accepts varnish.vcl; a replica is killed, another one terminated: no request fails; assets are cached"""
-        self.case(services.Varnish, fleet.cached, fleet.named, fleet.no_metrics)
+        self.case(services.Varnish)
 
 
 class Numbers(unittest.TestCase):
