@@ -78,7 +78,8 @@ build_image() { DOCKER_BUILDKIT=1 docker build --network host -t zraster:test .;
 
 run_hardened() {
     docker run -d --name zraster-test --network host --read-only --cap-drop ALL --security-opt no-new-privileges \
-        --memory 256m --pids-limit 64 zraster:test --port 0 --address 127.0.0.1 >/dev/null || return 1
+        --memory 256m --pids-limit 64 zraster:test --port 0 --address 127.0.0.1 \
+        --render-timeout-ms 60000 --drain-timeout-ms 60000 >/dev/null || return 1
     tries=0
     until docker logs zraster-test 2>/dev/null | grep -q '^listening on '; do
         tries=$((tries + 1))
@@ -131,7 +132,8 @@ is_not_root() { [ "$(docker inspect -f '{{.Config.User}}' zraster:test)" = 65532
 has_no_shell() { ! docker run --rm --network none --entrypoint /bin/sh zraster:test -c true; }
 # A request of some seconds is in flight when SIGTERM comes.
 drains() {
-    "$client" render clients/examples/solids.json --server "$server" --turntable 60 -s 640x480 --samples 16 -o "$work/turn.zip" &
+    printf 'wheel|%s\n' "$(awk -v model=wheel -f clients/gallery/models.awk)" | awk -f clients/gallery/obj.awk >"$work/wheel.obj"
+    "$client" render "$work/wheel.obj" --server "$server" --turntable 24 -s 640x480 --samples 16 -o "$work/turn.zip" &
     sleep 0.7
     kill -0 $! || return 1
     docker stop -t 60 zraster-test >/dev/null

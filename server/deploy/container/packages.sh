@@ -4,9 +4,8 @@
 set -eu
 cd "$1"
 find . -name '*.so*' | sed 's|^\.||' | LC_ALL=C sort | while IFS= read -r file; do
-    # dpkg knows some libraries below /lib and some below /usr/lib, which are one folder.
-    package=$(dpkg -S "$file" 2>/dev/null || dpkg -S "/usr$file" 2>/dev/null || dpkg -S "${file#/usr}" 2>/dev/null) ||
-        package=$(dpkg -S "$(readlink -f "$file")" 2>/dev/null) || { echo "error: $file is of no package" >&2; exit 1; }
-    package=${package%%: *}
-    printf '%s %s\n' "$(dpkg-query -W -f '${binary:Package} ${Version} ${source:Package}' "${package%%,*}")" "$file"
+    # dpkg knows some libraries below /lib and some below /usr/lib, which are one folder, and names diversions, too.
+    package=$(dpkg -S "$file" "/usr$file" "${file#/usr}" 2>/dev/null | sed -n '/^diversion /d; s/[,:] .*//p' | head -n 1)
+    [ "$package" ] || { echo "error: $file is of no package" >&2; exit 1; }
+    printf '%s %s\n' "$(dpkg-query -W -f '${binary:Package} ${Version} ${source:Package}' "$package")" "$file"
 done
