@@ -48,21 +48,6 @@ struct task {
     struct document cube, model;
 };
 
-/* A whole POST; free it. */
-static char *make_request(const struct kind *kind, const struct document *body, size_t *size)
-{
-    char head[256];
-    const int length =
-        snprintf(head, sizeof head, "POST %s HTTP/1.1\r\nHost: a\r\nContent-Type: %s\r\nContent-Length: %zu\r\n\r\n",
-                 kind->target, kind->scene ? "application/json" : "model/stl", body->size);
-    char *request = malloc((size_t)length + body->size);
-    if (!request) return NULL;
-    memcpy(request, head, (size_t)length);
-    memcpy(request + length, body->bytes, body->size);
-    *size = (size_t)length + body->size;
-    return request;
-}
-
 /* Stores the model, and writes the scene that names it. */
 static bool write_scene(const struct task *task, unsigned port, struct document *scene)
 {
@@ -111,7 +96,8 @@ static bool measure_with(const struct task *task, const struct daemon *daemon, c
     struct series alone = {.count = 0};
     struct load_result best = {.served = 0}, calm = {.served = 0};
     size_t size = 0, answer_bytes = 0;
-    char *request = make_request(kind, body, &size);
+    char *request =
+        load_make_request(kind->target, kind->scene ? "application/json" : "model/stl", body->bytes, body->size, &size);
     bool ok = request && time_alone(daemon, kind, body, &alone, &answer_bytes);
     for (int round = 0; ok && round < ROUNDS; round++) {
         struct load load = {

@@ -262,6 +262,20 @@ static void take_processors(bool first)
     sched_setaffinity(0, sizeof mine, &mine);
 }
 
+char *load_make_request(const char *target, const char *type, const void *body, size_t body_size, size_t *size)
+{
+    char head[256];
+    const int length =
+        snprintf(head, sizeof head, "POST %s HTTP/1.1\r\nHost: a\r\nContent-Type: %s\r\nContent-Length: %zu\r\n\r\n",
+                 target, type, body_size);
+    char *request = malloc((size_t)length + body_size);
+    if (!request) return NULL;
+    memcpy(request, head, (size_t)length);
+    memcpy(request + length, body, body_size);
+    *size = (size_t)length + body_size;
+    return request;
+}
+
 void load_take_first_processor(void)
 {
     take_processors(true);

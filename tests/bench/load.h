@@ -25,6 +25,9 @@ struct load_result {
     double probe_p99_ms;            /* of /healthz; one that failed counts as 10 s */
 };
 
+/* Returns a whole POST of `type`, NULL if memory ran out; free it. */
+char *load_make_request(const char *target, const char *type, const void *body, size_t body_size, size_t *size);
+
 /* False, explained on stderr, where nobody listens. */
 bool load_run(const struct load *load, struct load_result *result);
 

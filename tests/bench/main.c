@@ -168,6 +168,7 @@ int main(int count, char **arguments)
     service_beside_large(&bench);
     service_beside_io(&bench);
     service_for_many(&bench);
+    service_while_scraped(&bench);
     service_memory(&bench);
     service_capacity(&bench);
     service_with_kept_meshes(&bench);

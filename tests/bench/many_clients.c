@@ -25,6 +25,7 @@ enum {
 enum { ROUNDS = 3, READY_ROUNDS = 9 };
 
 /* HEALTH_MS: what an orchestrator's check may take at most. */
+static const char JSON[] = "application/json";
 static const double SECONDS = 1.5, TIMES = 10.0, HEALTH_MS = 50.0, READY_MS = 100.0;
 
 static void name_kept(int connections, char *name, size_t size)
@@ -35,22 +36,6 @@ static void name_kept(int connections, char *name, size_t size)
 static void name_crowd(int connections, char *name, size_t size)
 {
     snprintf(name, size, "HTTP: bodies of 300 KB, ten times too many, %d connections", connections);
-}
-
-/* A whole POST; free it. */
-static char *make_request(const char *body, size_t body_size, const char *target, size_t *size)
-{
-    char head[256];
-    const int length = snprintf(head, sizeof head,
-                                "POST %s HTTP/1.1\r\nHost: a\r\nContent-Type: application/json\r\n"
-                                "Content-Length: %zu\r\n\r\n",
-                                target, body_size);
-    char *request = malloc((size_t)length + body_size);
-    if (!request) return NULL;
-    memcpy(request, head, (size_t)length);
-    memcpy(request + length, body, body_size);
-    *size = (size_t)length + body_size;
-    return request;
 }
 
 /* In turns with the peak, so that both meet the same weather: the best of some rounds each. */
@@ -143,8 +128,8 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     struct daemon usual = daemon_start(LIST("--workers=1", "--threads=1"));
     load_take_other_processors();
     size_t small_size = 0, large_size = 0;
-    char *small = make_request(task->small->bytes, task->small->size, "/v1/render", &small_size);
-    char *large = make_request(task->large->bytes, task->large->size, "/v1/render", &large_size);
+    char *small = load_make_request("/v1/render", JSON, task->small->bytes, task->small->size, &small_size);
+    char *large = load_make_request("/v1/render", JSON, task->large->bytes, task->large->size, &large_size);
     bool ok = small && large;
     for (int i = 0; ok && i < KEPT; i++) {
         char name[ROW_NAME_SIZE];

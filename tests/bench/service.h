@@ -27,6 +27,10 @@ void service_beside_io(struct bench *bench);
 /* Many clients at once, of a daemon on one processor: on kept connections, and with ten times more than it can do. */
 void service_for_many(struct bench *bench);
 
+/* Pictures served by a daemon on one processor while its metrics are asked for twice a second, against as many without
+ * (scraped.c). */
+void service_while_scraped(struct bench *bench);
+
 /* The rate of several kinds of pictures on one processor, with memory, bytes and waits in notes (capacity.c). */
 void service_capacity(struct bench *bench);
 
