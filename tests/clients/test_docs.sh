@@ -4,7 +4,7 @@
 # whose zrasterd replaces the page's daemon. Prints TAP.
 #
 # The first word behind the fence is the language; a block without one fails:
-#   sh       sh -e; "sh skip=WHAT" is left out, and says so
+#   sh       sh -e; "sh skip=WHAT" is left out, and says so; "sh by=TEST" is run in another way by this test
 #   python   with the package zraster
 #   json     a whole scene: the daemon draws it, without a warning; assets that it names are files of the folder or of /v1/examples;
 #            "json FILE" is saved as FILE, too
@@ -199,6 +199,10 @@ run_blocks() { # PAGE
         sh,skip=* | python,skip=*)
             left_out=$((left_out + 1))
             skip "$at: $language" "needs ${info#skip=}"
+            continue
+            ;;
+        sh,by=*)
+            verdict "$at: $language: ${info#by=} runs it" [ -s "$root/${info#by=}" ]
             continue
             ;;
         json,*.json) cp "$block" "$info" ;; # for the blocks behind it

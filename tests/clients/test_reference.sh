@@ -91,7 +91,12 @@ verdict "in that of its object" new_members fog.json '"newKey": {' 7
 verdict "in its help" only '^  newKey  *Meaning of newKey. Unit: pixels.$' "$work/old/help-fog" "$work/new/help-fog"
 verdict "which explains it" eval '"$work/after/zraster" help newKey | grep -q "Value: number from 1 to 7. Default: 5."'
 verdict "and on its reference page" only '`newKey` | number from 1 to 7; pixels | 5 | Meaning of newKey. |$' "$work/old/pages/environment.md" "$work/new/pages/environment.md"
-verdict "key and parameter are in OpenAPI, and nothing else is new" new_members openapi.json '"name": "newParameter"' 18
+# The key has 7 lines, and the parameter 11 for each of 5: POST of a scene, GET and HEAD of both addresses.
+occurs() { # TEXT NUMBER FILE
+    [ "$(grep -cF "$1" "$3")" = "$2" ]
+}
+verdict "key and parameter are in OpenAPI, and nothing else is new" new_members openapi.json '"name": "newParameter"' $((7 + 5 * 11))
+verdict "the parameter is there for each path that takes it" occurs '"name": "newParameter"' 5 "$said"
 verdict "the parameter is on its reference page" only '`newParameter` | number from 0 to 1e+15 | 5 | \[`/fog/near`\](environment.md#fog-near) | Meaning of newParameter. |$' \
     "$work/old/pages/parameters.md" "$work/new/pages/parameters.md"
 verdict "and in the help of the command" only ' --new-parameter NUMBER  *meaning of newParameter (default: 5)$' "$work/old/help" "$work/new/help"
