@@ -61,6 +61,8 @@ static void read_range(struct accept *accept, const char *text, const char *end)
     if (is_name(name, length, ACCEPT_MIXED_TYPE)) accept->mixed = weight;
     if (is_name(name, length, ACCEPT_FORM_TYPE)) accept->form = weight;
     if (is_name(name, length, "application/zip")) accept->zip = weight;
+    if (is_name(name, length, ACCEPT_OPEN_TYPE)) accept->open_metrics = weight;
+    if (is_name(name, length, "text/plain")) accept->plain = weight;
 }
 
 void accept_read(struct accept *accept, const char *value)
@@ -77,4 +79,9 @@ enum accept_parts accept_parts(const struct accept *accept)
     const int most = accept->mixed > accept->form ? accept->mixed : accept->form;
     if (most == 0 || most < accept->zip) return ACCEPT_NO_PARTS;
     return accept->mixed == most ? ACCEPT_MIXED : ACCEPT_FORM;
+}
+
+bool accept_open_metrics(const struct accept *accept)
+{
+    return accept->open_metrics > 0 && accept->open_metrics >= accept->plain;
 }

@@ -104,7 +104,7 @@ static void print_durations(const struct printer *p)
 static void print_steps(const struct printer *p)
 {
     char labels[64];
-    for (int step = 0; step < METRICS_STEPS; step++) {
+    for (enum metrics_step step = METRICS_PARSE; step < METRICS_STEPS; step++) {
         snprintf(labels, sizeof labels, "step=\"%s\"", metrics_step_word(step));
         print_histogram(p, labels, &p->metrics->steps[step], &histogram_seconds);
     }
@@ -134,13 +134,13 @@ static void print_warnings(const struct printer *p)
 
 static void print_refusals(const struct printer *p)
 {
-    for (int i = REFUSAL_NONE + 1; i < REFUSALS; i++)
+    for (enum refusal i = REFUSAL_DRAINING; i < REFUSALS; i++)
         print_labelled(p, (double)p->metrics->refusals[i], "reason=\"%s\"", refusal_word(i));
 }
 
 static void print_aborts(const struct printer *p)
 {
-    for (int i = 0; i < METRICS_ABORTS; i++)
+    for (enum metrics_abort i = METRICS_CLIENT_LEFT; i < METRICS_ABORTS; i++)
         print_labelled(p, (double)p->metrics->aborts[i], "reason=\"%s\"", metrics_abort_word(i));
 }
 
@@ -174,7 +174,7 @@ static void print_connections(const struct printer *p)
 /* Prints a number of each kind of kept values; `offset`: of the number in struct kept_state. */
 static void print_kept(const struct printer *p, size_t offset)
 {
-    for (int i = 0; i < METRICS_KEPT; i++) {
+    for (enum metrics_kept i = METRICS_IMAGES; i < METRICS_KEPT; i++) {
         uint64_t value;
         memcpy(&value, (const char *)&p->now->kept[i] + offset, sizeof value);
         print_labelled(p, (double)value, "kind=\"%s\"", metrics_kept_word(i));

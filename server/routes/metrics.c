@@ -6,8 +6,6 @@
 #include "metrics/metrics_print.h"
 #include "problem.h"
 
-#define OPEN_TYPE "application/openmetrics-text"
-
 bool metrics_open(const struct service *service, const struct load *load, struct request *request,
                   struct answer *answer)
 {
@@ -20,7 +18,9 @@ bool metrics_open(const struct service *service, const struct load *load, struct
         problem_answer(answer, 404, "there are no metrics here; zrasterd has them with --metrics=on");
         return false;
     }
-    const bool is_open = request->accept && strcasestr(request->accept, OPEN_TYPE);
+    struct accept accept = {0};
+    if (request->accept) accept_read(&accept, request->accept);
+    const bool is_open = accept_open_metrics(&accept);
     FILE *out = metrics ? open_memstream(&text, &size) : NULL;
     if (out) {
         metrics->look(metrics->context, &now);
@@ -31,7 +31,8 @@ bool metrics_open(const struct service *service, const struct load *load, struct
     answer->is_broken |= !text;
     if (text)
         answer_body(answer,
-                    is_open ? OPEN_TYPE "; version=1.0.0; charset=utf-8" : "text/plain; version=0.0.4; charset=utf-8",
+                    is_open ? ACCEPT_OPEN_TYPE "; version=1.0.0; charset=utf-8"
+                            : "text/plain; version=0.0.4; charset=utf-8",
                     text, size);
     answer_header(answer, "Cache-Control", "no-store");
     answer_vary(answer, "Accept");

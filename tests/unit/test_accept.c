@@ -42,4 +42,24 @@ TEST(only_a_client_that_names_the_type_gets_parts)
     }
 }
 
+TEST(metrics_are_open_metrics_for_those_who_prefer_them_to_text)
+{
+    static const struct {
+        const char *value;
+        bool wanted;
+    } CASES[] = {
+        {"application/openmetrics-text;version=1.0.0,text/plain;version=0.0.4;q=0.5,*/*;q=0.1", true},
+        {"application/openmetrics-text", true},
+        {"text/plain, application/openmetrics-text;q=0.5", false},
+        {"application/openmetrics-text;q=0", false},
+        {"text/plain", false},
+        {"*/*", false},
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
+        struct accept accept = {0};
+        accept_read(&accept, CASES[i].value);
+        if (accept_open_metrics(&accept) != CASES[i].wanted) fail_msg("%s", CASES[i].value);
+    }
+}
+
 RUN_TESTS(NULL, NULL)
