@@ -149,7 +149,7 @@ TEST(each_client_behind_a_proxy_has_its_own_budget)
     assert_render(&mild, "", "X-Forwarded-For: 8.8.8.8, 9.9.9.9\r\n", 200, "");
     assert_render(&mild, "", "", 200, "");
     close(fd);
-    usleep(200000);
+    free(daemon_wait_for_log(&mild, "the client left"));
     assert_render(&mild, "", "X-Forwarded-For: 8.8.8.8\r\n", 200, "");
 }
 
