@@ -134,7 +134,7 @@ class Forms(Case):
     def test_text(self):
         """the text format 0.0.4 is the default, and has what a strict reader asks for"""
         send_mix(self.daemon)
-        for accept in ("*/*", "text/plain", "text/plain;version=0.0.4;q=0.5, */*;q=0.1"):
+        for accept in ("*/*", "text/plain", "text/plain;version=0.0.4;q=0.5, */*;q=0.1", "application/openmetrics-text;version=1.0.0;q=0.2, text/plain;version=0.0.4;q=0.5"):
             headers, text = self.daemon.scrape(accept)
             self.assertEqual(headers["Content-Type"], "text/plain; version=0.0.4; charset=utf-8", accept)
             self.assertEqual(headers["Cache-Control"], "no-store")
