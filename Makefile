@@ -48,7 +48,7 @@ NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev openssl=openssl pngc
 	update-mime-database=shared-mime-info parallel=parallel pgrep=procps $(NEED_REFERENCE) \
 	$(NEED_PYTHON)
 # Debian starts them as services once they are installed, so only CI installs them; elsewhere their tests are left out, and say so.
-NEED_SERVICE := /usr/sbin/nginx=nginx /usr/sbin/haproxy=haproxy /usr/sbin/varnishd=varnish /usr/lib/python3/dist-packages/yaml=python3-yaml promtool=prometheus
+NEED_SERVICE := /usr/sbin/nginx=nginx /usr/sbin/haproxy=haproxy /usr/sbin/varnishd=varnish /usr/lib/python3/dist-packages/yaml=python3-yaml
 NEED_BROWSER := chromium=chromium /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/numpy=python3-numpy
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
@@ -313,6 +313,13 @@ fleet: ## replicas that end behind HAProxy, nginx and Varnish, 20 000 requests e
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
 	@$(PYTHON) tests/fleet/fleet.py $(BUILD) --requests $(or $(REQUESTS),20000) --only "$(ONLY)"
 
+.PHONY: prometheus
+prometheus: ## a real Prometheus scrapes a daemon under load: its sums are those of the log (apt-get installs some 320 MB, and starts a service); PROMETHEUS_SECONDS=60
+	@.ci/need $(NEED_BUILD) prometheus=prometheus promtool=prometheus
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@PROMETHEUS_SECONDS="$(or $(PROMETHEUS_SECONDS),60)" $(PYTHON) tests/python/run.py $(BUILD) tests/metrics/test_prometheus.py
+	@$(PYTHON) tests/python/run.py $(BUILD) tests/server/test_metrics.py
+
 .PHONY: slurm
 slurm: ## the array job on a Slurm of its own, with a node that ends (root; apt-get install slurm-wlm munge, which start services)
 	@.ci/need $(NEED_BUILD) ip=iproute2 unshare=util-linux
@@ -438,12 +445,6 @@ bench-mcp: ## calls of /mcp beside the same pictures by /v1/render, in turns: RO
 	@.ci/need $(NEED_BUILD) $(PYTHON)=python3
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
 	@$(PYTHON) tests/bench/mcp.py $(BUILD) $(or $(ROUNDS),41) $(DATA)/models/parts/gear.obj $(DATA)/models/parts/housing.obj $(DATA)/models/stanford-bunny.obj
-
-.PHONY: metrics-test
-metrics-test: ## a real Prometheus, which it installs, scrapes a daemon under load for a minute; its sums and the log's, and the cost of scrapes: ROUNDS=20
-	@.ci/need $(NEED_BUILD) prometheus=prometheus
-	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
-	@/usr/bin/python3 tests/metrics/scrape.py $(BUILD) 60 $(or $(ROUNDS),20)
 
 .PHONY: bench-rivals
 bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB), and loading of meshes: MESH=../shared/data/models/stanford-bunny.obj

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <malloc.h>
 #include <pthread.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "clock.h"
@@ -30,7 +31,7 @@ struct worker {
     int64_t began_us, aside_us;
     struct worker *below;
     struct zr_arena arena;
-    size_t used; /* bytes of its last jobs; older ones count less */
+    atomic_size_t used; /* bytes of its last jobs; older ones count less. The worker alone writes it */
 };
 
 struct queue {
@@ -265,10 +266,11 @@ static void end_job(struct worker *worker)
  * picture. */
 static void reset_arena(struct worker *worker)
 {
-    const size_t held = worker->arena.held, older = worker->used - worker->used / 8;
-    worker->used = held > older ? held : older;
-    if (worker->used == 0) worker->used = 1; /* a job ran: libraries may hold memory */
-    const size_t keep = worker->used + worker->used / 2 + ZR_ARENA_BLOCK;
+    const size_t held = worker->arena.held, before = worker->used, older = before - before / 8;
+    size_t used = held > older ? held : older;
+    if (used == 0) used = 1; /* a job ran: libraries may hold memory */
+    worker->used = used;
+    const size_t keep = used + used / 2 + ZR_ARENA_BLOCK;
     const size_t most = worker->queue->options.keep_memory_bytes;
     zr_arena_reset(&worker->arena, keep < most ? keep : most);
 }

@@ -9,9 +9,9 @@ build = os.environ["ZRASTER_BUILD"]
 
 
 class Daemon:
-    def __init__(self, *flags):
+    def __init__(self, *flags, log=subprocess.DEVNULL):
         command = [os.path.join(build, "zrasterd"), "--port", "0", *flags]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, text=True)
         self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
 
     def stop(self):
