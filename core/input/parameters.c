@@ -7,27 +7,13 @@
 #include "input/json_objects.h"
 #include "input/json_writer.h"
 #include "input/kept.h"
+#include "input/parameter_list.h"
 #include "input/parameter_names.h"
 #include "input/parameter_values.h"
 #include "scene/defaults.h"
 #include "scene/mesh_up.h"
 
 /* ---- the tables ---- */
-
-enum whose { ANY, MESH };
-
-static const struct row {
-    const char *name, *pointer;
-    enum whose whose;
-    enum zr_parameter_kind kind;
-    size_t offset; /* of its text, a const char * in struct zr_request */
-} rows[] = {
-#define PARAMETER(name, pointer, whose, kind, help)                                                                    \
-    {#name, pointer, whose, ZR_PARAMETER_##kind, offsetof(struct zr_request, name)},
-    ZR_PARAMETER_ROWS(PARAMETER)
-#undef PARAMETER
-};
-enum { ROWS = sizeof rows / sizeof rows[0] };
 
 /* Required keys of objects, added if the query has other keys of the object. */
 static const struct {
@@ -57,11 +43,6 @@ static const struct zr_json_field query_fields[] = {
 #undef AT
 static const struct zr_json_object query_object = ZR_JSON_OBJECT_OF("query", query_fields);
 static const char query_prefix[] = "/query/";
-
-static const char *text_of(const struct zr_request *request, const struct row *row)
-{
-    return *(const char *const *)(const void *)((const char *)request + row->offset);
-}
 
 static bool is_of_query(const char *pointer)
 {
@@ -112,11 +93,12 @@ struct reading {
  */
 static const char *name_of(const struct zr_request *request, const char *pointer)
 {
-    for (int i = 0; i < ROWS && *pointer; i++) {
-        const char *key = rows[i].pointer;
+    for (int i = 0; i < zr_parameter_count && *pointer; i++) {
+        const char *key = zr_parameter_list[i].pointer;
         const size_t length = strlen(key) < strlen(pointer) ? strlen(key) : strlen(pointer);
         const bool is_inside = strchr("/", key[length]) && strchr("/", pointer[length]);
-        if (text_of(request, &rows[i]) && is_inside && memcmp(key, pointer, length) == 0) return rows[i].name;
+        if (zr_parameter_text(request, &zr_parameter_list[i]) && is_inside && memcmp(key, pointer, length) == 0)
+            return zr_parameter_list[i].name;
     }
     return NULL;
 }
@@ -137,7 +119,7 @@ void zr_query_report(const struct zr_request *request, enum zr_status status, co
 }
 
 /* Drops the faults of rows that are reported already: bit i of `reported` is row i of the object. */
-static void drop_reported(struct zr_error *faults, const struct row *object, uint64_t reported)
+static void drop_reported(struct zr_error *faults, const struct zr_parameter_row *object, uint64_t reported)
 {
     size_t kept = 0;
     for (size_t k = 0; k < zr_error_held(faults); k++) {
@@ -152,7 +134,7 @@ static void drop_reported(struct zr_error *faults, const struct row *object, uin
 }
 
 /* Reads {"query": {...}}, or keys of a scene. Rows of the object in `reported` are null. */
-static void read_text(const struct reading *r, const struct zr_json_writer *text, const struct row *object,
+static void read_text(const struct reading *r, const struct zr_json_writer *text, const struct zr_parameter_row *object,
                       uint64_t reported)
 {
     struct zr_query *query = r->query;
@@ -196,16 +178,16 @@ static void read_changed_keys(const struct reading *r, const struct zr_keeping *
 
 /* Writes the rows of one object, at most 64, or of the output `number`. A wrong value becomes null; the
  * other keys are still checked. Returns the rows with wrong values, one bit each. */
-static uint64_t put_rows(const struct reading *r, const struct row *row, const struct row *end, size_t number,
-                         struct zr_json_writer *json)
+static uint64_t put_rows(const struct reading *r, const struct zr_parameter_row *row,
+                         const struct zr_parameter_row *end, size_t number, struct zr_json_writer *json)
 {
     const bool has_view = zr_format_rows[r->request->format].has_view;
     struct zr_arena *arena = r->query->given.json.arena;
     uint64_t reported = 0;
-    for (const struct row *at = row; at < end; at++) {
-        const char *text = zr_channel_list_text(r->request, arena, number, at->name, text_of(r->request, at));
+    for (const struct zr_parameter_row *at = row; at < end; at++) {
+        const char *text = zr_channel_list_text(r->request, arena, number, at->name, zr_parameter_text(r->request, at));
         if (!text) continue;
-        if (at->whose == MESH && has_view) {
+        if (at->whose == ZR_PARAMETER_OF_MESH && has_view) {
             zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
                          "parameter %s belongs to bodies that are a bare mesh; a scene has keys of its own for it",
                          at->name);
@@ -228,14 +210,14 @@ static uint64_t put_rows(const struct reading *r, const struct row *row, const s
 }
 
 /* Reads the rows of one object. Those of outputs may be several objects. */
-static void read_rows(const struct reading *r, const struct row *row, const struct row *end)
+static void read_rows(const struct reading *r, const struct zr_parameter_row *row, const struct zr_parameter_row *end)
 {
     const bool is_outputs = strncmp(row->pointer, "/outputs/", strlen("/outputs/")) == 0;
     const size_t count = is_outputs ? zr_channel_list_count(r->request) : 1;
     size_t room = 0;
-    for (const struct row *at = row; at < end; at++)
-        if (text_of(r->request, at))
-            room += 2 * strlen(at->pointer) + 6 * strlen(text_of(r->request, at)) + ZR_PARAMETER_ROOM;
+    for (const struct zr_parameter_row *at = row; at < end; at++)
+        if (zr_parameter_text(r->request, at))
+            room += 2 * strlen(at->pointer) + 6 * strlen(zr_parameter_text(r->request, at)) + ZR_PARAMETER_ROOM;
     if (room == 0) return;
     if (count > ZR_CHANNEL_COUNT) {
         zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "parameter channel: %zu channels; up to %d are allowed", count,
@@ -286,12 +268,13 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
     const struct reading r = {request, &deep, query, error};
     deep.json_depth_max = ZR_JSON_DEPTH_MAX;
     open_query(request, &deep, builder, query);
-    for (int first = 0, end = 0; first < ROWS; first = end) {
-        const size_t object = 1 + strcspn(rows[first].pointer + 1, "/");
-        while (end < ROWS && strncmp(rows[end].pointer, rows[first].pointer, object) == 0 &&
-               strchr("/", rows[end].pointer[object]))
+    for (int first = 0, end = 0; first < zr_parameter_count; first = end) {
+        const size_t object = 1 + strcspn(zr_parameter_list[first].pointer + 1, "/");
+        while (end < zr_parameter_count &&
+               strncmp(zr_parameter_list[end].pointer, zr_parameter_list[first].pointer, object) == 0 &&
+               strchr("/", zr_parameter_list[end].pointer[object]))
             end++;
-        read_rows(&r, &rows[first], &rows[end]);
+        read_rows(&r, &zr_parameter_list[first], &zr_parameter_list[end]);
     }
     if (builder->keeping && builder->keeping->keys && error->count == 0) read_changed_keys(&r, builder->keeping);
     query->given.json.limits = limits;

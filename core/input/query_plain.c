@@ -4,24 +4,10 @@
 
 #include "input/color_text.h"
 #include "input/json_writer.h"
+#include "input/parameter_list.h"
 #include "input/parameter_values.h"
 #include "input/parameters.h"
 #include "scene/looks.h"
-
-enum whose { ANY, MESH };
-
-static const struct row {
-    const char *name, *pointer;
-    enum whose whose;
-    enum zr_parameter_kind kind;
-    size_t offset; /* of its text, a const char * in struct zr_request */
-} rows[] = {
-#define PARAMETER(name, pointer, whose, kind, help)                                                                    \
-    {#name, pointer, whose, ZR_PARAMETER_##kind, offsetof(struct zr_request, name)},
-    ZR_PARAMETER_ROWS(PARAMETER)
-#undef PARAMETER
-};
-enum { ROWS = sizeof rows / sizeof rows[0] };
 
 /* Values that are the same as no parameter, for all files. */
 static const struct {
@@ -29,17 +15,12 @@ static const struct {
 } defaults[] = {
     {"compress", "\"fast\""}, {"strict", "false"}, {"width", "640"}, {"height", "480"}, {"fileLights", "false"}};
 
-static const char *text_of(const struct zr_request *request, const struct row *row)
-{
-    return *(const char *const *)(const void *)((const char *)request + row->offset);
-}
-
 size_t zr_query_plain_room(const struct zr_request *request)
 {
     size_t room = sizeof "{,\"mesh\":true}";
-    for (const struct row *row = rows; row < rows + ROWS; row++)
-        if (text_of(request, row))
-            room += strlen(row->name) + 4 + 6 * strlen(text_of(request, row)) + ZR_PARAMETER_ROOM;
+    for (const struct zr_parameter_row *row = zr_parameter_list; row < zr_parameter_list + zr_parameter_count; row++)
+        if (zr_parameter_text(request, row))
+            room += strlen(row->name) + 4 + 6 * strlen(zr_parameter_text(request, row)) + ZR_PARAMETER_ROOM;
     return room;
 }
 
@@ -58,8 +39,8 @@ static bool put_color(enum zr_parameter_kind kind, const char *text, struct zr_j
     return true;
 }
 
-static void put_value(const struct row *row, const char *text, const struct zr_limits *limits, struct zr_error *ignored,
-                      struct zr_json_writer *json)
+static void put_value(const struct zr_parameter_row *row, const char *text, const struct zr_limits *limits,
+                      struct zr_error *ignored, struct zr_json_writer *json)
 {
     const struct zr_parameter parameter = {row->name, row->kind, zr_parameter_field(row->pointer), limits, ignored};
     const struct zr_look *look = strcmp(row->name, "look") == 0 ? zr_look_find(text) : NULL;
@@ -76,7 +57,7 @@ static void put_value(const struct row *row, const char *text, const struct zr_l
     }
 }
 
-static bool is_default(const struct row *row, const char *value)
+static bool is_default(const struct zr_parameter_row *row, const char *value)
 {
     for (size_t i = 0; i < sizeof defaults / sizeof *defaults; i++)
         if (strcmp(defaults[i].name, row->name) == 0) return strcmp(defaults[i].value, value) == 0;
@@ -89,8 +70,8 @@ void zr_query_plain(const struct zr_request *request, const struct zr_limits *li
     struct zr_error ignored = {0};
     bool is_of_mesh = false, has_mesh_default = false;
     zr_json_put(&json, "{");
-    for (const struct row *row = rows; row < rows + ROWS; row++) {
-        const char *text = text_of(request, row);
+    for (const struct zr_parameter_row *row = zr_parameter_list; row < zr_parameter_list + zr_parameter_count; row++) {
+        const char *text = zr_parameter_text(request, row);
         const size_t begin = json.used;
         if (!text) continue;
         zr_json_put(&json, begin > 1 ? ",\"" : "\"");
@@ -100,7 +81,7 @@ void zr_query_plain(const struct zr_request *request, const struct zr_limits *li
         put_value(row, text, limits, &ignored, &json);
         const bool is_left_out = is_default(row, json.text + value);
         if (is_left_out) json.used = begin;
-        if (row->whose == MESH) *(is_left_out ? &has_mesh_default : &is_of_mesh) = true;
+        if (row->whose == ZR_PARAMETER_OF_MESH) *(is_left_out ? &has_mesh_default : &is_of_mesh) = true;
     }
     /* A scene refuses parameters of meshes, those at their defaults too. */
     if (has_mesh_default && !is_of_mesh) zr_json_put(&json, json.used > 1 ? ",\"mesh\":true" : "\"mesh\":true");

@@ -117,28 +117,32 @@ static void print_pictures(struct zr_print *print, bool has_parts)
     zr_print_end(print, '}');
 }
 
-static const char render_headers[] = ZR_SCHEMA({
+static const char picture_headers[] = ZR_SCHEMA({
     "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"},
     "Zraster-Version": {"$ref": "#/components/headers/Zraster-Version"},
     "Zraster-Look": {"$ref": "#/components/headers/Zraster-Look"},
     "Zraster-Encoder": {"$ref": "#/components/headers/Zraster-Encoder"},
     "Zraster-Warnings": {"$ref": "#/components/headers/Zraster-Warnings"},
     "Server-Timing": {"$ref": "#/components/headers/Server-Timing"},
-    "traceresponse": {"$ref": "#/components/headers/traceresponse"},
-    "Vary": {"$ref": "#/components/headers/Vary"}
+    "traceresponse": {"$ref": "#/components/headers/traceresponse"}
 });
 
+static const char render_headers[] = ZR_SCHEMA({"Vary": {"$ref": "#/components/headers/Vary"}});
+
 static const char address_headers[] = ZR_SCHEMA({
-    "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"},
-    "Zraster-Version": {"$ref": "#/components/headers/Zraster-Version"},
-    "Zraster-Look": {"$ref": "#/components/headers/Zraster-Look"},
-    "Zraster-Encoder": {"$ref": "#/components/headers/Zraster-Encoder"},
-    "Zraster-Warnings": {"$ref": "#/components/headers/Zraster-Warnings"},
-    "Server-Timing": {"$ref": "#/components/headers/Server-Timing"},
     "ETag": {"$ref": "#/components/headers/ETag"},
     "Cache-Control": {"$ref": "#/components/headers/Cache-Control"},
     "Accept-Ranges": {"$ref": "#/components/headers/Accept-Ranges"}
 });
+
+/* Prints the headers of all pictures, and `others`. */
+static void print_headers(struct zr_print *print, const char *others)
+{
+    zr_print_begin(print, "headers", '{');
+    zr_print_members(print, picture_headers);
+    zr_print_members(print, others);
+    zr_print_end(print, '}');
+}
 
 static const char address_faults[] = ZR_SCHEMA({
     "304": {"description": "The client has the picture."},
@@ -171,7 +175,7 @@ static void print_address(struct zr_print *print, const char *path, const char *
         zr_print_begin(print, "responses", '{');
         zr_print_begin(print, "200", '{');
         zr_print_string(print, "description", is_head ? "The picture can be asked for." : "The outputs.");
-        zr_print_json(print, "headers", address_headers);
+        print_headers(print, address_headers);
         if (!is_head) print_pictures(print, false);
         zr_print_end(print, '}');
         zr_print_members(print, is_head ? head_faults : address_faults);
@@ -185,18 +189,12 @@ static void print_addresses(struct zr_print *print, const struct zr_limits *limi
 {
     static const char *const plain[] = {"getRender", "headRender"}, *const preset[] = {"getPreset", "headPreset"};
     print_address(print, "/v1/renders/{sha256}", plain, ZR_SCHEMA([
-        {
-            "name": "sha256", "in": "path", "required": true, "description": "SHA-256 of the stored scene or model.",
-            "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
-        },
+        {"$ref": "#/components/parameters/sha256"},
         {"$ref": "#/components/parameters/exp"},
         {"$ref": "#/components/parameters/signature"}
     ]), limits);
     print_address(print, "/v1/renders/{sha256}/{preset}", preset, ZR_SCHEMA([
-        {
-            "name": "sha256", "in": "path", "required": true, "description": "SHA-256 of the stored scene or model.",
-            "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
-        },
+        {"$ref": "#/components/parameters/sha256"},
         {
             "name": "preset", "in": "path", "required": true, "description": "Name of parameters that the daemon has.",
             "schema": {"type": "string"}
@@ -219,7 +217,7 @@ static void print_render(struct zr_print *print, const struct zr_limits *limits)
     zr_print_begin(print, "responses", '{');
     zr_print_begin(print, "200", '{');
     zr_print_string(print, "description", "The outputs.");
-    zr_print_json(print, "headers", render_headers);
+    print_headers(print, render_headers);
     print_pictures(print, true);
     zr_print_end(print, '}');
     zr_print_members(print, ZR_SCHEMA({

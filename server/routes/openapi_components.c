@@ -33,6 +33,10 @@ const char openapi_page_schemas[] = ZR_SCHEMA({
 
 const char openapi_components[] = ZR_SCHEMA({
     "parameters": {
+        "sha256": {
+            "name": "sha256", "in": "path", "required": true, "description": "SHA-256 of the stored bytes.",
+            "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
+        },
         "exp": {
             "name": "exp", "in": "query",
             "description": "End of the signature, in seconds since 1970; without it, there is none.",
@@ -95,6 +99,25 @@ const char openapi_components[] = ZR_SCHEMA({
             "description": "No work is accepted now.",
             "headers": {"Retry-After": {"$ref": "#/components/headers/Retry-After"}},
             "content": {"application/problem+json": {"schema": {"$ref": "#/components/schemas/problem"}}}
+        },
+        "file": {
+            "description": "The bytes.",
+            "headers": {
+                "ETag": {"$ref": "#/components/headers/ETag"},
+                "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}
+            },
+            "content": {
+                "application/octet-stream": {
+                    "schema": {"type": "string", "contentMediaType": "application/octet-stream"}
+                }
+            }
+        },
+        "there": {
+            "description": "It is stored.",
+            "headers": {
+                "ETag": {"$ref": "#/components/headers/ETag"},
+                "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}
+            }
         },
         "stored": {
             "description": "Hash and size of the file.",

@@ -20,12 +20,7 @@ static const char assets[] = ZR_SCHEMA({
         }
     },
     "/v1/assets/{sha256}": {
-        "parameters": [
-            {
-                "name": "sha256", "in": "path", "required": true, "description": "SHA-256 of the bytes.",
-                "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
-            }
-        ],
+        "parameters": [{"$ref": "#/components/parameters/sha256"}],
         "put": {
             "operationId": "putAsset", "tags": ["assets"], "summary": "Store a file under its hash",
             "requestBody": {"$ref": "#/components/requestBodies/file"},
@@ -38,43 +33,21 @@ static const char assets[] = ZR_SCHEMA({
         "get": {
             "operationId": "getAsset", "tags": ["assets"], "summary": "Return a stored file",
             "responses": {
-                "200": {
-                    "description": "The bytes.",
-                    "headers": {
-                        "ETag": {"$ref": "#/components/headers/ETag"},
-                        "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}
-                    },
-                    "content": {
-                        "application/octet-stream": {
-                            "schema": {"type": "string", "contentMediaType": "application/octet-stream"}
-                        }
-                    }
-                },
-                "304": {"description": "The client has the file."}, "4XX": {"$ref": "#/components/responses/problem"},
+                "200": {"$ref": "#/components/responses/file"}, "304": {"description": "The client has the file."},
+                "4XX": {"$ref": "#/components/responses/problem"},
                 "default": {"$ref": "#/components/responses/problem"}
             }
         },
         "head": {
             "operationId": "hasAsset", "tags": ["assets"], "summary": "Tell whether a file is stored",
             "responses": {
-                "200": {
-                    "description": "It is stored.",
-                    "headers": {
-                        "ETag": {"$ref": "#/components/headers/ETag"},
-                        "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}
-                    }
-                },
-                "304": {"description": "The client has the file."}, "4XX": {"description": "It is not stored."}
+                "200": {"$ref": "#/components/responses/there"}, "304": {"description": "The client has the file."},
+                "4XX": {"description": "It is not stored."}
             }
         }
     },
     "/v1/scenes/{sha256}": {
-        "parameters": [
-            {
-                "name": "sha256", "in": "path", "required": true, "description": "SHA-256 of the bytes.",
-                "schema": {"type": "string", "pattern": "^[0-9a-f]{64}$"}
-            }
-        ],
+        "parameters": [{"$ref": "#/components/parameters/sha256"}],
         "put": {
             "operationId": "putScene", "tags": ["assets"], "summary": "Store a scene or model under its hash",
             "requestBody": {"$ref": "#/components/requestBodies/file"},
@@ -87,33 +60,16 @@ static const char assets[] = ZR_SCHEMA({
         "get": {
             "operationId": "getScene", "tags": ["assets"], "summary": "Return a stored scene or model",
             "responses": {
-                "200": {
-                    "description": "The bytes.",
-                    "headers": {
-                        "ETag": {"$ref": "#/components/headers/ETag"},
-                        "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}
-                    },
-                    "content": {
-                        "application/octet-stream": {
-                            "schema": {"type": "string", "contentMediaType": "application/octet-stream"}
-                        }
-                    }
-                },
-                "304": {"description": "The client has the file."}, "4XX": {"$ref": "#/components/responses/problem"},
+                "200": {"$ref": "#/components/responses/file"}, "304": {"description": "The client has the file."},
+                "4XX": {"$ref": "#/components/responses/problem"},
                 "default": {"$ref": "#/components/responses/problem"}
             }
         },
         "head": {
             "operationId": "hasScene", "tags": ["assets"], "summary": "Tell whether a scene is stored",
             "responses": {
-                "200": {
-                    "description": "It is stored.",
-                    "headers": {
-                        "ETag": {"$ref": "#/components/headers/ETag"},
-                        "X-Request-Id": {"$ref": "#/components/headers/X-Request-Id"}
-                    }
-                },
-                "304": {"description": "The client has the file."}, "4XX": {"description": "It is not stored."}
+                "200": {"$ref": "#/components/responses/there"}, "304": {"description": "The client has the file."},
+                "4XX": {"description": "It is not stored."}
             }
         }
     }
