@@ -24,6 +24,7 @@ class Page(html.parser.HTMLParser):
     def __init__(self, text):
         super().__init__()
         self.links, self.ids, self.text, self.open, self.scripts = [], [], [], [], 0
+        self.sidebar = []
         self.level = 0
         self.feed(text)
         assert not self.open, self.open
@@ -31,6 +32,7 @@ class Page(html.parser.HTMLParser):
     def handle_starttag(self, tag, attributes):
         values = dict(attributes)
         self.links += [value for key, value in attributes if key in ("href", "src")]
+        self.sidebar += [values["href"]] if tag == "a" and "nav" in self.open else []
         self.ids += [values["id"]] if "id" in values else []
         self.scripts += tag == "script" or any(key.startswith("on") or key == "style" for key in values)
         if re.fullmatch("h[1-6]", tag) and "nav" not in self.open:
@@ -83,6 +85,8 @@ class Manual(Case):
                 self.assertEqual(marks("\n".join(page.text)), [])
                 self.assertEqual(page.scripts, 0)
                 self.assertEqual(len(page.ids), len(set(page.ids)), page.ids)
+                self.assertGreater(len(page.sidebar), 20)
+                self.assertEqual(len(page.sidebar), len(set(page.sidebar)), "a page is listed twice in the sidebar")
                 for link in page.links:
                     if link.startswith(("https://", "http://", "data:")):
                         continue
