@@ -313,7 +313,9 @@ verdict "and drawn alone" [ ! -e lines/a.png -a ! -e lines/c.png -a "$(size_of_p
 check "a list is read from a file as from standard input" 0 "$zraster" batch --list lines.txt --shard 2/3 --json
 verdict "with the same shards" grep -q '"outputs":\["lines/c.png"\]' "$said"
 seq -f 'far/set-%07.0f.stl' 0 199999 >lines.txt
-(ulimit -v 200000 && "$zraster" batch - --shard 3/200000 --json -j 1 <lines.txt >"$said" 2>"$complained")
+most=200000
+! grep -q __asan "$zraster" || most=unlimited # sanitizers take addresses of their own
+(ulimit -v $most && "$zraster" batch - --shard 3/200000 --json -j 1 <lines.txt >"$said" 2>"$complained")
 verdict "200 000 names, of which a shard has one, need little memory" grep -q '^{"file":"far/set-0000003.stl","status":"failed"' "$said"
 echo 'other/set-0000007.stl' >>lines.txt
 "$zraster" batch - --shard 3/200000 -o drawn <lines.txt >"$said" 2>"$complained"
