@@ -96,6 +96,11 @@ sub vcl_backend_response {
         set beresp.grace = 0s;
         return (deliver);
     }
+    # A signed address with an end is not served beyond it.
+    if (beresp.http.Cache-Control ~ "must-revalidate") {
+        set beresp.grace = 0s;
+        return (deliver);
+    }
     set beresp.grace = 1h;
 }
 

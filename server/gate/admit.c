@@ -74,6 +74,6 @@ void admit_caching(const struct request *request, int64_t seconds, bool is_immut
 {
     const int64_t left = request->expires_s - (int64_t)time(NULL);
     if (request->expires_s > 0 && left < seconds) seconds = left > 0 ? left : 0;
-    answer_header(answer, "Cache-Control", "%s, max-age=%" PRId64 "%s", request->is_private ? "private" : "public",
-                  seconds, is_immutable ? ", immutable" : "");
+    answer_header(answer, "Cache-Control", "%s, max-age=%" PRId64 "%s%s", request->is_private ? "private" : "public",
+                  seconds, is_immutable ? ", immutable" : "", request->expires_s > 0 ? ", must-revalidate" : "");
 }

@@ -243,7 +243,7 @@ class Signatures(unittest.TestCase):
         address = f"{self.path}?look=clay@1&width=32&exp={int(time.time()) + 100}"
         for headers in ({}, {"If_None_Match": self.daemon.send(sign(address))[1]["ETag"]}):
             caching = self.daemon.send(sign(address), **headers)[1]["Cache-Control"]
-            match = re.fullmatch(r"public, max-age=(\d+), immutable", caching)
+            match = re.fullmatch(r"public, max-age=(\d+), immutable, must-revalidate", caching)
             self.assertTrue(match and 60 < int(match[1]) <= 100, caching)
 
     def test_preset(self):
