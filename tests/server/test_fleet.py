@@ -1,10 +1,14 @@
 """The files of server/deploy: each is accepted by its own program, and serves two replicas while they end. `make fleet` is longer."""
 import concurrent.futures
+import hashlib
+import hmac
 import os
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
+import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../fleet"))
@@ -36,6 +40,28 @@ def faults(kind, parts):
         return [text for good, text in results if not good]
 
 
+KEY = bytes(range(32))
+
+
+def faults_at_end(kind):
+    """Returns what goes wrong with a signed address that a cache keeps: beyond its end, it is refused."""
+    with tempfile.NamedTemporaryFile("w") as keys:
+        keys.write(KEY.hex() + "\n")
+        keys.flush()
+        with fleet.Fleet(build, kind, "--keys-file", keys.name) as service:
+            scene = b'{"polygons": [{"vertices": [[0,0,0], [1,0,0], [0,1,0]]}]}'
+            name = hashlib.sha256(scene).hexdigest()
+            service.ask("PUT", "/v1/scenes/" + name, scene)
+            end = int(time.time()) + 3
+            address = f"/v1/renders/{name}?compress=small&exp={end}"
+            address += "&signature=" + hmac.new(KEY, address.encode(), hashlib.sha256).hexdigest()
+            answers = [service.ask("GET", address) for _ in range(2)]
+            time.sleep(end + 0.2 - time.time())
+            answers.append(service.ask("GET", address))
+            got = [(status, headers.get("X-Cache")) for status, headers, _ in answers]
+            return [] if got == [(200, "MISS"), (200, "HIT"), (403, "MISS")] else got
+
+
 class Proxies(unittest.TestCase):
     PARTS = {services.HAProxy: (fleet.named, fleet.no_metrics), services.Nginx: (fleet.cached, fleet.named, fleet.no_metrics), services.Varnish: (fleet.cached, fleet.named, fleet.no_metrics)}
 
@@ -44,6 +70,7 @@ class Proxies(unittest.TestCase):
         """All at once: they wait most of the time."""
         cls.pool = concurrent.futures.ThreadPoolExecutor()
         cls.faults = {kind: cls.pool.submit(faults, kind, parts) for kind, parts in cls.PARTS.items() if kind.command_there()}
+        cls.ends = {kind: cls.pool.submit(faults_at_end, kind) for kind in (services.Nginx, services.Varnish) if kind.command_there()}
 
     @classmethod
     def tearDownClass(cls):
@@ -53,6 +80,14 @@ class Proxies(unittest.TestCase):
         if kind not in self.faults:
             self.skipTest(f"{kind.program} is missing (the package {kind.package})")
         self.assertEqual(self.faults[kind].result(), [])
+
+    def test_end_of_signature(self):
+        """nginx and Varnish keep the picture of a signed address until its end, and no longer"""
+        if not self.ends:
+            self.skipTest("nginx and Varnish are missing (the packages nginx and varnish)")
+        for kind, result in self.ends.items():
+            with self.subTest(proxy=kind.program):
+                self.assertEqual(result.result(), [])
 
     def test_haproxy(self):
         """HAProxy accepts haproxy.cfg; a replica is killed, another one terminated: no request fails"""
