@@ -72,7 +72,8 @@ bool admit(const struct service *service, struct request *request, struct answer
 
 void admit_caching(const struct request *request, int64_t seconds, bool is_immutable, struct answer *answer)
 {
-    const int64_t left = request->expires_s - (int64_t)time(NULL);
+    /* A second less, since clocks here and caches count whole seconds. */
+    const int64_t left = request->expires_s - 1 - (int64_t)time(NULL);
     if (request->expires_s > 0 && left < seconds) seconds = left > 0 ? left : 0;
     answer_header(answer, "Cache-Control", "%s, max-age=%" PRId64 "%s%s", request->is_private ? "private" : "public",
                   seconds, is_immutable ? ", immutable" : "", request->expires_s > 0 ? ", must-revalidate" : "");
