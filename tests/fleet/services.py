@@ -6,6 +6,7 @@ import signal
 import socket
 import subprocess
 import tempfile
+import threading
 import time
 import urllib.error
 import urllib.request
@@ -15,10 +16,19 @@ deploy = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../server/
 root = os.environ.get("FLEET_ROOT", "")
 
 
+given, lock = set(), threading.Lock()
+
+
 def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    """Returns a port that nobody got before: a replica of another fleet on it would answer while its owner is down."""
+    with lock:
+        while True:
+            with socket.socket() as probe:
+                probe.bind(("127.0.0.1", 0))
+                port = probe.getsockname()[1]
+            if port not in given:
+                given.add(port)
+                return port
 
 
 def get(address, timeout=5.0):
