@@ -68,7 +68,8 @@ static bool is_secret(const char *from, const char *to)
     size_t used = 0;
     for (; from < to && used < sizeof name - 1; from++) {
         const bool is_escaped = *from == '%' && to - from > 2 && hex_digit(from[1]) >= 0 && hex_digit(from[2]) >= 0;
-        name[used++] = is_escaped ? (char)(hex_digit(from[1]) << 4 | hex_digit(from[2])) : *from;
+        const int byte = is_escaped ? hex_digit(from[1]) << 4 | hex_digit(from[2]) : *from;
+        name[used++] = (char)byte;
         if (is_escaped) from += 2;
     }
     name[used] = '\0';
