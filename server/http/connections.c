@@ -161,7 +161,10 @@ size_t connections_take_proxy(struct connections *connections, struct connection
     if (proxy->wrong) framing_refuse(&connection->framing, 400, proxy->wrong);
     if (proxy->is_whole) {
         connection->awaits_proxy = false;
-        if (proxy->has_source) take_source(connections, connection);
+        if (proxy->has_source)
+            take_source(connections, connection);
+        else /* the headers may be those of an unknown client */
+            connection->is_trusted = connection->framing.reads_client = false;
     }
     memmove(bytes, bytes + taken, size - taken);
     return size - taken;

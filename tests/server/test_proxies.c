@@ -175,6 +175,8 @@ TEST(proxy_headers_name_the_client)
     assert_client(&strict, "PROXY TCP4 127.0.0.7 10.0.0.1 1 2\r\n",
                   "Forwarded: for=1.1.1.1, for=\"9.9.9.9:80\";proto=https\r\n", "proxy-chain", "9.9.9.9");
     assert_client(&strict, "PROXY UNKNOWN\r\n", "X-Forwarded-For: 9.9.9.9\r\n", "proxy-xff-unread", "127.0.0.1");
+    /* The load balancer passes on what its client wrote. */
+    assert_client(&strict, "PROXY UNKNOWN\r\n", "Forwarded: for=9.9.9.9\r\n", "proxy-unknown-spoof", "127.0.0.1");
     STATUS(&strict,
            SIGN "\x21\x11\x00\x0f\x08\x08\x04\x04\x0a\x00\x00\x01\x00\x01\x00\x02\x04\x00\x00GET /healthz?v2-four" REST
                 "\r\n",
