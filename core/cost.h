@@ -3,7 +3,7 @@
  * How:    ms = 1e-6 * sum over all kinds of counts[kind] * ns. Most counts follow from sizes. The window area that
  *         faces cover is estimated from a sample of faces.
  * Unit:   processor time of one thread of the reference machine, with AVX-512. The daemon multiplies the sum by the
- *         factor of its own machine (server/work/slowness.h).
+ *         factor of its own machine (server/jobs/slowness.h).
  * Why:    the daemon classes requests by the sum as small, large or refused. The weights were fitted together, so that
  *         the sum is right within a factor of three. A single weight is not the time of its quantity.
  */

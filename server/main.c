@@ -12,6 +12,7 @@
 #include "config.h"
 #include "gate/gate.h"
 #include "http/http.h"
+#include "jobs/slowness.h"
 #include "keep/answers.h"
 #include "keep/images.h"
 #include "keep/meshes.h"
@@ -23,7 +24,6 @@
 #include "metrics/metrics.h"
 #include "request.h"
 #include "routes/health_check.h"
-#include "work/slowness.h"
 
 enum { EXIT_USAGE = 2, SPARE_FILES = 192, MMAP_BYTES = 1 << 20, TRIM_BYTES = 8 << 20 };
 

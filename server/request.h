@@ -15,6 +15,8 @@
 #include "config.h"
 #include "core.h"
 #include "http/accept.h"
+#include "jobs/slowness.h"
+#include "jobs/stream.h"
 #include "keep/images.h"
 #include "keep/meshes.h"
 #include "keep/store.h"
@@ -23,8 +25,6 @@
 #include "log/trace.h"
 #include "mcp/handler.h"
 #include "routes/multipart.h"
-#include "work/slowness.h"
-#include "work/stream.h"
 
 enum { REQUEST_ID_SIZE = 129 };
 

@@ -9,10 +9,10 @@
 
 #include "config.h"
 #include "connections.h"
+#include "jobs/queue.h"
+#include "jobs/stream.h"
 #include "request.h"
 #include "upload.h"
-#include "work/queue.h"
-#include "work/stream.h"
 
 struct exchange;
 

@@ -220,7 +220,7 @@ static enum mcp_draw_status run(struct exchange *exchange)
         begin(exchange, 200);
         mcp_text_put(&exchange->reply->text, ",\"result\":{}}");
     } else {
-        refuse(exchange, MCP_NO_METHOD, message->is_modern ? 404 : 200, "the method is not implemented", NULL);
+        refuse(exchange, MCP_NO_METHOD, message->is_modern ? 404 : 200, "there is no such method", NULL);
     }
     return MCP_DRAWN;
 }

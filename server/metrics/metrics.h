@@ -13,10 +13,10 @@
 
 #include "histogram.h"
 #include "http/connections.h"
+#include "jobs/queue.h"
 #include "keep/kept.h"
 #include "log/log.h"
 #include "refusal.h"
-#include "work/queue.h"
 
 /* METRICS_ROUTES: paths of the table of routes, and one for all others. METRICS_LOOKS: versions of looks. */
 enum { METRICS_ROUTES = 40, METRICS_METHODS = 6, METRICS_STATUSES = 34, METRICS_LOOKS = 48 };

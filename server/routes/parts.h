@@ -9,7 +9,7 @@
 
 #include "encode.h"
 #include "http/accept.h"
-#include "work/stream.h"
+#include "jobs/stream.h"
 
 struct part {
     const char *name; /* of the file; NULL: none. In a form, the field has it without its extension */

@@ -1,12 +1,12 @@
-/* server/work/queue.c: who is woken, and when. */
+/* server/jobs/queue.c: who is woken, and when. */
 #include <malloc.h>
 #include <semaphore.h>
 #include <stdatomic.h>
 #include <unistd.h>
 
 #include "clock.h"
+#include "jobs/queue.h"
 #include "support/tests.h"
-#include "work/queue.h"
 
 enum { CALM_MS = 1, PATIENCE_MS = 10000, LITTLE = 20000 };
 
