@@ -7,13 +7,20 @@
 #include "input/parameter_list.h"
 #include "input/parameter_values.h"
 #include "input/parameters.h"
+#include "scene/defaults.h"
 #include "scene/looks.h"
+
+#define TEXT_OF(number)       #number
+#define TEXT_OF_MACRO(number) TEXT_OF(number)
 
 /* Values that are the same as no parameter, for all files. */
 static const struct {
     const char *name, *value;
-} defaults[] = {
-    {"compress", "\"fast\""}, {"strict", "false"}, {"width", "640"}, {"height", "480"}, {"fileLights", "false"}};
+} defaults[] = {{"compress", "\"fast\""},
+                {"strict", "false"},
+                {"width", TEXT_OF_MACRO(ZR_DEFAULT_WIDTH)},
+                {"height", TEXT_OF_MACRO(ZR_DEFAULT_HEIGHT)},
+                {"fileLights", "false"}};
 
 size_t zr_query_plain_room(const struct zr_request *request)
 {

@@ -8,8 +8,8 @@ static const struct zr_output color = {.channel = ZR_CHANNEL_COLOR, .encoding = 
 void zr_scene_defaults(struct zr_scene *scene)
 {
     *scene = (struct zr_scene){
-        .views[0] = {.width = 640,
-                     .height = 480,
+        .views[0] = {.width = ZR_DEFAULT_WIDTH,
+                     .height = ZR_DEFAULT_HEIGHT,
                      .output_count = 1,
                      .outputs = &color,
                      .world_to_camera = zr_mat4_identity(),

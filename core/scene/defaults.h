@@ -8,7 +8,11 @@
 
 #define ZR_YFOV 0.78539816f /* default yfov of a scene's perspective view, radians: 45 degrees */
 
-/* Sets a scene without geometry: window 640 x 480, one output, color as PNG, and the look textbook. */
+/* Window, in pixels. */
+#define ZR_DEFAULT_WIDTH  640
+#define ZR_DEFAULT_HEIGHT 480
+
+/* Sets a scene without geometry: the default window, one output, color as PNG, and the look textbook. */
 void zr_scene_defaults(struct zr_scene *scene);
 
 /* Replaces the default output color by info if nothing is drawn. Called once all keys are read. */

@@ -83,7 +83,8 @@ static void read_line(struct config *config, char *line, unsigned number, struct
     char *equals = strchr(line, '=');
     snprintf(place, sizeof place, "%s:%u", config->config, number);
     if (!equals) {
-        faults_add(faults, "%s: '%.*s' has no =; a line is KEY = VALUE", place, QUOTED, line);
+        const int word = (int)strcspn(line, " \t"); /* the rest may be a secret */
+        faults_add(faults, "%s: '%.*s' has no =; a line is KEY = VALUE", place, word < QUOTED ? word : QUOTED, line);
         return;
     }
     trim(line, equals);

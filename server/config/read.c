@@ -123,7 +123,7 @@ static void read_flag(struct config *config, const struct argument *a, struct fa
     char hint[UNKNOWN_HINT_SIZE];
     if (!a->setting) {
         unknown_hint(hint, UNKNOWN_FLAG, a->text, a->length);
-        faults_add(faults, "unknown argument '%.100s'; %s", a->text, hint);
+        faults_add(faults, "unknown argument '%.*s'; %s", (int)(a->length < 100 ? a->length : 100), a->text, hint);
         return;
     }
     if (!a->value)

@@ -28,7 +28,7 @@ struct gate {
     char warning[WARNING_SIZE];
 };
 
-/* A reader's way to say what is wrong. */
+/* Message of a fault, written by the readers. */
 struct fault {
     char *message;
     size_t size;

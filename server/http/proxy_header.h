@@ -9,7 +9,7 @@
 
 #include "gate/ip.h"
 
-/* Bytes. V2: 16, the addresses, and what is appended to them, which is skipped. */
+/* Longest headers, in bytes. Version 2: 16, the addresses, and values (TLV), which are skipped. */
 enum { PROXY_HEADER_V1_MAX = 107, PROXY_HEADER_V2_MAX = 4096 };
 
 /* Starts as {0}. */

@@ -185,6 +185,50 @@ static void print_address(struct zr_print *print, const char *path, const char *
     zr_print_end(print, '}');
 }
 
+/* Prints a path below which files are stored. */
+static void print_stored(struct zr_print *print, const char *path, const char *name, const char *what)
+{
+    static const struct {
+        const char *method, *id, *summary, *members;
+    } rows[] = {
+        {"put", "put", "Store %s under its hash", ZR_SCHEMA({
+            "requestBody": {"$ref": "#/components/requestBodies/file"},
+            "responses": {
+                "200": {"$ref": "#/components/responses/stored"}, "201": {"$ref": "#/components/responses/stored"},
+                "4XX": {"$ref": "#/components/responses/problem"},
+                "default": {"$ref": "#/components/responses/problem"}
+            }
+        })},
+        {"get", "get", "Return %s", ZR_SCHEMA({
+            "responses": {
+                "200": {"$ref": "#/components/responses/file"}, "304": {"description": "The client has the file."},
+                "4XX": {"$ref": "#/components/responses/problem"},
+                "default": {"$ref": "#/components/responses/problem"}
+            }
+        })},
+        {"head", "has", "Tell whether %s is stored", ZR_SCHEMA({
+            "responses": {
+                "200": {"$ref": "#/components/responses/there"}, "304": {"description": "The client has the file."},
+                "4XX": {"description": "It is not stored."}
+            }
+        })},
+    };
+    char text[96];
+    zr_print_begin(print, path, '{');
+    zr_print_json(print, "parameters", ZR_SCHEMA([{"$ref": "#/components/parameters/sha256"}]));
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        zr_print_begin(print, rows[i].method, '{');
+        snprintf(text, sizeof text, "%s%s", rows[i].id, name);
+        zr_print_string(print, "operationId", text);
+        zr_print_json(print, "tags", ZR_SCHEMA(["assets"]));
+        snprintf(text, sizeof text, rows[i].summary, what);
+        zr_print_string(print, "summary", text);
+        zr_print_members(print, rows[i].members);
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, '}');
+}
+
 static void print_addresses(struct zr_print *print, const struct zr_limits *limits)
 {
     static const char *const plain[] = {"getRender", "headRender"}, *const preset[] = {"getPreset", "headPreset"};
@@ -257,6 +301,8 @@ void openapi_print(struct zr_buffer *out, const struct zr_limits *limits)
     zr_print_begin(&print, "paths", '{');
     print_render(&print, limits);
     print_addresses(&print, limits);
+    print_stored(&print, "/v1/assets/{sha256}", "Asset", "a file");
+    print_stored(&print, "/v1/scenes/{sha256}", "Scene", "a scene or model");
     for (const char *const *path = openapi_paths; *path; path++)
         zr_print_members(&print, *path);
     zr_print_end(&print, '}');

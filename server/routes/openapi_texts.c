@@ -18,60 +18,6 @@ static const char assets[] = ZR_SCHEMA({
                 "default": {"$ref": "#/components/responses/problem"}
             }
         }
-    },
-    "/v1/assets/{sha256}": {
-        "parameters": [{"$ref": "#/components/parameters/sha256"}],
-        "put": {
-            "operationId": "putAsset", "tags": ["assets"], "summary": "Store a file under its hash",
-            "requestBody": {"$ref": "#/components/requestBodies/file"},
-            "responses": {
-                "200": {"$ref": "#/components/responses/stored"}, "201": {"$ref": "#/components/responses/stored"},
-                "4XX": {"$ref": "#/components/responses/problem"},
-                "default": {"$ref": "#/components/responses/problem"}
-            }
-        },
-        "get": {
-            "operationId": "getAsset", "tags": ["assets"], "summary": "Return a stored file",
-            "responses": {
-                "200": {"$ref": "#/components/responses/file"}, "304": {"description": "The client has the file."},
-                "4XX": {"$ref": "#/components/responses/problem"},
-                "default": {"$ref": "#/components/responses/problem"}
-            }
-        },
-        "head": {
-            "operationId": "hasAsset", "tags": ["assets"], "summary": "Tell whether a file is stored",
-            "responses": {
-                "200": {"$ref": "#/components/responses/there"}, "304": {"description": "The client has the file."},
-                "4XX": {"description": "It is not stored."}
-            }
-        }
-    },
-    "/v1/scenes/{sha256}": {
-        "parameters": [{"$ref": "#/components/parameters/sha256"}],
-        "put": {
-            "operationId": "putScene", "tags": ["assets"], "summary": "Store a scene or model under its hash",
-            "requestBody": {"$ref": "#/components/requestBodies/file"},
-            "responses": {
-                "200": {"$ref": "#/components/responses/stored"}, "201": {"$ref": "#/components/responses/stored"},
-                "4XX": {"$ref": "#/components/responses/problem"},
-                "default": {"$ref": "#/components/responses/problem"}
-            }
-        },
-        "get": {
-            "operationId": "getScene", "tags": ["assets"], "summary": "Return a stored scene or model",
-            "responses": {
-                "200": {"$ref": "#/components/responses/file"}, "304": {"description": "The client has the file."},
-                "4XX": {"$ref": "#/components/responses/problem"},
-                "default": {"$ref": "#/components/responses/problem"}
-            }
-        },
-        "head": {
-            "operationId": "hasScene", "tags": ["assets"], "summary": "Tell whether a scene is stored",
-            "responses": {
-                "200": {"$ref": "#/components/responses/there"}, "304": {"description": "The client has the file."},
-                "4XX": {"description": "It is not stored."}
-            }
-        }
     }
 });
 

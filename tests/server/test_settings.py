@@ -87,9 +87,9 @@ class Lines(Case):
 
     def test_faults(self):
         """all faults of a file, of variables and of flags are told at once, each with its place"""
-        text = "port = 70000\nbody_max_byte = 5\nqueue = 1\nqueue = 2\nnonsense\nxyzzyfoo = 1\nconfig = a\nassets-dir = \"a\n" \
+        text = "port = 70000\nbody_max_byte = 5\nqueue = 1\nqueue = 2\nnonsense SECRET\nxyzzyfoo = 1\nconfig = a\nassets-dir = \"a\n" \
                "cgroup = \"a\" b\npage = yes\naddress =\n= 5\n"
-        self.assertEqual(self.faults("--prot", "--queue=x", text=text, ZRASTER_WORKERS="many"), [
+        self.assertEqual(self.faults("--prot=SECRET", "--queue=x", text=text, ZRASTER_WORKERS="many"), [
             "c.conf:1: port: '70000' is not a whole number from 0 to 65535",
             "c.conf:2: 'body_max_byte' is no setting; did you mean body-max-bytes?",
             "c.conf:4: queue: is set in line 3, too",
