@@ -2,6 +2,7 @@
 import os
 import re
 import subprocess
+import unittest
 import urllib.error
 import urllib.request
 
@@ -32,3 +33,17 @@ class Daemon:
     def send(self, path, body=None, method=None, **headers):
         """The same with headers as keywords: Content_Type="text/plain"."""
         return self.request(path, body, {name.replace("_", "-"): value for name, value in headers.items()}, method)
+
+
+class Case(unittest.TestCase):
+    """Tests of one daemon, which the class starts with its flags: a Daemon, or a kind of it."""
+
+    flags, kind = [], Daemon
+
+    @classmethod
+    def setUpClass(cls):
+        cls.daemon = cls.kind(*cls.flags)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.daemon.stop()

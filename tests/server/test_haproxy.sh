@@ -7,12 +7,7 @@ haproxy=$(PATH=$PATH:/usr/sbin command -v haproxy)
 work=$(mktemp -d)
 . tests/support/verdict.sh
 . tests/support/address.sh
-said=$work/said complained=$work/complained
-: >"$said"
-: >"$complained"
-pids=
-trap 'kill $pids 2>/dev/null; wait 2>/dev/null; rm -rf "$work"' EXIT
-unset ZRASTER_SERVER
+daemons_begin
 
 [ -n "$haproxy" ] || {
     skip "clients behind HAProxy" "haproxy is missing (the package haproxy)"
@@ -24,12 +19,10 @@ major=$("$haproxy" -v | sed -n 's/^HAProxy version \([0-9]*\)\.\([0-9]*\).*/\1 \
 
 # ---- the daemons ----
 
-start() { # NAME OPTION...: its address becomes $address
+start() { # NAME OPTION...: its address, host and port, becomes $address
     name=$1
     shift
-    "$build/zrasterd" --port 0 --trusted-proxies 127.0.0.1 "$@" >"$work/out-$name" 2>"$work/log-$name" &
-    pids="$pids $!"
-    address=$(address_in "$work/out-$name") || { echo "$address"; exit 1; }
+    daemon_start "$name" --port 0 --trusted-proxies 127.0.0.1 "$@"
     address=${address#http://}
 }
 start header --max-per-private-client 1

@@ -1,23 +1,14 @@
 """Headers of all answers: methods that a path takes, and those that keep browsers and caches within bounds."""
 import http.client
 import json
-import unittest
 
 import daemon
 
 SHUT = "default-src 'none'; style-src 'unsafe-inline'; sandbox"
 
 
-class Case(unittest.TestCase):
+class Case(daemon.Case):
     flags = ["--token=secret"]
-
-    @classmethod
-    def setUpClass(cls):
-        cls.daemon = daemon.Daemon(*cls.flags)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.daemon.stop()
 
     def send(self, path, body=None, method=None, **headers):
         return self.daemon.send(path, body, method, Authorization="Bearer secret", **headers)

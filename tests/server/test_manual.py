@@ -8,7 +8,6 @@ import os
 import re
 import subprocess
 import tempfile
-import unittest
 import urllib.parse
 
 import daemon
@@ -57,19 +56,7 @@ def marks(text):
     return re.findall(r"`|\*\*|\]\(|^ *#+ |^ *\|.*\||\|---|^ *```|(?<!\w)\*\w|\\[|*<_]|<[a-z/]", text, re.M)
 
 
-class Case(unittest.TestCase):
-    flags = []
-
-    @classmethod
-    def setUpClass(cls):
-        cls.daemon = daemon.Daemon(*cls.flags)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.daemon.stop()
-
-
-class Manual(Case):
+class Manual(daemon.Case):
     def test_links(self):
         """from /docs/ on, each link leads to a page, a picture or a heading; no mark of Markdown and no script is there"""
         waiting, pages, files, wanted = ["/docs/"], {}, set(), []
@@ -149,7 +136,7 @@ class Manual(Case):
         self.assertLessEqual(sum(sizes), ALL_BYTES_MOST)
 
 
-class Off(Case):
+class Off(daemon.Case):
     flags = ["--page=off"]
 
     def test_off(self):
@@ -158,7 +145,7 @@ class Off(Case):
             self.assertEqual(self.daemon.send(at)[0], 404)
 
 
-class Token(Case):
+class Token(daemon.Case):
     flags = ["--token=secret"]
 
     def test_open(self):
@@ -166,7 +153,7 @@ class Token(Case):
         self.assertEqual(self.daemon.send("/docs/quickstart")[0], 200)
 
 
-class Link(Case):
+class Link(daemon.Case):
     def test_link(self):
         """the page at / links to the manual"""
         self.assertIn(b'href="docs/"', self.daemon.send("/")[2])

@@ -99,16 +99,8 @@ class Watched(daemon.Daemon):
         return families, lines[:-1]
 
 
-class Case(unittest.TestCase):
-    flags = []
-
-    @classmethod
-    def setUpClass(cls):
-        cls.daemon = Watched(*cls.flags)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.daemon.stop()
+class Case(daemon.Case):
+    kind = Watched
 
 
 def send_mix(to):

@@ -10,12 +10,7 @@ work=$(mktemp -d)
 . tests/support/verdict.sh
 . tests/support/files.sh
 . tests/support/address.sh
-said=$work/said complained=$work/complained
-: >"$said"
-: >"$complained"
-pids=
-trap 'kill $pids 2>/dev/null; wait 2>/dev/null; rm -rf "$work"' EXIT
-unset ZRASTER_SERVER
+daemons_begin
 
 sed -n '/^```nginx$/,/^```$/p' $page | sed '/^```/d' >"$said"
 verdict "the page shows the file" eval 'sed "/^# Two daemons/d" $file | cmp - "$said"'
@@ -28,19 +23,11 @@ verdict "the page shows the file" eval 'sed "/^# Two daemons/d" $file | cmp - "$
 
 # ---- the service ----
 
-start() { # NUMBER OPTION...: its process becomes $started, and its address $address
-    number=$1
-    shift
-    : >"$work/out-$number"
-    ZRASTER_TOKEN=secret "$build/zrasterd" "$@" >"$work/out-$number" 2>"$work/log-$number" &
-    started=$!
-    pids="$pids $started"
-    address=$(address_in "$work/out-$number") || { echo "$address"; exit 1; }
-}
+export ZRASTER_TOKEN=secret
 mkdir "$work/assets"
-start 1 --port 0 --max-per-client 0 --assets-dir "$work/assets"
+daemon_start 1 --port 0 --max-per-client 0 --assets-dir "$work/assets"
 daemon_1=$started address_1=$address
-start 2 --port 0 --max-per-client 0 --assets-dir "$work/assets"
+daemon_start 2 --port 0 --max-per-client 0 --assets-dir "$work/assets"
 daemon_2=$started address_2=$address
 
 # Port $1 of this machine. A port that is taken ends nginx at once.
@@ -155,7 +142,7 @@ mkdir "$work/full"
 echo 1000000000 >"$work/full/memory.max"
 echo 990000000 >"$work/full/memory.current"
 printf 'inactive_file 0\nfile 0\n' >"$work/full/memory.stat"
-start 1 --port "${address_1##*:}" --cgroup "$work/full"
+daemon_start 1 --port "${address_1##*:}" --cgroup "$work/full"
 daemon_1=$started
 drawn=0
 for size in 120 121 122 123; do

@@ -6,7 +6,6 @@ import json
 import os
 import re
 import subprocess
-import unittest
 
 import daemon
 
@@ -26,16 +25,8 @@ class Daemon(daemon.Daemon):
         return self.send("/v1/render", body, Content_Type=f"multipart/form-data; boundary={boundary.decode()}")
 
 
-class Case(unittest.TestCase):
-    flags = []
-
-    @classmethod
-    def setUpClass(cls):
-        cls.daemon = Daemon(*cls.flags)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.daemon.stop()
+class Case(daemon.Case):
+    kind = Daemon
 
 
 class Page(Case):
