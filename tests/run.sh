@@ -5,7 +5,7 @@
 # with a line "N passed, N failed, N skipped", and with status 1 where one failed, or where
 # a part ran no test at all. As many programs run at once as there are processors. Those of
 # the part server, which ask for the daemon's times, run one by one, but for those that only
-# wait, which run at once.
+# wait, or compare answers, which run at once.
 set -u
 build=$1
 shift
@@ -122,8 +122,8 @@ for part in "$@"; do
             [ "$test_part" = "$part" ] || continue
             run "server-$(basename "$test")" "ZRASTERD=$build/zrasterd" "ZRASTER_DATA=$data" "$test"
         done
-        if [ "$part" = server ]; then
-            for test in tests/server/test_*.py; do
+        if [ "$part" = waits ]; then # the longest first
+            for test in tests/server/test_fleet.py $(ls tests/server/test_*.py | grep -v fleet); do
                 run "server-$(basename "$test" .py)" "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" "$test"
             done
             for test in tests/server/test_*.sh; do

@@ -70,7 +70,7 @@ TEST(service_link_of_kubernetes_is_no_port)
 
 TEST(unknown_flag_exits_2_and_is_named)
 {
-    assert_run(LIST("--prot=80"), 2, LIST("'--prot=80'", "did you mean --port?"));
+    assert_run(LIST("--prot=80"), 2, LIST("'--prot'", "did you mean --port?"));
     assert_run(LIST("serve"), 2, LIST("'serve'", "--help lists"));
     assert_run(LIST("--"), 2, LIST("'--'"));
 }
