@@ -179,7 +179,7 @@ doc-pictures: ## draws the pictures of the manual anew: clients/docs/pictures/*.
 test: ## installs what tests need and runs every test
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@CC="$(CC)" PYTHON="$(PYTHON)" DATA="$(DATA)" tests/run.sh $(BUILD) unit fuzz make server waits clients python reference models mutants
+	@CC="$(CC)" PYTHON="$(PYTHON)" DATA="$(DATA)" tests/run.sh $(BUILD) unit fuzz make times server clients python reference models mutants
 
 .PHONY: browser
 browser: ## animated PNG and WebP in Chromium, which is installed: screenshots equal the frames; build/browser
@@ -191,7 +191,7 @@ browser: ## animated PNG and WebP in Chromium, which is installed: screenshots e
 test-quick: ## unit and property tests, the server, and a short reference run
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@PYTHON="$(PYTHON)" DATA="$(DATA)" REFERENCE_TRIANGLES=20000 REFERENCE_LINES=20000 tests/run.sh $(BUILD) unit fuzz make server waits clients python reference
+	@PYTHON="$(PYTHON)" DATA="$(DATA)" REFERENCE_TRIANGLES=20000 REFERENCE_LINES=20000 tests/run.sh $(BUILD) unit fuzz make times server clients python reference
 
 .PHONY: wheel
 wheel: ## the Python package with its libraries: build/wheel/zraster-*.whl

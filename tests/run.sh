@@ -3,9 +3,9 @@
 # part, "unit: 512 passed in 41 s", begun when it begins; else quiet but for what fails or
 # was left out. Each test's output is kept in BUILD/test-logs/. All tests speak TAP. Ends
 # with a line "N passed, N failed, N skipped", and with status 1 where one failed, or where
-# a part ran no test at all. As many programs run at once as there are processors. Those of
-# the part server, which ask for the daemon's times, run one by one, but for those that only
-# wait, or compare answers, which run at once.
+# a part ran no test at all. As many programs run at once as there are processors, and more
+# of the parts whose programs mostly wait. Those of the part times, which ask how soon the
+# daemon answers, run one by one.
 set -u
 build=$1
 shift
@@ -21,7 +21,7 @@ part_begin() {
     printf '%s: ' "$part"
     : >"$logs/$part.list" >"$logs/$part.names"
     at_once=$(getconf _NPROCESSORS_ONLN)
-    case $part in server) at_once=1 ;; waits) at_once=3 ;; esac
+    case $part in times) at_once=1 ;; server) at_once=3 ;; esac
     open=yes since=$(date +%s) passed_before=$passed failed_before=$failed skipped_before=$skipped
 }
 say() {
@@ -112,17 +112,17 @@ for part in "$@"; do
         run install tests/make/test_install.sh "$build"
         run service tests/make/test_service.sh "$build"
         ;;
-    server | waits)
+    times | server)
         for test in "$build"/tests/server/test_*; do
             case $test in
             *.o | *.d) continue ;;
-            */test_connections | */test_framing | */test_stream_waits | */test_timeouts) test_part=waits ;;
+            */test_admission | */test_fair | */test_load | */test_streams) test_part=times ;;
             *) test_part=server ;;
             esac
             [ "$test_part" = "$part" ] || continue
             run "server-$(basename "$test")" "ZRASTERD=$build/zrasterd" "ZRASTER_DATA=$data" "$test"
         done
-        if [ "$part" = waits ]; then # the longest first
+        if [ "$part" = server ]; then # the longest first
             for test in tests/server/test_fleet.py $(ls tests/server/test_*.py | grep -v fleet); do
                 run "server-$(basename "$test" .py)" "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" "$test"
             done

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <strings.h>
 #include <sys/socket.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <curl/curl.h>
@@ -256,4 +257,11 @@ char *scene_slow(const char *algorithm, int side, int count)
                                 i ? "," : "", i, i, i, i);
     sprintf(scene + used, "]}");
     return scene;
+}
+
+double client_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }

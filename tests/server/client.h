@@ -68,6 +68,9 @@ char *client_read(int fd, const char *until, int timeout_ms);
 int raw_status(const char *text);
 int raw_count(const char *text);
 
+/* Seconds, by a clock that never goes back. */
+double client_seconds(void);
+
 /* ---- scenes ---- */
 
 /* For what writes every sample of every polygon, one by one and on one thread, and so stays slow however fast

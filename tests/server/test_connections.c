@@ -9,7 +9,6 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "client.h"
@@ -20,13 +19,6 @@
 #define POST   "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\n"
 
 enum { READY_MAX = 1024, SILENT = 1100, WAIT_MS = 5000 };
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
-}
 
 static int raise_file_limit(void **state)
 {
@@ -77,10 +69,11 @@ TEST(silent_connections_make_room)
             assert_true(silent[i] >= 0);
             if (half) client_write(silent[i], HALF, strlen(HALF));
         }
-        const double begun = seconds();
+        const double begun = client_seconds();
         for (int i = 0; i < 5; i++)
             assert_int_equal(client_get_status(&server, "/healthz"), 200);
-        assert_true(seconds() - begun < 5.0); /* on a busy machine; without room it takes the header's whole time */
+        assert_true(client_seconds() - begun <
+                    5.0); /* on a busy machine; without room it takes the header's whole time */
         char *last = client_raw(&server, HEALTH, strlen(HEALTH), 200);
         assert_int_equal(raw_status(last), 200);
         free(last);
@@ -239,10 +232,10 @@ TEST(a_reader_below_the_least_speed_is_cut_off)
     struct daemon patient = daemon_start(NULL);
     int paused = begin_large_answer(&patient, 0);
     struct daemon server = daemon_start(LIST("--answer-min-bytes-per-second=100000"));
-    const double begun = seconds();
+    const double begun = client_seconds();
     int fd = begin_large_answer(&server, 4096);
     char byte;
-    while (seconds() - begun < 20.0 && recv(fd, &byte, 1, 0) == 1) {
+    while (client_seconds() - begun < 20.0 && recv(fd, &byte, 1, 0) == 1) {
         char *log = daemon_log(&server);
         const bool is_cut = strstr(log, "\"aborted\":true");
         free(log);
@@ -253,10 +246,10 @@ TEST(a_reader_below_the_least_speed_is_cut_off)
     assert_non_null(strstr(line, "\"status\":200"));
     assert_non_null(strstr(line, "read too slowly"));
     free(line);
-    assert_true(seconds() - begun < 15.0); /* 5 s, on a busy machine; write-timeout-ms is 60 s */
+    assert_true(client_seconds() - begun < 15.0); /* 5 s, on a busy machine; write-timeout-ms is 60 s */
     close(fd);
     daemon_stop(&server);
-    while (seconds() - begun < 12.0)
+    while (client_seconds() - begun < 12.0)
         usleep(100000);
     size_t size = 0;
     char bytes[4096];
@@ -324,11 +317,11 @@ TEST(a_log_that_nobody_reads_holds_no_answer_up)
     /* Nor does it hold up the end. */
     for (int i = 0; i < REQUESTS; i++)
         client_get_status(&server, path);
-    const double begun = seconds();
+    const double begun = client_seconds();
     daemon_signal(&server);
     assert_int_equal(waitpid(server.pid, &status, 0), server.pid);
     assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-    assert_true(seconds() - begun < 10.0);
+    assert_true(client_seconds() - begun < 10.0);
     close(log[0]);
 }
 
@@ -369,7 +362,7 @@ TEST(a_client_that_ends_with_its_request_is_let_go)
     enum { TRIES = 20 };
     int fds[TRIES];
     struct daemon server = daemon_start(NULL);
-    const double begun = seconds();
+    const double begun = client_seconds();
     for (int i = 0; i < TRIES; i++) {
         fds[i] = client_connect(&server);
         assert_true(client_write(fds[i], HEALTH HEALTH, 2 * strlen(HEALTH)));
@@ -379,7 +372,7 @@ TEST(a_client_that_ends_with_its_request_is_let_go)
         char *text = client_read(fds[i], NULL, 10000);
         assert_int_equal(raw_count(text), 2);
         free(text);
-        assert_true(seconds() - begun < 8.0); /* a second, on a busy machine; idle-timeout-ms is 60 s */
+        assert_true(client_seconds() - begun < 8.0); /* a second, on a busy machine; idle-timeout-ms is 60 s */
         close(fds[i]);
     }
     daemon_stop(&server);

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "client.h"
@@ -56,13 +55,6 @@ static size_t end_posts(struct post *posts, size_t count, long status)
     return found;
 }
 
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
-}
-
 /* Polls until `target` answers with `status`; false after some seconds. */
 static bool wait_for_status(const struct daemon *daemon, const char *target, long status)
 {
@@ -102,9 +94,9 @@ TEST(full_queue_answers_health_and_not_ready)
     for (int i = 0; i < 3; i++, usleep(100000))
         clients[i] = client_begin_render(&server, scene);
     assert_true(wait_for_status(&server, "/readyz", 503));
-    double begun = seconds();
+    double begun = client_seconds();
     assert_int_equal(client_get_status(&server, "/healthz"), 200);
-    assert_true(seconds() - begun < 1.0);
+    assert_true(client_seconds() - begun < 1.0);
     for (int i = 0; i < 3; i++)
         close(clients[i]);
     assert_true(wait_for_status(&server, "/readyz", 200));
@@ -142,9 +134,10 @@ TEST(client_that_leaves_frees_the_worker)
     usleep(200000);
     close(rendering);
     close(waiting);
-    double begun = seconds();
+    double begun = client_seconds();
     assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
-    assert_true(seconds() - begun < 5.0); /* under sanitizers; a worker that was not told is busy for far longer */
+    assert_true(client_seconds() - begun <
+                5.0); /* under sanitizers; a worker that was not told is busy for far longer */
     char *line = daemon_wait_for_log(&server, "the client left");
     assert_non_null(strstr(line, "\"status\":0,\"aborted\":true"));
     free(line);
@@ -180,9 +173,9 @@ TEST(lighting_past_its_deadline_gives_504)
         fputs(i ? ",[0,1,2]" : "[0,1,2]", out);
     fputs("]}]}", out);
     assert_int_equal(fclose(out), 0);
-    double begun = seconds();
+    double begun = client_seconds();
     assert_int_equal(client_render_status(&server, scene), 504);
-    assert_true(seconds() - begun < 10.0); /* under sanitizers; it would take far longer */
+    assert_true(client_seconds() - begun < 10.0); /* under sanitizers; it would take far longer */
     free(scene);
     daemon_stop(&server);
 }
@@ -199,9 +192,9 @@ TEST(every_algorithm_past_its_deadline_gives_504)
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
     for (size_t i = 0; i < sizeof algorithms / sizeof algorithms[0]; i++) {
         char *scene = scene_slow(algorithms[i].word, SLOW_SIDE, algorithms[i].count);
-        double begun = seconds();
+        double begun = client_seconds();
         assert_int_equal(client_render_status(&server, scene), 504);
-        assert_true(seconds() - begun < 10.0); /* under sanitizers; all of it would take far longer */
+        assert_true(client_seconds() - begun < 10.0); /* under sanitizers; all of it would take far longer */
         free(scene);
     }
     daemon_stop(&server);
@@ -306,7 +299,7 @@ TEST(sigterm_with_a_delay_serves_until_it_has_passed)
     int kept = client_connect(&server);
     assert_true(client_write(kept, READY, sizeof READY - 1));
     free(client_read(kept, "ready\"}", 5000));
-    const double began = seconds();
+    const double began = client_seconds();
     daemon_signal(&server);
     assert_true(wait_for_status(&server, "/readyz", 503));
     for (int is_fresh = 0; is_fresh < 2; is_fresh++) {
@@ -319,7 +312,7 @@ TEST(sigterm_with_a_delay_serves_until_it_has_passed)
         close(fd);
     }
     daemon_stop(&server);
-    assert_true((seconds() - began) * 1000 >= DELAY_MS);
+    assert_true((client_seconds() - began) * 1000 >= DELAY_MS);
 }
 
 TEST(drain_that_takes_too_long_is_cut_short)

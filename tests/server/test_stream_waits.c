@@ -1,6 +1,5 @@
 /* A reader of a stream that stops for 20 s. */
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "streamed.h"
@@ -15,13 +14,6 @@
 /* BUFFER: with less, systems do not say at once that there is room again. */
 enum { BUFFER = 1 << 18, STOP_S = 20, SMALL_MS = 1000, MORE_KIB = 4096 };
 
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 TEST(a_reader_that_stops_for_20_s_loses_nothing_and_costs_others_nothing)
 {
     struct daemon server = daemon_start(LIST("--workers=1", "--cost-max-ms=86400000", "--render-timeout-ms=600000"));
@@ -29,13 +21,13 @@ TEST(a_reader_that_stops_for_20_s_loses_nothing_and_costs_others_nothing)
     streamed_read_all(&whole);
     struct streamed stopped = streamed_begin(&server, LARGE, BUFFER);
     streamed_read_part(&stopped);
-    const double begun = seconds();
+    const double begun = client_seconds();
     double most = 0.0;
     long before = 0;
-    while (seconds() - begun < STOP_S) {
-        const double since = seconds();
+    while (client_seconds() - begun < STOP_S) {
+        const double since = client_seconds();
         assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
-        if (seconds() - since > most) most = seconds() - since;
+        if (client_seconds() - since > most) most = client_seconds() - since;
         if (since - begun < 2.0) before = daemon_memory_kib(&server, "VmRSS:"); /* until each thread has had one */
         usleep(100 * 1000);
     }
