@@ -79,6 +79,7 @@ struct request {
     const char *asked_method;                                    /* of a preflight; NULL if not sent */
     struct mcp_headers mcp;                                      /* of POST /mcp */
     enum accept_parts parts;                                     /* form of an answer of several files */
+    bool takes_open_metrics;                                     /* form of an answer with metrics */
     struct stream *stream;                                       /* with parts, on a worker; else NULL */
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */
