@@ -48,5 +48,5 @@ void config_print(const struct config *config, FILE *out)
     value_settle(&settled);
     fputs("# zrasterd " ZR_VERSION "\n", out);
     for (size_t i = 0; (s = setting_at(i)); i++)
-        if (s->offset != offsetof(struct config, config)) print_setting(config, &settled, s, config->sources[i], out);
+        if (!setting_is_file(s)) print_setting(config, &settled, s, config->sources[i], out);
 }
