@@ -322,7 +322,7 @@ static enum zr_status stream_several(struct rendering *r, struct zr_views *views
     return status;
 }
 
-/* Asks for the headers of a picture, which is not drawn. */
+/* Returns true for a request for headers alone: no picture is drawn. */
 static bool is_head(const struct request *request)
 {
     return strcmp(request->method, "HEAD") == 0;
