@@ -18,7 +18,7 @@ static int no_memory(void)
     return STATUS_FAILED;
 }
 
-/* One file of the list, of whichever shard. */
+/* A file of the list, of any shard. */
 struct listed {
     char *file, *out;        /* `out`: NULL unless a line names it */
     const char *stem;        /* in `file` */
@@ -71,7 +71,8 @@ static bool is_output_folder(const struct file_list *list, const struct stat *fo
            output.st_ino == folder->st_ino;
 }
 
-/* Returns true for a folder, but no link to one. Where the file system tells, no file is looked at. */
+/* Returns true for a folder, but no link to one. lstat is for folders and unknown types only: it takes long on network
+ * file systems. */
 static bool is_folder(const struct dirent *entry, const char *path, struct stat *about)
 {
     if (entry->d_type != DT_DIR && entry->d_type != DT_UNKNOWN) return false;

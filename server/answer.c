@@ -8,6 +8,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "text.h"
+
 const char *answer_reason(int http_status)
 {
     switch (http_status) {
@@ -97,13 +99,6 @@ void answer_header(struct answer *answer, const char *name, const char *format, 
     answer->headers[answer->header_count++] = (struct answer_header){name, value};
 }
 
-const char *answer_find_header(const struct answer *answer, const char *name)
-{
-    for (size_t i = 0; i < answer->header_count; i++)
-        if (strcmp(answer->headers[i].name, name) == 0) return answer->headers[i].value;
-    return NULL;
-}
-
 /* Returns header_count if there is none. */
 static size_t place_of(const struct answer *answer, const char *name)
 {
@@ -119,23 +114,13 @@ const char *answer_find(const struct answer *answer, const char *name)
     return place < answer->header_count ? answer->headers[place].value : NULL;
 }
 
-/* Searches a name in a list with commas between its items. */
-static bool is_among(const char *list, const char *name)
-{
-    for (const char *p = list; *p; p += strcspn(p, ","), p += *p == ',') {
-        p += strspn(p, " ");
-        if (strcspn(p, " ,") == strlen(name) && strncasecmp(p, name, strlen(name)) == 0) return true;
-    }
-    return false;
-}
-
 void answer_vary(struct answer *answer, const char *name)
 {
     const char *before = answer_find(answer, "Vary");
     char *joined = NULL;
     if (!before) {
         answer_header(answer, "Vary", "%s", name);
-    } else if (!is_among(before, name)) {
+    } else if (!text_has_item(before, name, strlen(name))) {
         if (asprintf(&joined, "%s, %s", before, name) < 0) {
             answer->is_broken = true;
             return;

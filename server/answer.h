@@ -52,10 +52,7 @@ void answer_to_no_memory(struct answer *answer);
 void answer_header(struct answer *answer, const char *name, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Returns the value of a header that was added, or NULL. */
-const char *answer_find_header(const struct answer *answer, const char *name);
-
-/* Returns the value of a header, NULL if the answer has none of this name. */
+/* Returns the value of a header, NULL if the answer does not have it. */
 const char *answer_find(const struct answer *answer, const char *name);
 
 /* Adds the name of a header of requests to Vary, unless it is there. */

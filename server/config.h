@@ -65,7 +65,7 @@ enum config_mode {
     CONFIG_VERSION,
     CONFIG_HEALTH,
     CONFIG_CHECK,
-    CONFIG_PRINT, /* the config is as config_print wants it: 0 stands where the machine decides */
+    CONFIG_PRINT, /* 0 stays where the machine decides, for config_print */
     CONFIG_WRONG
 };
 

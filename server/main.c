@@ -105,7 +105,6 @@ static void serve_until_signal(const struct config *config, struct http *http, c
     log_event("info", "drain", NAMES[i].name);
 }
 
-/* Takes ownership of the gate. */
 static void announce(const struct config *config, const struct zr_team *team, const struct http *http)
 {
     char message[64];
@@ -131,6 +130,7 @@ static void end_service(struct service *service)
     metrics_free(service->metrics);
 }
 
+/* Takes ownership of the gate. */
 static int serve(const struct config *config, struct gate *gate)
 {
     sigset_t signals;
@@ -140,6 +140,7 @@ static int serve(const struct config *config, struct gate *gate)
     tune_allocator();
     if (!log_writer_start()) {
         fprintf(stderr, "zrasterd: no thread can be had to write the log\n");
+        gate_free(gate);
         return EXIT_FAILURE;
     }
     raise_file_limit(config);
@@ -152,22 +153,20 @@ static int serve(const struct config *config, struct gate *gate)
         log_writer_stop();
         return EXIT_FAILURE;
     }
-    struct store *store = NULL;
-    struct kept *images = images_open(config->keep_image_bytes);
-    struct texts *texts = texts_open(config->keep_text_bytes);
-    struct meshes *meshes = meshes_open(config->keep_mesh_bytes);
-    struct kept *answers = answers_open(config->keep_answer_bytes);
-    struct sizes *sizes = sizes_open();
     struct http *http = NULL;
     struct slowness slowness;
     slowness_start(&slowness, config_isa(config));
-    if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
-    service_init(&service, config, team, &slowness, store, images, texts, meshes);
+    service_init(&service, config, team, &slowness);
     service.gate = gate;
-    service.answers = answers;
-    service.sizes = sizes;
+    service.images = images_open(config->keep_image_bytes);
+    service.texts = texts_open(config->keep_text_bytes);
+    service.meshes = meshes_open(config->keep_mesh_bytes);
+    service.answers = answers_open(config->keep_answer_bytes);
+    service.sizes = sizes_open();
     service.metrics = metrics_create();
-    if (store || !*config->assets_dir) http = http_start(config, &service, message, sizeof message);
+    if (*config->assets_dir)
+        service.store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
+    if (service.store || !*config->assets_dir) http = http_start(config, &service, message, sizeof message);
     if (http) {
         announce(config, team, http);
         serve_until_signal(config, http, &signals);

@@ -11,20 +11,9 @@
 #include "clock.h"
 #include "text.h"
 
-void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
-                  struct store *store, struct kept *images, struct texts *texts, struct meshes *meshes)
+void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness)
 {
-    service->config = config;
-    service->store = store;
-    service->images = images;
-    service->texts = texts;
-    service->meshes = meshes;
-    service->answers = NULL;
-    service->metrics = NULL;
-    service->sizes = NULL;
-    service->slowness = slowness;
-    service->limits = config_limits(config);
-    service->team = team;
+    *service = (struct service){.config = config, .limits = config_limits(config), .slowness = slowness, .team = team};
     if (getrandom(&service->id_base, sizeof service->id_base, 0) != sizeof service->id_base)
         service->id_base = (uint64_t)clock_us();
     atomic_init(&service->id_next, 0);

@@ -50,10 +50,9 @@ struct service {
     atomic_uint_fast64_t id_next;
 };
 
-/* `store`, `images`, `texts` and `meshes` may be NULL. The caller may set `answers`, `sizes` and `metrics`
- * afterwards. */
-void service_init(struct service *service, const struct config *config, struct zr_team *team, struct slowness *slowness,
-                  struct store *store, struct kept *images, struct texts *texts, struct meshes *meshes);
+/* The caller sets the gate, and those members that may be NULL, before it serves. */
+void service_init(struct service *service, const struct config *config, struct zr_team *team,
+                  struct slowness *slowness);
 
 /* Load of the daemon at the beginning of a request. */
 struct load {
@@ -79,6 +78,7 @@ struct request {
     const char *asked_method;                                    /* of a preflight; NULL if not sent */
     struct mcp_headers mcp;                                      /* of POST /mcp */
     enum accept_parts parts;                                     /* form of an answer of several files */
+    bool takes_open_metrics;                                     /* form of an answer with metrics */
     struct stream *stream;                                       /* with parts, on a worker; else NULL */
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */

@@ -1,6 +1,7 @@
 #include "text.h"
 
 #include <string.h>
+#include <strings.h>
 
 #include "base/utf8.h"
 
@@ -35,6 +36,17 @@ size_t text_trimmed_length(const char *text)
     while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
         length--;
     return length;
+}
+
+bool text_has_item(const char *list, const char *item, size_t length)
+{
+    static const char BETWEEN[] = " ,";
+    for (const char *p = list + strspn(list, BETWEEN); *p; p += strspn(p, BETWEEN)) {
+        const size_t found = strcspn(p, BETWEEN);
+        if (found == length && strncasecmp(p, item, length) == 0) return true;
+        p += found;
+    }
+    return false;
 }
 
 bool text_has_tag(const char *list, const char *tag)

@@ -96,7 +96,7 @@ static void read_line(struct config *config, char *line, unsigned number, struct
     }
     const struct config_source *before = setting_source(config, s);
     const char *value = read_value(equals + 1);
-    if (s->offset == offsetof(struct config, config))
+    if (setting_is_file(s))
         faults_add(faults, "%s: %s: a file of settings names no other one", place, s->flag);
     else if (before->kind == CONFIG_FILE)
         faults_add(faults, "%s: %s: is set in line %u, too", place, s->flag, before->line);

@@ -6,21 +6,12 @@
 
 static void print_source(const struct config *config, struct config_source source, const struct setting *s, FILE *out)
 {
-    char variable[SETTING_NAME_SIZE];
-    setting_variable(variable, s->flag);
-    switch (source.kind) {
-    case CONFIG_FILE:
-        fprintf(out, "  # %s:%u", config->config, source.line);
-        return;
-    case CONFIG_VARIABLE:
-        fprintf(out, "  # %s", variable);
-        return;
-    case CONFIG_FLAG:
-        fprintf(out, "  # --%s", s->flag);
-        return;
-    default:
-        fputs("  # default", out);
-    }
+    char place[VALUE_PLACE_SIZE] = "default";
+    if (source.kind == CONFIG_FILE)
+        snprintf(place, sizeof place, "%s:%u", config->config, source.line);
+    else if (source.kind != CONFIG_DEFAULT)
+        value_place(config, s, source, place);
+    fprintf(out, "  # %s", place);
 }
 
 static void print_setting(const struct config *config, const struct config *settled, const struct setting *s,
@@ -48,5 +39,5 @@ void config_print(const struct config *config, FILE *out)
     value_settle(&settled);
     fputs("# zrasterd " ZR_VERSION "\n", out);
     for (size_t i = 0; (s = setting_at(i)); i++)
-        if (s->offset != offsetof(struct config, config)) print_setting(config, &settled, s, config->sources[i], out);
+        if (!setting_is_file(s)) print_setting(config, &settled, s, config->sources[i], out);
 }

@@ -20,17 +20,12 @@ static const char *variable_of(const struct setting *s)
     return value;
 }
 
-static bool is_file_setting(const struct setting *s)
-{
-    return s->offset == offsetof(struct config, config);
-}
-
 static void read_variables(struct config *config, struct faults *faults)
 {
     const struct setting *s;
     for (size_t i = 0; (s = setting_at(i)); i++) {
         const char *value = variable_of(s);
-        if (value && !is_file_setting(s))
+        if (value && !setting_is_file(s))
             value_set(config, s, (struct config_source){CONFIG_VARIABLE, 0}, value, faults);
     }
 }
@@ -105,7 +100,7 @@ static struct argument next_argument(char *const *argv, int *at)
 static void read_file_setting(struct config *config, int argc, char *const *argv, struct faults *faults)
 {
     const struct setting *s;
-    for (size_t i = 0; (s = setting_at(i)) && !is_file_setting(s);)
+    for (size_t i = 0; (s = setting_at(i)) && !setting_is_file(s);)
         i++;
     const char *value = variable_of(s);
     struct config_source source = {CONFIG_VARIABLE, 0};
@@ -128,7 +123,7 @@ static void read_flag(struct config *config, const struct argument *a, struct fa
     }
     if (!a->value)
         faults_add(faults, "--%s: a value is missing", a->setting->flag);
-    else if (!is_file_setting(a->setting))
+    else if (!setting_is_file(a->setting))
         value_set(config, a->setting, (struct config_source){CONFIG_FLAG, 0}, a->value, faults);
 }
 

@@ -130,6 +130,11 @@ const struct setting *setting_find(const char *name, size_t length)
     return NULL;
 }
 
+bool setting_is_file(const struct setting *setting)
+{
+    return setting->offset == AT(config);
+}
+
 struct config_source *setting_source(struct config *config, const struct setting *setting)
 {
     return &config->sources[setting - ROWS];

@@ -18,8 +18,7 @@ enum setting_kind {
     SWITCH,
     NETWORKS,
     CLIENT_HEADER,
-    FOLDER,   /* "": none */
-    FILENAME, /* "": none */
+    FOLDER, /* "": none */
     NUMBER
 };
 
@@ -39,6 +38,9 @@ const struct setting *setting_at(size_t index);
 
 /* Finds a setting by the name of its flag without --. NULL: there is none. */
 const struct setting *setting_find(const char *name, size_t length);
+
+/* Returns true for --config, the file that has the others. */
+bool setting_is_file(const struct setting *setting);
 
 struct config_source *setting_source(struct config *config, const struct setting *setting);
 

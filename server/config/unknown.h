@@ -1,4 +1,4 @@
-/* unknown.h - names of settings that are none: what was meant, and variables that are others'. */
+/* unknown.h - unknown names of settings: the nearest known one, and variables of other programs. */
 #ifndef ZRASTERD_UNKNOWN_H
 #define ZRASTERD_UNKNOWN_H
 
@@ -7,15 +7,14 @@
 
 enum { UNKNOWN_HINT_SIZE = 128 };
 
-/* What the name of a setting looks like where it was read. */
+/* Where a name was read, which decides its form. */
 enum unknown_form { UNKNOWN_KEY, UNKNOWN_VARIABLE, UNKNOWN_FLAG };
 
 /* Writes "did you mean --port?" or "--help lists the known ones". `name` has no -- or ZRASTER_ before it. */
 void unknown_hint(char hint[UNKNOWN_HINT_SIZE], enum unknown_form form, const char *name, size_t length);
 
-/* Returns true for a variable ZRASTER_... that the daemon is not asked to know: of the command, of the library and of
- * files of server/deploy, and those that Kubernetes sets in every pod beside a service whose name begins with zraster.
- */
+/* Returns true for a variable ZRASTER_... of other programs: of the command, of the library, of files of server/deploy,
+ * and of Kubernetes, which sets some in every pod beside a service whose name begins with zraster. */
 bool unknown_is_others(const char *name, size_t length, const char *value);
 
 #endif

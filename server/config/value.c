@@ -97,7 +97,7 @@ static bool is_client_header(const char *text)
     return forwarded_form_parse(&form, text);
 }
 
-/* What a value of a kind is, and how a message says that one is not. */
+/* The check of each kind, and the complaint about a wrong value. */
 static const struct {
     bool (*is_right)(const char *text);
     const char *complaint;

@@ -18,7 +18,7 @@ void value_set(struct config *config, const struct setting *setting, struct conf
 void value_place(const struct config *config, const struct setting *setting, struct config_source source,
                  char place[VALUE_PLACE_SIZE]);
 
-/* Sets what the machine decides where 0 is given: workers, threads, queue. */
+/* Replaces 0 by the number for this machine: workers, threads, queue. */
 void value_settle(struct config *config);
 
 uint64_t value_number(const struct config *config, const struct setting *setting);

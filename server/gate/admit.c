@@ -26,7 +26,7 @@ static bool refuse_without_token(struct answer *answer)
     return false;
 }
 
-/* Details of a 403. They tell nothing that the sender does not know, but that a signature was right once. */
+/* Details of a 403. They reveal nothing of the keys, but that a signature was right once. */
 static const char *refusal(enum signature_status status, size_t key_count)
 {
     if (key_count == 0) return "no signature is known here; start zrasterd with --keys-file for that";

@@ -1,4 +1,4 @@
-/* admit.h - who may ask: holders of a token, and who has an address with a signature. */
+/* admit.h - checks the token of a request and the signature of its address. */
 #ifndef ZRASTERD_ADMIT_H
 #define ZRASTERD_ADMIT_H
 

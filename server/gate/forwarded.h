@@ -1,7 +1,7 @@
 /* forwarded.h - the client's address in X-Forwarded-For or Forwarded (RFC 7239). Pure.
  *
  * Each proxy appends the address that it received from. So the list is read from its end, as far as trusted proxies
- * wrote it: what a client sent stands before that and is not read.
+ * wrote it. Entries of the client itself stand before that and are not read.
  */
 #ifndef ZRASTERD_FORWARDED_H
 #define ZRASTERD_FORWARDED_H

@@ -1,5 +1,4 @@
-/* gate.h - all that says who may ask for what, and may change while the daemon runs: tokens, keys of signatures,
- * presets.
+/* gate.h - tokens, keys of signatures and presets, which may change while the daemon runs.
  *
  * A gate is read from the settings and the files that they name, and constant afterwards. Another one replaces it on
  * the thread that serves all connections (http_change_gate). Only that thread may use service->gate: a worker gets a
@@ -28,7 +27,7 @@ enum {
 struct gate *gate_read(const struct config *config, char *message, size_t message_size);
 void gate_free(struct gate *gate);
 
-/* Returns what an operator should mend, "" if nothing. */
+/* Returns warnings for the operator, "" if there are none. */
 const char *gate_warning(const struct gate *gate);
 
 /* Writes the numbers of tokens, keys and presets, with those of `before` where they differ; it may be NULL. */

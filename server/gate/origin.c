@@ -18,18 +18,9 @@ static bool is_text(const char *value, const char *text)
     return value && text_trimmed_length(value) == strlen(text) && strncasecmp(value, text, strlen(text)) == 0;
 }
 
-/* Searches an origin in a list with spaces or commas between its items. */
-static bool is_among(const char *list, const char *origin)
+static bool allows_all(const struct config *config)
 {
-    static const char BETWEEN[] = " ,";
-    const size_t wanted = text_trimmed_length(origin);
-    for (const char *p = list + strspn(list, BETWEEN); *p; p += strspn(p, BETWEEN)) {
-        const size_t length = strcspn(p, BETWEEN);
-        if (length == 1 && *p == '*') return true;
-        if (length == wanted && strncasecmp(p, origin, length) == 0) return true;
-        p += length;
-    }
-    return false;
+    return text_has_item(config->allow_origin, "*", 1);
 }
 
 static bool is_read_only(const char *method)
@@ -39,7 +30,8 @@ static bool is_read_only(const char *method)
 
 bool origin_is_allowed(const struct config *config, const struct request *request)
 {
-    return request->origin && is_among(config->allow_origin, request->origin);
+    return request->origin && (allows_all(config) || text_has_item(config->allow_origin, request->origin,
+                                                                   text_trimmed_length(request->origin)));
 }
 
 bool origin_check(const struct config *config, const struct request *request, struct answer *answer)
@@ -63,7 +55,7 @@ static bool is_preflight(const struct request *request)
  * person). */
 void origin_finish(const struct config *config, const struct request *request, struct answer *answer)
 {
-    const bool is_any = is_among(config->allow_origin, "*");
+    const bool is_any = allows_all(config);
     if (!*config->allow_origin) return;
     if (!is_any) answer_vary(answer, "Origin");
     if (!is_any && !origin_is_allowed(config, request)) return;

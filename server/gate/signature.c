@@ -69,7 +69,7 @@ static bool read_seconds(struct piece value, int64_t *seconds)
 
 /* ---- checks ---- */
 
-/* What an address says of its signature. */
+/* The parameters `signature` and `exp` of an address. */
 struct claim {
     const char *signature; /* the parameter's first byte; NULL: there is none */
     uint8_t mac[SIGNATURE_BYTES];

@@ -22,7 +22,7 @@ enum {
 bool connections_init(struct connections *connections, const struct config *config)
 {
     *connections = (struct connections){.config = config, .fd_count = FDS_MIN};
-    networks_parse(&connections->trusted, config->trusted_proxies); /* and these texts are checked ones */
+    networks_parse(&connections->trusted, config->trusted_proxies); /* config_read has checked both texts */
     forwarded_form_parse(&connections->form, config->client_header);
     connections->asks_for_proxy = strcmp(config->proxy_protocol, "on") == 0;
     connections->by_fd = calloc(FDS_MIN, sizeof *connections->by_fd);

@@ -42,7 +42,7 @@ void http_log_exchange(struct exchange *exchange)
              .route = exchange->request.route ? exchange->request.route->path : NULL,
              .path = exchange->request.path,
              .query = exchange->request.query,
-             .look = answer_find_header(answer, "Zraster-Look"),
+             .look = answer_find(answer, "Zraster-Look"),
              .warnings = answer->warnings + (is_at_work ? 0 : exchange->made.warnings),
              .trace = &exchange->request.trace,
              .detail = detail,

@@ -324,6 +324,7 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.asked_method = header(exchange, "Access-Control-Request-Method");
     MHD_get_connection_values(exchange->mhd, MHD_HEADER_KIND, read_accept, &accept);
     exchange->request.parts = accept_parts(&accept);
+    exchange->request.takes_open_metrics = accept_open_metrics(&accept);
     if (exchange->connection->is_trusted) find_client(exchange);
     request_take_trace(&exchange->request, http->service, header(exchange, "traceparent"));
     request_take_id(&exchange->request, http->service, header(exchange, "X-Request-Id"));

@@ -35,8 +35,8 @@ struct http {
     size_t in_flight;           /* exchanges with a complete header */
     int64_t leave_began_ms, drain_began_ms, cut_ms; /* 0: not yet */
     bool sockets_cut;
-    /* leaving: the daemon is to end, and serves as ever; draining: the drain delay has passed, cut_short: the drain
-     * timeout, too */
+    /* leaving: the daemon is to end, and still serves; draining: the drain delay has passed; cut_short: the drain
+     * timeout has, too */
     atomic_bool leaving, draining, cut_short;
 
     _Atomic(struct gate *) next_gate; /* from another thread, for service->gate; NULL: none */

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "input/text.h"
 #include "text.h"
 
 enum { NAME_SIZE = 16 };
@@ -53,22 +54,15 @@ void log_text_escape(char out[LOG_TEXT_ESCAPED_SIZE], const char *text)
 
 /* ---- secrets ---- */
 
-static int hex_digit(char c)
-{
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-}
-
 static bool is_secret(const char *from, const char *to)
 {
     static const char *const SECRETS[] = {"signature", "token", "access_token"};
     char name[NAME_SIZE];
     size_t used = 0;
     for (; from < to && used < sizeof name - 1; from++) {
-        const bool is_escaped = *from == '%' && to - from > 2 && hex_digit(from[1]) >= 0 && hex_digit(from[2]) >= 0;
-        const int byte = is_escaped ? hex_digit(from[1]) << 4 | hex_digit(from[2]) : *from;
+        const bool is_escaped =
+            *from == '%' && to - from > 2 && zr_hex_digit(from[1]) >= 0 && zr_hex_digit(from[2]) >= 0;
+        const int byte = is_escaped ? zr_hex_digit(from[1]) << 4 | zr_hex_digit(from[2]) : *from;
         name[used++] = (char)byte;
         if (is_escaped) from += 2;
     }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "faults.h"
+#include "scene/defaults.h"
 #include "tree.h"
 
 /* Arguments of each tool. */
@@ -157,7 +158,8 @@ static void keep_window(struct mcp_job *job, unsigned *width, unsigned *height)
     const struct mcp_span own = job->own[MCP_OWN_WINDOW];
     cJSON *window = own.at ? cJSON_ParseWithLength(own.at, (size_t)(own.end - own.at)) : NULL;
     const cJSON *w = mcp_get(window, "width"), *h = mcp_get(window, "height");
-    const double wide = w ? w->valuedouble : 640, high = h ? h->valuedouble : 480, larger = wide > high ? wide : high;
+    const double wide = w ? w->valuedouble : ZR_DEFAULT_WIDTH, high = h ? h->valuedouble : ZR_DEFAULT_HEIGHT,
+                 larger = wide > high ? wide : high;
     if (window && wide >= 1 && high >= 1 && larger <= 1e6) {
         job->is_resized = larger > MCP_SIDE_MAX;
         const double factor = job->is_resized ? MCP_SIDE_MAX / larger : 1;

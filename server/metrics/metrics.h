@@ -1,4 +1,4 @@
-/* metrics.h - counts of requests since the start, and how metrics_print.h sees the daemon now.
+/* metrics.h - counts of requests since the start, and the state of the daemon, for metrics_print.h.
  *
  * A request is counted where its line is logged, so the sums agree with the log. Each label has its values from a table
  * of the program, never from a client: the number of series is bounded (METRICS_*). Memory is fixed. Counting takes

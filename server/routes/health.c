@@ -44,13 +44,17 @@ bool health_open(const struct service *service, const struct load *load, struct 
     return false;
 }
 
-/* Not ready if either queue is full: a client that checks readiness may send large requests, too. */
-bool health_open_ready(const struct service *service, const struct load *load, struct request *request,
-                       struct answer *answer)
+enum refusal health_busy_with(const struct service *service, const struct load *load)
 {
     const bool full = load->queue_full || load->large_queue_full;
     const struct load any = {load->leaving, load->leaving, full, full, load->answers_full, load->retry_after_s};
-    const enum refusal busy = load_busy_with(&any, service, true);
+    return load_busy_with(&any, service, true);
+}
+
+bool health_open_ready(const struct service *service, const struct load *load, struct request *request,
+                       struct answer *answer)
+{
+    const enum refusal busy = health_busy_with(service, load);
     (void)request;
     if (busy) {
         problem_busy(answer, load->retry_after_s, busy);

@@ -4,6 +4,10 @@
 
 #include "request.h"
 
+/* Returns the reason why the daemon is not ready, or REFUSAL_NONE. Not ready if either queue is full: a client that
+ * checks readiness may send large requests, too. */
+enum refusal health_busy_with(const struct service *service, const struct load *load);
+
 /* Handlers for the router. */
 bool health_open(const struct service *service, const struct load *load, struct request *request,
                  struct answer *answer);

@@ -5,22 +5,21 @@
 
 #include "metrics/metrics_print.h"
 #include "problem.h"
+#include "routes/health.h"
 
 bool metrics_open(const struct service *service, const struct load *load, struct request *request,
                   struct answer *answer)
 {
     struct metrics *metrics = service->metrics;
-    struct metrics_now now = {.isa = zr_isa_name(zr_team_isa(service->team)),
-                              .is_ready = !load->leaving && !load_busy_with(load, service, true)};
+    const bool is_open = request->takes_open_metrics;
     char *text = NULL;
     size_t size = 0;
     if (strcmp(service->config->metrics, "off") == 0) {
         problem_answer(answer, 404, "there are no metrics here; zrasterd has them with --metrics=on");
         return false;
     }
-    struct accept accept = {0};
-    if (request->accept) accept_read(&accept, request->accept);
-    const bool is_open = accept_open_metrics(&accept);
+    struct metrics_now now = {.isa = zr_isa_name(zr_team_isa(service->team)),
+                              .is_ready = !health_busy_with(service, load)};
     FILE *out = metrics ? open_memstream(&text, &size) : NULL;
     if (out) {
         metrics->look(metrics->context, &now);

@@ -296,8 +296,8 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
         add_timing(r->answer, r->times);
         parts_begin(stream, r->request->parts, r->answer);
     }
-    r->answer->warnings +=
-        files->warnings.count; /* each part has its own; parts_begin took the answer's headers only */
+    /* Each view has its own. parts_begin took the answer's headers only. */
+    r->answer->warnings += files->warnings.count;
     for (uint32_t i = 0; i < files->count; i++) {
         const struct zr_zip_entry *entry = &files->entries[i];
         snprintf(file, sizeof file, "%s.%s", view->name, entry->name);
@@ -322,7 +322,7 @@ static enum zr_status stream_several(struct rendering *r, struct zr_views *views
     return status;
 }
 
-/* Asks for the headers of a picture, which is not drawn. */
+/* Returns true for a request for headers alone: no picture is drawn. */
 static bool is_head(const struct request *request)
 {
     return strcmp(request->method, "HEAD") == 0;

@@ -83,17 +83,19 @@ static bool read_path(struct request *request, const char **preset, struct answe
 /* Returns the parameters of a preset, "" without one. NULL: the answer is ready. */
 static const char *find_preset(const struct gate *gate, const char *name, const char *query, struct answer *answer)
 {
+    const char *parameters = name ? gate_preset(gate, name) : "";
+    const bool is_forbidden = gate_has_only_presets(gate) && (!name || (query && *query));
+    if (parameters && !is_forbidden) return parameters;
     char known[ANSWER_DETAIL_SIZE];
     gate_list_presets(gate, known, sizeof known);
-    const char *parameters = name ? gate_preset(gate, name) : "";
-    if (gate_has_only_presets(gate) && (!name || (query && *query)))
+    if (is_forbidden)
         problem_answer(answer, 403,
                        "addresses have a preset here and no parameters: " RENDERS_PATH "{sha256}/PRESET; there are: %s",
                        known);
-    else if (!parameters)
+    else
         problem_answer(answer, 404, "there is no preset '%.64s'%s%s", name,
                        *known ? "; there are: " : "; zrasterd has them with --presets=FILE", known);
-    return answer->status ? NULL : parameters;
+    return NULL;
 }
 
 /* Reads "name=value&name=value" into request->render. */

@@ -66,6 +66,9 @@ TEST(small_requests_are_served_while_no_more_large_ones_are)
     assert_true(atoi(reply_header(&reply, "Retry-After")) >= 1);
     reply_free(&reply);
     assert_int_equal(client_get_status(&server, "/readyz"), 503);
+    reply = client_get(&server, "/metrics");
+    assert_non_null(strstr(reply.body, "\nzraster_ready 0\n"));
+    reply_free(&reply);
     assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
     end_large(clients, 2);
     free(scene);

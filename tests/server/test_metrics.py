@@ -169,6 +169,16 @@ class Forms(Case):
         self.assertIn("accept", got[1]["Vary"].lower())
         self.assertEqual(self.daemon.send("/metrics", b"", "POST")[0], 405)
 
+    def test_two_accepts(self):
+        """several headers Accept count as one list"""
+        connection = http.client.HTTPConnection(self.daemon.host, int(self.daemon.port), timeout=10)
+        connection.putrequest("GET", "/metrics")
+        for kind in ("text/html", "application/openmetrics-text"):
+            connection.putheader("Accept", kind)
+        connection.endheaders()
+        self.assertIn("application/openmetrics-text", connection.getresponse().headers["Content-Type"])
+        connection.close()
+
     def test_reader(self):
         """the strict reader would find what is wrong"""
         good = '# HELP a_seconds h\n# TYPE a_seconds histogram\n# UNIT a_seconds seconds\na_seconds_bucket{le="1.0"} 1\na_seconds_bucket{le="+Inf"} 2\na_seconds_sum 3\na_seconds_count 2\n# EOF\n'

@@ -32,7 +32,8 @@ static void trial_open(struct trial *trial)
     if (!store) fail_msg("%s", message);
     trial->slowness = (struct slowness){
         .mutex = PTHREAD_MUTEX_INITIALIZER, .known = PTHREAD_COND_INITIALIZER, .is_known = true, .value = 1.0};
-    service_init(&trial->service, &trial->config, NULL, &trial->slowness, store, NULL, NULL, NULL);
+    service_init(&trial->service, &trial->config, NULL, &trial->slowness);
+    trial->service.store = store;
 }
 
 static void trial_close(struct trial *trial)
