@@ -116,7 +116,7 @@ for part in "$@"; do
         for test in "$build"/tests/server/test_*; do
             case $test in
             *.o | *.d) continue ;;
-            */test_connections | */test_framing | */test_stream_waits | */test_timeouts) test_part=waits ;;
+            */test_connections | */test_framing | */test_stream_memory | */test_stream_waits | */test_timeouts) test_part=waits ;;
             *) test_part=server ;;
             esac
             [ "$test_part" = "$part" ] || continue
