@@ -149,7 +149,7 @@ class Scraped(unittest.TestCase):
         """all rules evaluate, and none raises an alert"""
         groups = self.prometheus.ask("rules")["groups"]
         rules = [rule for group in groups for rule in group["rules"]]
-        self.assertEqual(len(rules), 14)
+        self.assertEqual(len(rules), 15)
         self.assertEqual({rule["name"]: rule.get("lastError") for rule in rules if rule["health"] != "ok"}, {})
         raised = {rule["name"] for rule in rules if rule["state"] != "inactive"}
         self.assertEqual(raised, set())
