@@ -680,7 +680,7 @@ $(BUILD)/tests/unit/test_signature: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/test_clients: $(addprefix $(BUILD)/server/,http/clients.o gate/ip.o)
 $(BUILD)/tests/unit/test_networks: $(addprefix $(BUILD)/server/gate/,forwarded.o networks.o ip.o)
 $(BUILD)/tests/unit/test_proxy_header: $(addprefix $(BUILD)/server/,http/proxy_header.o gate/ip.o)
-$(BUILD)/tests/unit/test_trace: $(BUILD)/server/log/trace.o
+$(BUILD)/tests/unit/test_log_trace: $(BUILD)/server/log/trace.o
 $(BUILD)/tests/unit/test_log_text: $(addprefix $(BUILD)/server/,log/log_text.o text.o)
 $(BUILD)/tests/unit/test_queue: $(BUILD)/server/jobs/queue.o
 $(BUILD)/tests/unit/test_images: $(addprefix $(BUILD)/server/keep/,images.o kept.o texts.o)

@@ -82,8 +82,9 @@ sub vcl_backend_response {
     # Parts go on one by one. Other answers go on once they are whole: until then, another replica can take over.
     set beresp.do_stream = beresp.http.Content-Type ~ "^multipart/";
     if (beresp.status >= 400 || beresp.http.Cache-Control !~ "public|max-age|no-cache" || beresp.http.Cache-Control ~ "no-store|private") {
+        # For two minutes, requests for such an answer do not wait for one another.
         set beresp.uncacheable = true;
-        set beresp.ttl = 0s;
+        set beresp.ttl = 120s;
         return (deliver);
     }
     # An answer past its time is revalidated by its ETag: at once for no-cache, else after the grace, in which it is served while

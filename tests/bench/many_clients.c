@@ -24,8 +24,8 @@ enum {
 };
 enum { ROUNDS = 3, READY_ROUNDS = 9 };
 
-/* HEALTH_MS: what an orchestrator's check may take at most. */
 static const char JSON[] = "application/json";
+/* HEALTH_MS: what an orchestrator's check may take at most. */
 static const double SECONDS = 1.5, TIMES = 10.0, HEALTH_MS = 50.0, READY_MS = 100.0;
 
 static void name_kept(int connections, char *name, size_t size)

@@ -177,6 +177,15 @@ lacks() { # LANGUAGE FILE
     esac
 }
 
+# True if the test of a block is there, the block is one of sh, and its files of server/deploy and flags of zrasterd exist.
+is_run_by() { # TEST FILE
+    [ -s "$root/$1" ] && sh -n "$2" || return 1
+    for file in $(grep -o 'server/deploy/[a-z./]*' "$2"); do [ -s "$root/$file" ] || return 1; done
+    for flag in $(sed -n 's/.*zrasterd \(--[^&]*\).*/\1/p' "$2" | grep -o -- '--[a-z-]*'); do
+        "$build/zrasterd" --help | grep -q -- "^  $flag=" || return 1
+    done
+}
+
 # True if the file is the output of the block that ran last.
 is_last_output() { # FILE
     "$python" - "$1" "$work/last" "$server" >"$said" 2>"$complained" <<'END'
@@ -212,7 +221,7 @@ run_blocks() { # PAGE
             continue
             ;;
         sh,by=*)
-            verdict "$at: $language: ${info#by=} runs it" [ -s "$root/${info#by=}" ]
+            verdict "$at: $language: ${info#by=} runs it" is_run_by "${info#by=}" "$block"
             continue
             ;;
         json,*.json) cp "$block" "$info" ;; # for the blocks behind it
@@ -325,4 +334,8 @@ while read -r language text; do
     run_block "$language" wrong.block >"$said" 2>"$complained"
     verdict "as would a wrong block of $language" [ $? != 0 ]
 done <wrong
+for text in 'zrasterd --port 1 --no-flag 2 &' 'haproxy -f server/deploy/none.cfg' 'for port in 1 2; do'; do
+    echo "$text" >wrong.block
+    verdict "as would, in a block of another test: $text" eval '! is_run_by tests/run.sh wrong.block'
+done
 verdicts

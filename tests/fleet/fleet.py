@@ -12,7 +12,7 @@ import threading
 import time
 
 from load import JSON, Load, ask, other_text, scenes
-from services import PROXIES, Folder, Replica, wait_for
+from services import PROXIES, Folder, Replica, fill, wait_for
 
 LARGE = 20 << 20
 DELAY = ("--drain-delay-ms", "2000")  # that of compose.yaml
@@ -197,13 +197,13 @@ def overload(fleet):
     """503 with Retry-After from the proxy while no replica takes work, and 200 afterwards."""
     body = next(scenes())
     for replica in fleet.replicas:
-        replica.fill(True)
+        fill(replica.memory, True)
     answers = []
     end = time.monotonic() + 2
     while time.monotonic() < end:
         answers.append(fleet.ask("POST", "/v1/render", other_text(body, (1 << 23) + len(answers)), JSON))
     for replica in fleet.replicas:
-        replica.fill(False)
+        fill(replica.memory, False)
     statuses = sorted({status for status, _, _ in answers})
     retry = sum(headers["Retry-After"] is not None for _, headers, _ in answers)
     after = wait_for(lambda: fleet.ask("POST", "/v1/render", other_text(body, 1 << 22), JSON)[0] == 200, 5)
@@ -238,7 +238,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("build")
     parser.add_argument("--requests", type=int, default=20000)
-    parser.add_argument("--only", default="")
+    parser.add_argument("--only", default="", choices=("", *(kind.program for kind in PROXIES)))
     arguments = parser.parse_args()
     build, count, tap = os.path.abspath(arguments.build), arguments.requests, Tap()
     for kind in PROXIES:

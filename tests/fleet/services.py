@@ -77,6 +77,16 @@ class Folder:
         shutil.rmtree(self.host, ignore_errors=True)
 
 
+def fill(folder, is_full):
+    """Lets a daemon with --cgroup FOLDER find that its memory is nearly used up, or is not."""
+    texts = {"memory.max": "1000000000", "memory.current": "990000000" if is_full else "1000000", "memory.stat": "inactive_file 0\nfile 0\n"}
+    for name, text in texts.items():
+        temporary = os.path.join(folder, "new")
+        with open(temporary, "w", encoding="utf-8") as file:
+            file.write(text)
+        os.rename(temporary, os.path.join(folder, name))
+
+
 class Replica:
     """A daemon that can be ended and started again on its port. Its log is one file over all starts."""
 
@@ -87,17 +97,8 @@ class Replica:
         self.memory = os.path.join(folder.host, f"memory-{number}")
         self.command = [os.path.join(build, "zrasterd"), "--port", str(self.port), "--cgroup", self.memory, *flags]
         os.mkdir(self.memory)
-        self.fill(False)
+        fill(self.memory, False)
         self.process = None
-
-    def fill(self, is_full):
-        """Lets the daemon find that its memory is nearly used up, or is not."""
-        texts = {"memory.max": "1000000000", "memory.current": "990000000" if is_full else "1000000", "memory.stat": "inactive_file 0\nfile 0\n"}
-        for name, text in texts.items():
-            temporary = os.path.join(self.memory, "new")
-            with open(temporary, "w", encoding="utf-8") as file:
-                file.write(text)
-            os.rename(temporary, os.path.join(self.memory, name))
 
     def start(self):
         with open(self.log, "ab") as log:
@@ -174,11 +175,12 @@ class Proxy:
     def start(self):
         with open(os.path.join(self.folder.host, "said"), "ab") as said:
             self.process = self.call(self.run, stdout=said, stderr=said, stdin=subprocess.DEVNULL)
-        if not wait_for(lambda: self.process.poll() is not None or get(self.address + "/healthz") == 200, 20.0):
-            raise RuntimeError(f"{self.name} does not answer: {self.said()}")
-        if self.process.poll() is not None:
-            raise RuntimeError(f"{self.name} ended: {self.said()}")
-        return self
+        answers = wait_for(lambda: self.process.poll() is not None or get(self.address + "/healthz") == 200, 20.0)
+        if answers and self.process.poll() is None:
+            return self
+        said = self.said()
+        self.stop()
+        raise RuntimeError(f"{self.name} {'ended' if answers else 'does not answer'}: {said}")
 
     def said(self):
         with open(os.path.join(self.folder.host, "said"), encoding="utf-8", errors="replace") as file:

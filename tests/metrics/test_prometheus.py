@@ -1,6 +1,5 @@
 """A real Prometheus, with the files of server/deploy, scrapes a daemon twice a second under load: its sums are those of the log, its rules
 evaluate, and each panel of the dashboard has values. PROMETHEUS_SECONDS=60 of load; figures go to standard error."""
-import collections
 import http.client
 import json
 import os
@@ -46,7 +45,9 @@ class Prometheus:
         self.process = subprocess.Popen(["prometheus", f"--config.file={self.path}", f"--web.listen-address=127.0.0.1:{self.port}",
                                          f"--storage.tsdb.path={self.folder.name}/data", "--log.level=warn"], stdout=self.log, stderr=self.log, cwd=self.folder.name)
         if not services.wait_for(lambda: services.get(f"http://127.0.0.1:{self.port}/-/ready") == 200, 30.0):
-            raise RuntimeError(self.said())
+            said = self.said()
+            self.stop()
+            raise RuntimeError(said)
 
     def said(self):
         self.log.seek(0)
@@ -88,11 +89,13 @@ class Scraped(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.daemon = test_metrics.Watched()
+        cls.addClassCleanup(cls.daemon.stop)
         cls.proxy = None
         if services.HAProxy.command_there():
-            replica = type("Replica", (), {"port": cls.daemon.port})
-            cls.proxy = services.HAProxy((replica, replica)).start()
+            cls.proxy = services.HAProxy((cls.daemon, cls.daemon)).start()
+            cls.addClassCleanup(cls.proxy.stop)
         cls.prometheus = Prometheus(f"{cls.daemon.host}:{cls.daemon.port}", cls.proxy.environment["ZRASTER_STATUS"] if cls.proxy else "127.0.0.1:1")
+        cls.addClassCleanup(cls.prometheus.stop)
         end = time.monotonic() + SECONDS
         threads = [threading.Thread(target=send_until, args=(cls.daemon, end, seed)) for seed in range(4)]
         for thread in threads:
@@ -102,30 +105,19 @@ class Scraped(unittest.TestCase):
         cls.at_end = time.time()
         time.sleep(3)
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.prometheus.stop()
-        if cls.proxy:
-            cls.proxy.stop()
-        cls.daemon.stop()
-
     def test_sums(self):
         """sums by route, method and status, and of times and bytes, are those of the log"""
         lines = [line for line in self.daemon.lines() if line.get("route") not in ("/metrics", "/readyz")]  # HAProxy asks for /readyz on and on
-        log = collections.Counter()
-        for line in lines:
-            method = line.get("method", "")
-            log[line.get("route", "none"), method if method in test_metrics.METHODS else "other", str(line["status"])] += 1
+        log = test_metrics.counts(lines)
         counted = {(labels["route"], labels["method"], labels["status"]): value for labels, value in self.prometheus.query('zraster_http_requests_total{route!~"/metrics|/readyz"}')}
-        self.assertEqual(counted, dict(log))
+        self.assertEqual(counted, log)
         for route in {line.get("route", "none") for line in lines}:
             times = [line["totalMs"] / 1000 for line in lines if line.get("route", "none") == route]
             self.assertEqual(self.prometheus.value(f'zraster_http_request_duration_seconds_count{{route="{route}"}}'), len(times))
             self.assertAlmostEqual(self.prometheus.value(f'zraster_http_request_duration_seconds_sum{{route="{route}"}}'), sum(times), delta=1e-6 * len(times) + 1e-6)
         bodies = [line["bytesIn"] for line in lines if line["bytesIn"]]
         self.assertEqual((self.prometheus.value("zraster_http_request_body_bytes_count"), self.prometheus.value("zraster_http_request_body_bytes_sum")), (len(bodies), sum(bodies)))
-        looks = collections.Counter(line["look"] for line in lines if "look" in line)
-        self.assertEqual({labels["look"]: value for labels, value in self.prometheus.query("zraster_pictures_total")}, dict(looks))
+        self.assertEqual({labels["look"]: value for labels, value in self.prometheus.query("zraster_pictures_total")}, test_metrics.looks(lines))
         self.assertEqual(self.prometheus.value("sum(zraster_http_aborted_total)"), sum(line.get("aborted", False) for line in lines))
         print(f"# {len(lines)} requests of {len(log)} kinds in {SECONDS:.0f} s: all sums agree", file=sys.stderr)
 
@@ -157,7 +149,7 @@ class Scraped(unittest.TestCase):
         """all rules evaluate, and none raises an alert"""
         groups = self.prometheus.ask("rules")["groups"]
         rules = [rule for group in groups for rule in group["rules"]]
-        self.assertEqual(len(rules), 14)
+        self.assertEqual(len(rules), 15)
         self.assertEqual({rule["name"]: rule.get("lastError") for rule in rules if rule["health"] != "ok"}, {})
         raised = {rule["name"] for rule in rules if rule["state"] != "inactive"}
         self.assertEqual(raised, set())

@@ -1,7 +1,10 @@
 """A daemon on a free port of 127.0.0.1, for tests that need only the standard library."""
+import functools
+import json
 import os
 import re
 import subprocess
+import tempfile
 import unittest
 import urllib.error
 import urllib.request
@@ -35,6 +38,33 @@ class Daemon:
         return self.request(path, body, {name.replace("_", "-"): value for name, value in headers.items()}, method)
 
 
+class Logged(Daemon):
+    """A daemon whose log is read. It has a folder, in which the log is, too."""
+
+    def __init__(self, *flags):
+        with open(self.path("log"), "wb") as log:
+            super().__init__(*flags, log=log)
+
+    @functools.cached_property
+    def folder(self):
+        return tempfile.TemporaryDirectory()
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def log(self):
+        with open(self.path("log"), encoding="utf-8") as file:
+            return file.read()
+
+    def lines(self):
+        """Returns the whole lines of the log, parsed."""
+        return [json.loads(line) for line in self.log().splitlines(keepends=True) if line.endswith("\n")]
+
+    def stop(self):
+        super().stop()
+        self.folder.cleanup()
+
+
 class Case(unittest.TestCase):
     """Tests of one daemon, which the class starts with its flags: a Daemon, or a kind of it."""
 
@@ -43,7 +73,4 @@ class Case(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.daemon = cls.kind(*cls.flags)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.daemon.stop()
+        cls.addClassCleanup(cls.daemon.stop)

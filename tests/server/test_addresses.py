@@ -48,14 +48,11 @@ class Folder(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
         cls.daemon = daemon.Daemon("--assets-dir", cls.folder.name, *cls.flags)
+        cls.addClassCleanup(cls.daemon.stop)
         cls.client = Client(cls.daemon)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.client.close()
-        cls.daemon.stop()
-        cls.folder.cleanup()
+        cls.addClassCleanup(cls.client.close)
 
     def get(self, name, query="", method="GET", **headers):
         return self.client.send(method, f"/v1/renders/{name}{query}", **headers)
@@ -278,6 +275,7 @@ class Tags(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for flags in (("--threads=1", "--isa=scalar"), ("--threads=3", "--keep-answer-bytes=100000000")):
                 server = daemon.Daemon("--assets-dir", folder, *flags)
+                self.addCleanup(server.stop)
                 client = Client(server)
                 for data, queries in scenes():
                     name = client.put(data)
@@ -291,7 +289,6 @@ class Tags(unittest.TestCase):
                         self.assertEqual(digest_of.setdefault(headers["ETag"], digest), digest, (data[:80], query, flags))
                         tags_of.setdefault((name, digest), set()).add(headers["ETag"])
                 client.close()
-                server.stop()
         self.assertGreater(drawn, 2000)
         # Queries that give a default of the scene, such as its only channel or the quality of JPEG, have tags of their own.
         doubles = sum(len(tags) - 1 for tags in tags_of.values())
@@ -305,6 +302,7 @@ class Presets(unittest.TestCase):
             presets.write("small = look=studio@1&width=64&height=48\n")
             presets.flush()
             server = daemon.Daemon("--assets-dir", folder, "--presets", presets.name)
+            self.addCleanup(server.stop)
             client = Client(server)
             address = "/v1/renders/" + client.put(CUBE)
             named, spelt = client.send("GET", address + "/small"), client.send("GET", address + "?height=48&width=64&look=studio@1")
@@ -313,14 +311,13 @@ class Presets(unittest.TestCase):
             for path, words in (("/small?width=65", "duplicate parameter 'width'"), ("/large", "there are: small")):
                 self.assertIn(words, json.loads(client.send("GET", address + path)[2])["detail"])
             client.close()
-            server.stop()
             server = daemon.Daemon("--assets-dir", folder, "--presets", presets.name, "--only-presets=on")
+            self.addCleanup(server.stop)
             client = Client(server)
             self.assertEqual(client.send("GET", address + "/small")[2], named[2])
             for path in ("", "?width=64", "/small?channel=depth"):
                 self.assertEqual(client.send("GET", address + path)[0], 403, path)
             client.close()
-            server.stop()
 
 
 class Cost(Folder):
@@ -339,8 +336,8 @@ class Nowhere(unittest.TestCase):
     def test_no_store(self):
         """without a folder for assets, the answer says how to have one"""
         server = daemon.Daemon()
+        self.addCleanup(server.stop)
         for path in ("/v1/renders/" + "0" * 64, "/v1/scenes/" + "0" * 64):
             status, _, data = server.request(path)
             self.assertEqual(status, 404)
             self.assertIn("--assets-dir=DIRECTORY", json.loads(data)["detail"])
-        server.stop()

@@ -2,12 +2,14 @@
 import concurrent.futures
 import hashlib
 import hmac
+import http.server
 import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
@@ -100,6 +102,43 @@ class Proxies(unittest.TestCase):
     def test_varnish(self):
         """Varnish accepts varnish.vcl; a replica is killed, another one terminated: no request fails; assets are cached"""
         self.case(services.Varnish)
+
+
+class Together(http.server.BaseHTTPRequestHandler):
+    """A replica whose answers may not be kept. /together answers 200 once two requests are there."""
+
+    def do_GET(self):
+        if self.path == "/together":
+            try:
+                self.server.both.wait(5)
+            except threading.BrokenBarrierError:
+                self.path = "/alone"
+        self.send_response(409 if self.path == "/alone" else 200)
+        self.send_header("Cache-Control", "no-store")
+        self.send_header("Content-Length", "0")
+        self.end_headers()
+
+    def log_message(self, *_):
+        pass
+
+
+class Waiting(unittest.TestCase):
+    @unittest.skipUnless(services.Varnish.command_there(), "varnishd is missing (the package varnish)")
+    def test_private_answers(self):
+        """requests for an answer that Varnish may not keep do not wait for one another"""
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Together)
+        self.addCleanup(server.server_close)
+        server.both, server.port = threading.Barrier(1), server.server_port
+        threading.Thread(target=server.serve_forever, args=(0.02,)).start()
+        self.addCleanup(server.shutdown)
+        proxy = services.Varnish((server, server))
+        self.addCleanup(proxy.stop)
+        address = proxy.start().address + "/together"
+        self.assertEqual(services.get(address), 200)  # from now on, Varnish has an entry that the answer may not be kept
+        server.both = threading.Barrier(2)
+        with concurrent.futures.ThreadPoolExecutor() as pool:
+            statuses = list(pool.map(services.get, [address] * 2, [10.0] * 2))
+        self.assertEqual(statuses, [200, 200])
 
 
 class Numbers(unittest.TestCase):

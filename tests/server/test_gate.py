@@ -23,21 +23,14 @@ MODEL = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 SECONDS = 30.0
 
 
-class Daemon(daemon.Daemon):
-    """A daemon whose files are given as {flag: text}, and whose log can be read."""
+class Daemon(daemon.Logged):
+    """A daemon whose files are given as {flag: text}."""
 
     def __init__(self, files, *flags):
-        self.folder = tempfile.TemporaryDirectory()
         for flag, text in files.items():
             self.write(flag, text)
             flags += (f"--{flag}", self.path(flag))
-        self.log = open(self.path("log"), "w+", encoding="utf-8")
-        command = [os.path.join(daemon.build, "zrasterd"), "--port", "0", *flags]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=self.log, text=True)
-        self.address = self.process.stdout.readline().split()[-1]
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
+        super().__init__(*flags)
 
     def write(self, name, text):
         """Replaces a file in one step."""
@@ -46,18 +39,17 @@ class Daemon(daemon.Daemon):
             file.write(text)
         os.rename(self.path("new"), self.path(name))
 
-    def lines(self, event):
-        with open(self.path("log"), encoding="utf-8") as log:
-            lines = [json.loads(line) for line in log.read().splitlines(keepends=True) if line.endswith("\n")]
-        return [line for line in lines if line.get("event") == event]
+    def reloads(self):
+        """Returns the lines of the log about SIGHUP."""
+        return [line for line in self.lines() if line.get("event") == "reload"]
 
     def reload(self):
         """Sends SIGHUP. Returns the line of the log about it."""
-        count, end = len(self.lines("reload")), time.monotonic() + SECONDS
+        count, end = len(self.reloads()), time.monotonic() + SECONDS
         self.process.send_signal(signal.SIGHUP)
         while time.monotonic() < end:
-            if len(self.lines("reload")) > count:
-                return self.lines("reload")[count]
+            if len(lines := self.reloads()) > count:
+                return lines[count]
             time.sleep(0.005)
         raise AssertionError("SIGHUP was not logged")
 
@@ -66,8 +58,6 @@ class Daemon(daemon.Daemon):
 
     def stop(self):
         super().stop()
-        self.log.close()
-        self.folder.cleanup()
         assert self.process.returncode == 0, self.process.returncode
 
 
@@ -98,8 +88,7 @@ class Reload(unittest.TestCase):
             line = server.reload()
             self.assertEqual((line["level"], line["detail"]), ("error", f"tokens, keys and presets stay as they were: {fault}"))
             self.assertEqual([server.status("secret"), server.status("other")], [200, 401])
-        with open(server.path("log"), encoding="utf-8") as log:
-            self.assertNotIn("secret", log.read())
+        self.assertNotIn("secret", server.log())
 
     def test_faults_at_start(self):
         """a daemon with a faulty file does not start"""
@@ -140,7 +129,7 @@ class Reload(unittest.TestCase):
         stop.set()
         for thread in threads:
             thread.join()
-        self.assertEqual((set(statuses), len(server.lines("reload"))), ({200}, reloads))
+        self.assertEqual((set(statuses), len(server.reloads())), ({200}, reloads))
         print(f"# {reloads} reloads, {len(statuses)} requests")
 
     def test_terminal(self):
@@ -149,6 +138,8 @@ class Reload(unittest.TestCase):
         command = [os.path.join(daemon.build, "zrasterd"), "--port", "0"]
         process = subprocess.Popen(command, stdin=terminal, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         self.addCleanup(process.stdout.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
         self.assertIn("listening", process.stdout.readline())
         process.send_signal(signal.SIGHUP)
         time.sleep(0.05)
@@ -181,17 +172,14 @@ class Signatures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.assets = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.assets.cleanup)
         files = {"keys-file": f"{KEY}\n{OTHER_KEY}\n", "presets": "small = look=clay&width=32&height=32\n"}
         cls.daemon = Daemon(files, "--token", "secret", "--assets-dir", cls.assets.name, "--max-per-private-client", "0")
+        cls.addClassCleanup(cls.daemon.stop)
         cls.hash = hashlib.sha256(MODEL).hexdigest()
         cls.path = f"/v1/renders/{cls.hash}"
         status = cls.daemon.send(f"/v1/scenes/{cls.hash}", MODEL, "PUT", Authorization="Bearer secret")[0]
         assert status in (200, 201), status
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.daemon.stop()
-        cls.assets.cleanup()
 
     def detail(self, address, **headers):
         """Returns status and detail of a refusal."""
@@ -223,7 +211,7 @@ class Signatures(unittest.TestCase):
         for odd in (f"{address}&signature=", sign(address).upper().replace("SIGNATURE", "signature").replace("/V1/RENDERS", "/v1/renders"),
                     sign(address) + "&a=b", sign(sign(address)), sign(f"{address}&exp=soon"), sign(f"{address}&exp=9&exp=9")):
             status, detail = self.detail(odd)
-            self.assertEqual((status, detail[:42]), (403, "the last parameter of the address is signat"[:42]), odd)
+            self.assertEqual((status, detail.split(",")[0]), (403, "the last parameter of the address is signature"), odd)
         self.assertEqual(self.daemon.send(f"{self.path}/small", method="HEAD")[0], 403)
 
     def test_token(self):
@@ -258,8 +246,7 @@ class Signatures(unittest.TestCase):
         for text in texts:
             self.daemon.send(text)
         self.daemon.reload()
-        with open(self.daemon.path("log"), encoding="utf-8") as log:
-            lines = log.read()
+        lines = self.daemon.log()
         self.assertIn('"query":"look=clay&width=32"', lines)
         for secret in [text[-64:] for text in texts] + [KEY, OTHER_KEY]:
             self.assertNotIn(secret, lines)

@@ -338,21 +338,24 @@ TEST(sigterm_amid_requests_on_kept_connections_ends_well)
 {
     enum { KEPT = 48, ROUNDS = 8 };
     static const char HEALTH[] = "GET /readyz HTTP/1.1\r\nHost: a\r\n\r\n";
+    struct daemon servers[ROUNDS];
+    int kept[ROUNDS][KEPT];
     for (int round = 0; round < ROUNDS; round++) {
-        struct daemon server = daemon_start(NULL);
-        int kept[KEPT];
+        servers[round] = daemon_start(NULL);
         for (int i = 0; i < KEPT; i++) {
-            kept[i] = client_connect(&server);
-            assert_true(client_write(kept[i], HEALTH, sizeof HEALTH - 1));
-            free(client_read(kept[i], "}", 5000));
+            kept[round][i] = client_connect(&servers[round]);
+            assert_true(client_write(kept[round][i], HEALTH, sizeof HEALTH - 1));
+            free(client_read(kept[round][i], "}", 5000));
         }
         for (int i = 0; i < KEPT; i++) {
-            if (i == KEPT / 2) daemon_signal(&server);
-            client_write(kept[i], HEALTH, sizeof HEALTH - 1);
+            if (i == KEPT / 2) daemon_signal(&servers[round]);
+            client_write(kept[round][i], HEALTH, sizeof HEALTH - 1);
         }
-        daemon_stop(&server); /* asserts exit status 0 */
+    }
+    for (int round = 0; round < ROUNDS; round++) { /* all wait for their clients at once */
+        daemon_stop(&servers[round]);              /* asserts exit status 0 */
         for (int i = 0; i < KEPT; i++)
-            close(kept[i]);
+            close(kept[round][i]);
     }
 }
 

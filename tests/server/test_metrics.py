@@ -16,9 +16,11 @@ import unittest
 import daemon
 import openmetrics
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../fleet"))
+import services
+
 root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
 deploy = os.path.join(root, "server/deploy")
-sys.path.append(os.path.join(root, "tests/fleet"))
 PROMTOOL = shutil.which("promtool")
 needs_promtool = unittest.skipUnless(PROMTOOL, "promtool is missing (the package prometheus, some 320 MB); make prometheus installs it")
 OPEN = "application/openmetrics-text; version=1.0.0"
@@ -38,19 +40,12 @@ def promtool(*arguments, **more):
     return done.returncode, done.stdout
 
 
-class Watched(daemon.Daemon):
-    """A daemon whose log is read, too."""
+class Watched(daemon.Logged):
+    """A daemon whose metrics are read beside its log."""
 
     def __init__(self, *flags):
-        self.folder = tempfile.TemporaryDirectory()
-        self.path = os.path.join(self.folder.name, "log")
-        with open(self.path, "wb") as log:
-            super().__init__("--assets-dir", self.folder.name, *flags, log=log)
+        super().__init__("--assets-dir", self.folder.name, *flags)
         self.host, self.port = self.address.removeprefix("http://").split(":")
-
-    def stop(self):
-        super().stop()
-        self.folder.cleanup()
 
     def scrape(self, accept="text/plain"):
         status, headers, data = self.send("/metrics", Accept=accept)
@@ -61,9 +56,8 @@ class Watched(daemon.Daemon):
         return openmetrics.parse(self.scrape()[1])
 
     def lines(self):
-        """The lines about requests."""
-        with open(self.path, encoding="utf-8") as file:
-            return [one for one in map(json.loads, file.read().splitlines()) if "method" in one or "status" in one]
+        """Returns the lines about requests."""
+        return [one for one in super().lines() if "method" in one or "status" in one]
 
     def raw(self, data, reads=True):
         """Sends bytes as they are on a connection of their own."""
@@ -97,6 +91,16 @@ class Watched(daemon.Daemon):
                 break
             time.sleep(0.02)
         return families, lines[:-1]
+
+
+def counts(lines):
+    """Returns how many lines of the log there are by route, method and status."""
+    method_of = lambda line: line["method"] if line.get("method") in METHODS else "other"
+    return dict(collections.Counter((line.get("route", "none"), method_of(line), str(line["status"])) for line in lines))
+
+
+def looks(lines):
+    return dict(collections.Counter(line["look"] for line in lines if "look" in line))
 
 
 class Case(daemon.Case):
@@ -224,12 +228,9 @@ class Sums(Case):
         self.assertEqual(self.daemon.send("/v1/render", slow.encode(), "POST", Content_Type="application/json")[0], 504)
         families, lines = self.daemon.agreed()
         self.assertGreater(len(lines), 50)
-        log = collections.Counter()
-        for line in lines:
-            method = line.get("method", "")
-            log[line.get("route", "none"), method if method in METHODS else "other", str(line["status"])] += 1
+        log = counts(lines)
         counted = {tuple(dict(labels)[name] for name in ("route", "method", "status")): value for (_, labels), value in families["zraster_http_requests_total"].samples.items()}
-        self.assertEqual(counted, dict(log))
+        self.assertEqual(counted, log)
         self.assertLessEqual({"200", "204", "400", "404", "405", "415", "422", "504"}, {key[2] for key in log})
         self.assertLessEqual({"none", "/v1/render", "/healthz"}, {key[0] for key in log})
         self.assertIn("other", {key[1] for key in log})
@@ -246,8 +247,7 @@ class Sums(Case):
             check("zraster_http_request_step_seconds", [line[step + "Ms"] / 1000 for line in lines if step + "Ms" in line], False, step=step)
         check("zraster_http_request_body_bytes", [line["bytesIn"] for line in lines if line["bytesIn"]], True)
         check("zraster_http_answer_body_bytes", [line["bytesOut"] for line in lines if line["bytesOut"]], True)
-        looks = {dict(labels)["look"]: value for (_, labels), value in families["zraster_pictures_total"].samples.items()}
-        self.assertEqual(looks, dict(collections.Counter(line["look"] for line in lines if "look" in line)))
+        self.assertEqual({dict(labels)["look"]: value for (_, labels), value in families["zraster_pictures_total"].samples.items()}, looks(lines))
         self.assertEqual(families["zraster_picture_warnings_total"].sum(), sum(line.get("warnings", 0) for line in lines))
         self.assertGreater(families["zraster_picture_warnings_total"].sum(), 0)
         self.assertEqual(families["zraster_http_aborted_total"].sum(), sum(line.get("aborted", False) for line in lines))
@@ -287,14 +287,7 @@ class Refusals(unittest.TestCase):
         """refused requests are counted by reasons, as in the log: full memory, a client's share, connections whose place was needed, and an end"""
         memory = tempfile.TemporaryDirectory()
         self.addCleanup(memory.cleanup)
-
-        def fill(current):
-            for name, text in (("memory.max", "1000000000"), ("memory.current", current), ("memory.stat", "inactive_file 0\nfile 0\n")):
-                with open(os.path.join(memory.name, "new"), "w", encoding="ascii") as file:
-                    file.write(text)
-                os.rename(os.path.join(memory.name, "new"), os.path.join(memory.name, name))
-
-        fill("1000000")
+        services.fill(memory.name, False)
         one = Watched("--cgroup", memory.name, "--max-connections=8", "--max-per-private-client=1", "--drain-delay-ms=10000", "--drain-timeout-ms=1")
         self.addCleanup(one.stop)
         self.addCleanup(one.process.kill)
@@ -305,7 +298,7 @@ class Refusals(unittest.TestCase):
         with socket.create_connection((one.host, int(one.port)), timeout=10) as stream:
             stream.sendall(b"POST /v1/render HTTP/1.1\r\nHost: a\r\nContent-Length: 9\r\n\r\n{")
             self.assertTrue(repeat(429, "/v1/render", SCENE, "POST"))
-        fill("990000000")
+        services.fill(memory.name, True)
         self.assertTrue(repeat(503, "/v1/render", SCENE, "POST"))
         self.assertEqual(one.families()["zraster_ready"].sum(), 0)
         streams = [socket.create_connection((one.host, int(one.port)), timeout=10) for _ in range(14)]
@@ -314,7 +307,7 @@ class Refusals(unittest.TestCase):
             time.sleep(0.02)
         for stream in streams:
             stream.close()
-        fill("1000000")
+        services.fill(memory.name, False)
         self.assertTrue(repeat(200, "/readyz"))
         one.process.terminate()
         self.assertTrue(repeat(503, "/readyz"))
@@ -467,11 +460,9 @@ class Uses(Case):
 
     def test_haproxy(self):
         """the metrics of HAProxy that alerts name are those that it has with haproxy.cfg"""
-        import services
         if not services.HAProxy.command_there():
             self.skipTest("haproxy is missing (the package haproxy)")
-        replica = type("Replica", (), {"port": self.daemon.port})
-        proxy = services.HAProxy((replica, replica)).start()
+        proxy = services.HAProxy((self.daemon, self.daemon)).start()
         try:
             host, port = proxy.environment["ZRASTER_STATUS"].split(":")
             connection = http.client.HTTPConnection(host, int(port), timeout=10)

@@ -23,11 +23,12 @@ static size_t take(struct proxy_header *header, const char *bytes, size_t size, 
 /* `source`: "" for none. */
 static void assert_source(const char *bytes, size_t size, const char *source)
 {
-    char rest[1024], found[IP_TEXT_SIZE] = "";
+    char rest[1024];
     struct proxy_header header;
     memcpy(rest, bytes, size);
     memcpy(rest + size, "GET / HTTP/1.1", 14);
     for (size_t step = 1; step <= size + 14; step++) {
+        char found[IP_TEXT_SIZE] = "";
         assert_int_equal(take(&header, rest, size + 14, step), size);
         assert_null(header.wrong);
         assert_true(header.is_whole);
