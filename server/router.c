@@ -59,12 +59,20 @@ static const struct route *find_route(const char *path)
     return NULL;
 }
 
+/* Returns true if a path "/v1/assets/" is listed as "/v1/assets". */
+static bool is_listed_without_slash(const struct route *route)
+{
+    char path[64];
+    snprintf(path, sizeof path, "%.*s", (int)strlen(route->path) - 1, route->path);
+    return is_for_all_below(route) && find_route(path);
+}
+
 static void refuse_path(const struct request *request, struct answer *answer)
 {
     char known[ANSWER_DETAIL_SIZE] = "";
     size_t used = 0;
     for (const struct route *route = ROUTES; route < ROUTES + ROUTE_COUNT; route++)
-        if (!is_for_all_below(route) && used < sizeof known)
+        if (!is_listed_without_slash(route) && used < sizeof known)
             used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "", route->path);
     problem_answer(answer, 404, "there is no '%.100s' here; there are %s", request->path, known);
 }

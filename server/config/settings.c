@@ -18,12 +18,13 @@ static const struct setting ROWS[] = {
     {"token", SECRET, AT(token), false, 0, 0, 0, "", "",
      "bearer token that clients must send; empty: none; prefer its variable, which ps does not show"},
     {"token-file", TEXT, AT(token_file), false, 0, 0, 0, "", "",
-     "file of further tokens, one a line; SIGHUP reads it anew"},
+     "file of further tokens, one per line; SIGHUP reads it anew"},
     {"keys-file", TEXT, AT(keys_file), false, 0, 0, 0, "", "",
-     "file of keys, one a line in hexadecimal digits, for signatures of addresses below /v1/renders/; SIGHUP reads it "
+     "file of keys, one per line in hexadecimal digits, for signatures of addresses below /v1/renders/; SIGHUP reads "
+     "it "
      "anew"},
     {"presets", TEXT, AT(presets), false, 0, 0, 0, "", "",
-     "file of presets for /v1/renders/, one a line, such as small = look=studio&width=320; SIGHUP reads it anew"},
+     "file of presets for /v1/renders/, one per line, such as small = look=studio&width=320; SIGHUP reads it anew"},
     {"only-presets", SWITCH, AT(only_presets), false, 0, 0, 0, "off", "",
      "on or off: addresses below /v1/renders/ take a preset and no parameters of their own"},
     {"metrics", SWITCH, AT(metrics), false, 0, 0, 0, "on", "", "on or off: /metrics for Prometheus, without a token"},

@@ -164,6 +164,7 @@ class Addresses(Folder):
         for path in ("", "x", name.upper(), name + "0", name[:-1], "../" + name, name[:-1] + "/"):
             self.assert_problem(self.get(path), 404, "64 lower-case")
         self.assert_problem(self.client.send("POST", "/v1/renders/" + name), 405, "GET, HEAD")
+        self.assert_problem(self.client.send("GET", "/v1/renders"), 404, "/v1/scenes/, /v1/renders/")
 
     def test_hostile(self):
         """files that are no scene, and scenes beyond the limits, are refused as in a render"""
