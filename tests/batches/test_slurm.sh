@@ -86,11 +86,11 @@ for i in $(seq -w $files); do
         for (k = 1; k < 399; k++) print "f", k, k + 1, k + 2 }' >"models/m$i.obj"
 done
 find "$work/models" -name '*.obj' | LC_ALL=C sort >list.txt
-"$build/zraster" batch - -o whole -q -s 500 <list.txt || exit 1
-job=$(ZRASTER=$build/zraster sbatch --parsable --array=0-$((shards - 1)) --cpus-per-task=1 --mem=500M "$script" list.txt "$work/pictures" -s 500)
+"$build/zraster" batch - -o whole -q -s 800 <list.txt || exit 1
+job=$(ZRASTER=$build/zraster sbatch --parsable --array=0-$((shards - 1)) --cpus-per-task=1 --mem=500M "$script" list.txt "$work/pictures" -s 800)
 count_pictures() { find pictures -name '*.png' 2>/dev/null | wc -l; }
 some_are_drawn() { [ "$(count_pictures)" -ge $1 ]; }
-verdict "an array begins" within 60 some_are_drawn 30
+verdict "an array begins" within 60 some_are_drawn 8
 
 # What a node runs has its name in the environment; above that is a slurmstepd.
 end_node() { # NAME
