@@ -21,8 +21,7 @@ static const struct setting ROWS[] = {
      "file of further tokens, one per line; SIGHUP reads it anew"},
     {"keys-file", TEXT, AT(keys_file), false, 0, 0, 0, "", "",
      "file of keys, one per line in hexadecimal digits, for signatures of addresses below /v1/renders/; SIGHUP reads "
-     "it "
-     "anew"},
+     "it anew"},
     {"presets", TEXT, AT(presets), false, 0, 0, 0, "", "",
      "file of presets for /v1/renders/, one per line, such as small = look=studio&width=320; SIGHUP reads it anew"},
     {"only-presets", SWITCH, AT(only_presets), false, 0, 0, 0, "off", "",

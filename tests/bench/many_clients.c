@@ -25,7 +25,7 @@ enum {
 enum { ROUNDS = 3, READY_ROUNDS = 9 };
 
 static const char JSON[] = "application/json";
-/* HEALTH_MS: what an orchestrator's check may take at most. */
+/* HEALTH_MS: orchestrators count a longer check as failed. */
 static const double SECONDS = 1.5, TIMES = 10.0, HEALTH_MS = 50.0, READY_MS = 100.0;
 
 static void name_kept(int connections, char *name, size_t size)

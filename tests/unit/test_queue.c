@@ -1,4 +1,4 @@
-/* server/jobs/queue.c: who is woken, and when. */
+/* server/jobs/queue.c: lanes of small and large jobs, their order, and memory that goes back to the system. */
 #include <malloc.h>
 #include <semaphore.h>
 #include <stdatomic.h>
