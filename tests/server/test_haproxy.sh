@@ -25,9 +25,10 @@ start() { # NAME OPTION...: its address, host and port, becomes $address
     daemon_start "$name" --port 0 --trusted-proxies 127.0.0.1 "$@"
     address=${address#http://}
 }
-start header --max-per-private-client 1
+limits="--max-per-private-client 1 --cost-max-ms 86400000" # of a slow build, the slow request would be refused at once
+start header $limits
 header=$address
-start proxy --proxy-protocol on --max-per-private-client 1
+start proxy --proxy-protocol on $limits
 proxy=$address
 start forwarded --client-header forwarded
 forwarded=$address
@@ -141,10 +142,11 @@ echo '{"polygons":[{"vertices":[[0,0,0],[1,0,0],[0,1,0]]}]}' >"$work/quick.json"
 render() { # OFFSET ADDRESS FILE
     curl -s -o /dev/null -w '%{http_code}' --interface "$2" -H 'Content-Type: application/json' --data-binary "@$work/$3" "http://127.0.0.1:$((port + $1))/v1/render"
 }
+is_busy() { curl -sf "http://127.0.0.1:$((port + $1))/metrics" | grep -q '^zraster_workers_busy 1'; }
 for offset in 0 2; do
     render $offset 127.0.0.9 slow.json >/dev/null &
     slow=$!
-    sleep 0.3
+    within 5 is_busy $offset
     verdict "a client that has its share gets 429" [ "$(render $offset 127.0.0.9 quick.json)" = 429 ]
     verdict "another one is served" [ "$(render $offset 127.0.0.8 quick.json)" = 200 ]
     kill $slow
