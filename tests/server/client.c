@@ -228,6 +228,21 @@ char *client_raw(const struct daemon *daemon, const char *bytes, size_t size, in
     return text;
 }
 
+void client_wait_for_metric(const struct daemon *daemon, const char *before, const char *line)
+{
+    char request[256], whole[256];
+    const double begun = client_seconds();
+    const int size =
+        snprintf(request, sizeof request, "%sGET /metrics HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n", before);
+    snprintf(whole, sizeof whole, "\n%s\n", line);
+    for (bool found = false; !found; usleep(5000)) {
+        char *text = client_raw(daemon, request, (size_t)size, 5000);
+        found = strstr(text, whole);
+        free(text);
+        if (!found && client_seconds() - begun > 10) fail_msg("no metric is '%s'", line);
+    }
+}
+
 int raw_status(const char *text)
 {
     int status = 0;

@@ -57,6 +57,12 @@ bool client_write(int fd, const char *bytes, size_t size);
 /* Sends a render of a JSON scene and does not wait for its answer: the connection. */
 int client_begin_render(const struct daemon *daemon, const char *scene);
 
+/* Waits until /metrics has `line`; the running test fails where it has not in some seconds. `before` is sent ahead of
+ * the request: "", or a PROXY header. */
+void client_wait_for_metric(const struct daemon *daemon, const char *before, const char *line);
+#define ONE_AT_WORK               "zraster_workers_busy 1"
+#define AT_WORK_OR_WAITING(count) "zraster_http_connections{phase=\"work\"} " count
+
 /* Sends `bytes` and reads until the daemon closes, at most `timeout_ms` of
  * silence. Zero-terminated; free it. */
 char *client_raw(const struct daemon *daemon, const char *bytes, size_t size, int timeout_ms);

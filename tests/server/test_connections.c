@@ -93,7 +93,7 @@ TEST(places_for_loopback_are_kept_free)
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, 4000);
     for (int i = 0; i < BUSY; i++)
         clients[i] = client_begin_render(&server, scene);
-    usleep(300000);
+    client_wait_for_metric(&server, "", AT_WORK_OR_WAITING("8"));
     assert_int_equal(client_get_status(&server, "/healthz"), 200);
     for (int i = 0; i < BUSY; i++)
         close(clients[i]);

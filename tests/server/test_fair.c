@@ -23,11 +23,18 @@ static char *scene_large(bool small_body)
     return scene;
 }
 
-static void begin_large(const struct daemon *server, const char *scene, int *clients, int count)
+/* One by one: each is at work, or waits among the large ones, before the next comes. */
+static void begin_large(const struct daemon *server, int workers, const char *scene, int *clients, int count)
 {
-    /* One by one, each out of the queue that it came into before the next comes. */
-    for (int i = 0; i < count; i++, usleep(100000))
+    for (int i = 0; i < count; i++) {
+        char line[64];
+        if (i < workers)
+            snprintf(line, sizeof line, "zraster_workers_busy %d", i + 1);
+        else
+            snprintf(line, sizeof line, "zraster_queue_length{queue=\"large\"} %d", i + 1 - workers);
         clients[i] = client_begin_render(server, scene);
+        client_wait_for_metric(server, "", line);
+    }
 }
 
 /* None has been answered. */
@@ -46,7 +53,7 @@ TEST(small_requests_are_served_while_large_ones_run_and_wait)
         struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=2", "--queue=8", NULL});
         int clients[LARGE];
         char *scene = scene_large(small_body);
-        begin_large(&server, scene, clients, LARGE);
+        begin_large(&server, 2, scene, clients, LARGE);
         for (int i = 0; i < SMALL; i++)
             assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
         end_large(clients, LARGE);
@@ -60,7 +67,7 @@ TEST(small_requests_are_served_while_no_more_large_ones_are)
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", NULL});
     int clients[2];
     char *scene = scene_large(true);
-    begin_large(&server, scene, clients, 2); /* one is worked on, one waits */
+    begin_large(&server, 1, scene, clients, 2); /* one is worked on, one waits */
     struct reply reply = client_render(&server, scene);
     assert_int_equal(reply.status, 503);
     assert_true(atoi(reply_header(&reply, "Retry-After")) >= 1);

@@ -131,7 +131,7 @@ TEST(client_that_leaves_frees_the_worker)
                                                               "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     int rendering = client_begin_render(&server, scene), waiting = client_begin_render(&server, scene);
-    usleep(200000);
+    client_wait_for_metric(&server, "", AT_WORK_OR_WAITING("2"));
     close(rendering);
     close(waiting);
     double begun = client_seconds();
@@ -260,14 +260,14 @@ TEST(sigterm_lets_renders_in_flight_end)
     struct daemon server =
         daemon_start((const char *const[]){LET_IN, "--workers=2", "--queue=8", "--max-per-client=0",
                                            "--render-timeout-ms=120000", "--drain-timeout-ms=120000", NULL});
-    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW * 2);
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW * (IS_SANITIZED ? 4 : 16)); /* all come before one ends */
     struct post posts[IN_FLIGHT];
     int kept = client_connect(&server);
     static const char EARLY[] = "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n";
     assert_true(client_write(kept, EARLY, sizeof EARLY - 1));
     free(client_read(kept, "ok\"}", 5000));
     begin_posts(posts, IN_FLIGHT, &server, scene);
-    usleep(150000);
+    client_wait_for_metric(&server, "", AT_WORK_OR_WAITING("6"));
     daemon_signal(&server);
     usleep(50000);
 
@@ -323,7 +323,7 @@ TEST(drain_that_takes_too_long_is_cut_short)
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     struct post posts[2]; /* one is worked on, one waits: both at once would find no room but for one */
     begin_posts(&posts[0], 1, &server, scene);
-    usleep(300000);
+    client_wait_for_metric(&server, "", ONE_AT_WORK);
     begin_posts(&posts[1], 1, &server, scene);
     assert_true(wait_for_status(&server, "/readyz", 503));
     usleep(300000); /* not ready before the last of them has come */
