@@ -39,14 +39,16 @@ bool streamed_read(struct streamed *streamed)
 {
     struct pollfd polled = {.fd = streamed->fd, .events = POLLIN};
     if (streamed->has_ended || poll(&polled, 1, SILENCE_MS) <= 0) return false;
-    char *bytes = realloc(streamed->bytes, streamed->size + BLOCK + 1);
-    assert_non_null(bytes);
-    streamed->bytes = bytes;
-    const ssize_t count = recv(streamed->fd, bytes + streamed->size, BLOCK, 0);
+    if (streamed->capacity < streamed->size + BLOCK + 1) {
+        streamed->capacity = 2 * streamed->size + BLOCK + 1;
+        streamed->bytes = realloc(streamed->bytes, streamed->capacity);
+        assert_non_null(streamed->bytes);
+    }
+    const ssize_t count = recv(streamed->fd, streamed->bytes + streamed->size, BLOCK, 0);
     if (count > 0) streamed->size += (size_t)count;
-    bytes[streamed->size] = '\0';
+    streamed->bytes[streamed->size] = '\0';
     streamed->has_ended = count <= 0 || is_last_chunk(streamed);
-    streamed->status = raw_status(bytes);
+    streamed->status = raw_status(streamed->bytes);
     return count > 0;
 }
 

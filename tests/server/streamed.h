@@ -7,7 +7,7 @@
 struct streamed {
     int fd;
     char *bytes; /* as received, with a final zero */
-    size_t size;
+    size_t size, capacity;
     bool has_ended; /* the daemon has closed, or sent the last chunk */
     int status;
 };
