@@ -40,9 +40,13 @@ part_end() {
     echo " in $(($(date +%s) - since)) s"
 }
 
-# run NAME COMMAND...: one program, to be run at the end of the part. No argument has a space.
+# run NAME COMMAND...: one program, to be run at the end of the part. NAME is of no other program. No argument has a space.
 run() {
     log=$logs/$1.tap
+    if cat "$logs"/*.names | grep -qxF "$1"; then
+        say "run.sh: two programs are named $1"
+        exit 2
+    fi
     echo "$1" >>"$logs/$part.names"
     shift
     echo "env CMOCKA_MESSAGE_OUTPUT=TAP $* >'$log' 2>'$log.err' </dev/null; echo \$? >'$log.status'" >>"$logs/$part.list"
@@ -87,7 +91,8 @@ for part in "$@"; do
     unit)
         for test in "$build"/tests/property/test_* "$build"/tests/unit/test_*; do # the longest first
             case $test in *.o | *.d) continue ;; esac
-            run "$(basename "$test")" "ZRASTER_DATA=$data" "$test"
+            room=$(basename "$(dirname "$test")")
+            run "$room-$(basename "$test")" "ZRASTER_DATA=$data" "$test"
         done
         ;;
     fuzz)

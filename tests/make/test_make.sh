@@ -44,7 +44,11 @@ program unit/test_b "ok 1 - three" "not ok 2 - four"
 parts
 status=$?
 verdict "a test that fails ends with 1" [ "$status" = 1 ]
-verdict "is reported" grep -q '^FAILED in test_b' "$work/said"
+verdict "is reported" grep -q '^FAILED in unit-test_b' "$work/said"
 verdict "and counted in its part" grep -Eq '^unit: 3 passed, 1 failed in [0-9]+ s$' "$work/said"
 verdict "and in the last line" [ "$(tail -n 1 "$work/said")" = "3 passed, 1 failed, 0 skipped" ]
+program property/test_b "not ok 1 - five"
+program unit/test_b "ok 1 - three"
+parts
+verdict "two rooms may have tests of one name" [ "$(tail -n 1 "$work/said")" = "3 passed, 1 failed, 0 skipped" ]
 verdicts
