@@ -40,7 +40,7 @@ part_end() {
     echo " in $(($(date +%s) - since)) s"
 }
 
-# run NAME COMMAND...: one program, to be run at the end of the part. NAME is of no other program. No argument has a space.
+# run NAME COMMAND...: one program, to be run at the end of the part. No two have one NAME. No argument has a space.
 run() {
     log=$logs/$1.tap
     if cat "$logs"/*.names | grep -qxF "$1"; then

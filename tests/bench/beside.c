@@ -116,8 +116,8 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
 {
     (void)bench;
     const struct task *task = context;
-    struct daemon daemon = daemon_start((const char *const[]){"--max-per-client=0", "--cost-max-ms=86400000",
-                                                              "--render-timeout-ms=120000", "--queue=8", NULL});
+    struct daemon daemon = daemon_start(
+        (const char *const[]){"--max-per-client=0", ANY_COST, "--render-timeout-ms=120000", "--queue=8", NULL});
     struct wire wire;
     struct wire_answer answer = {0};
     double alone_ms = 0;

@@ -20,6 +20,10 @@ struct daemon {
         __VA_ARGS__, NULL                                                                                              \
     }
 
+/* With this flag the daemon refuses no scene for its predicted cost. Without it, a slow machine or build refuses a slow
+ * scene at once. */
+#define ANY_COST "--cost-max-ms=86400000"
+
 /* The binary: named by ZRASTERD, else build/zrasterd. */
 const char *daemon_binary(void);
 

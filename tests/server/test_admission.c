@@ -102,7 +102,7 @@ TEST(window_that_takes_too_much_memory_is_refused_beforehand)
         {"\"window\":{\"width\":200,\"height\":100}", false},
         {"\"look\":\"technical\",\"window\":{\"width\":200,\"height\":100}", false},
     };
-    struct daemon daemon = daemon_start((const char *const[]){"--cost-max-ms=86400000", NULL});
+    struct daemon daemon = daemon_start((const char *const[]){ANY_COST, NULL});
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char *scene = scene_of_lamps(1, false, cases[i].keys);
         struct reply reply = client_render(&daemon, scene);
@@ -117,7 +117,7 @@ TEST(window_that_takes_too_much_memory_is_refused_beforehand)
 
 TEST(lamps_that_take_too_much_memory_are_named_beforehand)
 {
-    struct daemon daemon = daemon_start((const char *const[]){"--cost-max-ms=86400000", NULL});
+    struct daemon daemon = daemon_start((const char *const[]){ANY_COST, NULL});
     char *scene = scene_of_lamps(140, true, "\"window\":{\"width\":64,\"height\":64}");
     struct reply reply = client_render(&daemon, scene);
     assert_problem(reply, 422, "140 lamps with shadows");

@@ -88,8 +88,8 @@ TEST(places_for_loopback_are_kept_free)
 {
     enum { BUSY = 8 };
     int clients[BUSY];
-    struct daemon server = daemon_start(LIST("--max-connections=8", "--queue=16", "--workers=1",
-                                             "--cost-max-ms=86400000", "--render-timeout-ms=120000"));
+    struct daemon server =
+        daemon_start(LIST("--max-connections=8", "--queue=16", "--workers=1", ANY_COST, "--render-timeout-ms=120000"));
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, 4000);
     for (int i = 0; i < BUSY; i++)
         clients[i] = client_begin_render(&server, scene);

@@ -12,7 +12,7 @@
 
 enum { LARGE = 6, SMALL = 20 };
 
-#define LET_IN "--cost-max-ms=86400000", "--render-timeout-ms=600000", "--max-per-client=0"
+#define LET_IN ANY_COST, "--render-timeout-ms=600000", "--max-per-client=0"
 
 /* A scene that takes seconds at the very least, drawn by one of the textbook's algorithms, for those are never
  * in a hurry. Its body may look small. */

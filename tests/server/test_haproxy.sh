@@ -25,7 +25,7 @@ start() { # NAME OPTION...: its address, host and port, becomes $address
     daemon_start "$name" --port 0 --trusted-proxies 127.0.0.1 "$@"
     address=${address#http://}
 }
-limits="--max-per-private-client 1 --cost-max-ms 86400000" # of a slow build, the slow request would be refused at once
+limits="--max-per-private-client 1 --cost-max-ms 86400000" # else a slow build refuses the slow request at once
 start header $limits
 header=$address
 start proxy --proxy-protocol on $limits

@@ -24,9 +24,6 @@ struct post {
     bool has_retry_after;
 };
 
-/* Slow scenes are what these tests are about: none is refused for what it is predicted to take. */
-#define LET_IN "--cost-max-ms=86400000"
-
 static void *run_post(void *argument)
 {
     struct post *post = argument;
@@ -67,8 +64,8 @@ static bool wait_for_status(const struct daemon *daemon, const char *target, lon
 
 TEST(full_queue_refuses_and_serves_the_others)
 {
-    struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=2", "--max-per-client=0",
-                                                              "--render-timeout-ms=120000", NULL});
+    struct daemon server = daemon_start((const char *const[]){
+        ANY_COST, "--workers=1", "--queue=2", "--max-per-client=0", "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW);
     struct post posts[CLIENTS_MAX];
     begin_posts(posts, CLIENTS_MAX, &server, scene);
@@ -87,8 +84,8 @@ TEST(full_queue_refuses_and_serves_the_others)
 
 TEST(full_queue_answers_health_and_not_ready)
 {
-    struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", "--max-per-client=0",
-                                                              "--render-timeout-ms=120000", NULL});
+    struct daemon server = daemon_start((const char *const[]){
+        ANY_COST, "--workers=1", "--queue=1", "--max-per-client=0", "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     int clients[3]; /* one is worked on, one waits; the last is there in case the first was still waiting */
     for (int i = 0; i < 3; i++, usleep(100000))
@@ -107,7 +104,7 @@ TEST(full_queue_answers_health_and_not_ready)
 TEST(client_with_too_many_requests_gets_429)
 {
     struct daemon server = daemon_start((const char *const[]){
-        LET_IN, "--workers=1", "--queue=8", "--max-per-private-client=2", "--render-timeout-ms=120000", NULL});
+        ANY_COST, "--workers=1", "--queue=8", "--max-per-private-client=2", "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW);
     struct post posts[8];
     size_t served = 0, refused = 0;
@@ -127,8 +124,8 @@ TEST(client_with_too_many_requests_gets_429)
 
 TEST(client_that_leaves_frees_the_worker)
 {
-    struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=4", "--max-per-client=0",
-                                                              "--render-timeout-ms=120000", NULL});
+    struct daemon server = daemon_start((const char *const[]){
+        ANY_COST, "--workers=1", "--queue=4", "--max-per-client=0", "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     int rendering = client_begin_render(&server, scene), waiting = client_begin_render(&server, scene);
     client_wait_for_metric(&server, "", AT_WORK_OR_WAITING("2"));
@@ -147,7 +144,7 @@ TEST(client_that_leaves_frees_the_worker)
 
 TEST(render_past_its_deadline_gives_504)
 {
-    struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
+    struct daemon server = daemon_start((const char *const[]){ANY_COST, "--render-timeout-ms=150", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     struct reply reply = client_render(&server, scene);
     assert_int_equal(reply.status, 504);
@@ -161,7 +158,7 @@ TEST(render_past_its_deadline_gives_504)
 TEST(lighting_past_its_deadline_gives_504)
 {
     enum { LIGHTS = 1000, FACES = 200000 };
-    struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
+    struct daemon server = daemon_start((const char *const[]){ANY_COST, "--render-timeout-ms=150", NULL});
     char *scene = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&scene, &size);
@@ -184,12 +181,12 @@ TEST(lighting_past_its_deadline_gives_504)
 TEST(every_algorithm_past_its_deadline_gives_504)
 {
     /* Scan lines draw MANY within the deadline. The painter's work grows by the square: under sanitizers, the daemon
-     * would predict more than LET_IN for MANY. */
+     * would predict more than ANY_COST for MANY. */
     static const struct {
         const char *word;
         int count;
     } algorithms[] = {{"edgelist", MANY}, {"trapezoid", MANY}, {"scanline", 4 * MANY}, {"painter", MANY / 4}};
-    struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
+    struct daemon server = daemon_start((const char *const[]){ANY_COST, "--render-timeout-ms=150", NULL});
     for (size_t i = 0; i < sizeof algorithms / sizeof algorithms[0]; i++) {
         char *scene = scene_slow(algorithms[i].word, SLOW_SIDE, algorithms[i].count);
         double begun = client_seconds();
@@ -202,7 +199,7 @@ TEST(every_algorithm_past_its_deadline_gives_504)
 
 TEST(request_that_never_fits_its_memory_gives_422)
 {
-    struct daemon server = daemon_start((const char *const[]){LET_IN, "--request-memory-bytes=1048576", NULL});
+    struct daemon server = daemon_start((const char *const[]){ANY_COST, "--request-memory-bytes=1048576", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, 1);
     struct reply reply = client_render(&server, scene);
     assert_int_equal(reply.status, 422);
@@ -230,7 +227,7 @@ TEST(crowd_of_small_requests_waits_and_is_served)
 
 TEST(upload_memory_used_up_gives_503)
 {
-    struct daemon server = daemon_start((const char *const[]){LET_IN, "--upload-memory-bytes=100000", NULL});
+    struct daemon server = daemon_start((const char *const[]){ANY_COST, "--upload-memory-bytes=100000", NULL});
     struct reply reply = client_send_chunked(&server, "/v1/render", 200000);
     assert_int_equal(reply.status, 503);
     reply_free(&reply);
@@ -244,7 +241,7 @@ TEST(reader_that_stops_is_cut_off)
                                   "Host: a\r\nContent-Type: model/obj\r\nContent-Length: 33\r\n\r\n"
                                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n";
     struct daemon server =
-        daemon_start((const char *const[]){LET_IN, "--write-timeout-ms=300", "--render-timeout-ms=120000", NULL});
+        daemon_start((const char *const[]){ANY_COST, "--write-timeout-ms=300", "--render-timeout-ms=120000", NULL});
     int fd = client_connect(&server);
     assert_true(client_write(fd, REQUEST, sizeof REQUEST - 1));
     char *line = daemon_wait_for_log(&server, "\"aborted\":true");
@@ -258,7 +255,7 @@ TEST(sigterm_lets_renders_in_flight_end)
 {
     enum { IN_FLIGHT = 6 };
     struct daemon server =
-        daemon_start((const char *const[]){LET_IN, "--workers=2", "--queue=8", "--max-per-client=0",
+        daemon_start((const char *const[]){ANY_COST, "--workers=2", "--queue=8", "--max-per-client=0",
                                            "--render-timeout-ms=120000", "--drain-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW * (IS_SANITIZED ? 4 : 16)); /* all come before one ends */
     struct post posts[IN_FLIGHT];
@@ -295,7 +292,7 @@ TEST(sigterm_with_a_delay_serves_until_it_has_passed)
     static const char READY[] = "GET /readyz HTTP/1.1\r\nHost: a\r\n\r\n";
     static const char RENDER[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 57\r\n\r\n"
                                  "{\"polygons\": [{\"vertices\": [[0,0,0], [1,0,0], [0,1,0]]}]}";
-    struct daemon server = daemon_start(LIST(LET_IN, "--drain-delay-ms=1000"));
+    struct daemon server = daemon_start(LIST(ANY_COST, "--drain-delay-ms=1000"));
     int kept = client_connect(&server);
     assert_true(client_write(kept, READY, sizeof READY - 1));
     free(client_read(kept, "ready\"}", 5000));
@@ -318,7 +315,7 @@ TEST(sigterm_with_a_delay_serves_until_it_has_passed)
 TEST(drain_that_takes_too_long_is_cut_short)
 {
     struct daemon server =
-        daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", "--max-per-client=0",
+        daemon_start((const char *const[]){ANY_COST, "--workers=1", "--queue=1", "--max-per-client=0",
                                            "--render-timeout-ms=120000", "--drain-timeout-ms=200", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     struct post posts[2]; /* one is worked on, one waits: both at once would find no room but for one */
@@ -419,7 +416,7 @@ TEST(memory_of_a_large_body_is_given_back)
 TEST(sigterm_with_uploads_and_idle_connections_ends)
 {
     static const char HALF[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 99\r\n\r\n{";
-    struct daemon server = daemon_start((const char *const[]){LET_IN, "--drain-timeout-ms=200", NULL});
+    struct daemon server = daemon_start((const char *const[]){ANY_COST, "--drain-timeout-ms=200", NULL});
     int half = client_connect(&server), silent = client_connect(&server);
     assert_true(client_write(half, HALF, sizeof HALF - 1));
     assert_int_equal(client_get_status(&server, "/healthz"), 200);

@@ -26,9 +26,8 @@ TEST(memory_of_streams_that_wait_counts_as_that_of_answers_until_their_readers_a
     char scene[1024];
     int streams = 0;
     struct streamed readers[READERS];
-    struct daemon server =
-        daemon_start(LIST("--render-timeout-ms=600000", "--cost-max-ms=86400000", "--answer-memory-bytes=64000000",
-                          "--workers=2", "--threads=2", "--queue=64"));
+    struct daemon server = daemon_start(LIST("--render-timeout-ms=600000", ANY_COST, "--answer-memory-bytes=64000000",
+                                             "--workers=2", "--threads=2", "--queue=64"));
     const long before = daemon_memory_kib(&server, "VmRSS:");
     snprintf(scene, sizeof scene,
              "{\"window\":{\"width\":1024,\"height\":1024},\"meshes\":[{\"heights\":[[0,1,0],[1,2,1],[0,1,3]]}],"
