@@ -5,7 +5,7 @@ CC ?= cc
 OBJCOPY ?= objcopy
 CFLAGS ?= -O3 -g
 OURS := -std=c11 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wstrict-prototypes \
-	-Wmissing-prototypes -Werror=implicit-function-declaration -Wvla -D_GNU_SOURCE -Icore -Iserver -Itests -pthread
+	-Wmissing-prototypes -Werror=implicit-function-declaration -Wvla -D_GNU_SOURCE -Icore -Iserver -Iclients -Itests -pthread
 # Behind the user's flags: without it the pixels are not the reference's.
 EXACT := -ffp-contract=off
 sanitizers := address,undefined
@@ -112,28 +112,28 @@ core_flags := -fPIC -fvisibility=hidden
 our_flags := $(subst ',,$(OURS) $(core_flags) $(foreach isa,$(isas),$(kernel_$(isa))))
 $(core): OURS += $(core_flags)
 # The part of it that needs no library.
-renderer_rooms := base scene geometry mesh raster shade drawing effects overlay render
+renderer_rooms := base scene geometry mesh sections raster shade lines effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects)
 mcp := $(call objects,server/mcp/*.c)
 server := $(call objects,server/*.c server/*/*.c) $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o
-client := $(call objects,clients/*.c)
-reference_pages := $(call objects,clients/reference/*.c) $(BUILD)/clients/values.o
-support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
-support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
-cross := $(call objects,tests/cross/main.c tests/support/gallery.c tests/support/look_scenes.c tests/support/simd_check.c) $(support_kernels)
+client := $(call objects,$(foreach room,commands options files engine,clients/$(room)/*.c))
+reference_pages := $(call objects,clients/reference/*.c) $(BUILD)/clients/options/values.o
+support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c tests/support/*/*_kernel.c)))
+support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c tests/support/*/*.c)) $(support_kernels)
+cross := $(call objects,tests/cross/main.c tests/support/pictures/gallery.c tests/support/pictures/look_scenes.c tests/support/simd_check.c) $(support_kernels)
 lines := $(call objects,tests/reference/lines/*.c)
 # The reference behind two doors: OSMesa, and EGL without a surface. One of them is there everywhere.
-reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/reference/reference_egl.o
-door := $(BUILD)/tests/reference/reference_$(REFERENCE).o
+reference_doors := $(BUILD)/tests/reference/gl/reference_osmesa.o $(BUILD)/tests/reference/gl/reference_egl.o
+door := $(BUILD)/tests/reference/gl/reference_$(REFERENCE).o
 DOOR_LIBS := $(reference_libs_$(REFERENCE))
-reference := $(filter-out $(reference_doors),$(call objects,tests/reference/*.c))
-reference_gl := $(patsubst %,$(BUILD)/tests/reference/reference_%.o,fixed gl light program texture)
-bench := $(call objects,tests/bench/*.c)
+reference := $(filter-out $(reference_doors),$(call objects,tests/reference/*.c $(foreach room,generate gl page,tests/reference/$(room)/*.c)))
+reference_gl := $(patsubst %,$(BUILD)/tests/reference/gl/reference_%.o,fixed gl light program texture)
+bench := $(call objects,tests/bench/*.c $(foreach room,http input versus,tests/bench/$(room)/*.c))
 # What the bench runs on the other side, in processes that load nothing but what they need.
 bench_alone := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/bench/alone/*.c))
-server_support := $(filter-out $(BUILD)/tests/server/test_%,$(call objects,tests/server/*.c))
-unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/property/test_*.c))
+server_support := $(call objects,tests/server/support/*.c)
+unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/*/test_*.c tests/property/test_*.c))
 fuzz_targets := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
 fuzz_support := $(call objects,tests/fuzz/request.c tests/fuzz/image.c)
 fuzz_seeds := $(call objects,tests/fuzz/seeds*.c)
@@ -148,7 +148,7 @@ LINK = $(Q)$(CC) $(OURS) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.
 all: $(BUILD)/zrasterd $(BUILD)/zraster library documents ## the command, the daemon, the library and their man pages (the default)
 
 .PHONY: library
-library: $(BUILD)/libzraster.so.0 $(BUILD)/libzraster.a ## libzraster, shared and static (core/library/zraster.h)
+library: $(BUILD)/libzraster.so.0 $(BUILD)/libzraster.a ## libzraster, shared and static (core/api/zraster.h)
 
 manuals := $(addprefix $(BUILD)/,zraster.1 zrasterd.8 libzraster.3)
 completions := $(addprefix $(BUILD)/completion.,bash zsh fish)
@@ -238,20 +238,20 @@ compare-reference:
 gltf-models: ## the models of the glTF Asset Generator beside their thumbnails: build/gltf/index.html
 	@.ci/need $(NEED_BUILD)
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
-	@$(PYTHON) tests/reference/gltf_models.py $(BUILD) $(DATA)/gltf/asset-generator
+	@$(PYTHON) tests/reference/tables/gltf_models.py $(BUILD) $(DATA)/gltf/asset-generator
 
 .PHONY: looks
 looks: ## second versions of looks beside the first: brightness, contrast, and distance to target pictures; TARGETS=DIR
 	@.ci/need $(NEED_BUILD) /usr/share/doc/python3-numpy=python3-numpy
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
-	@$(PYTHON) tests/reference/looks_table.py $(BUILD) $(DATA)/models $(or $(TARGETS),$(DATA)/../design/look2)
+	@$(PYTHON) tests/reference/tables/looks_table.py $(BUILD) $(DATA)/models $(or $(TARGETS),$(DATA)/../design/look2)
 
 .PHONY: lines
 lines: ## lines of the mesh: edges beside those of VTK, specks of ink, distance to target pictures, SVG beside PNG; TARGETS=DIR
 	@.ci/need $(NEED_BUILD) /usr/share/doc/python3-numpy=python3-numpy xmllint=libxml2-utils rsvg-convert=librsvg2-bin
 	@$(MAKE) -s feature-edges
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
-	@$(PYTHON) tests/reference/lines_table.py $(BUILD) $(DATA)/models $(or $(TARGETS),$(DATA)/../design/eye)
+	@$(PYTHON) tests/reference/tables/lines_table.py $(BUILD) $(DATA)/models $(or $(TARGETS),$(DATA)/../design/eye)
 
 LOADER_PACKAGES := three@0.187 linkedom@0.18 gltf-validator@2.0.0-dev.3.10 obj2gltf@3.2.0
 npm_install = npm install --silent --no-audit --no-fund --prefix $(BUILD)/loaders
@@ -401,14 +401,14 @@ endif
 .PHONY: feature-edges
 feature-edges: ## borders and creases of the models beside those that VTK finds
 	@.ci/need $(PYTHON)=python3 /usr/lib/python3/dist-packages/vtk.py=python3-vtk9
-	@$(PYTHON) tests/reference/feature_edges.py $(DATA)/models
+	@$(PYTHON) tests/reference/tables/feature_edges.py $(DATA)/models
 
 .PHONY: sections
 sections: ## caps beside winding numbers in double, of our solids and the models, and their areas beside vtkCutter and shapely: SIDE=96
 	@.ci/need $(NEED_BUILD) $(NEED_TEST) $(PYTHON)=python3 $(addprefix /usr/lib/python3/dist-packages/,vtk.py=python3-vtk9 shapely=python3-shapely numpy=python3-numpy)
-	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster $(BUILD)/tests/unit/test_section_caps
-	@SECTIONS=$(or $(SIDE),96) ZRASTER_DATA=$(DATA) $(BUILD)/tests/unit/test_section_caps
-	@/usr/bin/python3 tests/reference/sections.py $(BUILD) $(DATA)/models
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster $(BUILD)/tests/unit/mesh/test_section_caps
+	@SECTIONS=$(or $(SIDE),96) ZRASTER_DATA=$(DATA) $(BUILD)/tests/unit/mesh/test_section_caps
+	@/usr/bin/python3 tests/reference/tables/sections.py $(BUILD) $(DATA)/models
 
 .PHONY: bench-costs
 bench-costs: ## predicted times beside those taken, of all scenes and models
@@ -512,7 +512,7 @@ $(BUILD)/libcore.a: $(core)
 
 # ---- the library: only the functions of its header are visible ----
 
-library_header := core/library/zraster.h
+library_header := core/api/zraster.h
 library_version = $(shell sed -n 's/^\#define ZRASTER_VERSION  *"\(.*\)"/\1/p' $(library_header))
 library_functions = sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)(.*/\1/p' $(library_header)
 
@@ -593,7 +593,7 @@ $(BUILD)/server/manual_files.c: $(wildcard server/manual/*) server/site.sh serve
 $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o: %.o: %.c server/routes/site.h $(BUILD)/flags | $(missing_compiler)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
-# libcurl is loaded once a server is named (clients/curl_rows.h).
+# libcurl is loaded once a server is named (clients/engine/curl_rows.h).
 $(BUILD)/zraster: $(client) $(mcp) $(BUILD)/libzraster.a
 	$(LINK) $(CLIENT_LIBS) $(CORE_LIBS)
 
@@ -615,7 +615,7 @@ always:
 $(BUILD)/zraster-verify: $(reference) $(door) $(BUILD)/reference-door $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(DOOR_LIBS) $(CORE_LIBS)
 
-$(BUILD)/zraster-verify-egl: $(reference) $(BUILD)/tests/reference/reference_egl.o $(BUILD)/libsupport.a $(BUILD)/libcore.a
+$(BUILD)/zraster-verify-egl: $(reference) $(BUILD)/tests/reference/gl/reference_egl.o $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(reference_libs_egl) $(CORE_LIBS)
 
 $(BUILD)/zraster-verify-lines: $(lines) $(filter-out %/main.o,$(reference)) $(door) $(BUILD)/reference-door \
@@ -665,32 +665,32 @@ $(BUILD)/tests/fuzz/seeds: $(fuzz_seeds) $(BUILD)/libsupport.a $(BUILD)/libcore.
 	$(LINK) -lcmocka -lpng -ljpeg -lwebp -lz
 
 # Of the server's files, those that can do without a daemon around them are tested as units.
-$(BUILD)/tests/unit/test_multipart: $(BUILD)/server/routes/multipart.o
-$(BUILD)/tests/unit/test_mcp: $(mcp)
-$(BUILD)/tests/unit/test_query_plain: $(BUILD)/server/routes/render_key.o
-$(BUILD)/tests/unit/test_query_plain: TEST_LIBS += -lnettle
-$(BUILD)/tests/unit/test_schema: $(addprefix $(BUILD)/server/routes/,openapi.o openapi_components.o openapi_texts.o)
-$(BUILD)/tests/unit/test_framing: $(BUILD)/server/http/framing.o
-$(BUILD)/tests/unit/test_accept: $(BUILD)/server/http/accept.o
-$(BUILD)/tests/unit/test_gate: $(addprefix $(BUILD)/server/gate/,gate.o lines.o preset.o signature.o forwarded.o networks.o ip.o) $(BUILD)/server/mcp/near.o $(call objects,server/config/*.c)
-$(BUILD)/tests/unit/test_metrics: $(call objects,server/metrics/*.c) $(BUILD)/server/refusal.o
-$(BUILD)/tests/unit/test_gate: TEST_LIBS += -lnettle
-$(BUILD)/tests/unit/test_signature: $(BUILD)/server/gate/signature.o
-$(BUILD)/tests/unit/test_signature: TEST_LIBS += -lnettle
-$(BUILD)/tests/unit/test_clients: $(addprefix $(BUILD)/server/,http/clients.o gate/ip.o)
-$(BUILD)/tests/unit/test_networks: $(addprefix $(BUILD)/server/gate/,forwarded.o networks.o ip.o)
-$(BUILD)/tests/unit/test_proxy_header: $(addprefix $(BUILD)/server/,http/proxy_header.o gate/ip.o)
-$(BUILD)/tests/unit/test_log_trace: $(BUILD)/server/log/trace.o
-$(BUILD)/tests/unit/test_log_text: $(addprefix $(BUILD)/server/,log/log_text.o text.o)
-$(BUILD)/tests/unit/test_queue: $(BUILD)/server/jobs/queue.o
-$(BUILD)/tests/unit/test_images: $(addprefix $(BUILD)/server/keep/,images.o kept.o texts.o)
-$(BUILD)/tests/unit/test_images: TEST_LIBS += -lnettle
-$(BUILD)/tests/unit/test_kept: $(BUILD)/server/keep/kept.o
-$(BUILD)/tests/unit/test_kept: TEST_LIBS += -lnettle
-$(BUILD)/tests/unit/test_meshes: $(addprefix $(BUILD)/server/keep/,images.o kept.o meshes.o texts.o)
-$(BUILD)/tests/unit/test_meshes: TEST_LIBS += -lnettle
-$(BUILD)/tests/unit/test_rendering: $(filter-out %/main.o,$(server)) $(server_support)
-$(BUILD)/tests/unit/test_rendering: TEST_LIBS += $(SERVER_LIBS)
+$(BUILD)/tests/unit/server/test_multipart: $(BUILD)/server/routes/multipart.o
+$(BUILD)/tests/unit/server/test_mcp: $(mcp)
+$(BUILD)/tests/unit/scene/test_query_plain: $(BUILD)/server/routes/render_key.o
+$(BUILD)/tests/unit/scene/test_query_plain: TEST_LIBS += -lnettle
+$(BUILD)/tests/unit/server/test_schema: $(addprefix $(BUILD)/server/routes/,openapi.o openapi_components.o openapi_texts.o)
+$(BUILD)/tests/unit/server/test_framing: $(BUILD)/server/http/framing.o
+$(BUILD)/tests/unit/server/test_accept: $(BUILD)/server/http/accept.o
+$(BUILD)/tests/unit/server/test_gate: $(addprefix $(BUILD)/server/gate/,gate.o lines.o preset.o signature.o forwarded.o networks.o ip.o) $(BUILD)/server/mcp/near.o $(call objects,server/config/*.c)
+$(BUILD)/tests/unit/server/test_metrics: $(call objects,server/metrics/*.c) $(BUILD)/server/refusal.o
+$(BUILD)/tests/unit/server/test_gate: TEST_LIBS += -lnettle
+$(BUILD)/tests/unit/server/test_signature: $(BUILD)/server/gate/signature.o
+$(BUILD)/tests/unit/server/test_signature: TEST_LIBS += -lnettle
+$(BUILD)/tests/unit/server/test_clients: $(addprefix $(BUILD)/server/,http/clients.o gate/ip.o)
+$(BUILD)/tests/unit/server/test_networks: $(addprefix $(BUILD)/server/gate/,forwarded.o networks.o ip.o)
+$(BUILD)/tests/unit/server/test_proxy_header: $(addprefix $(BUILD)/server/,http/proxy_header.o gate/ip.o)
+$(BUILD)/tests/unit/server/test_log_trace: $(BUILD)/server/log/trace.o
+$(BUILD)/tests/unit/server/test_log_text: $(addprefix $(BUILD)/server/,log/log_text.o text.o)
+$(BUILD)/tests/unit/server/test_queue: $(BUILD)/server/jobs/queue.o
+$(BUILD)/tests/unit/server/test_images: $(addprefix $(BUILD)/server/keep/,images.o kept.o texts.o)
+$(BUILD)/tests/unit/server/test_images: TEST_LIBS += -lnettle
+$(BUILD)/tests/unit/server/test_kept: $(BUILD)/server/keep/kept.o
+$(BUILD)/tests/unit/server/test_kept: TEST_LIBS += -lnettle
+$(BUILD)/tests/unit/server/test_meshes: $(addprefix $(BUILD)/server/keep/,images.o kept.o meshes.o texts.o)
+$(BUILD)/tests/unit/server/test_meshes: TEST_LIBS += -lnettle
+$(BUILD)/tests/unit/server/test_rendering: $(filter-out %/main.o,$(server)) $(server_support)
+$(BUILD)/tests/unit/server/test_rendering: TEST_LIBS += $(SERVER_LIBS)
 
 # Preloaded into a daemon by a test.
 $(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/support/failing_malloc.h

@@ -21,7 +21,7 @@ libzraster0     644  $BUILD/libzraster.so.0                 $libdir/libzraster.s
 libzraster-dev  link libzraster.so.0                        $libdir/libzraster.so
 libzraster-dev  644  $BUILD/libzraster.a                    $libdir/libzraster.a
 libzraster-dev  644  .packages/zraster.pc.in                $libdir/pkgconfig/zraster.pc
-libzraster-dev  644  core/library/zraster.h                 $includedir/zraster.h
+libzraster-dev  644  core/api/zraster.h                      $includedir/zraster.h
 libzraster-dev  644  $BUILD/libzraster.3                    $mandir/man3/libzraster.3
 END
     find clients/python/zraster -name '*.py' -o -name py.typed | sort | while read -r file; do

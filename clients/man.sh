@@ -2,7 +2,7 @@
 # man.sh BUILD: writes the man pages zraster.1, zrasterd.8 and libzraster.3 to BUILD, from the texts of --help and the public header.
 set -eu
 build=$1
-header=core/library/zraster.h
+header=core/api/zraster.h
 version=$(sed -n 's/^#define ZRASTER_VERSION  *"\(.*\)"/\1/p' $header)
 
 page() { # NAME SECTION SUMMARY

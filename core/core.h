@@ -52,7 +52,7 @@ enum zr_format {
     ZR_FORMAT_UNKNOWN = ZR_FORMAT_COUNT /* detected from the bytes */
 };
 
-struct zr_packed; /* input/zip_part.h */
+struct zr_packed; /* input/zip/zip_part.h */
 
 /* A file or an array sent with the scene; the scene refers to it by {"asset": name}. */
 struct zr_asset {
@@ -62,7 +62,7 @@ struct zr_asset {
     struct zr_array array;    /* type ZR_BYTES: a file; the rest is not set */
     bool is_lent;             /* the data stay unchanged while the scene lives; numbers need no copy */
     bool is_optional;         /* no warning if the scene does not use it */
-    struct zr_packed *packed; /* set by core/read.c: unread member of a ZIP body; callers set NULL */
+    struct zr_packed *packed; /* set by core/request/read.c: unread member of a ZIP body; callers set NULL */
 };
 
 /* Store of assets by their SHA-256; the scene refers to one by {"asset": "sha256:..."}. `read` takes 64 lower-case
@@ -102,7 +102,7 @@ struct zr_kept_texts {
     void *context;
 };
 
-struct zr_kept_mesh; /* input/kept_mesh.h */
+struct zr_kept_mesh; /* input/mesh/kept_mesh.h */
 
 /* Model files that the caller keeps between requests, as read: meshes, materials and images. No answer depends on them,
  * and each request is charged for the memory of reading. Only the thread that reads the scene calls these functions. */
@@ -127,7 +127,7 @@ struct zr_kept_meshes {
  * ZR_CANCELLED and sets is_exceeded. */
 struct zr_quick {
     uint64_t image_pixels_max; /* per image of a base, and for all images of textures together */
-    uint64_t node_visits_max;  /* scene/nodes.h */
+    uint64_t node_visits_max;  /* scene/parts/nodes.h */
     size_t array_bytes_max;    /* for all arrays that stand for lists together */
     bool is_exceeded;
 };
@@ -161,7 +161,7 @@ size_t zr_references_list(const char *bytes, size_t size, const char *type, char
 /* ---- the four steps, and the cost of the last two ---- */
 
 struct zr_scene;         /* scene/scene.h */
-struct zr_resolved_view; /* scene/resolved_view.h */
+struct zr_resolved_view; /* scene/camera/resolved_view.h */
 struct zr_frame;         /* shade/frame.h */
 struct zr_cost;          /* cost.h */
 
@@ -210,7 +210,7 @@ enum zr_status zr_render_apart(struct zr_arena *arena, struct zr_arena *scratch,
                                const struct zr_cancel *cancel, const struct zr_frame **frame, struct zr_error *error);
 
 /* Encodes the outputs of the frame's view: a single output as its file, several as a ZIP of files channel.extension.
- * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address (output/idat.h);
+ * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address (output/images/idat.h);
  * those of JPEG and WebP depend on the version of a library. Fails with ZR_BAD_SCENE if a strict request has warnings,
  * if a file has more than its max_bytes, or if a ZIP would have 4 GiB or more; with ZR_NO_MEMORY, ZR_CANCELLED or
  * ZR_INTERNAL. *error explains each; *answer is then undefined. */

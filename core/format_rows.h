@@ -1,5 +1,5 @@
 /* format_rows.h - core: formats of a request's body, one row each, for clients and the daemon. Their readers are in
- * input/formats.c. */
+ * input/formats/formats.c. */
 #ifndef ZR_FORMAT_ROWS_H
 #define ZR_FORMAT_ROWS_H
 

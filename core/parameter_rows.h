@@ -1,7 +1,7 @@
 /* parameter_rows.h - core: parameters of a query, one row each, for clients and the daemon.
  *
  * A parameter sets the key of a scene at its JSON Pointer, and the reader of that key reads the value. Rows of one
- * object are adjacent. Pointers under /query are keys that only queries have (input/parameters.c).
+ * object are adjacent. Pointers under /query are keys that only queries have (input/query/parameters.c).
  */
 #ifndef ZR_PARAMETER_ROWS_H
 #define ZR_PARAMETER_ROWS_H

@@ -8,7 +8,7 @@
 
 #include <cjson/cJSON.h>
 
-#include "cost.h"
+#include "cost/cost.h"
 #include "text.h"
 
 int problem_http_status(enum zr_status status)

@@ -89,7 +89,7 @@ for part in "$@"; do
     part_begin
     case $part in
     unit)
-        for test in "$build"/tests/property/test_* "$build"/tests/unit/test_*; do # the longest first
+        for test in "$build"/tests/property/test_* "$build"/tests/unit/*/test_*; do # the longest first
             case $test in *.o | *.d) continue ;; esac
             room=$(basename "$(dirname "$test")")
             run "$room-$(basename "$test")" "ZRASTER_DATA=$data" "$test"
@@ -181,7 +181,7 @@ for part in "$@"; do
             say "LEFT OUT: stanford-bunny and teapot against Mesa, flat and smooth, suzanne and fandisk from all sides: there is no $data/models"
         fi
         if [ -d "$data/gltf/asset-generator" ]; then
-            run gltf-models "${PYTHON:-/usr/bin/python3}" tests/reference/gltf_models.py "$build" "$data/gltf/asset-generator"
+            run gltf-models "${PYTHON:-/usr/bin/python3}" tests/reference/tables/gltf_models.py "$build" "$data/gltf/asset-generator"
         else
             skipped=$((skipped + 171))
             say "LEFT OUT: the models of the glTF Asset Generator: there is no $data/gltf/asset-generator"

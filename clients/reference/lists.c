@@ -2,9 +2,9 @@
 
 #include <string.h>
 
-#include "../command_rows.h"
+#include "options/command_rows.h"
 #include "format_rows.h"
-#include "input/outputs.h"
+#include "input/scene/outputs.h"
 #include "markdown.h"
 #include "parameter_rows.h"
 #include "scene/looks.h"

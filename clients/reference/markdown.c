@@ -3,7 +3,7 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "contract/schema.h"
+#include "schema/schema.h"
 
 void markdown_text(FILE *out, const char *text)
 {

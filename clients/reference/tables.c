@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contract/kinds.h"
-#include "contract/schema.h"
-#include "input/json_objects.h"
-#include "input/parameters.h"
+#include "schema/kinds.h"
+#include "schema/schema.h"
+#include "input/scene/json_objects.h"
+#include "input/query/parameters.h"
 #include "markdown.h"
 #include "parameter_rows.h"
 

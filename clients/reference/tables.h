@@ -6,7 +6,7 @@
 #ifndef TABLES_H
 #define TABLES_H
 
-#include "../values.h"
+#include "options/values.h"
 
 /* The page of an object, "view" for view.md; NULL: on none. */
 typedef const char *tables_page_fn(const char *object);

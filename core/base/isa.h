@@ -1,6 +1,6 @@
 /* isa.h - base: instruction sets of kernels, and their availability on this machine.
  *
- * A kernel is one source file, *_kernel.c, written with base/simd.h. The Makefile compiles it once for each instruction
+ * A kernel is one source file, *_kernel.c, written with base/simd/simd.h. The Makefile compiles it once for each instruction
  * set of the target; all of them give the same bytes. A team (base/team.h) selects one when it is created.
  */
 #ifndef ZR_ISA_H
@@ -21,7 +21,7 @@ enum zr_isa {
 /* ZR_KERNEL_TABLE(type, name), in the header of a kernel, declares the kernel for each compiled instruction set, as
  * name_avx2 and so on. It also defines their lookup, `type *name_of(enum zr_isa isa)`; isa must be available. `type` is
  * the type of a function, or `const struct x` of functions. The kernel's source file defines ZR_KERNEL(name)
- * (base/simd.h). ZR_EACH_ISA(entry, name), from the Makefile, expands to entry(AVX2, avx2, name) for each instruction
+ * (base/simd/simd.h). ZR_EACH_ISA(entry, name), from the Makefile, expands to entry(AVX2, avx2, name) for each instruction
  * set. */
 #define ZR_KERNEL_TABLE(type, name)                                                                                    \
     typedef type name##_kernel;                                                                                        \

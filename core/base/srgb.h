@@ -1,6 +1,6 @@
 /* srgb.h - base: table of sRGB-encoded values as linear light, and the encoding of linear light. Kernels.
  *
- * Exact:  the values of base/srgb_simd.h, the same on every machine.
+ * Exact:  the values of base/simd/srgb_simd.h, the same on every machine.
  */
 #ifndef ZR_SRGB_H
 #define ZR_SRGB_H

@@ -1,6 +1,6 @@
 #include "base/srgb.h"
 
-#include "base/srgb_simd.h"
+#include "base/simd/srgb_simd.h"
 
 void ZR_KERNEL(zr_srgb_ramp)(size_t last, float *out)
 {

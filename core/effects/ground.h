@@ -13,8 +13,8 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "base/team.h"
-#include "scene/camera.h"
-#include "scene/rays.h"
+#include "scene/camera/camera.h"
+#include "scene/camera/rays.h"
 #include "shade/lights/shadow_map.h"
 
 enum { ZR_GROUND_SIDE = 192 };

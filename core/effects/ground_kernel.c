@@ -2,7 +2,7 @@
  * of a ray's origin and direction are linear in X. */
 #include "effects/ground.h"
 
-#include "base/simd.h"
+#include "base/simd/simd.h"
 #include "shade/lights/shadow_map_simd.h"
 
 /* A coordinate along a row of pixels: at + X * step. */

@@ -13,7 +13,7 @@
 #include "base/isa.h"
 #include "base/team.h"
 #include "core.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 #include "scene/picture.h"
 #include "shade/gbuffer.h"
 

@@ -1,4 +1,4 @@
-/* remap.h - effects: a picture through a lens, from a pinhole picture (scene/lens_plan.h).
+/* remap.h - effects: a picture through a lens, from a pinhole picture (scene/camera/lens_plan.h).
  *
  * Space:  rows from the top, as in frames. The place of each pixel of the view is a point of the pinhole picture, whose
  *         pixels have their centres at whole numbers.
@@ -15,7 +15,7 @@
 #include "base/cancel.h"
 #include "base/status.h"
 #include "base/team.h"
-#include "scene/lens_plan.h"
+#include "scene/camera/lens_plan.h"
 
 enum { ZR_REMAP_BITS = 12, ZR_REMAP_ONE = 1 << ZR_REMAP_BITS };
 

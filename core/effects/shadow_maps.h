@@ -3,7 +3,7 @@
 #define ZR_SHADOW_MAPS_H
 
 #include "base/arena.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 #include "shade/lights/shadow_map.h"
 
 /* Makes a camera along a light, with a square window: orthographic around the bounds for a directional light,

@@ -12,7 +12,7 @@
 #include "geometry/cut.h"
 #include "geometry/draw.h"
 #include "geometry/grid_edge.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 /* ---- transforms from object to clip and eye space in double, one set per instance ----
  *

@@ -2,7 +2,7 @@
 
 #include "base/mutant.h"
 #include "base/prefetch.h"
-#include "base/simd.h"
+#include "base/simd/simd.h"
 
 _Static_assert(sizeof(zr_vec4) == 4 * sizeof(float) && sizeof(struct zr_window_vertex) == 4 * sizeof(float),
                "both are loaded and stored as four floats");

@@ -7,7 +7,7 @@
 #include "mesh/ring_area.h"
 #include "mesh/shells.h"
 #include "mesh/weld.h"
-#include "scene/part_list.h"
+#include "scene/parts/part_list.h"
 
 enum { FACES_A_CANCEL_CHECK = 1 << 14, VERTICES_A_RANGE = 1 << 12 };
 

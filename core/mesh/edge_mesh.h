@@ -1,7 +1,7 @@
 /* edge_mesh.h - mesh: the triangles of a mesh, joined by welded edges.
  *
  * Space:  object space.
- * Why:    lines of drawings are edges of the mesh: borders, creases and contours (drawing/features.h).
+ * Why:    lines of drawings are edges of the mesh: borders, creases and contours (lines/features.h).
  * How:    positions are welded (weld.h). Convex faces are cut as fans, others by geometry/triangulate.h. Triangles with
  *         fewer than three different vertices, or with a corner at infinity, are left out. Vertices are numbered in the
  *         order of the triangles. Each side of a triangle is listed at the lower of its vertices, and the lists are

@@ -1,4 +1,4 @@
-/* part_facts.h - mesh: measures of the parts of a scene (scene/part_list.h).
+/* part_facts.h - mesh: measures of the parts of a scene (scene/parts/part_list.h).
  *
  * Space:  world space, in double precision. `box` contains faces; if the mesh is one part, also its lines and points.
  * How:    a face is the fan of each of its rings, from the ring's first corner. Holes count as negative. If a fan turns
@@ -18,7 +18,7 @@
 #include "core.h"
 #include "mesh/least_wall.h"
 #include "mesh/shells.h"
-#include "scene/part_list.h"
+#include "scene/parts/part_list.h"
 
 enum { ZR_FACES_A_TASK = 4096 };
 

@@ -2,7 +2,7 @@
 
 #include "base/cancel.h"
 #include "mesh/ring_area.h"
-#include "scene/part_list.h"
+#include "scene/parts/part_list.h"
 
 /* Precision of coordinates, relative to the largest one. */
 #define PRECISION 0x1p-22

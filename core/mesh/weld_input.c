@@ -1,6 +1,6 @@
 #include "mesh/weld_input.h"
 
-#include "scene/camera_parts.h"
+#include "scene/camera/camera_parts.h"
 
 /* Each range of positions has a result of its own, which bounds their number. */
 enum { RANGES_MOST = 64, RANGE_LEAST = 1 << 13 };

@@ -1,4 +1,4 @@
-#include "base/simd.h"
+#include "base/simd/simd.h"
 #include "mesh/weld.h"
 
 /* Returns the nearest cell; sets the lanes of *near that are near a border. NaN is in the first cell. */

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "drawing/line_sheet.h"
+#include "lines/line_sheet.h"
 #include "output/svg.h"
 
 /* Returns the millimetres of a unit of zr_file_facts; 0: unknown. */

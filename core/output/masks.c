@@ -4,8 +4,8 @@
 #include <stdio.h>
 
 #include "base/cancel.h"
-#include "output/camera_json.h"
-#include "output/mask_png.h"
+#include "output/json/camera_json.h"
+#include "output/images/mask_png.h"
 #include "output/mask_rle.h"
 #include "output/zip.h"
 

@@ -2,7 +2,7 @@
 #ifndef ZR_MASKS_H
 #define ZR_MASKS_H
 
-#include "output/json_print.h"
+#include "output/json/json_print.h"
 #include "shade/frame.h"
 
 /* Append to `out`. Fail with ZR_NO_MEMORY, ZR_CANCELLED, or ZR_BAD_SCENE for a ZIP of 4 GiB or more. */

@@ -5,7 +5,7 @@
 
 enum { TEXT_MOST = 512, DECIMALS_MOST = 9 };
 
-/* Dashes and gaps of hidden lines, in units of their width, as of strokes (drawing/strokes.h). */
+/* Dashes and gaps of hidden lines, in units of their width, as of strokes (lines/strokes.h). */
 static const double dash = 8.0, gap = 5.0;
 
 double zr_iso_line_width(double width)

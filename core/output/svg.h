@@ -7,7 +7,7 @@
 #ifndef ZR_SVG_H
 #define ZR_SVG_H
 
-#include "drawing/polylines.h"
+#include "lines/polylines.h"
 #include "output/buffer.h"
 
 struct zr_svg_desc {

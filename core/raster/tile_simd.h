@@ -2,7 +2,7 @@
 #ifndef ZR_TILE_SIMD_H
 #define ZR_TILE_SIMD_H
 
-#include "base/simd.h"
+#include "base/simd/simd.h"
 #include "raster/tile.h"
 #include "raster/triangle_simd.h"
 

@@ -5,7 +5,7 @@
 #ifndef ZR_TRIANGLE_SIMD_H
 #define ZR_TRIANGLE_SIMD_H
 
-#include "base/simd.h"
+#include "base/simd/simd.h"
 #include "geometry/viewport.h"
 #include "raster/bins.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/team.h"
 #include "effects/ground.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 #include "shade/lights/shadow_map.h"
 
 /* Draws the shadow that the scene casts on the ground plane, and finds the plane's frame. Without a plane,

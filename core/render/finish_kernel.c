@@ -1,7 +1,7 @@
 #include "render/finish.h"
 
-#include "base/pow_simd.h"
-#include "base/simd.h"
+#include "base/simd/pow_simd.h"
+#include "base/simd/simd.h"
 #include "shade/srgb_color_simd.h"
 
 /* ZR_LANES pixels, premultiplied. */

@@ -2,7 +2,7 @@
 
 #include "render/pass.h"
 #include "render/stage.h"
-#include "scene/flow.h"
+#include "scene/camera/flow.h"
 
 /* All that outlives the call. */
 struct drawn {

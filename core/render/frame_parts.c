@@ -1,7 +1,7 @@
 #include "render/frame_parts.h"
 
 #include "base/cancel.h"
-#include "mesh/sections.h"
+#include "sections/sections.h"
 
 /* Owner ids of an instance, and its first part. */
 struct owner {

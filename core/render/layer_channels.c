@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "render/layer_pass.h"
-#include "scene/rays.h"
+#include "scene/camera/rays.h"
 #include "shade/depths.h"
 
 struct drawing {

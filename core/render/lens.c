@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "base/rgba.h"
-#include "drawing/strokes.h"
+#include "lines/strokes.h"
 #include "effects/edges.h"
 #include "render/pixel_fragments.h"
 #include "scene/parsed_picture.h"

@@ -3,7 +3,7 @@
 #define ZR_RENDER_LENS_H
 
 #include "effects/remap.h"
-#include "scene/resolved_view.h"
+#include "scene/camera/resolved_view.h"
 #include "shade/frame.h"
 
 /* The scene and the view of the pinhole picture. */

@@ -1,8 +1,8 @@
 #include "render/mesh_lines.h"
 
 #include "base/cancel.h"
-#include "drawing/ink.h"
-#include "drawing/line_sheet.h"
+#include "lines/ink.h"
+#include "lines/line_sheet.h"
 #include "render/stage.h"
 #include "scene/scene_edit.h"
 

@@ -1,4 +1,4 @@
-/* mesh_lines.h - render: lines of the mesh (drawing/drawing.h), as ink over a finished picture or for a file. */
+/* mesh_lines.h - render: lines of the mesh (lines/drawing.h), as ink over a finished picture or for a file. */
 #ifndef ZR_MESH_LINES_H
 #define ZR_MESH_LINES_H
 

@@ -17,10 +17,10 @@
 #include "render/pass.h"
 #include "render/picture.h"
 #include "render/pixel_fragments.h"
-#include "render/sections.h"
+#include "render/section_pass.h"
 #include "render/stage.h"
 #include "render/trace.h"
-#include "scene/resolved_view.h"
+#include "scene/camera/resolved_view.h"
 #include "scene/scene.h"
 #include "shade/nocs.h"
 

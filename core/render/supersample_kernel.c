@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/mutant.h"
-#include "base/simd.h"
+#include "base/simd/simd.h"
 #include "raster/tile.h"
 
 /* ---- bytes ---- */

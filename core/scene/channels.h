@@ -18,7 +18,7 @@ enum zr_encoding {
     ZR_ENCODING_JSON,
     ZR_ENCODING_SVG,  /* lines of the mesh alone, without pixels (output/svg.h) */
     ZR_ENCODING_TIFF, /* floats */
-    ZR_ENCODING_APNG, /* PNG with a frame for each of several views (output/apng.h) */
+    ZR_ENCODING_APNG, /* PNG with a frame for each of several views (output/images/apng.h) */
     ZR_ENCODING_PFM,
     ZR_ENCODING_JPEG,
     ZR_ENCODING_WEBP,
@@ -90,7 +90,7 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS 
         ZR_ENCODING_JSON)                                                                                              \
     ROW(MASKS, "masks", "pixels of each instance, drawn alone and visible", NONE, 0, ZERO, false, 0, ZR_ENCODING_ZIP,  \
         ZR_ENCODING_JSON)                                                                                              \
-    /* scene/flow.h */                                                                                                 \
+    /* scene/camera/flow.h */                                                                                                 \
     ROW(FLOW, "flow",                                                                                                  \
         "motion of the visible point to another view or pose, in pixels, and whether it is visible there", FLOAT32, 3, \
         NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                                              \

@@ -1,7 +1,7 @@
 /* Bounds of the geometry in world and eye space. */
 #include <float.h>
 
-#include "scene/camera_parts.h"
+#include "scene/camera/camera_parts.h"
 
 /* Runs the kernel, or measures point by point if it refuses. */
 static void measure_extent(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,

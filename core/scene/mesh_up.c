@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 #include "scene/face_area.h"
 
 /* Largest distance of a face from the end of the box in which it lies, as a share of the diagonal. */

@@ -48,11 +48,11 @@ struct zr_occlusion {
 struct zr_edges {
     bool is_on;
     zr_vec3 color; /* sRGB-encoded */
-    float width;   /* pixels; 0, from the mesh only: it grows with the window (drawing/strokes.h) */
+    float width;   /* pixels; 0, from the mesh only: it grows with the window (lines/strokes.h) */
     float crease_degrees;
     float silhouette_opacity, crease_opacity; /* 0..1 */
     bool scales_width, scales_specks;         /* width, and size of dropped creases, grow with the window */
-    bool is_from_mesh; /* lines of the mesh (drawing/drawing.h), else of samples (effects/edges.h) */
+    bool is_from_mesh; /* lines of the mesh (lines/drawing.h), else of samples (effects/edges.h) */
     /* from the mesh only */
     bool ignores_normals; /* normals of a file do not make creases smooth */
     bool has_hidden;      /* hidden lines are dashed */

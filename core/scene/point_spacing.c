@@ -4,7 +4,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 enum { LEVELS = 8, SIDE = 1 << (LEVELS - 1), WORD = 64, WORDS = SIDE * SIDE * SIDE / WORD, POINTS_A_RANGE = 1 << 14 };
 

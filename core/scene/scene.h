@@ -17,13 +17,13 @@
 #include "scene/channels.h"
 #include "scene/colormap.h"
 #include "scene/image.h"
-#include "scene/part_keys.h"
+#include "scene/parts/part_keys.h"
 #include "scene/picture.h"
 #include "scene/section.h"
 #include "scene/shadings.h"
 #include "scene/sheet.h"
 #include "scene/texture.h"
-#include "scene/view.h"
+#include "scene/camera/view.h"
 
 /* Colour of the edges of faces, drawn as lines. */
 enum zr_outline {
@@ -249,14 +249,14 @@ struct zr_fog {
     float near, far; /* 0 <= near < far */
 };
 
-/* Compression of PNGs: fast, or smaller files for much more time (output/png.h). */
+/* Compression of PNGs: fast, or smaller files for much more time (output/images/png.h). */
 enum zr_compress { ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL, ZR_COMPRESS_COUNT };
 
 /* An existing picture, from zraster or elsewhere, that the scene is drawn into: arrays of width * height, row 0 on top.
  * NULL stands for an uncovered array; zr_scene_validate refuses it if an output needs that channel. */
 struct zr_base {
     const uint8_t *color;      /* RGBA, 4 bytes per pixel */
-    const float *window_depth; /* the z-buffer, 0..1, 1 if uncovered; NULL: made from depth (scene/resolved_view.h) */
+    const float *window_depth; /* the z-buffer, 0..1, 1 if uncovered; NULL: made from depth (scene/camera/resolved_view.h) */
     const float *depth;        /* eye-space depth, scene units, +inf if uncovered */
     const uint32_t *face_id;   /* 0 if uncovered */
     bool scene_wins_ties;      /* at equal depth the scene is visible, else the base */
@@ -276,8 +276,8 @@ struct zr_color_bar {
 };
 
 struct zr_look;        /* scene/looks.h */
-struct zr_view_set;    /* scene/view_set.h */
-struct zr_flow;        /* scene/flow.h */
+struct zr_view_set;    /* scene/camera/view_set.h */
+struct zr_flow;        /* scene/camera/flow.h */
 struct zr_mesh_tables; /* mesh/mesh_tables.h */
 struct zr_known_parts; /* render/frame_parts.h */
 
@@ -303,7 +303,7 @@ struct zr_scene {
     struct zr_fog fog;
     struct zr_picture picture;
     struct zr_color_bar color_bar;
-    struct zr_part_keys parts; /* as read; input/part_select.h changes the scene by them */
+    struct zr_part_keys parts; /* as read; input/query/part_select.h changes the scene by them */
     struct zr_sections sections;
     enum zr_algorithm algorithm;
     uint32_t material_count, mesh_count, instance_count, light_count, warning_count;
@@ -325,7 +325,7 @@ struct zr_scene {
     const struct zr_flow *flow;               /* target of the channel flow; NULL: the scene's own view */
     const struct zr_mesh_tables *tables;      /* shared by several views; NULL: none */
     const struct zr_known_parts *known_parts; /* likewise; NULL: none */
-    bool has_box; /* a reader has found the bounds, box_min and box_max; zr_bounds_of (scene/camera.h) returns them */
+    bool has_box; /* a reader has found the bounds, box_min and box_max; zr_bounds_of (scene/camera/camera.h) returns them */
     zr_vec3 box_min, box_max;
     const struct zr_base *base; /* NULL: none */
     uint32_t image_count;

@@ -1,4 +1,4 @@
-/* section.h - scene: planes that cut the scene open, as requested (resolved by scene/section_planes.h).
+/* section.h - scene: planes that cut the scene open, as requested (resolved by sections/section_planes.h).
  *
  * Space:  world space.
  */

@@ -5,7 +5,7 @@
 
 #include "base/fast.h"
 #include "mesh/mesh_tables.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 #include "shade/colors.h"
 #include "shade/eye_normals.h"
 

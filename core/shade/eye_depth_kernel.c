@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "base/simd.h"
+#include "base/simd/simd.h"
 
 /* ---- many triangles ---- */
 

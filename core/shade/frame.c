@@ -1,7 +1,7 @@
 #include "shade/frame.h"
 
 #include "raster/tile.h"
-#include "scene/resolved_view.h"
+#include "scene/camera/resolved_view.h"
 
 void zr_frame_open(const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {

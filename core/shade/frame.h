@@ -11,7 +11,7 @@
 #include "core.h"
 #include "geometry/counts.h"
 #include "mesh/part_facts.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 #include "scene/channels.h"
 #include "scene/scene.h"
 
@@ -64,7 +64,7 @@ struct zr_instance_masks {
 };
 
 struct zr_trace;      /* raster/textbook/trace.h */
-struct zr_line_sheet; /* drawing/line_sheet.h */
+struct zr_line_sheet; /* lines/line_sheet.h */
 struct zr_nocs_list;  /* shade/nocs.h */
 struct zr_geometry;
 struct zr_frame;
@@ -92,7 +92,7 @@ struct zr_frame {
     const struct zr_instance_masks *masks;  /* only if wanted */
     const struct zr_trace *trace;           /* only if wanted */
     const struct zr_line_sheet *lines;      /* only if an SVG is wanted */
-    const struct zr_sections_cut *sections; /* mesh/sections.h; NULL: the scene is not cut open */
+    const struct zr_sections_cut *sections; /* sections/sections.h; NULL: the scene is not cut open */
     uint32_t *owners;                       /* per pixel: 1 + number of the visible primitive; NULL: not wanted */
     const struct zr_flow_target *flow;      /* render/flow.h; only while the channel flow is drawn */
     const struct zr_nocs_list *nocs;        /* of the drawn scene; only while positions are drawn in that space */

@@ -6,7 +6,7 @@
 #ifndef ZR_SHADER_SIMD_H
 #define ZR_SHADER_SIMD_H
 
-#include "base/simd.h"
+#include "base/simd/simd.h"
 #include "raster/tile_simd.h"
 #include "shade/models/models_simd.h"
 #include "shade/planes_simd.h"

@@ -2,9 +2,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "output/apng.h"
+#include "output/images/apng.h"
 #include "output/npy.h"
-#include "output/webp_frames.h"
+#include "output/images/webp_frames.h"
 #include "scene/scene.h"
 #include "views/sheet_picture.h"
 #include "views/view_scene.h"

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "change.h"
-#include "input/kept.h"
+#include "request/change.h"
+#include "input/scene/kept.h"
 #include "scene/scene.h"
 #include "views/still_camera.h"
 #include "views/view_scene.h"

@@ -3,7 +3,7 @@
 #define ZR_SHEET_PICTURE_H
 
 #include "shade/frame.h"
-#include "views.h"
+#include "views/views.h"
 
 struct zr_sheet_picture {
     const struct zr_views *views;

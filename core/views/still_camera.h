@@ -2,7 +2,7 @@
 #ifndef ZR_STILL_CAMERA_H
 #define ZR_STILL_CAMERA_H
 
-#include "views.h"
+#include "views/views.h"
 
 /* Fits the view of the scene to the geometry of all frames together, so that it does not move with them; a view that is
  * not fitted stays as it is. `arena` has the result of each frame until the call ends. Errors are those of

@@ -2,7 +2,7 @@
 #ifndef ZR_VIEW_SCENE_H
 #define ZR_VIEW_SCENE_H
 
-#include "views.h"
+#include "views/views.h"
 
 /* Makes the scene of view `number`, in `arena`. Errors are at its place in the request. */
 enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, struct zr_arena *arena,

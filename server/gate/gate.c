@@ -7,7 +7,7 @@
 #include <nettle/sha2.h>
 
 #include "config.h"
-#include "input/text.h"
+#include "input/text/text.h"
 #include "lines.h"
 #include "preset.h"
 

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "base/arena.h"
-#include "input/query_text.h"
-#include "views.h"
+#include "input/query/query_text.h"
+#include "views/views.h"
 
 enum { ARENA_BYTES = 64 << 20 };
 

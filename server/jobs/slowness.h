@@ -1,4 +1,4 @@
-/* slowness.h - measures the time of this machine relative to the reference machine of predictions (core/cost.h). */
+/* slowness.h - measures the time of this machine relative to the reference machine of predictions (core/cost/cost.h). */
 #ifndef ZRASTERD_SLOWNESS_H
 #define ZRASTERD_SLOWNESS_H
 

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "input/text.h"
+#include "input/text/text.h"
 #include "text.h"
 
 enum { NAME_SIZE = 16 };

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "gunzip.h"
-#include "input/formats.h"
+#include "input/formats/formats.h"
 #include "multipart.h"
 #include "problem.h"
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "contract/schema.h"
+#include "schema/schema.h"
 #include "openapi.h"
 #include "problem.h"
 #include "text.h"

@@ -8,7 +8,7 @@
 #include <nettle/sha2.h>
 
 #include "drake_form.h"
-#include "input/json_writer.h"
+#include "input/json/json_writer.h"
 #include "problem.h"
 #include "rendering.h"
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "input/number.h"
+#include "input/text/number.h"
 
 /* ---- the fields ---- */
 

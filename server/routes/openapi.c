@@ -4,12 +4,12 @@
 #include <string.h>
 
 #include "base/status.h"
-#include "contract/parameters.h"
-#include "contract/schema.h"
-#include "encode.h"
-#include "input/formats.h"
+#include "schema/parameters.h"
+#include "schema/schema.h"
+#include "request/encode.h"
+#include "input/formats/formats.h"
 #include "openapi_texts.h"
-#include "output/json_print.h"
+#include "output/json/json_print.h"
 
 static const char refs[] = "#/components/schemas/";
 

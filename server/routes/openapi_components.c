@@ -1,6 +1,6 @@
 #include "openapi_texts.h"
 
-#include "input/json_value.h"
+#include "input/json/json_value.h"
 
 /* clang-format off */
 

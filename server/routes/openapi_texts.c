@@ -2,7 +2,7 @@
 
 #include <stddef.h>
 
-#include "input/json_value.h"
+#include "input/json/json_value.h"
 
 /* clang-format off */
 

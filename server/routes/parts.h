@@ -7,7 +7,7 @@
 #ifndef ZRASTERD_PARTS_H
 #define ZRASTERD_PARTS_H
 
-#include "encode.h"
+#include "request/encode.h"
 #include "http/accept.h"
 #include "jobs/stream.h"
 

@@ -5,8 +5,8 @@
 
 #include <nettle/sha2.h>
 
-#include "input/query_plain.h"
-#include "output/lossy.h"
+#include "input/query/query_plain.h"
+#include "output/images/lossy.h"
 #include "scene/looks.h"
 
 _Static_assert(sizeof(struct zr_file_hash) == SHA256_DIGEST_SIZE, "the key is a SHA-256");

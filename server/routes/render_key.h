@@ -1,5 +1,5 @@
 /* render_key.h - hash of all that determines the bytes of a picture: the scene, the parameters in one spelling
- * (input/query_plain.h), the versions of looks, rules, program and encoders. */
+ * (input/query/query_plain.h), the versions of looks, rules, program and encoders. */
 #ifndef ZRASTERD_RENDER_KEY_H
 #define ZRASTERD_RENDER_KEY_H
 

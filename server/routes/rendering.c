@@ -9,16 +9,16 @@
 #include "assets.h"
 #include "body.h"
 #include "clock.h"
-#include "cost.h"
-#include "input/formats.h"
-#include "input/query_text.h"
+#include "cost/cost.h"
+#include "input/formats/formats.h"
+#include "input/query/query_text.h"
 #include "parts.h"
 #include "problem.h"
 #include "scene/looks.h"
-#include "scene/resolved_view.h"
+#include "scene/camera/resolved_view.h"
 #include "scene/scene.h"
 #include "text.h"
-#include "views.h"
+#include "views/views.h"
 
 /* ---- opening: checks before the body ---- */
 

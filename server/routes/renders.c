@@ -8,7 +8,7 @@
 #include "assets.h"
 #include "gate/admit.h"
 #include "gate/gate.h"
-#include "input/query_text.h"
+#include "input/query/query_text.h"
 #include "keep/answers.h"
 #include "keep/sizes.h"
 #include "problem.h"

@@ -2,7 +2,7 @@
 #include "bench/growth.h"
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/sides.h"
+#include "bench/versus/sides.h"
 #include "scene/defaults.h"
 
 enum { WITHOUT, WITH, SIDES };

@@ -5,14 +5,14 @@
 #include <unistd.h>
 
 #include "bench/alone/first_frame.h"
-#include "bench/documents.h"
+#include "bench/input/documents.h"
 #include "bench/machine.h"
-#include "bench/process.h"
+#include "bench/http/process.h"
 #include "bench/series.h"
-#include "bench/service.h"
-#include "bench/wire.h"
+#include "bench/http/service.h"
+#include "bench/http/wire.h"
 #include "bench/works.h"
-#include "server/daemon.h"
+#include "server/support/daemon.h"
 
 enum { OURS, THEIRS, SIDES };
 

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "bench/process.h"
+#include "bench/http/process.h"
 #include "bench/turns.h"
 #include "support/files.h"
 

@@ -1,9 +1,9 @@
 #include "bench/growth.h"
 
 #include "bench/machine.h"
-#include "bench/meshes.h"
+#include "bench/input/meshes.h"
 #include "bench/series.h"
-#include "bench/sides.h"
+#include "bench/versus/sides.h"
 
 /* At most 1.1 times what is in proportion. */
 static const struct bar growth_bar = {1 / 1.1, 0};

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "base/team.h"
-#include "bench/formats.h"
+#include "bench/input/formats.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "core.h"
-#include "support/png.h"
+#include "support/pictures/png.h"
 
 enum { FILES = 8, SIDE = 1024, GLB_HEAD = 12, CHUNK_HEAD = 8, CORNER_BYTES = 36, TEXT_BYTES = 4096 };
 

@@ -2,7 +2,7 @@
 
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/sides.h"
+#include "bench/versus/sides.h"
 #include "raster/fragments.h"
 
 enum { OURS, THEIRS, OPAQUE, SIDES, THREADS_MAX = 2 };

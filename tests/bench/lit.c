@@ -4,11 +4,11 @@
 #include "bench/growth.h"
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/sides.h"
-#include "scene/camera.h"
+#include "bench/versus/sides.h"
+#include "scene/camera/camera.h"
 #include "scene/defaults.h"
-#include "scene/resolved_view.h"
-#include "support/look.h"
+#include "scene/camera/resolved_view.h"
+#include "support/pictures/look.h"
 
 enum { PLAIN, LIT, DEPTH, SIDES };
 enum { THREADS_MOST = 2 };

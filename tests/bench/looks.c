@@ -3,7 +3,7 @@
 
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/sides.h"
+#include "bench/versus/sides.h"
 #include "scene/looks.h"
 
 enum { WITHOUT, WITH, SIDES, THREADS_MAX = 2 };

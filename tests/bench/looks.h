@@ -3,7 +3,7 @@
 #define ZR_BENCH_LOOKS_H
 
 #include "bench/bench.h"
-#include "bench/sides.h"
+#include "bench/versus/sides.h"
 
 /* Samples, linear light and each effect, on 1 and 2 threads: "theirs" is ours without, in the same run. */
 void looks_against_plain(struct bench *bench);

@@ -9,22 +9,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/arrays.h"
+#include "bench/input/arrays.h"
 #include "bench/bench.h"
 #include "bench/compare.h"
-#include "bench/formats.h"
+#include "bench/input/formats.h"
 #include "bench/growth.h"
 #include "bench/layers.h"
 #include "bench/looks.h"
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/service.h"
-#include "bench/sides.h"
+#include "bench/http/service.h"
+#include "bench/versus/sides.h"
 #include "bench/turns.h"
-#include "bench/versus_cjson.h"
-#include "bench/versus_glsl.h"
-#include "bench/versus_libpng.h"
-#include "bench/versus_llvmpipe.h"
+#include "bench/versus/versus_cjson.h"
+#include "bench/versus/versus_glsl.h"
+#include "bench/versus/versus_libpng.h"
+#include "bench/versus/versus_llvmpipe.h"
 
 static bool refuse(void)
 {

@@ -3,12 +3,12 @@
  */
 #include <stdlib.h>
 
-#include "bench/documents.h"
-#include "bench/meshes.h"
-#include "bench/service.h"
-#include "bench/wire.h"
+#include "bench/input/documents.h"
+#include "bench/input/meshes.h"
+#include "bench/http/service.h"
+#include "bench/http/wire.h"
 #include "bench/works.h"
-#include "server/daemon.h"
+#include "server/support/daemon.h"
 
 enum kind { PIXELS, TRIANGLES, KINDS };
 

@@ -3,11 +3,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "reference/batches.h"
-#include "reference/look_twin.h"
-#include "reference/reference_gl.h"
-#include "reference/reference_texture.h"
-#include "scene/resolved_view.h"
+#include "reference/generate/batches.h"
+#include "reference/gl/look_twin.h"
+#include "reference/gl/reference_gl.h"
+#include "reference/gl/reference_texture.h"
+#include "scene/camera/resolved_view.h"
 #include "shade/lights/light.h"
 
 enum { POSITIONS, COLORS, NORMALS, TEXCOORDS, INDICES };

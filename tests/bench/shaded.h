@@ -11,8 +11,8 @@
 #define ZR_BENCH_SHADED_H
 
 #include "base/arena.h"
-#include "reference/reference.h"
-#include "scene/camera.h"
+#include "reference/gl/reference.h"
+#include "scene/camera/camera.h"
 #include "shade/frame.h"
 
 enum { SHADED_BUFFERS = 5 }; /* positions, colours, normals, texture coordinates, indices */

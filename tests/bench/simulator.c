@@ -3,15 +3,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/likeness.h"
+#include "bench/versus/likeness.h"
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/service.h"
+#include "bench/http/service.h"
 #include "bench/shaded.h"
 #include "bench/simulator_scene.h"
-#include "bench/wire.h"
+#include "bench/http/wire.h"
 #include "core.h"
-#include "server/daemon.h"
+#include "server/support/daemon.h"
 
 enum { OURS, PARSE, RENDER, ENCODE, THEIRS, TIMES };
 enum { AT_MOST_MS = 5, PIXELS = SIMULATOR_WINDOW * SIMULATOR_WINDOW };

@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "bench/stock_png.h"
+#include "bench/versus/stock_png.h"
 #include "bench/texels.h"
-#include "support/base64.h"
+#include "support/input/base64.h"
 #include "support/random.h"
 
 enum { IMAGE_SIDE = 256, SEGMENTS = 16, BALL_ROWS = 12, COLUMNS = 8, SEED = 3 };

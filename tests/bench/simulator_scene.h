@@ -7,7 +7,7 @@
 #ifndef ZR_BENCH_SIMULATOR_SCENE_H
 #define ZR_BENCH_SIMULATOR_SCENE_H
 
-#include "bench/documents.h"
+#include "bench/input/documents.h"
 
 enum { SIMULATOR_OBJECTS = 32, SIMULATOR_WINDOW = 256 };
 

@@ -1,9 +1,9 @@
 /* More threads against one, and beside it as many pictures at once, each on one thread. */
-#include "bench/crowd.h"
+#include "bench/http/crowd.h"
 #include "bench/growth.h"
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/sides.h"
+#include "bench/versus/sides.h"
 
 /* A picture on one thread, on more, and as many at once. */
 enum { ONE, MORE, AT_ONCE, SIDES };

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "bench/meshes.h"
+#include "bench/input/meshes.h"
 #include "reference/models.h"
 
 enum shape { FILL_BACK_FIRST, FILL_FRONT_FIRST, BUNNY, DENSE_BUNNY, CUBE, POLYGONS };

@@ -157,8 +157,8 @@ run_block() { # LANGUAGE FILE
     python) PATH="$PWD/build:$PATH" timeout 120 "$python" "$2.run" ;;
     json) draws_without_warning "$2.run" ;;
     jsonc) parses_as_json "$2.run" ;;
-    c) ${CC:-cc} -x c -std=c11 -Wall -Werror -fsyntax-only -Icore/library "$2.run" ;;
-    cpp) ${CXX:-c++} -x c++ -std=c++17 -Wall -Werror -fsyntax-only -Icore/library "$2.run" ;;
+    c) ${CC:-cc} -x c -std=c11 -Wall -Werror -fsyntax-only -Icore/api "$2.run" ;;
+    cpp) ${CXX:-c++} -x c++ -std=c++17 -Wall -Werror -fsyntax-only -Icore/api "$2.run" ;;
     toml) "$python" -c 'import sys, tomllib; tomllib.load(open(sys.argv[1], "rb"))' "$2.run" ;;
     yaml) "$python" -c 'import sys, yaml; list(yaml.safe_load_all(open(sys.argv[1])))' "$2.run" ;;
     js) cp "$2.run" "$2.mjs" && node --check "$2.mjs" ;;

@@ -20,7 +20,7 @@ has_all() { # FILE WORD...: with roff's dashes as plain ones
 verdict "there are at least 50 options" [ "$(echo "$options" | wc -l)" -ge 50 ]
 verdict "zraster.1 has all" has_all "$build/zraster.1" $options
 verdict "zrasterd.8 has all flags of the daemon" has_all "$build/zrasterd.8" $flags
-verdict "libzraster.3 has all functions" has_all "$build/libzraster.3" $(sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)(.*/\1/p' core/library/zraster.h)
+verdict "libzraster.3 has all functions" has_all "$build/libzraster.3" $(sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)(.*/\1/p' core/api/zraster.h)
 commands=$("$build/zraster" help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/**\1**/p')
 verdict "cli.md has all commands" has_all clients/docs/cli.md $commands
 # "| `--port` | 8080" of "--port=N", two lines and "(default: 8080)".

@@ -28,12 +28,12 @@ fi
 # Patched copies of a table of keys and of the table of parameters, and the objects that expand them.
 mkdir "$work/objects" "$work/after"
 awk '/\{\.key = "mode"\}/ { print "{\"newKey\", zr_json_float, AT(near), 1, 7, .unit = \"pixels\", .otherwise = \"5\", .text = \"meaning of newKey\"}," } { print }' \
-    core/input/json_fog.c >"$work/json_fog.c"
+    core/input/scene/json_fog.c >"$work/json_fog.c"
 awk '{ print } /define ZR_PARAMETER_ROWS\(ROW\)/ { print "ROW(newParameter, \"/fog/near\", ANY, NUMBER, \"meaning of newParameter (default: 5)\") \\" }' \
     core/parameter_rows.h >"$work/parameter_rows.h"
 compile() { # FILE...: objects of patched sources
     printf '%s\n' "$@" | xargs -P 2 -I FILE sh -c '
-        ${CC:-cc} -std=c11 -w -O0 -D_GNU_SOURCE -pthread -ffp-contract=off -include "$1/parameter_rows.h" -Icore -Iserver \
+        ${CC:-cc} -std=c11 -w -O0 -D_GNU_SOURCE -pthread -ffp-contract=off -include "$1/parameter_rows.h" -Icore -Iserver -Iclients \
             -c "$2" -o "$1/objects/$(echo "$2" | sed "s|/|_|g").o"' sh "$work" FILE
 }
 libraries() { sed -n "s/^$1_LIBS := //p" Makefile; }
@@ -47,11 +47,11 @@ objects_of() { # FILE.c...: those of the build
     for source in "$@"; do echo "$build/${source%.c}.o"; done
 }
 build_all() {
-    compile "$work/json_fog.c" core/contract/parameters.c clients/reference/*.c clients/*.c || return 1
-    keys="$work/objects/$(echo "$work/json_fog.c" | sed 's|/|_|g').o $work/objects/core_contract_parameters.c.o"
+    compile "$work/json_fog.c" core/schema/parameters.c clients/reference/*.c clients/commands/*.c clients/options/*.c clients/files/*.c clients/engine/*.c || return 1
+    keys="$work/objects/$(echo "$work/json_fog.c" | sed 's|/|_|g').o $work/objects/core_schema_parameters.c.o"
     # shellcheck disable=SC2086
     link zrasterd "$(libraries SERVER)" $keys $(objects_of server/*.c server/*/*.c server/site_files.c server/manual_files.c) &&
-        link zraster-reference -lcjson $keys "$work"/objects/clients_reference_*.o "$work/objects/clients_values.c.o" &&
+        link zraster-reference -lcjson $keys "$work"/objects/clients_reference_*.o "$work/objects/clients_options_values.c.o" &&
         link zraster "$(libraries CLIENT)" $keys $(ls "$work"/objects/clients_*.o | grep -v clients_reference_) $(objects_of server/mcp/*.c)
 }
 build_all >"$said" 2>"$complained"

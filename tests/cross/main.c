@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "support/gallery.h"
-#include "support/look_scenes.h"
+#include "support/pictures/gallery.h"
+#include "support/pictures/look_scenes.h"
 #include "support/simd_check.h"
 
 static const size_t ceiling = (size_t)1 << 29;

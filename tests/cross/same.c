@@ -15,7 +15,7 @@
 
 #include "scene/channels.h"
 #include "scene/looks.h"
-#include "server/client.h"
+#include "server/support/client.h"
 #include "support/cmocka_all.h"
 #include "support/files.h"
 #include "support/geometries.h"

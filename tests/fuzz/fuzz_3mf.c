@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "fuzz/fuzz.h"
-#include "support/zip_file.h"
+#include "support/input/zip_file.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "fuzz/fuzz.h"
-#include "input/meshopt.h"
+#include "input/codecs/meshopt.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

@@ -1,6 +1,6 @@
 /* An archive: every member that opens is read. */
 #include "fuzz/fuzz.h"
-#include "input/zip_read.h"
+#include "input/zip/zip_read.h"
 
 enum { CEILING = 1 << 20 };
 

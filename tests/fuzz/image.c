@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "fuzz/fuzz.h"
-#include "input/image_read.h"
+#include "input/images/image_read.h"
 
 static void fill(struct zr_arena *arena, int byte)
 {

@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cost.h"
+#include "cost/cost.h"
 #include "fuzz/fuzz.h"
-#include "scene/resolved_view.h"
+#include "scene/camera/resolved_view.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
-#include "views.h"
+#include "views/views.h"
 
 /* How many corners, over all instances, are drawn; the painter compares them pair by pair. */
 enum { CORNERS_MAX = 40000, CORNERS_MAX_PAINTER = 400 };

@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "fuzz/seeds.h"
-#include "support/draco_check.h"
+#include "support/input/draco_check.h"
 
 void write_draco(void)
 {

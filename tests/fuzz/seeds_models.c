@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "fuzz/seeds.h"
-#include "support/base64.h"
-#include "support/skinned_gltf.h"
-#include "support/zip_file.h"
+#include "support/input/base64.h"
+#include "support/input/skinned_gltf.h"
+#include "support/input/zip_file.h"
 
 /* ---- OBJ, MTL and STL ---- */
 

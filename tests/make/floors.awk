@@ -12,7 +12,7 @@
 
 BEGIN {
     # The lowest first. The two public headers need base only, and all above it may include them.
-    floors = split("base|core.h version.h format_rows.h parameter_rows.h|scene|input geometry|mesh|raster|shade|drawing effects overlay|render|output", folders, "|")
+    floors = split("base|core.h version.h format_rows.h parameter_rows.h|scene|input geometry|mesh|sections|raster|shade|lines effects overlay|render|output|cost|request views schema|api", folders, "|")
     for (i = 1; i <= floors; i++) {
         n = split(folders[i], names, " ")
         for (k = 1; k <= n; k++) floor_of[names[k]] = i
@@ -31,6 +31,7 @@ BEGIN {
     sub(/[^\/]*$/, "", sibling)
     if (quoted && (sibling to) in exists) to = sibling to
     else if (quoted && ("server/" to) in exists) to = "server/" to # by -Iserver
+    else if (quoted && ("clients/" to) in exists) to = "clients/" to # by -Iclients
     if (to in exists) add(from, to)
     else if (quoted) fault(from " includes " to ", which is in none of these folders")
 }
@@ -67,18 +68,16 @@ function learn(line,    words)
     reason[words[1] " " words[2]] = line
 }
 
-# Returns the floor of a file. From the top: clients/, server/, core/library/, the files of core/ itself with views/ and contract/,
-# its other folders.
+# Returns the floor of a file. From the top: clients/, server/, the folders of core/.
 # 0: a folder that has no floor yet.
 function floor(file,    name)
 {
     name = file
     sub(/\/.*/, "", name)
     if (name in floor_of) return floor_of[name]
-    if (name == "library") return floors + 2
-    if (name == "server") return floors + 3
-    if (name == "clients") return floors + 4
-    return name == file || name == "views" || name == "contract" ? floors + 1 : 0
+    if (name == "server") return floors + 1
+    if (name == "clients") return floors + 2
+    return 0
 }
 
 function module(file)

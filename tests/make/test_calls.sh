@@ -16,7 +16,7 @@ calls() { # OBJECT...: "CALLER CALLED" for each
 }
 circles() { tsort >/dev/null; } # tells them as complaints
 
-calls "$build"/core/input/*.o "$build"/core/scene/*.o >"$said"
+calls "$build"/core/input/*/*.o "$build"/core/scene/*.o "$build"/core/scene/*/*.o >"$said"
 verdict "many calls are looked at" [ "$(wc -l <"$said")" -ge 100 ]
 circles <"$said" 2>"$complained"
 verdict "no calls go in a circle" [ ! -s "$complained" ]

@@ -29,7 +29,7 @@ printf 'v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n' >"$work/part.obj"
 triangle >"$work/part.stl"
 cp clients/examples/solids.json "$work/solids.zraster.json"
 verdict "pkg-config knows the header's version" [ "$(pkg-config --modversion zraster)" = \
-    "$(sed -n 's/^#define ZRASTER_VERSION  *"\(.*\)"/\1/p' core/library/zraster.h)" ]
+    "$(sed -n 's/^#define ZRASTER_VERSION  *"\(.*\)"/\1/p' core/api/zraster.h)" ]
 # shellcheck disable=SC2046
 verdict "the example is built by its flags" ${CC:-cc} clients/examples/draw.c -o "$work/draw" $(pkg-config --cflags --libs zraster)
 verdict "and draws" env LD_LIBRARY_PATH="$root$prefix/lib" "$work/draw" "$work/part.obj" "$work/drawn.png" "look=studio&width=64&height=64"

@@ -8,7 +8,7 @@ work=$(mktemp -d)
 out=$work said=$work/said complained=$work/complained; : >"$said"; : >"$complained"
 . clients/start_daemon.sh
 trap 'kill "$daemon" 2>/dev/null; wait "$daemon" 2>/dev/null; rm -rf "$work"' EXIT
-header=core/library/zraster.h example=clients/examples/draw.c
+header=core/api/zraster.h example=clients/examples/draw.c
 warnings='-Wall -Wextra -Werror -pedantic'
 cc=${CC:-cc} cxx=${CXX:-c++}
 
@@ -28,9 +28,9 @@ verdict "the daemon and the command have its version" [ "$("$build/zrasterd" --v
 libraries='-lpng -ljpeg -lwebp -lisal -lm -pthread'
 verdict "the header is C99" $cc -std=c99 $warnings -fsyntax-only -x c $header
 verdict "and C++" $cxx $warnings -fsyntax-only -x c++ $header
-verdict "the example is C99" $cc -std=c99 $warnings -Icore/library $example -o "$work/shared.out" -L"$build" -lzraster -Wl,-rpath,"$(realpath "$build")"
-verdict "and links with the static library" $cc -Icore/library $example -o "$work/static.out" "$build/libzraster.a" $libraries
-verdict "and is C++" $cxx $warnings -Icore/library -x c++ $example -x none -o "$work/cxx.out" -L"$build" -lzraster -Wl,-rpath,"$(realpath "$build")"
+verdict "the example is C99" $cc -std=c99 $warnings -Icore/api $example -o "$work/shared.out" -L"$build" -lzraster -Wl,-rpath,"$(realpath "$build")"
+verdict "and links with the static library" $cc -Icore/api $example -o "$work/static.out" "$build/libzraster.a" $libraries
+verdict "and is C++" $cxx $warnings -Icore/api -x c++ $example -x none -o "$work/cxx.out" -L"$build" -lzraster -Wl,-rpath,"$(realpath "$build")"
 
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n' >"$work/part.obj"
 cp clients/examples/solids.json "$work/solids.json"

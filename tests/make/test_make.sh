@@ -27,28 +27,28 @@ program() { # NAME LINE...: one that prints the lines
     { echo '#!/bin/sh'; printf 'echo "%s"\n' "$@"; } >"$path"
     chmod +x "$path"
 }
-mkdir -p "$work/fake/tests/unit" "$work/fake/tests/property"
+mkdir -p "$work/fake/tests/unit/room" "$work/fake/tests/property"
 program property/test_a "ok 1 - one" "ok 2 - two"
-program unit/test_b "ok 1 - three" "ok 2 - four # SKIP not here"
+program unit/room/test_b "ok 1 - three" "ok 2 - four # SKIP not here"
 parts() { DATA=$work tests/run.sh "$work/fake" unit >"$work/said" 2>"$work/complained"; }
 parts
 status=$?
 verdict "tests that pass end with 0" [ "$status" = 0 ]
 verdict "a part is reported with its time" grep -Eq '^unit: 3 passed, 1 skipped in [0-9]+ s$' "$work/said"
 verdict "and the last line has the sums" [ "$(tail -n 1 "$work/said")" = "3 passed, 0 failed, 1 skipped" ]
-program unit/test_b "ok 1 - three"
+program unit/room/test_b "ok 1 - three"
 parts
 verdict "a part that just passes is one line" [ "$(sed 's/ in .*//' "$work/said")" = "unit: 3 passed
 3 passed, 0 failed, 0 skipped" ]
-program unit/test_b "ok 1 - three" "not ok 2 - four"
+program unit/room/test_b "ok 1 - three" "not ok 2 - four"
 parts
 status=$?
 verdict "a test that fails ends with 1" [ "$status" = 1 ]
-verdict "is reported" grep -q '^FAILED in unit-test_b' "$work/said"
+verdict "is reported" grep -q '^FAILED in room-test_b' "$work/said"
 verdict "and counted in its part" grep -Eq '^unit: 3 passed, 1 failed in [0-9]+ s$' "$work/said"
 verdict "and in the last line" [ "$(tail -n 1 "$work/said")" = "3 passed, 1 failed, 0 skipped" ]
 program property/test_b "not ok 1 - five"
-program unit/test_b "ok 1 - three"
+program unit/room/test_b "ok 1 - three"
 parts
 verdict "two rooms may have tests of one name" [ "$(tail -n 1 "$work/said")" = "3 passed, 1 failed, 0 skipped" ]
 verdicts

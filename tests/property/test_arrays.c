@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "support/array_parts.h"
+#include "support/input/array_parts.h"
 #include "support/files.h"
 #include "support/random.h"
 #include "support/renderer.h"

@@ -4,10 +4,10 @@
 #include <string.h>
 
 #include "cancel_check.h"
-#include "input/image_read.h"
-#include "output/png.h"
+#include "input/images/image_read.h"
+#include "output/images/png.h"
 #include "scene/scene.h"
-#include "support/jpeg.h"
+#include "support/pictures/jpeg.h"
 
 static struct zr_arena arena;
 

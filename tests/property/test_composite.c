@@ -89,7 +89,7 @@ static struct picture draw_into(const struct picture *base, int begin, int end, 
 
 static void assert_same(const struct picture *a, const struct picture *b, const char *what)
 {
-    /* What a PNG decodes to; its bytes need not be the same (output/png.h). */
+    /* What a PNG decodes to; its bytes need not be the same (output/images/png.h). */
     if (memcmp(a->frame->color, b->frame->color, (size_t)4 * a->frame->width * a->frame->height) != 0)
         fail_msg("%s: colours differ", what);
     for (int i = 1; i < CHANNELS; i++)

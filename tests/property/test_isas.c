@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "support/gallery.h"
+#include "support/pictures/gallery.h"
 #include "support/isas.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"

@@ -1,4 +1,4 @@
-/* core/library: the same bytes as the core gives, for every scene of tests/scenes and clients/examples, drawn at once,
+/* core/api: the same bytes as the core gives, for every scene of tests/scenes and clients/examples, drawn at once,
  * from a kept scene, and from a kept scene with changes. */
 #include <cjson/cJSON.h>
 #include <stdio.h>
@@ -9,7 +9,7 @@
 #include "support/files.h"
 #include "support/renderer.h"
 #include "support/tests.h"
-#include "views.h"
+#include "views/views.h"
 
 static struct zr_arena arena;
 

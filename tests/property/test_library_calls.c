@@ -1,4 +1,4 @@
-/* core/library: pictures, owners of memory, tables, threads, forks and cancels. */
+/* core/api: pictures, owners of memory, tables, threads, forks and cancels. */
 #include <cjson/cJSON.h>
 #include <pthread.h>
 #include <signal.h>

@@ -1,4 +1,4 @@
-/* core/library: errors, sizes of structs, the ceiling of memory, and numbers in every locale. */
+/* core/api: errors, sizes of structs, the ceiling of memory, and numbers in every locale. */
 #include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "geometry/build.h"
-#include "scene/resolved_view.h"
+#include "scene/camera/resolved_view.h"
 #include "shade/draw_attributes.h"
 #include "support/random.h"
 #include "support/scenes.h"

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "support/isas.h"
-#include "support/look_scenes.h"
-#include "support/png.h"
+#include "support/pictures/look_scenes.h"
+#include "support/pictures/png.h"
 
 static const struct {
     const char *name;

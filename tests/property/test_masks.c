@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "output/masks.h"
-#include "scene/resolved_view.h"
+#include "scene/camera/resolved_view.h"
 #include "support/files.h"
 #include "support/scenes.h"
 #include "support/tests.h"

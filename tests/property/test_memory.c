@@ -2,8 +2,8 @@
 #include <string.h>
 
 #include "core.h"
-#include "support/mtl_pictures.h"
-#include "support/skinned_gltf.h"
+#include "support/input/mtl_pictures.h"
+#include "support/input/skinned_gltf.h"
 #include "support/tests.h"
 
 struct sample {

@@ -3,7 +3,7 @@
  */
 #include <stdio.h>
 
-#include "support/pictures.h"
+#include "support/pictures/pictures.h"
 #include "support/tests.h"
 
 #define CUBE_FACES "\"faces\":[[0,1,3,2],[4,6,7,5],[0,4,5,1],[2,3,7,6],[0,2,6,4],[1,5,7,3]]"

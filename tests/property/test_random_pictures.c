@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "support/digests.h"
+#include "support/pictures/digests.h"
 #include "support/isas.h"
-#include "support/pictures.h"
+#include "support/pictures/pictures.h"
 #include "support/random_scenes.h"
 
 static uint64_t number_of(const char *variable, uint64_t otherwise)

@@ -5,7 +5,7 @@
 
 #include "support/renderer.h"
 #include "support/tests.h"
-#include "support/zip_file.h"
+#include "support/input/zip_file.h"
 
 /* ---- a ball with a dent, of triangles ---- */
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "support/digests.h"
+#include "support/pictures/digests.h"
 #include "support/files.h"
 #include "support/geometries.h"
 #include "support/scenes.h"

@@ -11,7 +11,7 @@
 #include "support/files.h"
 #include "support/geometries.h"
 #include "support/random.h"
-#include "support/replay.h"
+#include "support/pictures/replay.h"
 #include "support/scenes.h"
 #include "support/tests.h"
 

@@ -45,11 +45,11 @@ part 'A transform of its own' "$verify" --transform independent --plain --triang
 
 if [ $worst -eq 0 ]; then verdict='<span class="good">all is well</span>'; else verdict='<span class="bad">not all is well</span>'; fi
 {
-    cat tests/reference/page-head.html
+    cat tests/reference/page/page-head.html
     printf '<p class="verdict">%s</p>\n' "$verdict"
-    cat tests/reference/page-summary.html "$out"/*.row
+    cat tests/reference/page/page-summary.html "$out"/*.row
     echo '</table></div></section>'
-    cat "$out"/*.part tests/reference/page-foot.html
+    cat "$out"/*.part tests/reference/page/page-foot.html
 } >"$out/report.html"
 rm -f "$out"/*.part "$out"/*.row
 printf '\nreport: %s\n' "$out/report.html"

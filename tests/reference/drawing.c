@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reference/batches.h"
+#include "reference/generate/batches.h"
 
 void drawing_start(struct drawing *drawing, uint32_t width, uint32_t height)
 {

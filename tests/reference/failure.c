@@ -6,8 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "reference/report.h"
-#include "support/png.h"
+#include "reference/page/report.h"
+#include "support/pictures/png.h"
 
 enum { PATH_SIZE = 600 };
 

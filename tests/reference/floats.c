@@ -4,8 +4,8 @@
 
 #include "geometry/clip.h"
 #include "raster/setup.h"
-#include "reference/glsl_math.h"
-#include "reference/reference_program.h"
+#include "reference/gl/glsl_math.h"
+#include "reference/gl/reference_program.h"
 #include "shade/lights/light.h"
 #include "support/random.h"
 

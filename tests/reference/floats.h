@@ -7,7 +7,7 @@
 #ifndef ZR_TEST_FLOATS_H
 #define ZR_TEST_FLOATS_H
 
-#include "reference/report.h"
+#include "reference/page/report.h"
 
 /* Draws so many triangles for each part, each in a picture of its own, and prints a line for each part, in which
  * "depth" counts the pixels where one of four floats differs. The harness's perturbations are heeded. */

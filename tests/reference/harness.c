@@ -7,10 +7,10 @@
 
 #include "geometry/viewport.h"
 #include "reference/average.h"
-#include "reference/batches.h"
-#include "reference/layers_twin.h"
-#include "reference/look_twin.h"
-#include "reference/report.h"
+#include "reference/generate/batches.h"
+#include "reference/gl/layers_twin.h"
+#include "reference/gl/look_twin.h"
+#include "reference/page/report.h"
 #include "reference/subject.h"
 
 enum { FAILURES_MAX = 3, ALONE_MAX = 8 };

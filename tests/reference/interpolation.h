@@ -18,8 +18,8 @@
 #define ZR_TEST_INTERPOLATION_H
 
 #include "geometry/clip.h"
-#include "reference/reference.h"
-#include "scene/camera.h"
+#include "reference/gl/reference.h"
+#include "scene/camera/camera.h"
 
 /* What varies, as homogeneous points. */
 enum interpolation_of {

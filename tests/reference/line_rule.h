@@ -6,7 +6,7 @@
 #ifndef ZR_TEST_LINE_RULE_H
 #define ZR_TEST_LINE_RULE_H
 
-#include "reference/reference.h"
+#include "reference/gl/reference.h"
 
 /* Older: up to 22.3. Current: from 25.0 on. */
 enum line_rule { LINE_RULE_OLDER, LINE_RULE_CURRENT };

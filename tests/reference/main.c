@@ -7,10 +7,10 @@
 #include "base/fast.h"
 #include "base/mutant.h"
 #include "reference/floats.h"
-#include "reference/generate.h"
+#include "reference/generate/generate.h"
 #include "reference/models.h"
 #include "reference/options.h"
-#include "reference/page.h"
+#include "reference/page/page.h"
 #include "reference/scene_files.h"
 #include "reference/subject.h"
 

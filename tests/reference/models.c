@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "input/input.h"
-#include "reference/page.h"
+#include "input/formats/input.h"
+#include "reference/page/page.h"
 #include "reference/subject.h"
 #include "support/files.h"
 

@@ -3,7 +3,7 @@
 #define ZR_TEST_MODELS_H
 
 #include "reference/drawing.h"
-#include "reference/report.h"
+#include "reference/page/report.h"
 
 /* The model NAME.obj of `directory`, with colours made from its normals, seen from
  * `view` in a window of this size. False, explained on stderr, where it cannot be

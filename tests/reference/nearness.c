@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "reference/batches.h"
+#include "reference/generate/batches.h"
 #include "scene/scene.h"
 
 /* ---- a face in the window ---- */

@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 #include "core.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 struct near {
     double edge_px; /* to the nearest edge of its triangles, and of the pieces that clipping makes of them; HUGE_VAL:

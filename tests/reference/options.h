@@ -2,7 +2,7 @@
 #ifndef ZR_TEST_OPTIONS_H
 #define ZR_TEST_OPTIONS_H
 
-#include "reference/report.h"
+#include "reference/page/report.h"
 
 struct options {
     uint64_t triangles, seed;

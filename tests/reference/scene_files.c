@@ -8,12 +8,12 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-#include "input/formats.h"
-#include "input/names.h"
-#include "reference/look_twin.h"
-#include "reference/page.h"
+#include "input/formats/formats.h"
+#include "input/text/names.h"
+#include "reference/gl/look_twin.h"
+#include "reference/page/page.h"
 #include "render/lens.h"
-#include "render/sections.h"
+#include "render/section_pass.h"
 #include "support/files.h"
 
 enum { PATH_SIZE = 1000, LABEL_SIZE = 100 };

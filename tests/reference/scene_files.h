@@ -6,7 +6,7 @@
 #ifndef ZR_TEST_SCENE_FILES_H
 #define ZR_TEST_SCENE_FILES_H
 
-#include "reference/twins.h"
+#include "reference/gl/twins.h"
 
 struct scene_files_options {
     const char *preset;   /* of bare meshes: a name, or "all" */

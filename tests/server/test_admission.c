@@ -4,8 +4,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "client.h"
-#include "problems.h"
+#include "server/support/client.h"
+#include "server/support/problems.h"
 #include "support/tests.h"
 
 static void write_file(const char *folder, const char *name, const char *text)

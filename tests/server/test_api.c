@@ -7,8 +7,8 @@
 #include <cjson/cJSON.h>
 #include <zlib.h>
 
-#include "problems.h"
-#include "support/draco_check.h"
+#include "server/support/problems.h"
+#include "support/input/draco_check.h"
 #include "support/files.h"
 #include "support/tests.h"
 

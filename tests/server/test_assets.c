@@ -4,9 +4,9 @@
 #include <string.h>
 #include <zlib.h>
 
-#include "assets.h"
-#include "support/base64.h"
-#include "support/npy.h"
+#include "server/support/assets.h"
+#include "support/input/base64.h"
+#include "support/input/npy.h"
 #include "support/tests.h"
 
 static struct folder folder;

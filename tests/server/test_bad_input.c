@@ -7,7 +7,7 @@
 
 #include <cjson/cJSON.h>
 
-#include "client.h"
+#include "server/support/client.h"
 #include "support/files.h"
 #include "support/tests.h"
 

@@ -3,8 +3,8 @@
 #include <string.h>
 #include <zlib.h>
 
-#include "client.h"
-#include "support/npy.h"
+#include "server/support/client.h"
+#include "support/input/npy.h"
 #include "support/tests.h"
 
 #define VIEW                                                                                                           \

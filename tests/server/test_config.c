@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/isa.h"
-#include "client.h"
+#include "server/support/client.h"
 #include "support/tests.h"
 
 /* Runs with `arguments` (to NULL); its exit status and `texts` (to NULL) in its output must be these. */

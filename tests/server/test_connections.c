@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "client.h"
+#include "server/support/client.h"
 #include "support/sanitized.h"
 #include "support/tests.h"
 

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "assets.h"
+#include "server/support/assets.h"
 #include "support/tests.h"
 
 static void assert_full_and_well(struct daemon *server, const struct folder *folder)

@@ -6,7 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "client.h"
+#include "server/support/client.h"
 #include "support/sanitized.h"
 #include "support/tests.h"
 

@@ -5,7 +5,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "client.h"
+#include "server/support/client.h"
 #include "support/tests.h"
 
 #define POST   "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\n"

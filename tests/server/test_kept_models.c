@@ -4,7 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "assets.h"
+#include "server/support/assets.h"
 #include "support/tests.h"
 
 static struct folder folder;

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "client.h"
+#include "server/support/client.h"
 #include "support/sanitized.h"
 #include "support/tests.h"
 

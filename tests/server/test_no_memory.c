@@ -8,8 +8,8 @@
 
 #include <zlib.h>
 
-#include "assets.h"
-#include "client.h"
+#include "server/support/assets.h"
+#include "server/support/client.h"
 #include "support/failing_malloc.h"
 #include "support/tests.h"
 

@@ -2,9 +2,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "input/formats.h"
+#include "input/formats/formats.h"
 #include "parameter_rows.h"
-#include "problems.h"
+#include "server/support/problems.h"
 #include "support/tests.h"
 
 static struct daemon server;

@@ -6,7 +6,7 @@
 
 #include <cjson/cJSON.h>
 
-#include "client.h"
+#include "server/support/client.h"
 #include "support/sanitized.h"
 #include "support/tests.h"
 

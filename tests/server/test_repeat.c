@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/isa.h"
-#include "client.h"
+#include "server/support/client.h"
 #include "support/random.h"
 #include "support/tests.h"
 

@@ -11,7 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "assets.h"
+#include "server/support/assets.h"
 #include "support/tests.h"
 
 /* Many at once, and none refused for it. */

@@ -2,7 +2,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "streamed.h"
+#include "server/support/streamed.h"
 #include "support/sanitized.h"
 #include "support/tests.h"
 

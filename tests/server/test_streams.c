@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "mcp/unzip.h"
-#include "streamed.h"
+#include "server/support/streamed.h"
 #include "support/sanitized.h"
 #include "support/tests.h"
 

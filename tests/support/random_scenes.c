@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "input/names.h"
+#include "input/text/names.h"
 #include "scene/shadings.h"
 #include "support/random.h"
 

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "library/zraster.h"
+#include "api/zraster.h"
 #include "support/cmocka_all.h"
 
 static zraster *renderer;

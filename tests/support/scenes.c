@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "scene/looks.h"
-#include "scene/resolved_view.h"
+#include "scene/camera/resolved_view.h"
 #include "support/cmocka_all.h"
 
 void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height, const zr_vec4 *positions,

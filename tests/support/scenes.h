@@ -3,10 +3,10 @@
 #define ZR_TEST_SCENES_H
 
 #include "core.h"
-#include "cost.h"
+#include "cost/cost.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
-#include "support/look.h"
+#include "support/pictures/look.h"
 
 /* One mesh of triangles in clip space (all matrices are the identity), unlit and double-sided. Contains pointers to
  * itself: do not copy. Tests change members after scene_of_triangles. */

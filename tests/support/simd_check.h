@@ -1,4 +1,4 @@
-/* simd_check.h - support: compares base/simd.h for one instruction set with plain C, lane by lane.
+/* simd_check.h - support: compares base/simd/simd.h for one instruction set with plain C, lane by lane.
  *
  * Operands are all pairs of special numbers (NaN, infinities, -0, denormals, halfway cases, INT32_MIN ...) and random
  * bits. Results must be equal bit by bit, except for the sign and payload of a NaN from arithmetic: these depend on the

@@ -1,6 +1,6 @@
 #include "support/simd_kernel.h"
 
-#include "base/simd.h"
+#include "base/simd/simd.h"
 
 _Static_assert(SIMD_COUNT % ZR_LANES == 0, "nothing is left of the last group");
 

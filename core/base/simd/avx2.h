@@ -1,4 +1,4 @@
-/* avx2.h - base: the rest of base/simd.h for AVX2 with BMI2: eight lanes. */
+/* avx2.h - base: the rest of base/simd/simd.h for AVX2 with BMI2: eight lanes. */
 #ifndef ZR_SIMD_AVX2_H
 #define ZR_SIMD_AVX2_H
 

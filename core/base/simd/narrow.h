@@ -1,4 +1,4 @@
-/* narrow.h - base: the rest of base/simd.h for vectors of one lane (plain C) and of four (SSE2, NEON). */
+/* narrow.h - base: the rest of base/simd/simd.h for vectors of one lane (plain C) and of four (SSE2, NEON). */
 #ifndef ZR_SIMD_NARROW_H
 #define ZR_SIMD_NARROW_H
 

@@ -1,4 +1,4 @@
-/* vec.h - base: the types of base/simd.h as C's own vectors (vector_size), and the operations that every instruction
+/* vec.h - base: the types of base/simd/simd.h as C's own vectors (vector_size), and the operations that every instruction
  * set writes alike. narrow.h, avx2.h and avx512.h add the others.
  */
 #ifndef ZR_SIMD_VEC_H

@@ -1,7 +1,7 @@
 /* trace.h - raster: steps of a hidden-surface algorithm, for the channel trace.
  *
  * Algorithms record their steps in zr_samples.trace, which is NULL in production: they look at it once a row or a span.
- * A trace is a list of values that open and close objects and lists, as in JSON (output/trace_json.h prints it).
+ * A trace is a list of values that open and close objects and lists, as in JSON (output/json/trace_json.h prints it).
  *
  * Space:  window space, y up: rows count from the bottom, and the centre of pixel X, Y is at X, Y.
  * Bounds: numbers of steps and of values. A trace beyond them, or without memory, raises its cancel flag, which ends

@@ -1,7 +1,7 @@
 /* dfg.h - shade: the share of uniform ambient light that a GGX surface reflects: F0 A + B.
  *
  * Table:  row i has roughness i / 31, column j the cosine N.V = (j / 31)^2; each has A and B. Look-up is bilinear. With
- *         height-correlated Smith and Schlick's Fresnel term. tests/unit/test_split_sum.c integrates every entry anew
+ *         height-correlated Smith and Schlick's Fresnel term. tests/unit/shade/test_split_sum.c integrates every entry anew
  *         and prints the table.
  * Source: Karis, "Real Shading in Unreal Engine 4", 2013. His polynomial is for another Smith term: with this one, A
  *         would be wrong by up to 0.36.

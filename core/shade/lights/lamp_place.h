@@ -9,7 +9,7 @@
 #ifndef ZR_LAMP_PLACE_H
 #define ZR_LAMP_PLACE_H
 
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 
 struct zr_lamp_place {
     zr_vec3 position;

@@ -3,7 +3,7 @@
 #define ZR_LAMPS_H
 
 #include "base/arena.h"
-#include "scene/camera.h"
+#include "scene/camera/camera.h"
 #include "shade/lights/lighting.h"
 #include "shade/lights/shadow_map.h"
 

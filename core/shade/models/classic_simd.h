@@ -4,7 +4,7 @@
 #define ZR_CLASSIC_SIMD_H
 
 #include "base/inlined.h"
-#include "base/pow_simd.h"
+#include "base/simd/pow_simd.h"
 #include "shade/models/linear_simd.h"
 
 static inline struct zr_vec3_v zr_highlight_v(const struct zr_material *material, zr_vf cosine)

@@ -1,7 +1,7 @@
 /* phong_simd.h - shade: lighting per pixel: diffuse as for Gouraud's vertices, specular as by Blinn.
  *
  * Exact:  order of operations as in shade/lights/light_kernel.c, and for the specular term as in Mesa's fixed function,
- *         except for the power (base/pow_simd.h). The viewer is local: at the eye, or infinitely far if view rays are
+ *         except for the power (base/simd/pow_simd.h). The viewer is local: at the eye, or infinitely far if view rays are
  *         parallel.
  * Source: Phong, "Illumination for Computer Generated Pictures", 1975; Blinn, "Models of Light Reflection for Computer
  *         Synthesized Pictures", 1977.
@@ -10,7 +10,7 @@
 #define ZR_PHONG_SIMD_H
 
 #include "base/mutant.h"
-#include "base/pow_simd.h"
+#include "base/simd/pow_simd.h"
 #include "shade/lights/lamp_place_simd.h"
 #include "shade/models/model.h"
 

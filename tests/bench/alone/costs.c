@@ -1,4 +1,4 @@
-/* costs - bench: compares predictions with measurements. Prints the predicted time (core/cost.h) and the processor time
+/* costs - bench: compares predictions with measurements. Prints the predicted time (core/cost/cost.h) and the processor time
  * of one thread, and the lower bound of memory and the memory held. Draws each scene, and each bare mesh in some looks
  * and sizes. The last lines have the shares of times within factors of 2 and 3. `make bench-costs` runs it.
  *
@@ -13,8 +13,8 @@
 #include <time.h>
 
 #include "core.h"
-#include "cost.h"
-#include "scene/resolved_view.h"
+#include "cost/cost.h"
+#include "scene/camera/resolved_view.h"
 #include "scene/scene.h"
 #include "support/files.h"
 

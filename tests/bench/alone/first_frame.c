@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "reference/reference.h"
+#include "reference/gl/reference.h"
 
 static void *take(size_t count, size_t size)
 {

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "library/zraster.h"
+#include "api/zraster.h"
 
 static char body[64 << 20];
 

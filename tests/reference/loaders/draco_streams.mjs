@@ -1,6 +1,6 @@
-// Writes tests/support/draco_streams.h: small meshes of its own, compressed by Google's encoder (npm: draco3dgltf), each
+// Writes tests/support/input/draco_streams.h: small meshes of its own, compressed by Google's encoder (npm: draco3dgltf), each
 // with a digest of what Google's decoder makes of it: FNV-1a of the counts, the corners and all attributes.
-//     node draco_streams.mjs MODULES >tests/support/draco_streams.h
+//     node draco_streams.mjs MODULES >tests/support/input/draco_streams.h
 import path from 'node:path';
 import { createRequire } from 'node:module';
 

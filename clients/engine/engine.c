@@ -1,0 +1,97 @@
+#include "engine.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "interruption.h"
+#include "post.h"
+#include "options/query.h"
+#include "options/wording.h"
+
+/* ---- opening ---- */
+
+int engine_open(struct engine *engine, const struct options *options, unsigned threads)
+{
+    struct zraster_options wanted = {.struct_size = sizeof wanted, .threads = threads};
+    *engine = (struct engine){.server = options->own[OPTION_SERVER]};
+    interruption_catch();
+    if (engine->server)
+        return token_read(&engine->token, options->own[OPTION_TOKEN_FILE]) ? post_open() : STATUS_FAILED;
+    engine->cancel = zraster_cancel_new();
+    interruption_raises(engine->cancel);
+    if (!engine->cancel || zraster_open(&wanted, &engine->renderer) != ZRASTER_OK) {
+        fputs("zraster: out of memory\n", stderr);
+        return STATUS_FAILED;
+    }
+    return 0;
+}
+
+void engine_close(struct engine *engine)
+{
+    if (engine->server) post_close();
+    zraster_close(engine->renderer);
+    interruption_raises(NULL);
+    zraster_cancel_free(engine->cancel);
+}
+
+/* ---- drawing ---- */
+
+static void take_picture(struct answer *answer)
+{
+    const char *warning;
+    for (size_t i = 0; (warning = zraster_picture_warning(answer->picture, i)) != NULL; i++)
+        bytes_print(&answer->warnings, "%s\n", warning);
+    snprintf(answer->look, sizeof answer->look, "%s", zraster_picture_look(answer->picture));
+}
+
+zraster_status engine_draw_here(const struct engine *engine, const struct input *input, const char *query,
+                                zraster_picture **picture, struct zraster_bytes *file, zraster_error **error)
+{
+    struct zraster_part parts[INPUT_PARTS_MAX];
+    const struct zraster_request request = {.struct_size = sizeof request,
+                                            .body = input->body.data,
+                                            .body_size = input->body.size,
+                                            .type = input->is_known ? input->type : NULL,
+                                            .query = query,
+                                            .parts = parts,
+                                            .part_count = input_parts(input, parts),
+                                            .cancel = engine->cancel,
+                                            .progress = engine->progress,
+                                            .progress_context = engine->progress_context};
+    const zraster_status status = zraster_draw(engine->renderer, &request, picture, error);
+    return status == ZRASTER_OK ? zraster_picture_encode(*picture, NULL, file, error) : status;
+}
+
+static void draw_here(const struct engine *engine, const struct input *input, const char *query, struct answer *answer)
+{
+    zraster_error *error = NULL;
+    if (engine_draw_here(engine, input, query, &answer->picture, &answer->file, &error) == ZRASTER_OK)
+        take_picture(answer);
+    else {
+        bytes_print(&answer->faults, "%s", zraster_error_text(error));
+        answer_refuse(answer);
+    }
+    if (interrupted()) answer->status = STATUS_INTERRUPTED;
+    zraster_error_free(error);
+}
+
+void engine_draw(const struct engine *engine, const struct input *input, const struct options *options,
+                 struct answer *answer)
+{
+    char *query = query_make(options);
+    *answer = (struct answer){.status = STATUS_DONE};
+    if (!query) {
+        bytes_print(&answer->faults, "out of memory");
+        answer->status = STATUS_FAILED;
+    } else if (engine->server)
+        post(engine->server, &engine->token, input, query, answer);
+    else
+        draw_here(engine, input, query, answer);
+    free(query);
+    if (answer->status == STATUS_DONE) bytes_print(&answer->warnings, "%s", bytes_text(&input->warnings));
+    wording_translate(&answer->faults, input, options);
+    if (answer->status != STATUS_DONE || !options_strict(options) || answer->warnings.size == 0) return;
+    bytes_print(&answer->faults, "%s", bytes_text(&answer->warnings));
+    answer->status = STATUS_WARNED;
+}

@@ -1,0 +1,307 @@
+#include "output.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "input.h"
+#include "mcp/unzip.h"
+#include "commands/tables.h"
+
+struct format {
+    const char *type, *ending, *name, *instead;
+};
+
+/* Formats of answers, and advice for getting another format. */
+static const struct format FORMATS[] = {
+    {"image/png", "png", "a PNG", ""},
+    {"image/apng", "apng", "an animated PNG", ""},
+    {"application/x-npy", "npy", "an array (NPY)", "; depth has a PNG, too: --encoding png16"},
+    {"image/tiff", "tiff", "a TIFF", ""},
+    {"application/json", "json", "JSON", ""},
+    {"image/svg+xml", "svg", "an SVG", ""},
+    {"image/jpeg", "jpg", "a JPEG", ""},
+    {"image/webp", "webp", "a WebP", ""},
+    {"image/x-portable-floatmap", "pfm", "a float map (PFM)", ""},
+    {"image/tiff", "tiff", "a TIFF", ""},
+    {"application/zip", "zip", "a ZIP archive of several outputs", "; or get one of them: --channel color"},
+};
+
+/* Endings of formats that are never written. Other endings, such as .part, name no format. */
+static const char *const FOREIGN[] = {"gif", "bmp", "ppm", "pgm",  "exr", "hdr",
+                                      "pdf", "npz", "gz",  "html", "txt", "csv"};
+
+/* Endings that choose the encoding. Those of float maps need a channel of floats: --channel depth. NULL: any channel
+ * that is given. */
+static const struct {
+    const char *ending, *encoding, *channel;
+} CHOICES[] = {{"svg", "svg", "color"},   {"jpg", "jpeg", "color"},  {"jpeg", "jpeg", "color"},
+               {"webp", "webp", "color"}, {"pfm", "pfm", "depth"},   {"tif", "tiff", "depth"},
+               {"tiff", "tiff", "depth"}, {"apng", "apng", "color"}, {"json", "json", NULL}};
+
+/* Other spellings of endings. */
+static const struct {
+    const char *given, *ending;
+} SPELLINGS[] = {{"jpeg", "jpg"}, {"tif", "tiff"}};
+
+static const struct format *format_of(const char *type)
+{
+    static const struct format unknown = {"", "bin", "of an unknown type", ""};
+    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
+        if (strcasecmp(type, FORMATS[i].type) == 0) return &FORMATS[i];
+    return &unknown;
+}
+
+/* ---- names ---- */
+
+const char *output_base(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+/* Returns the dot before the ending of a file name, or the end of the name. */
+static const char *dot_of(const char *path)
+{
+    const char *base = output_base(path), *dot = strrchr(base, '.');
+    return dot && dot > base ? dot : base + strlen(base);
+}
+
+static const char *ending_of(const char *path)
+{
+    const char *dot = dot_of(path);
+    return *dot ? dot + 1 : dot;
+}
+
+bool output_is_folder(const char *path)
+{
+    struct stat status;
+    return path[strlen(path) - 1] == '/' || (stat(path, &status) == 0 && S_ISDIR(status.st_mode));
+}
+
+/* Returns true if the ending of a name means this ending of a format. */
+static bool is_ending(const char *given, const char *ending)
+{
+    for (size_t i = 0; i < sizeof SPELLINGS / sizeof *SPELLINGS; i++)
+        if (strcasecmp(given, SPELLINGS[i].given) == 0) given = SPELLINGS[i].ending;
+    return strcasecmp(given, ending) == 0;
+}
+
+static bool is_foreign(const char *ending)
+{
+    for (size_t i = 0; i < sizeof FOREIGN / sizeof *FOREIGN; i++)
+        if (strcasecmp(ending, FOREIGN[i]) == 0) return true;
+    return false;
+}
+
+bool output_is_name(const char *name)
+{
+    const char *ending = ending_of(name);
+    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
+        if (is_ending(ending, FORMATS[i].ending) && !input_has_ending(name)) return true;
+    return strcmp(name, "-") == 0 || is_foreign(ending) || output_is_folder(name);
+}
+
+/* Returns true if the only input is a scene with outputs of its own. */
+static bool has_outputs(const struct options *options)
+{
+    struct bytes body = {NULL, 0, 0};
+    struct stat about; /* a pipe can be read only once */
+    const char *path = options->file_count == 1 ? options->files[0] : "-", key[] = "\"outputs\"";
+    const bool is_file = strcasecmp(ending_of(path), "json") == 0 && stat(path, &about) == 0 && S_ISREG(about.st_mode);
+    const bool has = is_file && bytes_read(&body, path) && memmem(body.data, body.size, key, strlen(key));
+    bytes_free(&body);
+    return has;
+}
+
+void output_set_encoding(struct options *options)
+{
+    const char *out = options->own[OPTION_OUTPUT];
+    if (!out || options->parameters[PARAMETER_encoding]) return;
+    const bool has_frames = options->parameters[PARAMETER_turntable] || options->parameters[PARAMETER_frames];
+    if (has_frames && strcasecmp(ending_of(out), "png") == 0 && !options->parameters[PARAMETER_channel])
+        options->parameters[PARAMETER_encoding] = "apng";
+    for (size_t i = 0; i < sizeof CHOICES / sizeof *CHOICES; i++) {
+        if (strcasecmp(ending_of(out), CHOICES[i].ending) != 0) continue;
+        const char *channel = options->parameters[PARAMETER_channel];
+        const bool is_svg = strcmp(CHOICES[i].encoding, "svg") == 0;
+        if (!channel && !CHOICES[i].channel) return;
+        if (!channel && !is_svg && has_outputs(options)) return;
+        if (channel && !tables_extension(channel, CHOICES[i].encoding)) return;
+        if (!channel) options->parameters[PARAMETER_channel] = CHOICES[i].channel;
+        options->parameters[PARAMETER_encoding] = CHOICES[i].encoding;
+    }
+}
+
+bool output_may_be_folder(const char *path)
+{
+    if (output_is_folder(path)) return true;
+    return access(path, F_OK) != 0 && !output_is_name(path) && !input_has_ending(path);
+}
+
+/* Returns true if an ending names a known format other than this one. An animated PNG may have the ending of a PNG,
+ * which shows its first frame where animations are unknown. */
+static bool says_another_format(const char *out, const struct format *format)
+{
+    const char *ending = ending_of(out);
+    if (is_ending(ending, format->ending)) return false;
+    if (strcmp(format->ending, "apng") == 0 && strcasecmp(ending, "png") == 0) return false;
+    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
+        if (is_ending(ending, FORMATS[i].ending)) return true;
+    return is_foreign(ending) || input_has_ending(out);
+}
+
+struct target output_target(const char *file, const char *out)
+{
+    const bool is_pipe = strcmp(file, "-") == 0;
+    struct target target = {.file = file, .out = out, .folder = "", .stem = is_pipe ? "stdin" : output_base(file)};
+    if (!out && is_pipe) target.out = "-";
+    if (!out || strcmp(out, "-") == 0 || !output_is_folder(out)) return target;
+    target.out = NULL;
+    target.folder = out;
+    return target;
+}
+
+char *output_name_begin(const struct target *target)
+{
+    const char *folder = target->folder, *stem = target->stem;
+    const bool slash = *folder && folder[strlen(folder) - 1] != '/';
+    char *name = NULL;
+    return asprintf(&name, "%s%s%.*s", folder, slash ? "/" : "", (int)(dot_of(stem) - stem), stem) < 0 ? NULL : name;
+}
+
+char *output_name(const struct target *target, const char *channel, const char *extension)
+{
+    const bool is_main = strcmp(channel, "color") == 0;
+    char *begin = output_name_begin(target), *name = NULL;
+    for (int again = 0; begin && again < 2; again++) { /* the input is never overwritten */
+        free(name);
+        if (asprintf(&name, "%s%s%s%s.%s", begin, again ? ".out" : "", is_main ? "" : ".", is_main ? "" : channel,
+                     extension) < 0)
+            name = NULL;
+        if (!name || strcmp(target->file, "-") == 0 || !bytes_same_file(target->file, name)) break;
+    }
+    free(begin);
+    return name;
+}
+
+/* ---- checks ---- */
+
+static bool is_input(const struct target *target, const char *out, struct bytes *faults)
+{
+    if (strcmp(out, "-") == 0 || !bytes_same_file(target->file, out)) return false;
+    bytes_print(faults, "the output would overwrite its own input; -o names another file");
+    return true;
+}
+
+/* Checks the folder that the first `length` characters of `path` name. Makes it if `path` ends with a slash. */
+static bool check_folder(const char *path, size_t length, struct bytes *faults)
+{
+    char *folder = strndup(path, length);
+    struct stat status;
+    bool ok = folder && (length == 0 || (stat(folder, &status) == 0 && S_ISDIR(status.st_mode)));
+    if (folder && !ok && path[length] == '/' && !path[length + 1]) ok = mkdir(folder, 0777) == 0;
+    if (!ok) bytes_print(faults, "the folder %s does not exist; mkdir -p %s makes it", folder, folder);
+    free(folder);
+    return ok;
+}
+
+int output_check(const struct target *target, struct bytes *faults)
+{
+    const char *out = target->out ? target->out : target->folder;
+    const char *slash = strrchr(out, '/');
+    if (target->out && is_foreign(ending_of(out)))
+        bytes_print(faults, "-o %s: zraster writes no .%s; -o %.*s.png saves a picture", out, ending_of(out),
+                    (int)(dot_of(out) - out), out);
+    else if (slash && slash > out && !check_folder(out, (size_t)(slash - out), faults))
+        return STATUS_USAGE;
+    else if (!target->out || !is_input(target, out, faults))
+        return STATUS_DONE;
+    return STATUS_USAGE;
+}
+
+/* ---- saving ---- */
+
+static int save(const struct target *target, const char *out, const void *data, size_t size, bool no_clobber,
+                struct bytes *names, struct bytes *faults)
+{
+    const struct bytes bytes = {.data = (char *)data, .size = size};
+    if (is_input(target, out, faults)) return STATUS_USAGE;
+    if (no_clobber && strcmp(out, "-") != 0 && access(out, F_OK) == 0) {
+        bytes_print(faults, "%s exists; leave out -n to overwrite it, or choose another name with -o", out);
+        return STATUS_FAILED;
+    }
+    if (!bytes_write(&bytes, out)) {
+        bytes_print(faults, "cannot write %s: %s", strcmp(out, "-") == 0 ? "standard output" : out, strerror(errno));
+        return STATUS_FAILED;
+    }
+    bytes_add(names, out, strlen(out) + 1);
+    return STATUS_DONE;
+}
+
+/* Returns true for the channel masks, an archive by itself: its files are in the folder masks, or there are none. */
+static bool is_masks(const struct zraster_bytes *archive)
+{
+    static const char folder[] = "masks/", end[] = {'P', 'K', 5, 6};
+    enum { NAME_AT = 30 };
+    const char *at = archive->data;
+    return (archive->size > NAME_AT + strlen(folder) && memcmp(at + NAME_AT, folder, strlen(folder)) == 0) ||
+           (archive->size > sizeof end && memcmp(at, end, sizeof end) == 0);
+}
+
+/* Saves each file of an archive. The first one is saved last: once it exists, all do. */
+static int save_all(const struct target *target, const struct answer *answer, bool no_clobber, struct bytes *names,
+                    struct bytes *faults)
+{
+    struct unzip unzip = {answer->file.data, (const unsigned char *)answer->file.data + answer->file.size};
+    struct unzip_file file, first = {.size = 0};
+    int status = unzip_next(&unzip, &first) ? STATUS_DONE : STATUS_FAILED;
+    for (bool more = true; status == STATUS_DONE && more;) {
+        more = unzip_next(&unzip, &file);
+        if (!more) file = first;
+        char *dot = strrchr(file.name, '.');
+        *dot = '\0';
+        char *channel = strrchr(file.name, '.');
+        if (channel && strcmp(channel, ".color") == 0) *channel = '\0'; /* part.front.png */
+        char *name = output_name(target, file.name, dot + 1);
+        status = name ? save(target, name, file.data, file.size, no_clobber, names, faults) : STATUS_FAILED;
+        free(name);
+    }
+    if (!unzip.at) bytes_print(faults, "the archive of the server is broken");
+    return unzip.at ? status : STATUS_FAILED;
+}
+
+static int save_as(const struct target *target, const struct answer *answer, const struct format *format,
+                   bool no_clobber, struct bytes *names, struct bytes *faults)
+{
+    const char *out = target->out;
+    if (strcmp(out, "-") == 0 && strcmp(format->ending, "json") != 0 && isatty(STDOUT_FILENO)) {
+        bytes_print(faults, "standard output is a terminal, and the output is %s; -o FILE saves it, --show draws it",
+                    format->name);
+        return STATUS_USAGE;
+    }
+    if (!says_another_format(out, format))
+        return save(target, out, answer->file.data, answer->file.size, no_clobber, names, faults);
+    bytes_print(faults, "nothing is saved: the output is %s; -o %.*s.%s saves it%s", format->name,
+                (int)(dot_of(out) - out), out, format->ending,
+                strcasecmp(ending_of(out), "png") == 0 ? format->instead : "");
+    return STATUS_USAGE;
+}
+
+int output_save(const struct target *target, const struct answer *answer, bool no_clobber, struct bytes *names,
+                struct bytes *faults)
+{
+    const struct format *format = format_of(answer->file.type);
+    if (target->out) return save_as(target, answer, format, no_clobber, names, faults);
+    const bool is_zip = strcmp(format->ending, "zip") == 0;
+    if (is_zip && !is_masks(&answer->file)) return save_all(target, answer, no_clobber, names, faults);
+    char *name = output_name(target, is_zip ? "masks" : "color", format->ending);
+    const int status =
+        name ? save(target, name, answer->file.data, answer->file.size, no_clobber, names, faults) : STATUS_FAILED;
+    free(name);
+    return status;
+}

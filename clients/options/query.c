@@ -1,0 +1,25 @@
+#include "query.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "files/bytes.h"
+
+static void add_escaped(struct bytes *query, const char *text)
+{
+    for (; *text; text++)
+        bytes_print(query, isalnum((unsigned char)*text) || strchr("-._~,", *text) ? "%c" : "%%%02X",
+                    (unsigned char)*text);
+}
+
+char *query_make(const struct options *options)
+{
+    struct bytes query = {NULL, 0, 0};
+    bytes_print(&query, "%s", "");
+    for (size_t i = 0; i < PARAMETER_COUNT; i++) {
+        if (!options->parameters[i] || i == PARAMETER_strict) continue;
+        bytes_print(&query, "%s%s=", query.size ? "&" : "", parameter_rows[i].name);
+        add_escaped(&query, options->parameters[i]);
+    }
+    return query.data;
+}

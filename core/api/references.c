@@ -1,0 +1,7 @@
+#include "core.h"
+#include "api/zraster.h"
+
+size_t zraster_references(const void *body, size_t body_size, const char *type, char *names, size_t room)
+{
+    return zr_references_list(body, body_size, type, names, room);
+}

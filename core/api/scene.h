@@ -1,0 +1,14 @@
+/* scene.h - library: a scene that is kept in an arena of its own. */
+#ifndef ZR_LIBRARY_SCENE_H
+#define ZR_LIBRARY_SCENE_H
+
+#include "request/change.h"
+#include "api/renderer.h"
+
+struct zraster_scene {
+    zraster *renderer;
+    struct zr_arena *arena;
+    const struct zr_kept *kept;
+};
+
+#endif

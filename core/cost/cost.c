@@ -1,0 +1,426 @@
+#include "cost.h"
+
+#include <math.h>
+
+#include "base/arena.h"
+#include "core.h"
+#include "cost_sample.h"
+#include "effects/edges.h"
+#include "effects/ground.h"
+#include "effects/shadow_maps.h"
+#include "output/images/lossy.h"
+#include "raster/textbook/trace.h"
+#include "raster/tile.h"
+#include "render/frame_parts.h"
+#include "render/layers.h"
+#include "render/lens.h"
+#include "render/picture.h"
+#include "scene/camera/resolved_view.h"
+#include "shade/lights/shadow_map.h"
+#include "shade/texture_maps.h"
+
+/* ---- passes ---- */
+
+/* Number of passes by kind. */
+struct passes {
+    double centres; /* at pixel centres: for channels and, in linear light, for occlusion */
+    double samples; /* at side x side samples per pixel: 0 or 1 */
+    double side;
+    double maps, map_texels; /* shadow maps, that of the ground included, and their texels */
+    uint32_t lamp_maps;      /* shadow maps of lights */
+    bool makes_normals;      /* averages normals over faces */
+};
+
+static bool wants_channels(const struct zr_view *view)
+{
+    for (uint32_t i = 0; i < view->output_count; i++)
+        if (view->outputs[i].channel != ZR_CHANNEL_COLOR) return true;
+    return false;
+}
+
+static uint32_t count_lamp_maps(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
+{
+    uint32_t count = 0;
+    struct zr_camera camera;
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        count += zr_light_casts_shadows(&scene->lights[i]) &&
+                 (scene->lights[i].type == ZR_LIGHT_DIRECTIONAL ||
+                  zr_light_camera(scene, &scene->lights[i], &resolved->camera, &resolved->bounds, &camera));
+    return count;
+}
+
+static struct passes passes_of(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
+{
+    const struct zr_picture *picture = &scene->picture;
+    const struct zr_view *view = &scene->views[0];
+    /* Passes of the masks, of the target of a flow, and of a trace. */
+    const double more = (double)zr_view_has_masks(view) + (double)zr_view_wants(view, ZR_CHANNEL_FLOW) +
+                        (double)zr_view_wants(view, ZR_CHANNEL_TRACE);
+    struct passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0 + more, .side = 1.0};
+    if (!zr_view_has_pixels(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
+    passes.samples = 1.0;
+    passes.side = (double)picture->side;
+    passes.centres = wants_channels(view) + more;
+    if (!picture->is_linear) return passes;
+    const bool has_maps = zr_diagonal_of(&resolved->bounds) > 0.0f;
+    const double ground = has_maps && picture->has_ground;
+    passes.centres += picture->occlusion.is_on;
+    passes.lamp_maps = has_maps ? count_lamp_maps(scene, resolved) : 0;
+    passes.maps = (double)passes.lamp_maps + ground;
+    passes.map_texels = (double)passes.lamp_maps * ((double)ZR_SHADOW_SIDE * ZR_SHADOW_SIDE) +
+                        ground * ((double)ZR_GROUND_SIDE * ZR_GROUND_SIDE);
+    passes.makes_normals = true;
+    return passes;
+}
+
+/* ---- memory ---- */
+
+/* Bytes per pixel or sample. EDGE_BYTES: per tile, for its borders. CELL_BYTES: per cell of lines/cells.h. */
+enum {
+    WORD_BYTES = 4,
+    SAMPLE_BYTES = 8,
+    GBUFFER_ARRAYS = 7,
+    OCCLUSION_ARRAYS = 1,
+    LINEAR_BYTES = 16,
+    FRAGMENT_BYTES = 8,
+    EDGE_BYTES = 7196,
+    CELL_BYTES = 8
+};
+
+/* Pixels of a cell. */
+#define CELL_PIXELS 64.0
+
+static double bytes_of_channels(const struct zr_view *view)
+{
+    double words = 0.0;
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
+        if (zr_view_needs(view, (enum zr_channel)c)) words += (double)zr_channel_rows[c].words;
+    return WORD_BYTES * words;
+}
+
+/* True if opaque surfaces may hide layers; hidden layers take no memory, and neither do those that are cut away. */
+static bool may_hide_layers(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        if (!zr_material_is_layered(&scene->materials[i])) return true;
+    return scene->base != NULL;
+}
+
+/* Bytes of the fragments of an average tile; algorithms other than halfspace keep the fragments of the whole window. */
+static double bytes_of_layers(const struct zr_scene *scene, double samples, double kept)
+{
+    const double tiles = fmax(samples / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
+    if (kept < ZR_TILE_SIZE || may_hide_layers(scene) || scene->sections.count > 0) return 0.0;
+    if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) return kept * FRAGMENT_BYTES + samples * WORD_BYTES;
+    return (double)sizeof(struct zr_layers) + kept / tiles * FRAGMENT_BYTES;
+}
+
+/* Bytes of shadow maps: each is held twice, as drawn and with a border, in separate blocks. */
+static double bytes_of_lamp_maps(uint32_t maps)
+{
+    const size_t drawn = ZR_SHADOW_SIDE, bordered = ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER;
+    return (double)maps * (double)(zr_arena_block_bytes(drawn * drawn * WORD_BYTES) +
+                                   zr_arena_block_bytes(bordered * bordered * WORD_BYTES));
+}
+
+/* Bytes of an array of words, with the free end of its block if it has one of its own. */
+static double bytes_of_words(double count)
+{
+    const double bytes = WORD_BYTES * count;
+    return bytes < ZR_ARENA_BLOCK || bytes > 1e15 ? bytes : (double)zr_arena_block_bytes((size_t)bytes);
+}
+
+/* True if edges are lines of the mesh. */
+static bool draws_lines(const struct zr_picture *picture)
+{
+    return picture->edges.is_on && picture->edges.is_from_mesh;
+}
+
+/* Returns how often lines of the mesh are found: for a picture, and for a file. */
+static double line_times(const struct zr_scene *scene, const struct passes *passes)
+{
+    const bool in_picture = passes->samples > 0.0 && scene->picture.is_linear;
+    if (scene->is_undrawn || !draws_lines(&scene->picture)) return 0.0;
+    return (in_picture ? 1.0 : 0.0) + (zr_view_encodes(&scene->views[0], ZR_ENCODING_SVG) ? 1.0 : 0.0);
+}
+
+/* Bytes of the masks of instances: three bits per pixel. Each has at least a tenth of its instance's fragments. */
+static double bytes_of_masks(const struct zr_scene *scene, double pixels, double fragments)
+{
+    if (!zr_view_has_masks(&scene->views[0])) return 0.0;
+    return 3.0 / 8.0 * fmin(0.1 * fragments, pixels * (double)scene->instance_count);
+}
+
+static double window_bytes(const struct zr_scene *scene, const struct passes *passes, double kept, double fragments)
+{
+    const struct zr_picture *picture = &scene->picture;
+    const struct zr_view *view = &scene->views[0];
+    const double pixels = (double)view->width * (double)view->height, samples = pixels * passes->side * passes->side;
+    double sum = pixels * bytes_of_channels(view) + bytes_of_layers(scene, samples, kept);
+    if (scene->is_undrawn) return 0.0;
+    sum += bytes_of_masks(scene, pixels, fragments);
+    if (zr_view_wants(view, ZR_CHANNEL_FLOW)) sum += pixels * WORD_BYTES;
+    if (zr_view_has_pixels(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
+    if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* these keep a z-buffer of the whole window */
+        sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
+    if (passes->samples == 0.0 || !picture->is_linear) return sum;
+    sum += pixels * LINEAR_BYTES + bytes_of_lamp_maps(passes->lamp_maps);
+    if (picture->occlusion.is_on) sum += (GBUFFER_ARRAYS + OCCLUSION_ARRAYS) * bytes_of_words(pixels);
+    if (draws_lines(picture))
+        sum += pixels * (WORD_BYTES + CELL_BYTES / CELL_PIXELS);
+    else if (picture->edges.is_on)
+        sum += pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
+    return sum;
+}
+
+/* ---- counts ---- */
+
+/* Time per triangle and per fragment, relative to halfspace. */
+static const struct {
+    double triangle, fragment;
+} TIMES[ZR_ALGORITHM_COUNT] = {[ZR_ALGORITHM_HALFSPACE] = {1.0, 1.0},
+                               [ZR_ALGORITHM_EDGELIST] = {4.0, 10.0},
+                               [ZR_ALGORITHM_TRAPEZOID] = {5.0, 10.0},
+                               [ZR_ALGORITHM_SCANLINE] = {6.0, 16.0},
+                               [ZR_ALGORITHM_PAINTER] = {12.0, 80.0}};
+
+static void count_geometry(const struct zr_scene *scene, const struct passes *passes, double *counts)
+{
+    const double times = passes->centres + passes->samples + passes->maps;
+    const bool has_info = zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO);
+    const bool finds_boxes = zr_view_space(&scene->views[0], ZR_CHANNEL_POSITION) == ZR_SPACE_NOCS;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        const double triangles = (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
+        counts[ZR_COST_INSTANCE] += times;
+        counts[ZR_COST_VERTEX] += times * (double)mesh->position_count;
+        if (finds_boxes) counts[ZR_COST_VERTEX] += (double)mesh->position_count;
+        counts[ZR_COST_TRIANGLE] += times * (triangles + 2.0 * ((double)mesh->line_count + (double)mesh->point_count)) *
+                                    TIMES[scene->algorithm].triangle;
+        const enum zr_shading shading = scene->materials[mesh->material].shading;
+        const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
+        if (has_info) counts[ZR_COST_FACT] += triangles;
+        if (has_info) counts[ZR_COST_PART] += zr_mesh_part_count(mesh);
+        if (scene->sections.count > 0) /* the mesh is welded, and each plane lists all corners again */
+            counts[ZR_COST_SECTION_CORNER] +=
+                (double)mesh->face_offsets[mesh->face_count] * (2.0 + (double)scene->sections.count);
+        if (passes->makes_normals || (is_smooth && mesh->normal_count == 0 && !scene->is_undrawn))
+            counts[ZR_COST_NORMAL] += triangles;
+        counts[ZR_COST_DRAWN_TRIANGLE] += line_times(scene, passes) * triangles;
+    }
+    counts[ZR_COST_PART] = fmin(counts[ZR_COST_PART], ZR_FRAME_PARTS_MAX);
+}
+
+/* Cost per pixel of a computed data channel, relative to POSITION. */
+static const double CHANNEL_TIMES[ZR_CHANNEL_COUNT] = {
+    [ZR_CHANNEL_DISTANCE] = 1.0, [ZR_CHANNEL_POSITION] = 1.0,     [ZR_CHANNEL_TEXCOORD] = 1.0,
+    [ZR_CHANNEL_NORMALS] = 0.4,  [ZR_CHANNEL_BARYCENTRICS] = 4.0, [ZR_CHANNEL_FLOW] = 4.0};
+
+/* Trying qualities for a number of bytes makes up to ZR_LOSSY_TRIES files. */
+static void count_lossy(const struct zr_scene *scene, const struct zr_output *output, double pixels, double *counts)
+{
+    const double tries = output->max_bytes > 0 ? (double)ZR_LOSSY_TRIES : 1.0;
+    if (output->is_lossless) /* effort 6 takes about 2.5 times as long as effort 1 */
+        counts[ZR_COST_LOSSLESS_WEBP_PIXEL] += pixels * (scene->compress == ZR_COMPRESS_SMALL ? 2.5 : 1.0);
+    else
+        counts[output->encoding == ZR_ENCODING_JPEG ? ZR_COST_JPEG_PIXEL : ZR_COST_WEBP_PIXEL] += pixels * tries;
+}
+
+/* Channels are computed for all `drawn` pixels. With a lens, they are more than those of the view. */
+static void count_outputs(const struct zr_scene *scene, double drawn, double *counts)
+{
+    const struct zr_view *view = &scene->views[0];
+    const double pixels = (double)view->width * (double)view->height;
+    for (uint32_t i = 0; !scene->is_undrawn && i < view->output_count; i++) {
+        const enum zr_encoding encoding = view->outputs[i].encoding;
+        if (encoding == ZR_ENCODING_SVG) continue;
+        counts[ZR_COST_OUTPUT_WORD] += pixels * fmax((double)zr_channel_rows[view->outputs[i].channel].words, 1.0);
+        counts[ZR_COST_CHANNEL_PIXEL] += drawn * CHANNEL_TIMES[view->outputs[i].channel];
+        if (zr_encoding_has_quality(encoding)) count_lossy(scene, &view->outputs[i], pixels, counts);
+        if (!zr_encoding_is_png(encoding)) continue;
+        counts[scene->compress == ZR_COMPRESS_SMALL ? ZR_COST_SMALL_PNG_PIXEL : ZR_COST_PNG_PIXEL] += pixels;
+    }
+}
+
+/* Returns how often all faces are drawn for channels of layers; thickness draws both sides. */
+static double layer_walks(const struct zr_view *view)
+{
+    return (zr_view_wants(view, ZR_CHANNEL_LAYERS) ? 1.0 : 0.0) +
+           (zr_view_wants(view, ZR_CHANNEL_THICKNESS) ? 2.0 : 0.0) +
+           (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0) + (zr_view_has_masks(view) ? 1.0 : 0.0);
+}
+
+/* Returns the number of pairs of faces whose boxes meet. The sample has a face. */
+static double meeting_pairs(const struct zr_cost_sample *sample)
+{
+    const double faces = sample->faces * sample->scale,
+                 meets_x = fmin(2.0 * sample->boxes_width / sample->faces / sample->width, 1.0),
+                 meets_y = fmin(2.0 * sample->boxes_height / sample->faces / sample->height, 1.0);
+    return 0.5 * faces * faces * meets_x * meets_y;
+}
+
+/* Beyond its bounds, a trace ends. Algorithms without a z-buffer do not list the depths of pixels. */
+static double traced_pixels(const struct zr_cost_sample *sample)
+{
+    const enum zr_algorithm algorithm = sample->scene->algorithm;
+    const bool has_depths = algorithm != ZR_ALGORITHM_SCANLINE && algorithm != ZR_ALGORITHM_PAINTER;
+    const double most = (double)ZR_TRACE_PRIMITIVES_MAX * sample->width * sample->height;
+    return (has_depths ? 1.0 : 0.2) * fmin(sample->scale * (sample->fragments + sample->line_fragments), most);
+}
+
+/* Most pixels times corners that a trace visits before it is beyond its bounds. */
+#define TRACED_SHAPES_MAX 1e8
+
+/* Returns the corners of all faces and lines. */
+static double count_corners(const struct zr_scene *scene)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        sum += (double)mesh->face_offsets[mesh->face_count] + 2.0 * (double)mesh->line_count;
+    }
+    return sum;
+}
+
+/* Edges cross half of the rows of their face. Scanline lists the faces between each two edges of a row, and visits
+ * their corners twice as often. The painter compares each two faces, again after each cut. */
+static void count_trace(const struct zr_cost_sample *sample, double *counts)
+{
+    const enum zr_algorithm algorithm = sample->scene->algorithm;
+    const double faces = sample->faces * sample->scale, window = sample->width * sample->height;
+    const double shapes = sample->scale * sample->shape_samples;
+    counts[ZR_COST_TRACED_PIXEL] = traced_pixels(sample);
+    counts[ZR_COST_TRACED_SHAPE] = fmin(algorithm == ZR_ALGORITHM_SCANLINE ? 2.0 * shapes : shapes, TRACED_SHAPES_MAX);
+    if (faces <= 0.0) return;
+    const double rows = 0.5 * sample->boxes_height / sample->faces, pixels = sample->fragments / sample->faces;
+    double edges = count_corners(sample->scene) * rows;
+    if (algorithm == ZR_ALGORITHM_SCANLINE) edges += 2.0 * fmin(edges, window) * faces * pixels / window;
+    counts[ZR_COST_TRACED_EDGE] = fmin(edges, ZR_TRACE_VALUES_MAX / 4);
+    if (algorithm == ZR_ALGORITHM_PAINTER)
+        counts[ZR_COST_TRACED_COMPARISON] =
+            pixels * fmin(meeting_pairs(sample) * fmax(faces / 6.0, 1.0), ZR_TRACE_STEPS_MAX);
+}
+
+static double square(double value)
+{
+    return value * value;
+}
+
+static void count_fragments(const struct zr_cost_sample *sample, const struct passes *passes, double *counts)
+{
+    const struct zr_scene *scene = sample->scene;
+    const struct zr_picture *picture = &scene->picture;
+    const double pixels = sample->width * sample->height, samples = pixels * passes->side * passes->side;
+    const double scale = sample->scale, drawn = passes->centres + passes->samples * passes->side * passes->side;
+    const double times = drawn * scale * TIMES[scene->algorithm].fragment;
+    const double depth = scale * sample->layered / pixels;
+    counts[ZR_COST_TRIANGLE] += 2.0 * (passes->centres + passes->samples) * scale * sample->outlines;
+    counts[ZR_COST_RUN] =
+        scale * sample->runs * (passes->centres + passes->maps + passes->samples * (1.0 + 0.5 * passes->side));
+    counts[ZR_COST_FRAGMENT] = times * sample->fragments;
+    counts[ZR_COST_LINE_FRAGMENT] = times * sample->line_fragments;
+    counts[ZR_COST_SHAPE_CORNER] = (passes->centres + passes->samples + passes->maps) * scale * sample->shape_corners;
+    counts[ZR_COST_SHAPE_SAMPLE] = drawn * scale * sample->shape_samples;
+    /* Each tile looks at all edges of a cap. For lines of the mesh, the cap is triangulated. */
+    const double caps = scale * sample->cap_corners;
+    counts[ZR_COST_CAP_TILE] = caps * fmax(drawn * pixels / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
+    if (passes->samples > 0.0 && picture->is_linear && draws_lines(picture))
+        counts[ZR_COST_SHAPE_CORNER] += 0.25 * caps * caps / fmax((double)scene->instance_count, 1.0);
+    counts[ZR_COST_LAYER] = drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
+    counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
+    if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) count_trace(sample, counts);
+    counts[ZR_COST_MAP_TEXEL] = passes->map_texels;
+    counts[ZR_COST_MAP_FRAGMENT] = passes->map_texels * scale * sample->fragments / pixels;
+    if (scene->algorithm == ZR_ALGORITHM_PAINTER && sample->faces > 0.0)
+        counts[ZR_COST_COMPARISON] = meeting_pairs(sample) * (1.0 + 0.25 * sample->fragments / sample->faces) * drawn;
+    counts[ZR_COST_DRAWN_PIXEL] = line_times(scene, passes) * scale * sample->fragments;
+    const double cells = fmin(0.5 * scale * sample->fragments, pixels) / CELL_PIXELS + 1.0;
+    counts[ZR_COST_DRAWN_PAIR] = line_times(scene, passes) * square(scale * sample->faces) / cells;
+    if (!zr_view_has_pixels(&scene->views[0], ZR_CHANNEL_COLOR)) return;
+    /* Shading runs once per covered sample, and once per translucent fragment. */
+    const double side_squared = passes->samples > 0.0 ? passes->side * passes->side : 1.0;
+    const double shaded = fmin(scale * sample->fragments, pixels) + scale * sample->layered;
+    const double share = sample->fragments > 0.0 ? side_squared * shaded / sample->fragments : 0.0;
+    counts[ZR_COST_LIT_SAMPLE] = share * sample->lit;
+    counts[ZR_COST_LAMP_SAMPLE] = share * sample->lamps;
+    counts[ZR_COST_PLACED_LAMP_SAMPLE] = share * sample->placed_lamps;
+    counts[ZR_COST_TEXTURE_SAMPLE] = share * sample->textures;
+    counts[ZR_COST_VERTEX_LAMP] = scale * sample->vertex_lamps;
+    counts[ZR_COST_VERTEX_PLACED_LAMP] = scale * sample->vertex_placed_lamps;
+    counts[picture->is_linear ? ZR_COST_LINEAR_LEVEL_TEXEL : ZR_COST_LEVEL_TEXEL] =
+        zr_texture_maps_measure(scene, picture->is_linear).texels;
+    if (passes->samples == 0.0) return;
+    counts[ZR_COST_WINDOW_SAMPLE] = samples;
+    if (!picture->is_linear) return;
+    counts[ZR_COST_LINEAR_PIXEL] = pixels;
+    const bool has_ground_sun = picture->has_ground && picture->has_ground_sun && passes->lamp_maps > 0;
+    counts[ZR_COST_SHADOW_SAMPLE] = share * sample->shadows + (has_ground_sun ? pixels : 0.0);
+    if (picture->occlusion.is_on) counts[ZR_COST_OCCLUSION_PIXEL] = fmin(scale * sample->fragments, pixels);
+    if (picture->edges.is_on && !picture->edges.is_from_mesh) {
+        counts[ZR_COST_EDGE_SAMPLE] = samples;
+        const struct zr_view *view = &scene->views[0];
+        const double width = (double)zr_edges_width_in(&picture->edges, view->width, view->height);
+        counts[ZR_COST_EDGE_WIDTH_SAMPLE] = samples * 0.5 * width * passes->side;
+    }
+}
+
+static const struct {
+    double ns;
+    const char *words;
+} ROWS[ZR_COST_KINDS] = {
+#define COST_ROW(ID, ns, words) {ns, words},
+    ZR_COST_ROWS(COST_ROW)
+#undef COST_ROW
+};
+
+struct zr_cost_most zr_cost_most(const struct zr_cost *cost)
+{
+    int most = 0;
+    for (int kind = 1; kind < ZR_COST_KINDS; kind++)
+        if (cost->counts[kind] * ROWS[kind].ns > cost->counts[most] * ROWS[most].ns) most = kind;
+    return (struct zr_cost_most){1e-6 * cost->counts[most] * ROWS[most].ns, cost->counts[most], ROWS[most].words};
+}
+
+void zr_cost_remove(struct zr_cost *cost, enum zr_cost_kind kind)
+{
+    cost->ms -= 1e-6 * cost->counts[kind] * ROWS[kind].ns;
+    cost->counts[kind] = 0.0;
+}
+
+/* Adds the pixels that a lens looks up, and the channels of the view. */
+static void add_lens(const struct zr_view *view, struct zr_cost *cost)
+{
+    const double pixels = (double)view->width * (double)view->height;
+    cost->counts[ZR_COST_LENS_PIXEL] += pixels;
+    cost->window_bytes += pixels * (bytes_of_channels(view) + (double)sizeof(struct zr_remap_place));
+}
+
+/* Geometry and fragments are those of `drawn`, with the view `resolved`; outputs are those of `scene`. With a lens,
+ * `drawn` is the pinhole picture, else `scene`. */
+static struct zr_cost cost_of(const struct zr_scene *scene, const struct zr_scene *drawn,
+                              const struct zr_resolved_view *resolved)
+{
+    const struct passes passes = passes_of(drawn, resolved);
+    const struct zr_view *view = &drawn->views[0];
+    struct zr_cost cost = {.counts = {[ZR_COST_REQUEST] = 1.0}, .lamp_maps = passes.lamp_maps};
+    const struct zr_cost_sample sample = zr_cost_sample_of(drawn, resolved);
+    cost.window_bytes =
+        window_bytes(drawn, &passes, sample.kept * (passes.samples > 0.0 ? passes.side * passes.side : 1.0),
+                     sample.scale * sample.fragments);
+    count_geometry(drawn, &passes, cost.counts);
+    count_outputs(scene, (double)view->width * (double)view->height, cost.counts);
+    count_fragments(&sample, &passes, cost.counts);
+    if (drawn != scene && !scene->is_undrawn) add_lens(&scene->views[0], &cost);
+    for (int kind = 0; kind < ZR_COST_KINDS; kind++)
+        cost.ms += 1e-6 * cost.counts[kind] * ROWS[kind].ns;
+    cost.lamp_map_bytes = bytes_of_lamp_maps(passes.lamp_maps);
+    return cost;
+}
+
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
+{
+    struct zr_lens_drawing drawing;
+    if (!resolved->lens) return cost_of(scene, scene, resolved);
+    zr_lens_drawing_open(scene, resolved, &drawing);
+    return cost_of(scene, &drawing.scene, &drawing.resolved);
+}

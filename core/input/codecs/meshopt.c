@@ -1,0 +1,281 @@
+/* Bitstreams of EXT_meshopt_compression. Source: its appendix A. */
+#include "input/codecs/meshopt.h"
+
+#include <string.h>
+
+/* Bytes of a stream that are left to read. */
+struct stream {
+    const unsigned char *at, *end;
+    bool ends_early;
+};
+
+/* Returns the next `count` bytes; NULL after the end. */
+static const unsigned char *take(struct stream *stream, size_t count)
+{
+    const unsigned char *at = stream->at;
+    if ((size_t)(stream->end - at) < count) {
+        stream->ends_early = true;
+        return NULL;
+    }
+    stream->at += count;
+    return at;
+}
+
+static unsigned take_byte(struct stream *stream)
+{
+    const unsigned char *at = take(stream, 1);
+    return at ? *at : 0;
+}
+
+/* Reads a number of 7 bits per byte, the lowest bits first. The last byte has no high bit. */
+static uint32_t take_number(struct stream *stream)
+{
+    uint32_t value = 0;
+    for (int shift = 0; shift < 35; shift += 7) {
+        const unsigned byte = take_byte(stream);
+        if (shift < 32) value |= (uint32_t)(byte & 0x7F) << shift;
+        if (byte < 0x80) break;
+    }
+    return value;
+}
+
+/* Decodes zigzag numbers: 0, -1, 1, -2 and so on. */
+static uint32_t unzigzag(uint32_t v)
+{
+    return v & 1 ? ~(v >> 1) : v >> 1;
+}
+
+/* ---- attributes ---- */
+
+enum { BLOCK_BYTES = 8192, BLOCK_MOST = 256, GROUP = 16, STRIDE_MOST = 256, TAIL_LEAST = 32 };
+
+/* Reads 16 deltas of `bits` bits, from the highest bits of each byte.
+ * A delta with all bits set is a byte after them. */
+static bool read_packed(struct stream *stream, unsigned bits, unsigned char deltas[GROUP])
+{
+    const unsigned char *packed = take(stream, GROUP * bits / 8);
+    const unsigned most = (1u << bits) - 1;
+    if (!packed) return false;
+    for (unsigned i = 0; i < GROUP; i++) {
+        const unsigned first = i * bits, value = packed[first / 8] >> (8 - bits - first % 8) & most;
+        deltas[i] = (unsigned char)(value == most ? take_byte(stream) : value);
+    }
+    return !stream->ends_early;
+}
+
+/* Reads the deltas of a group by the mode of its header. */
+static bool read_group(struct stream *stream, unsigned mode, unsigned char deltas[GROUP])
+{
+    if (mode == 0) {
+        memset(deltas, 0, GROUP);
+        return true;
+    }
+    if (mode < 3) return read_packed(stream, 2 * mode, deltas);
+    const unsigned char *bytes = take(stream, GROUP);
+    if (bytes) memcpy(deltas, bytes, GROUP);
+    return bytes;
+}
+
+/* Decodes one byte of each of `count` elements.
+ * *before: this byte of the previous element; set to that of the last one. */
+static bool read_column(struct stream *stream, uint32_t count, uint32_t stride, unsigned char *before,
+                        unsigned char *out)
+{
+    const uint32_t groups = (count + GROUP - 1) / GROUP;
+    const unsigned char *modes = take(stream, (groups + 3) / 4);
+    unsigned char deltas[GROUP];
+    if (!modes) return false;
+    for (uint32_t group = 0; group < groups; group++) {
+        const uint32_t left = count - group * GROUP, run = left < GROUP ? left : GROUP;
+        if (!read_group(stream, modes[group / 4] >> 2 * (group % 4) & 3, deltas)) return false;
+        for (uint32_t i = 0; i < run; i++, out += stride)
+            *out = *before = (unsigned char)(*before + unzigzag(deltas[i]));
+    }
+    return true;
+}
+
+static bool read_attributes(const struct zr_meshopt *of, struct stream *stream, unsigned char *out,
+                            const struct zr_cancel *cancel)
+{
+    const uint32_t stride = of->stride, fitting = BLOCK_BYTES / stride / GROUP * GROUP,
+                   most = fitting < BLOCK_MOST ? fitting : BLOCK_MOST, tail = stride < TAIL_LEAST ? TAIL_LEAST : stride;
+    unsigned char before[STRIDE_MOST];
+    if ((size_t)(stream->end - stream->at) < tail) return false;
+    memcpy(before, stream->end - stride, stride);
+    stream->end -= tail;
+    for (uint32_t first = 0; first < of->count; first += most) {
+        const uint32_t left = of->count - first, run = left < most ? left : most;
+        unsigned char *block = out + (size_t)first * stride;
+        if (zr_is_cancelled(cancel)) return false;
+        for (uint32_t k = 0; k < stride; k++)
+            if (!read_column(stream, run, stride, &before[k], block + k)) return false;
+        zr_meshopt_filter(of, block, run);
+    }
+    return true;
+}
+
+/* ---- indices ---- */
+
+/* Indices between checks for cancellation. */
+enum { AT_ONCE = 3 << 12, FIFO = 16, CODES_TAIL = 16, INDICES_TAIL = 4 };
+
+/* Writes an index. False if it needs more bytes than the stride has. */
+static bool put(const struct zr_meshopt *of, unsigned char *out, uint32_t number, uint32_t index)
+{
+    unsigned char *at = out + (size_t)number * of->stride;
+    for (uint32_t k = 0; k < of->stride; k++)
+        at[k] = (unsigned char)(index >> 8 * k & 0xFF);
+    return of->stride == 4 || index <= UINT16_MAX;
+}
+
+static bool read_indices(const struct zr_meshopt *of, struct stream *stream, unsigned char *out,
+                         const struct zr_cancel *cancel)
+{
+    uint32_t last[2] = {0, 0};
+    if ((size_t)(stream->end - stream->at) < INDICES_TAIL) return false;
+    stream->end -= INDICES_TAIL;
+    for (uint32_t i = 0; i < of->count && !stream->ends_early; i++) {
+        const uint32_t value = take_number(stream);
+        uint32_t *base = &last[value & 1];
+        *base += unzigzag(value >> 1);
+        if (!put(of, out, i, *base) || (i % AT_ONCE == 0 && zr_is_cancelled(cancel))) return false;
+    }
+    return true;
+}
+
+/* Recent edges and vertices, in ring buffers. `edge` and `vertex` count all entries so far, modulo 16. */
+struct history {
+    uint32_t edges[FIFO][2], vertices[FIFO];
+    unsigned edge, vertex;
+    uint32_t next, last;
+};
+
+static void push_edge(struct history *h, uint32_t a, uint32_t b)
+{
+    h->edges[h->edge][0] = a;
+    h->edges[h->edge][1] = b;
+    h->edge = (h->edge + 1) % FIFO;
+}
+
+static void push_vertex(struct history *h, uint32_t v)
+{
+    h->vertices[h->vertex] = v;
+    h->vertex = (h->vertex + 1) % FIFO;
+}
+
+static uint32_t take_index(struct history *h, struct stream *stream)
+{
+    return h->last += unzigzag(take_number(stream));
+}
+
+/* Decodes a triangle of a recent edge and a third vertex. */
+static void read_third(struct history *h, struct stream *stream, unsigned code, uint32_t out[3])
+{
+    const uint32_t *edge = h->edges[(h->edge + FIFO - 1 - (code >> 4)) % FIFO];
+    const unsigned of = code & 15;
+    const uint32_t a = edge[0], b = edge[1];
+    uint32_t c;
+    if (of == 0)
+        c = h->next++;
+    else if (of < 13)
+        c = h->vertices[(h->vertex + FIFO - 1 - of) % FIFO];
+    else if (of < 15)
+        c = h->last += of == 13 ? UINT32_MAX : 1;
+    else
+        c = take_index(h, stream);
+    push_edge(h, c, b);
+    push_edge(h, a, c);
+    if (of == 0 || of >= 13) push_vertex(h, c);
+    out[0] = a;
+    out[1] = b;
+    out[2] = c;
+}
+
+/* Returns the vertex of a code. 0: the next vertex; 15: a number after the codes; others: a recent vertex. */
+static uint32_t read_vertex(struct history *h, struct stream *stream, unsigned code)
+{
+    if (code == 0) return h->next++;
+    if (code == 15) return take_index(h, stream);
+    return h->vertices[(h->vertex + FIFO - code) % FIFO];
+}
+
+/* Decodes a triangle of three vertices. */
+static void read_three(struct history *h, struct stream *stream, unsigned code, const unsigned char *table,
+                       uint32_t out[3])
+{
+    const bool is_listed = (code & 15) < 14;
+    const unsigned pair = is_listed ? table[code & 15] : take_byte(stream);
+    const unsigned first = code == 0xFF ? 15 : 0, codes[3] = {first, pair >> 4, pair & 15};
+    if (!is_listed && pair == 0) h->next = 0;
+    for (int k = 0; k < 3; k++)
+        out[k] = read_vertex(h, stream, codes[k]);
+    push_edge(h, out[1], out[0]);
+    push_edge(h, out[2], out[1]);
+    push_edge(h, out[0], out[2]);
+    for (int k = 0; k < 3; k++)
+        if (codes[k] == 0 || codes[k] == 15) push_vertex(h, out[k]);
+}
+
+static bool read_triangles(const struct zr_meshopt *of, struct stream *stream, unsigned char *out,
+                           const struct zr_cancel *cancel)
+{
+    struct history history = {.edge = 0};
+    const unsigned char *codes = take(stream, of->count / 3);
+    if (!codes || (size_t)(stream->end - stream->at) < CODES_TAIL) return false;
+    stream->end -= CODES_TAIL;
+    for (uint32_t i = 0; i < of->count && !stream->ends_early; i += 3) {
+        const unsigned code = codes[i / 3];
+        uint32_t corners[3];
+        if (code < 0xF0)
+            read_third(&history, stream, code, corners);
+        else
+            read_three(&history, stream, code, stream->end, corners);
+        for (uint32_t k = 0; k < 3; k++)
+            if (!put(of, out, i + k, corners[k])) return false;
+        if (i % AT_ONCE == 0 && zr_is_cancelled(cancel)) return false;
+    }
+    return true;
+}
+
+/* ---- all modes ---- */
+
+bool zr_meshopt_check(const struct zr_meshopt *of, size_t size, struct zr_reason *reason)
+{
+    static const uint64_t most[] = {64, 3, 1}; /* attribute bytes, or indices, per byte */
+    const bool has_attributes = of->mode == ZR_MESHOPT_ATTRIBUTES;
+    const uint64_t units = has_attributes ? (uint64_t)of->count * of->stride : of->count;
+    if (has_attributes ? of->stride % 4 != 0 || of->stride == 0 || of->stride > STRIDE_MOST
+                       : of->stride != 2 && of->stride != 4)
+        zr_reason_give(reason, "a byteStride of %u does not go with the mode", of->stride);
+    else if ((!has_attributes && of->filter != ZR_MESHOPT_NONE) ||
+             (of->filter == ZR_MESHOPT_OCTAHEDRAL && of->stride > 8) ||
+             (of->filter == ZR_MESHOPT_QUATERNION && of->stride != 8))
+        zr_reason_give(reason, "the filter does not go with the mode and a byteStride of %u", of->stride);
+    else if (of->mode == ZR_MESHOPT_TRIANGLES && of->count % 3 != 0)
+        zr_reason_give(reason, "%u indices, no multiple of 3", of->count);
+    else if (size == 0 || units / most[of->mode] > size)
+        zr_reason_give(reason, "%u elements cannot come from %zu bytes", of->count, size);
+    else
+        return true;
+    return false;
+}
+
+bool zr_meshopt_decode(const struct zr_meshopt *of, const void *bytes, size_t size, unsigned char *out,
+                       const struct zr_cancel *cancel, struct zr_reason *reason)
+{
+    static bool (*const read[])(const struct zr_meshopt *, struct stream *, unsigned char *,
+                                const struct zr_cancel *) = {read_attributes, read_triangles, read_indices};
+    static const unsigned headers[] = {0xA0, 0xE1, 0xD1};
+    struct stream stream = {bytes, (const unsigned char *)bytes + size, false};
+    const unsigned header = take_byte(&stream);
+    if (header != headers[of->mode])
+        zr_reason_give(reason, "the compressed data begin with %02x, not %02x", header, headers[of->mode]);
+    else if (!read[of->mode](of, &stream, out, cancel) || stream.ends_early)
+        zr_reason_give(reason, "the compressed data are broken, at byte %zu of %zu",
+                       (size_t)(stream.at - (const unsigned char *)bytes), size);
+    else if (stream.at != stream.end)
+        zr_reason_give(reason, "the compressed data have %zu bytes too many", (size_t)(stream.end - stream.at));
+    else
+        return true;
+    return false;
+}

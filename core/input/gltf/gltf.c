@@ -1,0 +1,135 @@
+/* Reads glTF 2.0, binary (GLB) or JSON.
+ * The body, data: URIs or parts of the request hold the bytes of buffers and images. */
+#include "input/gltf/gltf.h"
+
+#include <string.h>
+
+#include "input/formats/input.h"
+#include "input/text/text.h"
+
+/* ---- the version ---- */
+
+struct given_asset {
+    const char *version, *minimum;
+};
+enum { VERSION, MINIMUM };
+static const struct zr_json_field asset_fields[] = {
+    [VERSION] = {"version", zr_json_string, offsetof(struct given_asset, version), .required = true,
+                 .text = "version of glTF"},
+    [MINIMUM] = {.key = "minVersion", .read = zr_json_string, .offset = offsetof(struct given_asset, minimum)},
+    {.key = "generator", .read = zr_gltf_ignore},
+    {.key = "copyright", .read = zr_gltf_ignore},
+    ZR_GLTF_COMMON};
+static const struct zr_json_object asset_object = ZR_JSON_OBJECT_OF("asset", asset_fields);
+
+static void check_version(struct zr_gltf *file)
+{
+    const struct zr_json_path *path = ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_ASSET));
+    struct given_asset given = {NULL, NULL};
+    uint64_t keys;
+    if (!file->places[ZR_GLTF_ASSET]) {
+        zr_json_fault(&file->root.json, NULL, "asset is missing: it gives the version of glTF");
+        return;
+    }
+    struct zr_json there = zr_json_at(&file->root.json, file->places[ZR_GLTF_ASSET]);
+    zr_gltf_fields(file, &there, path, &asset_object, &given, &keys);
+    if (given.version && strncmp(given.version, "2.", 2) != 0)
+        zr_json_fault(&file->root.json, ZR_JSON_KEY(path, asset_fields[VERSION].key), "glTF of version %s; 2.0 is read",
+                      zr_quote(given.version, strlen(given.version)).text);
+    if (given.minimum && strcmp(given.minimum, "2.0") != 0)
+        zr_json_fault(&file->root.json, ZR_JSON_KEY(path, asset_fields[MINIMUM].key),
+                      "the file needs a reader of version %s; this one reads 2.0",
+                      zr_quote(given.minimum, strlen(given.minimum)).text);
+}
+
+/* ---- reading ---- */
+
+static bool count_lists(struct zr_gltf *file)
+{
+    for (int key = ZR_GLTF_ACCESSORS; key < ZR_GLTF_KEYS; key++) {
+        size_t count = 0;
+        if (!file->places[key] || key == ZR_GLTF_SCENE) continue;
+        struct zr_json there = zr_json_at(&file->root.json, file->places[key]);
+        if (zr_json_count(&there, ZR_JSON_KEY(NULL, zr_gltf_word((enum zr_gltf_key)key)), &count))
+            file->counts[key] = (uint32_t)count;
+    }
+    return file->root.json.error->count == 0;
+}
+
+static bool is_good(const struct zr_gltf *file)
+{
+    return file->root.json.error->count == 0 && zr_arena_ok(file->root.json.arena);
+}
+
+static void build(struct zr_gltf *file, const struct zr_request *request)
+{
+    check_version(file);
+    zr_gltf_check_extensions(file);
+    if (!is_good(file) || !count_lists(file)) return;
+    if (!zr_gltf_read_buffers(file) || !zr_gltf_read_accessors(file) || !zr_gltf_read_textures(file) ||
+        !zr_gltf_read_materials(file) || !zr_gltf_read_cameras(file) || !zr_gltf_choose_animation(file, request) ||
+        !zr_gltf_read_lights(file) || !zr_gltf_read_nodes(file) || !zr_gltf_read_skins(file) || !is_good(file))
+        return;
+    zr_gltf_keep_cameras(file);
+    if (file->counts[ZR_GLTF_MESHES] > 0 && zr_gltf_count_unplaced(file) == file->counts[ZR_GLTF_MESHES])
+        zr_json_fault(&file->root.json, NULL, "no geometry: no node of the scene has a mesh");
+    if (!is_good(file) || !zr_gltf_read_meshes(file) || !is_good(file)) return;
+    zr_gltf_place(file);
+    if (is_good(file)) zr_gltf_warn(file);
+}
+
+static uint64_t count_bytes(const struct zr_request *request)
+{
+    uint64_t bytes = request->size;
+    for (size_t i = 0; i < request->asset_count; i++)
+        bytes += request->assets[i].size;
+    return bytes;
+}
+
+static enum zr_status read(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
+{
+    struct zr_limits used = *limits;
+    struct zr_parsed_bytes text;
+    struct zr_gltf *file = zr_arena_zero(builder->arena, 1, sizeof *file);
+    struct zr_file_scene *made = zr_arena_zero(builder->arena, 1, sizeof *made);
+    if (!file || !made) return ZR_NO_MEMORY;
+    if (used.json_depth_max > ZR_JSON_DEPTH_MAX) used.json_depth_max = ZR_JSON_DEPTH_MAX;
+    const enum zr_status status = zr_gltf_unpack(builder, request->bytes, request->size, &text, &file->chunk, error);
+    if (status != ZR_OK) return status;
+    file->made = made;
+    file->size = request->size;
+    file->bytes = count_bytes(request);
+    file->root = (struct zr_parsed_scene){.json = {.arena = builder->arena,
+                                                   .team = builder->team,
+                                                   .cancel = request->cancel,
+                                                   .limits = &used,
+                                                   .error = error},
+                                          .builder = builder,
+                                          .scene = builder->scene,
+                                          .assets = zr_parsed_assets_of(builder, request)};
+    struct zr_json *json = &file->root.json;
+    json->assets = &file->root.assets;
+    json->uris = &file->uris;
+    file->uris = (struct zr_json_uris){.arena = json->arena, .cancel = json->cancel, .kept = request->texts};
+    zr_json_open(json, text.bytes, text.size);
+    uint64_t keys;
+    if (file->root.assets.uses && zr_gltf_fields(file, json, NULL, &zr_gltf_root, file->places, &keys) &&
+        zr_json_end(json))
+        build(file, request);
+    builder->file = made;
+    builder->scene->file.unit = "metre";
+    return zr_json_close(json);
+}
+
+enum zr_status zr_read_GLB(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
+{
+    return read(builder, request, limits, error);
+}
+
+enum zr_status zr_read_GLTF(struct zr_scene_builder *builder, const struct zr_request *request,
+                            const struct zr_limits *limits, struct zr_error *error)
+{
+    return read(builder, request, limits, error);
+}

@@ -1,0 +1,196 @@
+/* Reads accessors of glTF, and checks that their elements are within their bytes. */
+#include "input/gltf/gltf.h"
+
+#include <string.h>
+
+static const char *const shape_words[ZR_GLTF_SHAPES] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+static const struct zr_names shapes = ZR_NAMES(ZR_GLTF_SHAPES, shape_words);
+
+size_t zr_gltf_type_bytes(uint32_t type)
+{
+    switch (type) {
+    case ZR_GLTF_INT8:
+    case ZR_GLTF_UINT8:
+        return 1;
+    case ZR_GLTF_INT16:
+    case ZR_GLTF_UINT16:
+        return 2;
+    case ZR_GLTF_UINT32:
+    case ZR_GLTF_FLOAT32:
+        return 4;
+    default:
+        return 0;
+    }
+}
+
+/* Reads a componentType, a uint32_t. */
+static bool read_type(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    uint32_t type;
+    if (!zr_json_whole(json, path, field, &type)) return false;
+    if (zr_gltf_type_bytes(type) == 0)
+        return zr_json_fault(json, path, "%u; glTF has 5120, 5121, 5122, 5123, 5125 and 5126", type);
+    *(uint32_t *)out = type;
+    return true;
+}
+
+/* ---- sparse elements ---- */
+
+#define AT(member) offsetof(struct zr_gltf_sparse, member)
+static const struct zr_json_field indices_fields[] = {
+    {"bufferView", zr_gltf_index, AT(indices_view), .required = true, .text = "number of the view"},
+    {"componentType", read_type, AT(indices_type), .required = true, .text = "type of the indices"},
+    {.key = "byteOffset", .read = zr_json_whole, .offset = AT(indices_offset)},
+    ZR_GLTF_COMMON};
+static const struct zr_json_object indices_object = ZR_JSON_OBJECT_OF("indices", indices_fields);
+static const struct zr_json_field values_fields[] = {
+    {"bufferView", zr_gltf_index, AT(values_view), .required = true, .text = "number of the view"},
+    {.key = "byteOffset", .read = zr_json_whole, .offset = AT(values_offset)},
+    ZR_GLTF_COMMON};
+static const struct zr_json_object values_object = ZR_JSON_OBJECT_OF("values", values_fields);
+
+/* Places of the objects of a sparse accessor. */
+struct given_sparse {
+    uint32_t count;
+    const char *indices, *values;
+};
+#undef AT
+#define AT(member) offsetof(struct given_sparse, member)
+static const struct zr_json_field sparse_fields[] = {
+    {"count", zr_json_whole, AT(count), .required = true, .text = "number of elements"},
+    {"indices", zr_json_place, AT(indices), .required = true, .text = "numbers of the elements"},
+    {"values", zr_json_place, AT(values), .required = true, .text = "their values"},
+    ZR_GLTF_COMMON};
+static const struct zr_json_object sparse_object = ZR_JSON_OBJECT_OF("sparse", sparse_fields);
+#undef AT
+
+static void read_sparse(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
+                        struct zr_gltf_sparse *sparse)
+{
+    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct given_sparse given = {0, NULL, NULL};
+    uint64_t keys;
+    zr_gltf_fields(file, &there, path, &sparse_object, &given, &keys);
+    if (!given.indices || !given.values) return;
+    there = zr_json_at(&file->root.json, given.indices);
+    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, "indices"), &indices_object, sparse, &keys);
+    there = zr_json_at(&file->root.json, given.values);
+    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, "values"), &values_object, sparse, &keys);
+    sparse->count = given.count;
+}
+
+/* ---- accessors ---- */
+
+struct given_accessor {
+    struct zr_gltf_accessor accessor;
+    const char *sparse; /* place, or NULL */
+};
+
+enum { TYPE, COUNT, SHAPE, VIEW, OFFSET, NORMALIZED, SPARSE };
+#define AT(member) offsetof(struct given_accessor, member)
+static const struct zr_json_field fields[] = {
+    [TYPE] = {"componentType", read_type, AT(accessor.type), .required = true, .text = "type of the numbers"},
+    [COUNT] = {"count", zr_json_whole, AT(accessor.count), .required = true, .text = "number of elements"},
+    [SHAPE] = {"type", zr_json_choice, AT(accessor.shape), .words = &shapes, .required = true,
+               .text = "SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4"},
+    [VIEW] = {.key = "bufferView", .read = zr_gltf_index, .offset = AT(accessor.view)},
+    [OFFSET] = {.key = "byteOffset", .read = zr_json_whole, .offset = AT(accessor.offset)},
+    [NORMALIZED] = {.key = "normalized", .read = zr_json_bool, .offset = AT(accessor.is_normalized)},
+    [SPARSE] = {.key = "sparse", .read = zr_json_place, .offset = AT(sparse)},
+    {.key = "min", .read = zr_gltf_ignore},
+    {.key = "max", .read = zr_gltf_ignore},
+    ZR_GLTF_NAME,
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("accessor", fields);
+
+static void read_accessor(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    struct given_accessor given = {.accessor = {.view = ZR_GLTF_NONE}};
+    uint64_t keys;
+    zr_gltf_fields(file, json, path, &object, &given, &keys);
+    if (given.sparse) read_sparse(file, ZR_JSON_KEY(path, fields[SPARSE].key), given.sparse, &given.accessor.sparse);
+    file->accessors[number] = given.accessor;
+}
+
+bool zr_gltf_read_accessors(struct zr_gltf *file)
+{
+    struct zr_arena *arena = file->root.json.arena;
+    file->accessors = zr_arena_zero(arena, file->counts[ZR_GLTF_ACCESSORS], sizeof *file->accessors);
+    return zr_arena_ok(arena) && zr_gltf_read_list(file, ZR_GLTF_ACCESSORS, read_accessor);
+}
+
+/* ---- bounds ---- */
+
+/* Checks that `count` elements of `size` bytes, `stride` apart, are within a view. */
+static bool fits(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_parsed_bytes *view,
+                 uint32_t offset, uint32_t count, size_t size, size_t stride)
+{
+    const uint64_t end = count == 0 ? offset : offset + (uint64_t)(count - 1) * stride + size;
+    if (end <= view->size) return true;
+    return zr_json_fault(&file->root.json, path, "%u elements end at byte %llu of a view of %zu", count,
+                         (unsigned long long)end, view->size);
+}
+
+static bool open_sparse(struct zr_gltf *file, const struct zr_json_path *path, size_t size, struct zr_gltf_values *out)
+{
+    const struct zr_gltf_sparse *sparse = &out->accessor->sparse;
+    const struct zr_json_path *at = ZR_JSON_KEY(path, fields[SPARSE].key), *indices = ZR_JSON_KEY(at, "indices"),
+                              *values = ZR_JSON_KEY(at, "values");
+    const size_t index_size = zr_gltf_type_bytes(sparse->indices_type);
+    struct zr_parsed_bytes view;
+    if (sparse->count > out->count)
+        return zr_json_fault(&file->root.json, ZR_JSON_KEY(at, "count"), "%u of %u elements", sparse->count,
+                             out->count);
+    if (!zr_gltf_find_view(file, ZR_JSON_KEY(indices, fields[VIEW].key), sparse->indices_view, &view) ||
+        !fits(file, indices, &view, sparse->indices_offset, sparse->count, index_size, index_size))
+        return false;
+    out->sparse_indices = (const unsigned char *)view.bytes + sparse->indices_offset;
+    if (!zr_gltf_find_view(file, ZR_JSON_KEY(values, fields[VIEW].key), sparse->values_view, &view) ||
+        !fits(file, values, &view, sparse->values_offset, sparse->count, size, size))
+        return false;
+    out->sparse_values = (const unsigned char *)view.bytes + sparse->values_offset;
+    return true;
+}
+
+/* Limits the number of elements without a view, which use no bytes, by the size of the request. */
+static bool zeros_are_few(struct zr_gltf *file, const struct zr_json_path *path, uint32_t count)
+{
+    if (count > file->size && file->root.assets.looked) *file->root.assets.looked = true; /* the sizes of other files */
+    return count <= file->bytes ||
+           zr_json_fault(&file->root.json, ZR_JSON_KEY(path, fields[COUNT].key),
+                         "%u elements without a bufferView, more than the request has bytes", count);
+}
+
+bool zr_gltf_open(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, struct zr_gltf_values *out)
+{
+    static const uint32_t widths[ZR_GLTF_SHAPES] = {1, 2, 3, 4, 4, 9, 16};
+    if (!zr_gltf_check_index(file, path, number, ZR_GLTF_ACCESSORS)) return false;
+    const struct zr_gltf_accessor *accessor = &file->accessors[number];
+    const struct zr_json_path *at = ZR_GLTF_ITEM(ZR_GLTF_ACCESSORS, number);
+    const uint32_t width = widths[accessor->shape];
+    const size_t size = width * zr_gltf_type_bytes(accessor->type);
+    *out = (struct zr_gltf_values){.accessor = accessor,
+                                   .number = number,
+                                   .count = accessor->count,
+                                   .width = width,
+                                   .is_normalized = accessor->is_normalized,
+                                   .stride = size};
+    if (accessor->decoded) {
+        out->bytes = accessor->decoded;
+        out->count = accessor->decoded_count;
+    } else if (accessor->view == ZR_GLTF_NONE) {
+        if (!zeros_are_few(file, at, accessor->count)) return false;
+    } else {
+        struct zr_parsed_bytes view;
+        if (!zr_gltf_find_view(file, ZR_JSON_KEY(at, fields[VIEW].key), accessor->view, &view)) return false;
+        const uint32_t stride = file->views[accessor->view].stride;
+        if (stride > 0) out->stride = stride;
+        if (out->stride < size)
+            return zr_json_fault(&file->root.json, at, "elements of %zu bytes, %u apart in their view", size, stride);
+        if (!fits(file, at, &view, accessor->offset, accessor->count, size, out->stride)) return false;
+        out->bytes = (const unsigned char *)view.bytes + accessor->offset;
+    }
+    return accessor->sparse.count == 0 || open_sparse(file, at, size, out);
+}

@@ -1,0 +1,81 @@
+/* Checks the names of the extensions that a glTF file uses and requires, and reads objects of extensions. */
+#include "input/gltf/gltf_extensions.h"
+
+#include <string.h>
+
+#include "input/text/text.h"
+
+/* Extensions that are read. */
+static const char *const known[] = {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
+                                    "EXT_texture_webp",        "KHR_draco_mesh_compression",
+                                    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
+                                    "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
+                                    "KHR_materials_specular",  "KHR_materials_unlit",
+                                    "KHR_mesh_quantization",   "KHR_texture_transform"};
+
+/* Extensions that files often require, with advice for the message. */
+static const struct {
+    const char *name, *advice;
+} unread[] = {{"KHR_texture_basisu", "; export its textures as PNG or JPEG instead of KTX2"}};
+
+static const char *find_advice(const char *name)
+{
+    for (size_t i = 0; i < sizeof unread / sizeof *unread; i++)
+        if (strcmp(unread[i].name, name) == 0) return unread[i].advice;
+    return "";
+}
+
+static bool is_known(const char *name)
+{
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strcmp(known[i], name) == 0) return true;
+    return false;
+}
+
+/* Adds the name of a used extension to the warning, unless it is read. */
+static void note_used(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    const char *name;
+    (void)number;
+    if (!zr_json_string(json, path, NULL, &name) || is_known(name)) return;
+    file->unread_extensions++;
+    zr_names_text_add(&file->extensions, zr_quote(name, strlen(name)).text);
+}
+
+static void check_required(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    const char *name;
+    (void)number;
+    if (!zr_json_string(json, path, NULL, &name)) return;
+    if (strcmp(name, ZR_GLTF_DRACO) == 0) file->requires_draco = true;
+    if (!is_known(name))
+        zr_json_fault(json, path, "the file requires the extension %s, which is not read%s",
+                      zr_quote(name, strlen(name)).text, find_advice(name));
+}
+
+void zr_gltf_check_extensions(struct zr_gltf *file)
+{
+    zr_gltf_read_list(file, ZR_GLTF_REQUIRED, check_required);
+    zr_gltf_read_list(file, ZR_GLTF_USED, note_used);
+}
+
+/* ---- objects ---- */
+
+bool zr_gltf_extensions(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
+                        const struct zr_json_object *object, void *out, uint64_t *given)
+{
+    const struct zr_gltf_note before = file->unknown;
+    const bool good = zr_gltf_fields(file, json, path, object, out, given);
+    file->unknown = before;
+    return good;
+}
+
+bool zr_gltf_find_extension(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,
+                            const char *name, const char **place)
+{
+    const struct zr_json_field field = {.key = name, .read = zr_json_place, .offset = 0};
+    const struct zr_json_object object = {"extensions", 1, &field, NULL, NULL};
+    struct zr_json there = zr_json_at(&file->root.json, extensions);
+    uint64_t keys;
+    return zr_gltf_extensions(file, &there, path, &object, place, &keys);
+}

@@ -1,0 +1,135 @@
+/* Reads objects and lists of glTF, and skips unknown keys. */
+#include "input/gltf/gltf.h"
+
+#include <float.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "input/json/json_array.h"
+
+bool zr_gltf_stops(struct zr_gltf *file)
+{
+    return zr_json_stops(&file->root.json);
+}
+
+/* ---- counts of problems ---- */
+
+bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes)
+{
+    return zr_json_has_time(&file->root.json, bytes);
+}
+
+void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path)
+{
+    if (note->count++ > 0) return;
+    const struct zr_json_path *links[16];
+    size_t count = 0, used = 0;
+    for (; path && count < 16; path = path->parent)
+        links[count++] = path;
+    while (count > 0 && used + 16 < sizeof note->first) {
+        const struct zr_json_path *link = links[--count];
+        const size_t room = sizeof note->first - used;
+        const int length = link->key ? snprintf(note->first + used, room, "/%s", link->key)
+                                     : snprintf(note->first + used, room, "/%zu", link->index);
+        used += (size_t)length < room ? (size_t)length : room - 1;
+    }
+}
+
+double zr_gltf_clamp(struct zr_gltf *file, const struct zr_json_path *path, double value, double low, double high)
+{
+    if (value >= low && value <= high) return value;
+    zr_gltf_note(&file->clamped, path);
+    return value > low ? high : low;
+}
+
+/* ---- objects ---- */
+
+bool zr_gltf_ignore(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    (void)path;
+    (void)field;
+    (void)out;
+    return zr_json_skip(json);
+}
+
+bool zr_gltf_index(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    (void)field;
+    return zr_json_index(json, path, ZR_GLTF_NONE, "items", out);
+}
+
+static bool read_numbers(struct zr_json *json, const struct zr_json_path *path, size_t count, double *out)
+{
+    double given[4] = {0};
+    size_t found;
+    if (!zr_json_numbers(json, path, count, count, -DBL_MAX, DBL_MAX, given, &found)) return false;
+    memcpy(out, given, count * sizeof *given);
+    return true;
+}
+
+bool zr_gltf_three(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    (void)field;
+    return read_numbers(json, path, 3, out);
+}
+
+bool zr_gltf_four(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    (void)field;
+    return read_numbers(json, path, 4, out);
+}
+
+static size_t find_field(const struct zr_json_object *object, const struct zr_json_text *key)
+{
+    size_t i = 0;
+    while (i < object->count && !zr_json_is(key, object->fields[i].key))
+        i++;
+    return i;
+}
+
+static void read_field(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
+                       const struct zr_json_object *object, const struct zr_json_text *key, void *out, uint64_t *given)
+{
+    const size_t number = find_field(object, key);
+    if (number == object->count) {
+        const char *word = file->unknown.count == 0 ? zr_json_decode(json, key) : "";
+        if (word) zr_gltf_note(&file->unknown, ZR_JSON_KEY(path, word));
+        zr_json_skip(json);
+        return;
+    }
+    const struct zr_json_field *field = &object->fields[number];
+    const uint64_t bit = UINT64_C(1) << number;
+    if (*given & bit) {
+        if (zr_json_skip(json)) zr_json_fault(json, ZR_JSON_KEY(path, field->key), "given twice");
+        return;
+    }
+    *given |= bit;
+    field->read(json, ZR_JSON_KEY(path, field->key), field, (char *)out + field->offset);
+}
+
+bool zr_gltf_fields(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
+                    const struct zr_json_object *object, void *out, uint64_t *given)
+{
+    struct zr_json_text key;
+    *given = 0;
+    if (zr_json_type(json) != ZR_JSON_OBJECT) return zr_json_expect(json, path, "an object");
+    if (!zr_json_enter(json, '{')) return false;
+    while (zr_json_member(json, &key))
+        read_field(file, json, path, object, &key, out, given);
+    for (size_t i = 0; i < object->count && object->fields[i].required; i++)
+        if (!zr_json_gives(*given, (int)i))
+            zr_json_fault(json, path, "%s is missing: %s", object->fields[i].key, object->fields[i].text);
+    return !json->ended;
+}
+
+/* ---- lists ---- */
+
+bool zr_gltf_read_items(struct zr_gltf *file, const char *place, const struct zr_json_path *path, zr_gltf_item_fn *read)
+{
+    struct zr_json there = zr_json_at(&file->root.json, place), *json = &there;
+    uint32_t number = 0;
+    if (!zr_json_list(json, path)) return false;
+    for (zr_json_enter(json, '['); zr_json_any_item(json); number++)
+        read(file, json, ZR_JSON_ITEM(path, number), number);
+    return !zr_gltf_stops(file);
+}

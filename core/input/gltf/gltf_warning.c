@@ -1,0 +1,61 @@
+/* Warns of contents of a glTF file that the picture lacks or changes. */
+#include "input/gltf/gltf.h"
+
+static void warn_of(struct zr_gltf *file, struct zr_warning_list *list, const struct zr_gltf_note *note,
+                    const char *one, const char *many)
+{
+    if (note->count == 1)
+        zr_warning_list_add(file->root.json.arena, list, "%s: %s", note->first, one);
+    else if (note->count > 1)
+        zr_warning_list_add(file->root.json.arena, list, "%u %s, the first is %s", note->count, many, note->first);
+}
+
+uint32_t zr_gltf_count_unplaced(const struct zr_gltf *file)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < file->counts[ZR_GLTF_MESHES]; i++)
+        count += file->first_uses[i] == ZR_GLTF_NONE;
+    return count;
+}
+
+void zr_gltf_warn(struct zr_gltf *file)
+{
+    struct zr_scene_builder *builder = file->root.builder;
+    struct zr_warning_list *all = &builder->warnings, *colors = &builder->color_warnings;
+    struct zr_arena *arena = file->root.json.arena;
+    const uint32_t unplaced = zr_gltf_count_unplaced(file);
+    if (file->counts[ZR_GLTF_ANIMATIONS] > 0 && !file->animation)
+        zr_warning_list_add(arena, all, "left out: animations of the file");
+    if (file->unread_extensions > 0)
+        zr_warning_list_add(arena, all, "drawn without the extension%s %s", file->unread_extensions > 1 ? "s" : "",
+                            file->extensions.text);
+    if (unplaced > 0)
+        zr_warning_list_add(arena, all, "%u of %u meshes are placed by no node of the scene and are not drawn",
+                            unplaced, file->counts[ZR_GLTF_MESHES]);
+    warn_of(file, all, &file->unknown, "this key is not known", "keys are not known");
+    warn_of(file, all, &file->unread_channels, "targets a property that is not read",
+            "channels target properties that are not read");
+    warn_of(file, all, &file->no_positions, "without POSITION, and not drawn", "primitives are without POSITION");
+    warn_of(file, all, &file->not_compressed, "neither compressed nor in a bufferView: it is 0",
+            "attributes are neither compressed nor in a bufferView, and are 0");
+    warn_of(file, all, &file->not_drawn, "compressed, but no attribute of its primitive, and not drawn",
+            "compressed attributes are not those of their primitives, and are not drawn");
+    warn_of(file, all, &file->empty, "too few corners to draw", "primitives have too few corners to draw");
+    warn_of(file, all, &file->left_over, "the last corners make no whole primitive",
+            "primitives have corners that are left over");
+    warn_of(file, colors, &file->no_texcoords, "without the texture coordinates of its material: they are 0, 0",
+            "primitives lack texture coordinates of their materials, which are 0, 0");
+    warn_of(file, colors, &file->no_source, "without a source, and not drawn", "textures are without a source");
+    warn_of(file, colors, &file->specular_textures, "drawn without its textures",
+            "materials are drawn without the textures of KHR_materials_specular");
+    warn_of(file, colors, &file->gloss_textures, "drawn without its specularGlossinessTexture",
+            "materials are drawn without their specularGlossinessTexture");
+    warn_of(file, colors, &file->clamped, "beyond its range, and clamped",
+            "factors are beyond their ranges and are clamped");
+    warn_of(file, &file->made->light_warnings, &file->bad_lights, "this light cannot be used, and is left out",
+            "lights cannot be used and are left out");
+    warn_of(file, &file->made->light_warnings, &file->clamped_spots,
+            "its cone angles are beyond their ranges, and clamped",
+            "spot lights have cone angles beyond their ranges, which are clamped");
+    if (!file->has_fallbacks) zr_parsed_warn_of_unused_assets(&file->root.assets, builder);
+}

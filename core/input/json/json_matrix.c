@@ -1,0 +1,59 @@
+#include "input/json/json_matrix.h"
+
+#include "input/json/json_array.h"
+#include "scene/scene.h"
+
+/* True if the next value is a list of lists. */
+static bool has_rows(const struct zr_json *json)
+{
+    struct zr_json there = *json;
+    return zr_json_enter(&there, '[') && zr_json_any_item(&there) && *there.at == '[';
+}
+
+bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out,
+                    bool *nested)
+{
+    size_t count, row = 0;
+    if (zr_json_type(json) == ZR_JSON_OBJECT) {
+        *nested = true;
+        return zr_json_array_square(json, path, side, limit, out);
+    }
+    if (zr_json_type(json) != ZR_JSON_LIST) return zr_json_expect(json, path, "a matrix");
+    bool good = true;
+    *nested = has_rows(json);
+    if (!*nested) return zr_json_numbers(json, path, side * side, side * side, -limit, limit, out, &count);
+    for (zr_json_enter(json, '['); zr_json_any_item(json); row++)
+        good = (row < side ? zr_json_numbers(json, ZR_JSON_ITEM(path, row), side, side, -limit, limit, &out[side * row],
+                                             &count)
+                           : zr_json_skip(json)) &&
+               good;
+    return row == side ? good : zr_json_fault(json, path, "expected %zu rows, found %zu", side, row);
+}
+
+bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    double m[16] = {0};
+    bool rows;
+    zr_mat4 matrix;
+    (void)field;
+    if (!zr_json_square(json, path, 4, (double)ZR_MATRIX_MAX, m, &rows)) return false;
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 4; k++)
+            matrix.m[4 * i + k] = (float)m[rows ? 4 * k + i : 4 * i + k];
+    *(zr_mat4 *)out = matrix;
+    return true;
+}
+
+/* The message explains the order: a flat list written row by row has the translation in the bottom row. */
+bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    zr_mat4 matrix;
+    const float *m = matrix.m;
+    if (!zr_json_mat4(json, path, field, &matrix)) return false;
+    if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f)
+        return zr_json_fault(json, path,
+                             "the bottom row is %.9g %.9g %.9g %.9g, not 0 0 0 1 (a flat list goes column by column)",
+                             (double)m[3], (double)m[7], (double)m[11], (double)m[15]);
+    *(zr_mat4 *)out = matrix;
+    return true;
+}

@@ -1,0 +1,428 @@
+#include "input/json/json_value.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "input/text/color_text.h"
+#include "input/text/nearest.h"
+#include "input/text/text.h"
+#include "scene/scene.h"
+
+enum { PATH_LINKS_MAX = 16, POINTER_ROOM = ZR_POINTER_SIZE + 8 };
+
+/* ---- faults ---- */
+
+/* RFC 6901, section 3: ~ becomes ~0 and / becomes ~1. A key without room is cut short; the text is then still too long
+ * for zr_error_add, which cuts it at a whole character. */
+static size_t write_key(char *text, size_t used, const char *key)
+{
+    for (; *key && used + 2 < POINTER_ROOM; key++) {
+        if (*key == '~' || *key == '/') {
+            text[used++] = '~';
+            text[used++] = *key == '~' ? '0' : '1';
+        } else {
+            text[used++] = *key;
+        }
+    }
+    return used;
+}
+
+static void write_pointer(const struct zr_json_path *path, char text[POINTER_ROOM])
+{
+    const struct zr_json_path *links[PATH_LINKS_MAX];
+    size_t count = 0, used = 0;
+    for (; path && count < PATH_LINKS_MAX; path = path->parent)
+        links[count++] = path;
+    while (count > 0 && used + 24 < POINTER_ROOM) {
+        const struct zr_json_path *link = links[--count];
+        if (link->key) {
+            text[used++] = '/';
+            used = write_key(text, used, link->key);
+        } else {
+            used += (size_t)snprintf(text + used, POINTER_ROOM - used, "/%zu", link->index);
+        }
+    }
+    text[used] = '\0';
+}
+
+const char *zr_json_pointer(struct zr_arena *arena, const struct zr_json_path *path)
+{
+    char pointer[POINTER_ROOM];
+    write_pointer(path, pointer);
+    return zr_arena_copy(arena, pointer, strlen(pointer) + 1);
+}
+
+bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
+{
+    char pointer[POINTER_ROOM], detail[ZR_DETAIL_SIZE + 8];
+    if (json->is_ahead) zr_json_give_up(json);
+    if (json->ended || !zr_arena_ok(json->arena)) return false;
+    write_pointer(path, pointer);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(detail, sizeof detail, format, arguments);
+    va_end(arguments);
+    zr_error_add(json->error, ZR_BAD_SCENE, pointer, "%s", detail);
+    zr_json_look(json);
+    return false;
+}
+
+static const char *const kinds[] = {"nothing", "null", "a boolean", "a number", "a string", "a list", "an object"};
+
+bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const char *what)
+{
+    const enum zr_json_type type = zr_json_type(json);
+    if (zr_json_skip(json)) zr_json_fault(json, path, "expected %s, found %s", what, kinds[type]);
+    return false;
+}
+
+/* True if the next value has this type; else reports it. */
+static bool expect(struct zr_json *json, const struct zr_json_path *path, enum zr_json_type type, const char *what)
+{
+    return zr_json_type(json) == type || zr_json_expect(json, path, what);
+}
+
+/* ---- objects ---- */
+
+static void report_unknown(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
+                           const char *key)
+{
+    const char *words[64];
+    struct zr_names known = {.words = words};
+    struct zr_nearest nearest = {.word = key};
+    for (size_t i = 0; i < object->count; i++) {
+        if (!object->fields[i].read) continue;
+        words[known.count++] = object->fields[i].key;
+        zr_nearest_offer(&nearest, object->fields[i].key);
+    }
+    zr_json_fault(json, ZR_JSON_KEY(path, key), "unknown key%s; known here: %s", zr_nearest_text(&nearest).text,
+                  zr_names_join(&known).text);
+}
+
+/* Begins the search at `first`: keys in the order of the table match at once. */
+static size_t find_field(const struct zr_json_object *object, const struct zr_json_text *key, size_t first)
+{
+    for (size_t i = first; i < object->count; i++)
+        if (zr_json_is(key, object->fields[i].key)) return i;
+    for (size_t i = 0; i < first; i++)
+        if (zr_json_is(key, object->fields[i].key)) return i;
+    return object->count;
+}
+
+static void read_field(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
+                       const struct zr_json_text *key, size_t number, void *out, uint64_t *given)
+{
+    const struct zr_json_field *field = &object->fields[number];
+    const uint64_t bit = UINT64_C(1) << (number & 63);
+    if (number < object->count && field->read && !(*given & bit)) {
+        *given |= bit;
+        field->read(json, ZR_JSON_KEY(path, field->key), field, (char *)out + field->offset);
+        return;
+    }
+    const char *word = zr_json_decode(json, key);
+    if (!zr_json_skip(json) || !word) return;
+    if (number == object->count)
+        report_unknown(json, path, object, word);
+    else
+        zr_json_fault(json, ZR_JSON_KEY(path, word), "%s",
+                      field->read ? "given twice" : "not supported in this version");
+}
+
+/* Moves to the value of the first key if it is `key`, without escapes or spaces, as in most items of large lists. Saves
+ * a sixteenth of the time of reading polygons. */
+static bool take_first(struct zr_json *json, const char *key)
+{
+    const char *at = json->at, *end = json->look; /* no check for cancellation is due before */
+    if (at >= end || *at++ != '"') return false;
+    for (; at < end && *key && *at == *key; at++)
+        key++;
+    if (*key || end - at < 2 || at[0] != '"' || at[1] != ':') return false;
+    json->at = at + 2;
+    return true;
+}
+
+bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
+                    void *out, uint64_t *given)
+{
+    struct zr_json_text key = {NULL, NULL, false};
+    size_t number = 0;
+    *given = 0;
+    if (!expect(json, path, ZR_JSON_OBJECT, "an object") || !zr_json_enter(json, '{')) return false;
+    if (object->fields[0].read && take_first(json, object->fields[0].key))
+        read_field(json, path, object, &key, 0, out, given);
+    while (zr_json_member(json, &key)) {
+        number = find_field(object, &key, number < object->count ? number : 0);
+        read_field(json, path, object, &key, number, out, given);
+    }
+    for (size_t i = 0; i < object->count && object->fields[i].required; i++)
+        if (!(*given >> i & 1u))
+            zr_json_fault(json, path, "%s is missing: %s", object->fields[i].key, object->fields[i].text);
+    return true;
+}
+
+bool zr_json_place(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    (void)path;
+    (void)field;
+    zr_json_type(json);
+    const char *place = json->at;
+    if (!zr_json_skip(json)) return false;
+    *(const char **)out = place;
+    return true;
+}
+
+/* ---- numbers ---- */
+
+bool zr_json_check_range(struct zr_json *json, const struct zr_json_path *path, double low, double high, double value)
+{
+    if (value >= low && value <= high) return true;
+    if (isnan(value)) return zr_json_fault(json, path, "not a number; %.9g to %.9g is allowed", low, high);
+    if (!isfinite(value)) return zr_json_fault(json, path, "a number too large; %.9g to %.9g is allowed", low, high);
+    return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, low, high);
+}
+
+bool zr_json_number_in(struct zr_json *json, const struct zr_json_path *path, double low, double high, double *out)
+{
+    double value;
+    if (!expect(json, path, ZR_JSON_NUMBER, "a number") || !zr_json_take_number(json, &value) ||
+        !zr_json_check_range(json, path, low, high, value))
+        return false;
+    *out = value;
+    return true;
+}
+
+bool zr_json_number(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    return zr_json_number_in(json, path, field->low, field->high, out);
+}
+
+static bool read_float(struct zr_json *json, const struct zr_json_path *path, double low, double high, float *out)
+{
+    double value;
+    if (!zr_json_number_in(json, path, low, high, &value)) return false;
+    *out = (float)value;
+    return true;
+}
+
+bool zr_json_float(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    return read_float(json, path, field->low, field->high, out);
+}
+
+bool zr_json_coordinate(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    (void)field;
+    return read_float(json, path, -limit, limit, out);
+}
+
+bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    const double limit = (double)json->limits->coordinate_max * ZR_JSON_LENGTHS_A_COORDINATE;
+    (void)field;
+    return read_float(json, path, -limit, limit, out);
+}
+
+bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    const double limit = (double)json->limits->coordinate_max * ZR_JSON_LENGTHS_A_COORDINATE;
+    double value;
+    (void)field;
+    if (!zr_json_number_in(json, path, -limit, limit, &value)) return false;
+    if (!((float)value > 0.0f)) return zr_json_fault(json, path, "%.9g is not greater than 0", value);
+    *(float *)out = (float)value;
+    return true;
+}
+
+bool zr_json_whole(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    const bool has_range = field && field->high > field->low; /* for the message; callers check it */
+    double value;
+    if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &value)) return false;
+    if (!(value >= 0 && value <= UINT32_MAX))
+        return zr_json_check_range(json, path, has_range ? field->low : 0, has_range ? field->high : UINT32_MAX, value);
+    if ((double)(uint32_t)value != value) return zr_json_fault(json, path, "%.9g is not a whole number", value);
+    *(uint32_t *)out = (uint32_t)value;
+    return true;
+}
+
+bool zr_json_bad_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
+                       const char *of)
+{
+    if (value != floor(value)) return zr_json_fault(json, path, "index %.9g is not a whole number", value);
+    return zr_json_fault(json, path, "index %.15g of %u %s%s", value, count, of,
+                         count > 0 && value == (double)count ? "; they count from 0" : "");
+}
+
+bool zr_json_check_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
+                         const char *of, uint32_t *out)
+{
+    if (!(value >= 0 && value < (double)count) || (double)(uint32_t)value != value) {
+        if (count < UINT32_MAX) return zr_json_bad_index(json, path, value, count, of);
+        return zr_json_fault(json, path, "index %.15g is not a whole number from 0 on", value);
+    }
+    *out = (uint32_t)value;
+    return true;
+}
+
+bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32_t count, const char *of, uint32_t *out)
+{
+    double value;
+    return expect(json, path, ZR_JSON_NUMBER, "an index") && zr_json_take_number(json, &value) &&
+           zr_json_check_index(json, path, value, count, of, out);
+}
+
+/* ---- words ---- */
+
+bool zr_json_bool(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    (void)field;
+    return expect(json, path, ZR_JSON_BOOL, "true or false") && zr_json_take_bool(json, out);
+}
+
+bool zr_json_flag(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    bool value;
+    if (!zr_json_bool(json, path, field, &value)) return false;
+    *(int *)out = value;
+    return true;
+}
+
+bool zr_json_string(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    struct zr_json_text text;
+    (void)field;
+    if (!expect(json, path, ZR_JSON_STRING, "a string") || !zr_json_take_string(json, &text)) return false;
+    const char *decoded = zr_json_decode(json, &text);
+    if (decoded) *(const char **)out = decoded;
+    return decoded;
+}
+
+bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    const struct zr_names *names = field->words;
+    struct zr_json_text text;
+    if (!expect(json, path, ZR_JSON_STRING, "a string") || !zr_json_take_string(json, &text)) return false;
+    for (int i = 0; i < names->count; i++)
+        if (zr_json_is(&text, names->words[i])) {
+            *(int *)out = i;
+            return true;
+        }
+    const char *word = zr_json_decode(json, &text);
+    return word && zr_json_fault(json, path, "%s", zr_names_refuse(names, word).text);
+}
+
+/* ---- vectors ---- */
+
+bool zr_json_list(struct zr_json *json, const struct zr_json_path *path)
+{
+    return expect(json, path, ZR_JSON_LIST, "a list");
+}
+
+bool zr_json_count(struct zr_json *json, const struct zr_json_path *path, size_t *count)
+{
+    if (!zr_json_list(json, path)) return false;
+    struct zr_json there = *json;
+    *count = 0;
+    zr_json_enter(&there, '[');
+    while (zr_json_any_item(&there) && zr_json_skip(&there))
+        ++*count;
+    if (there.ended) *json = there;
+    return !there.ended;
+}
+
+bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size_t least, size_t most, double low,
+                     double high, double *out, size_t *count)
+{
+    bool good = expect(json, path, ZR_JSON_LIST, "a list of numbers") && zr_json_enter(json, '[');
+    if (!good) return false;
+    for (*count = 0; zr_json_any_item(json); ++*count) {
+        if (*count < most)
+            good = zr_json_number_in(json, ZR_JSON_ITEM(path, *count), low, high, &out[*count]) && good;
+        else
+            zr_json_skip(json);
+    }
+    if (*count >= least && *count <= most) return good;
+    if (least == most) return zr_json_fault(json, path, "expected %zu numbers, found %zu", least, *count);
+    return zr_json_fault(json, path, "expected %zu %s %zu numbers, found %zu", least, most - least > 1 ? "to" : "or",
+                         most, *count);
+}
+
+/* Reads three or four numbers; the default of the fourth is 1. */
+static bool read_vec4(struct zr_json *json, const struct zr_json_path *path, size_t least, double low, double high,
+                      zr_vec4 *out)
+{
+    double v[4] = {0};
+    size_t count;
+    if (!zr_json_numbers(json, path, least, 4, low, high, v, &count)) return false;
+    *out = (zr_vec4){(float)v[0], (float)v[1], (float)v[2], count == 4 ? (float)v[3] : 1.0f};
+    return true;
+}
+
+bool zr_json_float2(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    double v[2] = {0};
+    size_t count;
+    if (!zr_json_numbers(json, path, 2, 2, field->low, field->high, v, &count)) return false;
+    for (int k = 0; k < 2; k++)
+        ((float *)out)[k] = (float)v[k];
+    return true;
+}
+
+bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    double v[3] = {0};
+    size_t count;
+    (void)field;
+    if (!zr_json_numbers(json, path, 3, 3, -limit, limit, v, &count)) return false;
+    *(zr_vec3 *)out = (zr_vec3){(float)v[0], (float)v[1], (float)v[2]};
+    return true;
+}
+
+bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    (void)field;
+    return read_vec4(json, path, 4, -limit, limit, out);
+}
+
+bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    (void)field;
+    return read_vec4(json, path, 3, -limit, limit, out);
+}
+
+bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    static const char *const forms = "[r,g,b] or [r,g,b,a] of 0..1, \"#rrggbb\", \"#rrggbbaa\", \"#rgb\", \"#rgba\", "
+                                     "\"transparent\" or a name of CSS";
+    const enum zr_json_type type = zr_json_type(json);
+    struct zr_json_text text;
+    (void)field;
+    if (type == ZR_JSON_LIST) return read_vec4(json, path, 3, 0.0, 1.0, out);
+    if (type == ZR_JSON_STRING) {
+        if (!zr_json_take_string(json, &text)) return false;
+        if (!text.has_escapes && zr_color_of_text(text.at, (size_t)(text.end - text.at), out)) return true;
+        const char *word = zr_json_decode(json, &text);
+        return word && (zr_color_of_text(word, strlen(word), out) ||
+                        zr_json_fault(json, path, "%s is not a colour: %s", zr_quote(word, strlen(word)).text, forms));
+    }
+    return zr_json_skip(json) && zr_json_fault(json, path, "expected a colour, found %s: %s", kinds[type], forms);
+}
+
+bool zr_json_opaque(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    zr_vec4 color;
+    if (!zr_json_color(json, path, field, &color)) return false;
+    if (color.w < 1.0f) return zr_json_fault(json, path, "an alpha of %.9g: it has to be opaque", (double)color.w);
+    *(zr_vec4 *)out = color;
+    return true;
+}

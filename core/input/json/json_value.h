@@ -1,0 +1,155 @@
+/* json_value.h - input: reads the next value with checks, and objects by tables of fields.
+ *
+ * Readers: take one value, right or wrong. On a fault they report ZR_BAD_SCENE with a JSON Pointer, leave *out
+ *          unchanged and return false. The caller may continue, so that up to ZR_ERROR_ITEMS faults are reported at
+ *          once. The comment of a reader begins with the type of *out.
+ * Memory:  if the arena fails, a value may stay unread; reading stops at the next item or member.
+ */
+#ifndef ZR_JSON_VALUE_H
+#define ZR_JSON_VALUE_H
+
+#include <stdint.h>
+
+#include "base/vec.h"
+#include "input/json/json.h"
+#include "input/text/names.h"
+
+/* The place of a reader in the text: a chain of links on the stack, formatted as a JSON Pointer (RFC 6901) for faults
+ * only. `key` is NULL for an item of a list. */
+struct zr_json_path {
+    const struct zr_json_path *parent; /* NULL: the root */
+    const char *key;
+    size_t index;
+};
+
+#define ZR_JSON_KEY(parent, key)    (&(const struct zr_json_path){(parent), (key), 0})
+#define ZR_JSON_ITEM(parent, index) (&(const struct zr_json_path){(parent), NULL, (index)})
+
+/* ---- faults ---- */
+
+/* Reports ZR_BAD_SCENE at `path` (NULL: the root); returns false. Reports nothing once the arena has failed, since
+ * values that could not be kept would seem to be missing. Ends a part that json_list.h reads ahead. */
+bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Returns the JSON Pointer of a path, in the arena. NULL without memory. */
+const char *zr_json_pointer(struct zr_arena *arena, const struct zr_json_path *path);
+
+/* Reports that `what` was expected and the next value found, skips that value and returns false. */
+bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const char *what);
+
+/* ---- objects ---- */
+
+struct zr_json_field;
+struct zr_json_object;
+typedef bool zr_json_read_fn(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                             void *out);
+
+/* One key of an object. */
+struct zr_json_field {
+    const char *key;
+    zr_json_read_fn *read; /* NULL: reserved for a later version */
+    size_t offset;         /* of the output member in the object's struct */
+    double low, high;      /* bounds of a number */
+    const struct zr_names *words;
+    const struct zr_json_object *object; /* table of the value's keys, or of a list's items; NULL: neither */
+    bool required;                       /* required fields come first in their table */
+    const char *unit, *otherwise, *text; /* documentation: the unit, the default, the meaning */
+    const char *schema;                  /* of the value, as JSON Schema; NULL: follows from `read`, `object` or `words`
+                                            (schema/schema.h) */
+    uint32_t of, required_of;            /* of a key of some types only: bits of the words of the first key; 0: all */
+};
+
+/* A schema as text. Tokens are not expanded: true and false stay words. Refers to kinds of values and to objects as
+ * "#/$defs/NAME". */
+#define ZR_SCHEMA(...)     #__VA_ARGS__
+#define ZR_SCHEMA_OF(name) "{\"$ref\": \"#/$defs/" name "\"}"
+
+/* The keys of one kind of object, at most 64; the first has a reader. */
+struct zr_json_object {
+    const char *name;
+    size_t count;
+    const struct zr_json_field *fields;
+    const char *rules;    /* members of the object's schema about several keys, as an object; NULL: none */
+    const char *examples; /* list of objects; NULL: none */
+};
+#define ZR_JSON_OBJECT_OF(name, fields)                                                                                \
+    {                                                                                                                  \
+        (name), sizeof(fields) / sizeof((fields)[0]), (fields), NULL, NULL                                             \
+    }
+#define ZR_JSON_RULED_OBJECT(name, fields, ...)                                                                        \
+    {                                                                                                                  \
+        (name), sizeof(fields) / sizeof((fields)[0]), (fields), #__VA_ARGS__, NULL                                     \
+    }
+
+#define ZR_JSON_SHOWN_OBJECT(name, fields, rules, examples)                                                            \
+    {                                                                                                                  \
+        (name), sizeof(fields) / sizeof((fields)[0]), (fields), rules, examples                                        \
+    }
+
+/* Reads an object into *out, in the order of the text, and sets bit i of *given if field i is present. Reports unknown,
+ * unsupported, repeated and missing keys, and still reads the others. False only if the next value is no object. */
+bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
+                    void *out, uint64_t *given);
+
+static inline bool zr_json_gives(uint64_t given, int field)
+{
+    return given >> field & 1u;
+}
+
+/* ---- values; `field` may be NULL if the reader needs none of its members ---- */
+
+/* const char *: the first byte of the value, which is skipped for a later reader. */
+zr_json_read_fn zr_json_place;
+
+/* double, float: finite numbers, field->low <= value <= field->high. */
+zr_json_read_fn zr_json_number, zr_json_float;
+bool zr_json_number_in(struct zr_json *json, const struct zr_json_path *path, double low, double high, double *out);
+
+/* float. Length: magnitude <= 1000 * coordinate_max, enough for a camera that shows a scene of the full size. Positive:
+ * a length > 0, also after rounding to float. Coordinate: magnitude <= coordinate_max. */
+enum { ZR_JSON_LENGTHS_A_COORDINATE = 1000 };
+zr_json_read_fn zr_json_length, zr_json_positive, zr_json_coordinate;
+
+/* uint32_t: an integer, 0..UINT32_MAX. */
+zr_json_read_fn zr_json_whole;
+
+/* Reads an integer below `count`, which is UINT32_MAX if the count is not known yet. `of` names the counted things
+ * ("positions"). */
+bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32_t count, const char *of,
+                   uint32_t *out);
+
+/* Checks a number as zr_json_number_in and zr_json_index do. */
+bool zr_json_check_range(struct zr_json *json, const struct zr_json_path *path, double low, double high, double value);
+bool zr_json_check_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
+                         const char *of, uint32_t *out);
+
+/* Reports an index that is no integer below `count`; returns false. */
+bool zr_json_bad_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
+                       const char *of);
+
+zr_json_read_fn zr_json_bool;   /* bool */
+zr_json_read_fn zr_json_flag;   /* int: 0 or 1 */
+zr_json_read_fn zr_json_string; /* const char *, in the arena */
+zr_json_read_fn zr_json_choice; /* int: the index of a supported word of field->words */
+
+zr_json_read_fn zr_json_float2;   /* float[2], from field->low to field->high */
+zr_json_read_fn zr_json_vec3;     /* zr_vec3 */
+zr_json_read_fn zr_json_vec4;     /* zr_vec4 */
+zr_json_read_fn zr_json_position; /* zr_vec4: three coordinates with w = 1, or four */
+
+/* zr_vec4: [r,g,b] or [r,g,b,a], each 0..1, or a text for zr_color_of_text; the default of alpha is 1. */
+zr_json_read_fn zr_json_color;
+zr_json_read_fn zr_json_opaque; /* colour with an alpha of 1 */
+
+/* Reads `least` to `most` numbers, each within low..high; *count: how many the list has. */
+bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size_t least, size_t most, double low,
+                     double high, double *out, size_t *count);
+
+/* True if the next value is a list; else reports it. */
+bool zr_json_list(struct zr_json *json, const struct zr_json_path *path);
+
+/* Counts the items of the next value, a list, without consuming it. False if it is no list or reading stops. */
+bool zr_json_count(struct zr_json *json, const struct zr_json_path *path, size_t *count);
+
+#endif

@@ -1,0 +1,221 @@
+/* Reads polygons, the simple form of a scene, into the arrays of json_soup.h. */
+#include "input/json/json_array.h"
+#include "input/json/json_list.h"
+#include "input/scene/json_objects.h"
+#include "input/json/json_rows.h"
+#include "input/scene/json_scene.h"
+#include "input/mesh/json_soup.h"
+
+/* A polygon while it is read. */
+struct polygon {
+    struct zr_soup *soup;
+    size_t first_vertex;
+    zr_vec4 color;
+    const char *holes; /* place in the text, or NULL */
+    struct zr_polygon_style style;
+};
+
+/* ---- lists of a polygon ---- */
+
+/* Arrays that may stand for a list. All polygons append to the same lists of the scene, so arrays are copied. */
+static const struct zr_array_wanted position_array = {.least = 3, .most = 4, .is_changed = true},
+                                    color_array = {.least = 3, .most = 4, .is_changed = true, .is_color = true},
+                                    normal_array = {.least = 3, .most = 3, .is_changed = true};
+
+/* Appends the items of the next value, a list or an array. The path numbers them from item `first` on. */
+static bool read_items_of(struct zr_json *json, const struct zr_json_path *path, struct zr_array_wanted wanted,
+                          zr_rows_read_fn *read, size_t first, struct zr_growing *list)
+{
+    if (zr_json_type(json) == ZR_JSON_OBJECT) {
+        wanted.high = wanted.is_color ? 1.0 : (double)json->limits->coordinate_max;
+        wanted.low = wanted.is_color ? 0.0 : -wanted.high;
+        return zr_json_array_read(json, path, &wanted, list);
+    }
+    if (!zr_json_list(json, path) || !zr_json_enter(json, '[')) return false;
+    const unsigned inside = json->depth;
+    read(json, path, list, first, json->end);
+    zr_json_check_closed(json, inside);
+    return true;
+}
+
+/* struct polygon: a ring of positions: the outer one or, called with its path, a hole. */
+static bool read_ring(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    const struct polygon *polygon = out;
+    struct zr_growing *positions = &polygon->soup->positions;
+    const size_t first = positions->count;
+    (void)field;
+    if (!read_items_of(json, path, position_array, zr_rows_read_positions, first, positions)) return false;
+    const size_t count = positions->count - first, most = json->limits->polygon_vertices_max;
+    const size_t all = positions->count - polygon->first_vertex;
+    if (first > polygon->first_vertex && count < 3)
+        return zr_json_fault(json, path, "a ring of %zu vertices; 3 or more are needed", count);
+    if (count < 3 || all > most)
+        return zr_json_fault(json, path, "a polygon of %zu vertices; 3 to %zu are allowed", all, most);
+    return true;
+}
+
+/* Reads a list with one item per vertex. Earlier polygons get `item` if this is the first such list. */
+static bool read_each(struct zr_json *json, const struct zr_json_path *path, const struct polygon *polygon,
+                      struct zr_growing *list, const void *item, struct zr_array_wanted wanted, zr_rows_read_fn *read)
+{
+    return zr_growing_fill(list, json, polygon->first_vertex, item) &&
+           read_items_of(json, path, wanted, read, polygon->first_vertex, list);
+}
+
+/* struct polygon, also for read_normals */
+static bool read_colors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    const struct polygon *polygon = out;
+    (void)field;
+    return read_each(json, path, polygon, &polygon->soup->colors, &zr_soup_white, color_array, zr_rows_read_colors);
+}
+
+static bool read_normals(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                         void *out)
+{
+    const struct polygon *polygon = out;
+    (void)field;
+    return read_each(json, path, polygon, &polygon->soup->normals, &zr_soup_computed, normal_array, zr_rows_read_vec3s);
+}
+
+/* zr_vec4 */
+static bool read_color(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
+{
+    zr_json_type(json);
+    const char *behind = zr_row_color(json->at, json->end, out);
+    if (!behind) return zr_json_color(json, path, field, out);
+    json->at = behind;
+    return true;
+}
+
+/* struct zr_json_text: a name, compared as written and decoded once per style. */
+static bool read_material(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                          void *out)
+{
+    (void)field;
+    return zr_json_type(json) == ZR_JSON_STRING ? zr_json_take_string(json, out)
+                                                : zr_json_expect(json, path, "a string");
+}
+
+/* ---- a polygon ---- */
+
+enum { VERTICES, HOLES, COLOR, COLORS, NORMALS, MATERIAL };
+#define AT(member) offsetof(struct polygon, member)
+static const struct zr_json_field fields[] = {
+    [VERTICES] = {"vertices", read_ring, 0, .required = true, .unit = "scene units",
+                  .text = "list of [x,y,z] or [x,y,z,w], counter-clockwise", .schema = ZR_SCHEMA_OF("ring")},
+    [HOLES] = {"holes", zr_json_place, AT(holes), .otherwise = "[]", .text = "rings of vertices to cut out",
+               .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/ring"}})},
+    [COLOR] = {"color", read_color, AT(color), .otherwise = "white", .text = "colour of the polygon",
+               .schema = ZR_SCHEMA_OF("color")},
+    [COLORS] = {"colors", read_colors, 0, .text = "colours, one per vertex", .schema = ZR_SCHEMA_OF("colors")},
+    [NORMALS] = {"normals", read_normals, 0, .otherwise = "computed", .text = "normals, one per vertex",
+                 .schema = ZR_SCHEMA_OF("vectors")},
+    [MATERIAL] = {ZR_POLYGON_MATERIAL, read_material, AT(style.material), .otherwise = "none",
+                  .text = "name of a material", .schema = ZR_SCHEMA({"type" : "string"})},
+    ZR_FACE_STYLE_FIELDS(struct polygon, style.face_style),
+    ZR_SIDES_FIELD(struct polygon, style.face_style)};
+const struct zr_json_object zr_json_object_polygon = ZR_JSON_OBJECT_OF("polygon", fields);
+
+/* Appends the rings of the last polygon, the outer one first. Before the first hole, it also appends the outer rings of
+ * all earlier polygons. */
+static bool read_holes(struct zr_json *json, const struct zr_json_path *path, struct polygon *polygon)
+{
+    struct zr_soup *soup = polygon->soup;
+    const uint32_t *offsets = soup->offsets.items;
+    for (size_t i = soup->rings.count; i < soup->offsets.count; i++)
+        if (!zr_growing_add(&soup->rings, json, soup->ring_offsets.count) ||
+            !zr_growing_add(&soup->ring_offsets, json, offsets[i]))
+            return false;
+    if (!polygon->holes) return true;
+    struct zr_json there = zr_json_at(json, polygon->holes);
+    const struct zr_json_path *holes = ZR_JSON_KEY(path, fields[HOLES].key);
+    size_t number = 0;
+    if (!zr_json_list(&there, holes)) return false;
+    for (zr_json_enter(&there, '['); zr_json_item(&there); number++)
+        if (!zr_growing_add(&soup->ring_offsets, json, soup->positions.count) ||
+            !read_ring(&there, ZR_JSON_ITEM(holes, number), NULL, polygon))
+            return false;
+    return true;
+}
+
+/* Checks that a given list has one item per vertex. Extends a list that is not given, if an earlier polygon has it. */
+static bool check_list(struct zr_json *json, const struct zr_json_path *path, const struct polygon *polygon,
+                       bool is_given, int key, struct zr_growing *list, const void *item)
+{
+    const size_t behind = polygon->soup->positions.count;
+    if (!is_given) return list->items == NULL || zr_growing_fill(list, json, behind, item);
+    return list->count == behind ||
+           zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key), "%zu items for %zu vertices; one each is needed",
+                         list->count - polygon->first_vertex, behind - polygon->first_vertex);
+}
+
+/* Removes the vertices of a polygon with faults, so that the next polygon is checked on its own. */
+static void drop_vertices(const struct polygon *polygon)
+{
+    struct zr_growing *const lists[] = {&polygon->soup->positions, &polygon->soup->colors, &polygon->soup->normals};
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+        if (lists[i]->count > polygon->first_vertex) lists[i]->count = polygon->first_vertex;
+}
+
+static void read_polygon(struct zr_json *json, const struct zr_json_path *path, struct zr_soup *soup)
+{
+    struct polygon polygon = {.soup = soup,
+                              .first_vertex = soup->positions.count,
+                              .color = zr_soup_white,
+                              .style = {.polygon = (uint32_t)soup->offsets.count, .face_style = zr_face_style_unset}};
+    const size_t faults = json->error->count;
+    uint64_t keys;
+    if (!zr_growing_add(&soup->offsets, json, polygon.first_vertex)) return;
+    zr_json_fields(json, path, &zr_json_object_polygon, &polygon, &keys);
+    const bool has_color = zr_json_gives(keys, COLOR), has_colors = zr_json_gives(keys, COLORS),
+               has_normals = zr_json_gives(keys, NORMALS);
+    if (polygon.holes && json->is_ahead)
+        zr_json_give_up(json); /* rings need the count of all rings before, so one thread reads them */
+    if (json->error->count > faults || json->ended) {
+        drop_vertices(&polygon);
+        return;
+    }
+    if (polygon.holes || soup->rings.count > 0) read_holes(json, path, &polygon);
+    if (has_color || soup->face_colors.items) {
+        if (!zr_growing_fill(&soup->face_colors, json, soup->offsets.count - 1, &zr_soup_white) ||
+            !zr_growing_fill(&soup->face_colors, json, soup->offsets.count, &polygon.color))
+            return;
+    }
+    check_list(json, path, &polygon, has_colors, COLORS, &soup->colors, &zr_soup_white);
+    check_list(json, path, &polygon, has_normals, NORMALS, &soup->normals, &zr_soup_computed);
+    polygon.style.has = (has_color ? ZR_POLYGON_COLOR : 0) | (has_colors ? ZR_POLYGON_COLORS : 0) |
+                        (has_normals ? ZR_POLYGON_NORMALS : 0);
+    uint32_t style;
+    if (zr_soup_find_style(json, soup, &polygon.style, &style)) zr_growing_add(&soup->face_styles, json, style);
+}
+
+/* ---- all polygons ---- */
+
+static void read_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    struct zr_soup *soup = state;
+    while (json->at < until && zr_json_item(json))
+        read_polygon(json, ZR_JSON_ITEM(path, soup->offsets.count), soup);
+}
+
+bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    static const struct zr_json_list list = {'{', read_items, zr_soup_begin_part, zr_soup_join};
+    struct zr_soup *soup = zr_arena_alloc(json->arena, 1, sizeof *soup);
+    (void)field;
+    if (!soup) return false;
+    *soup = zr_soup_empty();
+    struct zr_parsed_scene *root = out;
+    root->soup = soup;
+    json->assets->use |= ZR_USED_BY_GEOMETRY;
+    const bool good = zr_json_list_read(json, path, &list, soup);
+    json->assets->use = ZR_USED;
+    root->polygons_end = json->at;
+    return good;
+}

@@ -1,0 +1,289 @@
+#include "input/model/file_scene.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/matrix.h"
+#include "input/scene/json_scene.h"
+#include "input/view/json_view.h"
+#include "input/text/text.h"
+#include "scene/camera/camera.h"
+
+/* Returns the file's material, overridden by the values of the query. */
+static struct zr_parsed_material put_query(const struct zr_parsed_material *material,
+                                           const struct zr_parsed_material *query)
+{
+    struct zr_parsed_material out = *material;
+    if (!query) return out;
+    if (zr_json_gives(query->keys, ZR_MATERIAL_BASE_COLOR)) {
+        out.base_color = query->base_color;
+        out.has_linear_color = false;
+    }
+    if (zr_json_gives(query->keys, ZR_MATERIAL_METALLIC)) out.metallic = query->metallic;
+    if (zr_json_gives(query->keys, ZR_MATERIAL_ROUGHNESS)) out.roughness = query->roughness;
+    return out;
+}
+
+/* True if the look lights surfaces. Only such looks draw unlit materials as unlit. */
+static bool lights_surfaces(const struct zr_look *look)
+{
+    return look->shades_by_mesh || look->material.shading == ZR_SHADING_PBR;
+}
+
+void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material)
+{
+    if (!lights_surfaces(root->scene->look)) material->face_style.shading = ZR_UNSET;
+}
+
+/* Makes one material of a mesh. `style` has the keys that override the material, and the mesh's number for warnings. */
+static uint32_t make(struct zr_parsed_scene *root, const struct zr_file_scene *file, const struct zr_mesh *mesh,
+                     size_t material, const struct zr_style *style)
+{
+    const struct zr_style of = {
+        .material = material, .face_style = style->face_style, .is_open = true, .number = style->number};
+    return zr_parsed_make_mesh_material(root, &of, mesh, mesh->normal_count > 0 || mesh->colors, file->blends_colors);
+}
+
+/* Adds the usage flags of the file's materials to the query's material, whose keys override all of them. */
+static void note_uses(struct zr_parsed_material *query, const struct zr_parsed_material *all, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        query->is_used |= all[i].is_used;
+        query->is_masked |= all[i].is_masked;
+        query->is_blended |= all[i].is_blended;
+        query->shadings |= all[i].shadings;
+    }
+}
+
+/* Makes the materials of a mesh with a material per face: each once, in the order of the faces. */
+static void make_faces(struct zr_parsed_scene *root, const struct zr_file_scene *file, const uint32_t *materials,
+                       const struct zr_style *style, struct zr_mesh *mesh)
+{
+    const size_t count = (size_t)file->material_count + 1;
+    uint32_t *made = zr_arena_alloc(root->json.arena, count, sizeof *made);
+    uint32_t *out = zr_arena_alloc(root->json.arena, mesh->face_count, sizeof *out);
+    if (!made || !out) return;
+    memset(made, 0xFF, count * sizeof *made);
+    for (uint32_t face = 0; face < mesh->face_count && zr_arena_ok(root->json.arena); face++) {
+        const uint32_t of = materials[face] == ZR_FILE_MATERIAL_NONE ? file->material_count : materials[face];
+        if (made[of] == UINT32_MAX) made[of] = make(root, file, mesh, of, style);
+        out[face] = made[of];
+    }
+    mesh->face_materials = out;
+}
+
+void zr_file_scene_make_mesh(struct zr_parsed_scene *root, const struct zr_file_scene *file, uint32_t which,
+                             const struct zr_style *style, struct zr_mesh *mesh)
+{
+    const uint32_t of = file->mesh_materials[which];
+    mesh->material = make(root, file, mesh, of == ZR_FILE_MATERIAL_NONE ? file->material_count : of, style);
+    if (file->face_materials && file->face_materials[which])
+        make_faces(root, file, file->face_materials[which], style, mesh);
+}
+
+void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_file_scene *file)
+{
+    struct zr_scene *scene = root->scene;
+    struct zr_parsed_material *const own = root->materials;
+    const size_t own_count = root->material_count; /* 0 or 1: the query's material */
+    struct zr_parsed_material *all = zr_arena_alloc(root->json.arena, (size_t)file->material_count + 1, sizeof *all);
+    struct zr_face_style over = root->face_style;
+    if (!all) return;
+    if (own_count > 0) over = zr_face_style_merge(&own->face_style, &root->face_style);
+    for (uint32_t i = 0; i < file->material_count; i++) {
+        all[i] = put_query(&file->materials[i], own_count > 0 ? own : NULL);
+        zr_file_scene_fit_look(root, &all[i]);
+    }
+    if (own_count > 0) all[file->material_count] = *own;
+    root->materials = all;
+    root->material_count = file->material_count + own_count;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        const struct zr_style style = {.face_style = over, .number = i};
+        zr_file_scene_make_mesh(root, file, i, &style, &root->builder->meshes[i]);
+    }
+    if (own_count > 0) note_uses(own, all, file->material_count + 1);
+    root->materials = own;
+    root->material_count = own_count;
+}
+
+void zr_parsed_drop_maps(struct zr_parsed_scene *root)
+{
+    if (root->scene->picture.is_linear) return;
+    for (uint32_t i = 0; i < root->scene->material_count; i++)
+        for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
+            if (slot != ZR_TEXTURE_BASE_COLOR) root->builder->materials[i].textures[slot] = 0;
+}
+
+/* ---- cameras ---- */
+
+/* Adds the name of an item of the file to a list for a message, or its number if it has no name. */
+static void list(struct zr_names_text *names, const char *name, uint32_t number)
+{
+    char digits[16];
+    snprintf(digits, sizeof digits, "%u", number);
+    zr_names_text_add(names, *name ? zr_quote(name, strlen(name)).text : digits);
+}
+
+static struct zr_names_text list_cameras(const struct zr_file_scene *file)
+{
+    struct zr_names_text names = {""};
+    for (uint32_t i = 0; i < file->camera_count; i++)
+        list(&names, file->cameras[i].name, file->cameras[i].number);
+    return names;
+}
+
+static bool is_number(const char *text, uint32_t number)
+{
+    char digits[16];
+    snprintf(digits, sizeof digits, "%u", number);
+    return strcmp(text, digits) == 0;
+}
+
+/* Returns the camera of this name, else the one of this number, else NULL. */
+static const struct zr_file_camera *find_camera(const struct zr_file_scene *file, const char *wanted)
+{
+    for (uint32_t i = 0; i < file->camera_count; i++)
+        if (strcmp(file->cameras[i].name, wanted) == 0) return &file->cameras[i];
+    for (uint32_t i = 0; i < file->camera_count; i++)
+        if (is_number(wanted, file->cameras[i].number)) return &file->cameras[i];
+    return NULL;
+}
+
+bool zr_file_scene_has_camera(const struct zr_file_scene *file, const char *camera)
+{
+    return find_camera(file, camera) != NULL;
+}
+
+/* Removes the scale: makes the axes unit vectors. */
+static zr_mat4 unscale(const zr_mat4 *matrix)
+{
+    zr_mat4 out = *matrix;
+    for (int column = 0; column < 3; column++) {
+        float *axis = &out.m[4 * column];
+        const zr_vec3 unit = zr_vec3_normalize((zr_vec3){axis[0], axis[1], axis[2]});
+        axis[0] = unit.x;
+        axis[1] = unit.y;
+        axis[2] = unit.z;
+    }
+    return out;
+}
+
+/* Sets the pose as the key cameraToWorld does, bit by bit, unless the matrix has several scales. */
+static bool set_pose_by_matrix(struct zr_view *view, const zr_mat4 *camera_to_world)
+{
+    const zr_mat4 pose = zr_pose_matrix_scale(camera_to_world) == 0.0 ? unscale(camera_to_world) : *camera_to_world;
+    view->pose = ZR_POSE_MATRIX;
+    if (!zr_mat4_invert(&pose, &view->world_to_camera)) return false;
+    zr_pose_remove_scale(&view->world_to_camera);
+    return true;
+}
+
+/* Views with a projection of their own replace those by a matrix. Others keep the pixels of earlier versions. */
+static bool set_pose(struct zr_view *view, const struct zr_file_camera *camera, const zr_mat4 *up, bool is_matrix)
+{
+    const zr_mat4 turned = zr_mat4_mul(up, &camera->camera_to_world), pose = unscale(&turned);
+    const struct zr_matrix matrix = zr_matrix_of(&pose);
+    struct zr_matrix inverse;
+    if (is_matrix) return set_pose_by_matrix(view, &turned);
+    if (!zr_matrix_invert(&matrix, &inverse)) return false;
+    for (int i = 0; i < 16; i++)
+        view->world_to_camera.m[i] = (float)inverse.m[i];
+    view->pose = ZR_POSE_MATRIX;
+    return true;
+}
+
+static void set_projection(struct zr_view *view, const struct zr_file_camera *camera)
+{
+    view->projection = camera->is_perspective ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
+    view->yfov_radians = camera->yfov_radians;
+    view->xfov_radians = 0.0f;
+    view->xmag = camera->xmag;
+    view->ymag = camera->ymag;
+}
+
+/* Keeps the planes that the view gives. */
+static void set_planes(struct zr_view *view, const struct zr_file_camera *camera, uint64_t view_keys)
+{
+    if (!(view_keys & ZR_VIEW_BIT(ZR_VIEW_ZNEAR))) {
+        view->has_znear = true;
+        view->znear = camera->znear;
+    }
+    if (!(view_keys & ZR_VIEW_BIT(ZR_VIEW_ZFAR))) {
+        view->has_zfar = camera->has_zfar;
+        view->zfar = camera->zfar;
+    }
+}
+
+bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                              const struct zr_file_scene *file, const char *camera, const zr_mat4 *up)
+{
+    struct zr_view *view = &root->scene->views[0];
+    const struct zr_file_camera *found = file ? find_camera(file, camera) : NULL;
+    const struct zr_quote quote = zr_quote(camera, strlen(camera));
+    if (!file || file->camera_count == 0) return zr_json_fault(&root->json, path, "the file has no cameras");
+    if (!found)
+        return zr_json_fault(&root->json, path, "the file has no camera %s; its cameras: %s", quote.text,
+                             list_cameras(file).text);
+    if (!set_pose(view, found, up, root->camera_keys & ZR_VIEW_PROJECTIONS))
+        return zr_json_fault(&root->json, path, "the camera %s has no axes", quote.text);
+    if (!(root->camera_keys & ZR_VIEW_PROJECTIONS)) set_projection(view, found);
+    if (view->projection != ZR_PROJECTION_MATRIX) set_planes(view, found, root->camera_keys);
+    return !(view->has_znear && view->has_zfar && !(view->znear < view->zfar)) ||
+           zr_json_fault(&root->json, path, "the camera %s then has zfar %.9g and znear %.9g", quote.text,
+                         (double)view->zfar, (double)view->znear);
+}
+
+/* ---- lights ---- */
+
+static zr_vec3 transform(const zr_mat4 *matrix, zr_vec3 v)
+{
+    const float *m = matrix->m;
+    return (zr_vec3){(m[0] * v.x + m[4] * v.y) + m[8] * v.z, (m[1] * v.x + m[5] * v.y) + m[9] * v.z,
+                     (m[2] * v.x + m[6] * v.y) + m[10] * v.z};
+}
+
+void zr_file_scene_use_lights(struct zr_parsed_scene *root, const struct zr_file_scene *file, const zr_mat4 *up)
+{
+    const uint32_t count = file ? file->light_count : 0;
+    struct zr_light *lights = zr_arena_alloc(root->json.arena, count, sizeof *lights);
+    struct zr_parsed_light_colors *colors = zr_arena_zero(root->json.arena, count, sizeof *colors);
+    if (file) zr_warning_list_append(root->json.arena, &root->builder->color_warnings, &file->light_warnings);
+    if (count == 0)
+        zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
+                            "the parameter fileLights has no effect: the file has no lights");
+    if (!lights || !colors || count == 0) return;
+    for (uint32_t i = 0; i < count; i++) {
+        lights[i] = file->lights[i];
+        lights[i].direction = transform(up, lights[i].direction);
+        lights[i].position = transform(up, lights[i].position);
+        colors[i] = (struct zr_parsed_light_colors){.color = lights[i].color, .intensity = 1.0f};
+    }
+    root->lights = lights;
+    root->light_colors = colors;
+    root->light_count = count;
+    root->keys |= UINT64_C(1) << ZR_SCENE_LIGHTS;
+}
+
+/* ---- animations ---- */
+
+bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *wanted, uint32_t *number)
+{
+    for (*number = 0; *number < file->animation_count; ++*number)
+        if (!wanted || strcmp(file->animation_names[*number], wanted) == 0) return true;
+    for (*number = 0; *number < file->animation_count; ++*number)
+        if (is_number(wanted, *number)) return true;
+    return false;
+}
+
+void zr_file_scene_refuse_animation(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                    const struct zr_file_scene *file, const char *wanted)
+{
+    struct zr_names_text names = {""};
+    for (uint32_t i = 0; file && i < file->animation_count; i++)
+        list(&names, file->animation_names[i], i);
+    if (!*names.text)
+        zr_json_fault(&root->json, path, "the file has no animations");
+    else
+        zr_json_fault(&root->json, path, "the file has no animation %s; its animations: %s",
+                      zr_quote(wanted, strlen(wanted)).text, names.text);
+}

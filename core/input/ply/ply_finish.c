@@ -1,0 +1,238 @@
+/* Makes the mesh of a PLY file: fills holes, limits colours, makes points and adds the warnings. */
+#include <math.h>
+
+#include "input/ply/ply_file.h"
+#include "input/text/text.h"
+
+enum { ITEMS_A_LOOK = 1 << 16 };
+
+/* A float colour above this means a range of 0 to 255, not a rounding error at 1. */
+static const float BRIGHT = 2.0f;
+
+/* Adds a warning of a count, followed by `one` or `many`. */
+static void warn(struct zr_scene_builder *builder, size_t count, const char *one, const char *many)
+{
+    if (count > 0)
+        zr_warning_list_add(builder->arena, &builder->warnings, "PLY: %zu %s", count, count == 1 ? one : many);
+}
+
+/* Adds a warning that also names the first place. */
+static void warn_of_first(struct zr_scene_builder *builder, size_t count, const char *one, const char *many,
+                          const char *place, size_t first)
+{
+    if (count > 0)
+        zr_warning_list_add(builder->arena, &builder->warnings, "PLY: %zu %s; %s %s %zu", count,
+                            count == 1 ? one : many, count == 1 ? "it is" : "the first is", place, first);
+}
+
+static bool looks_cancelled(const struct zr_ply_file *file, size_t i)
+{
+    return i % ITEMS_A_LOOK == 0 && zr_is_cancelled(file->cancel);
+}
+
+/* ---- holes ---- */
+
+static bool is_hole(const struct zr_ply_file *file, size_t vertex)
+{
+    return isnan(file->positions[vertex].x);
+}
+
+/* Reports the first hole among vertices that are drawn. */
+static bool check_holes(const struct zr_ply_file *file, const uint32_t *indices, size_t count, const char *what)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (looks_cancelled(file, i)) return false;
+        if (!is_hole(file, indices[i])) continue;
+        zr_error_add(file->error, ZR_BAD_SCENE, NULL, "vertex %u is not finite, and %s uses it", indices[i], what);
+        return false;
+    }
+    return true;
+}
+
+/* Warns of the holes and sets them to the origin; nothing uses them. */
+static void fill_holes(struct zr_ply_file *file, struct zr_scene_builder *builder)
+{
+    size_t count = 0, first = 0;
+    for (size_t i = 0; i < file->vertex_count && !looks_cancelled(file, i); i++) {
+        if (!is_hole(file, i)) continue;
+        if (count++ == 0) first = i;
+        file->positions[i] = (zr_vec4){0, 0, 0, 1};
+    }
+    warn_of_first(builder, count, "vertex is not finite and is left out", "vertices are not finite and are left out",
+                  "vertex", first);
+}
+
+/* ---- points ---- */
+
+static bool make_points(struct zr_ply_file *file, struct zr_mesh *mesh)
+{
+    uint32_t *points = zr_arena_alloc(file->arena, file->vertex_count, sizeof *points);
+    if (!points) return false;
+    for (size_t i = 0; i < file->vertex_count && !looks_cancelled(file, i); i++)
+        if (!is_hole(file, i)) points[mesh->point_count++] = (uint32_t)i;
+    mesh->points = points;
+    return true;
+}
+
+/* ---- colours ---- */
+
+struct odd_colors {
+    size_t clamped;
+    bool is_bright;
+};
+
+static float clamped(float value)
+{
+    return !(value >= 0.0f) ? 0.0f : value > 1.0f ? 1.0f : value;
+}
+
+/* Takes colours of type float as 0 to 255 if one of them is far beyond 1, then limits them to 0 to 1. */
+static void mend_colors(const struct zr_ply_file *file, zr_vec4 *colors, size_t count, bool is_float,
+                        struct odd_colors *odd)
+{
+    float most = 0.0f;
+    for (size_t i = 0; is_float && i < count && !looks_cancelled(file, i); i++)
+        most = fmaxf(most, fmaxf(fmaxf(colors[i].x, colors[i].y), fmaxf(colors[i].z, colors[i].w)));
+    const bool is_bright = most > BRIGHT;
+    for (size_t i = 0; i < count && !looks_cancelled(file, i); i++) {
+        zr_vec4 c = colors[i];
+        if (is_bright) c = (zr_vec4){c.x / 255.0f, c.y / 255.0f, c.z / 255.0f, c.w > 1.0f ? c.w / 255.0f : c.w};
+        colors[i] = (zr_vec4){clamped(c.x), clamped(c.y), clamped(c.z), clamped(c.w)};
+        odd->clamped += !zr_vec4_equal(colors[i], c);
+    }
+    odd->is_bright |= is_bright;
+}
+
+/* Sets alpha to 1 if it is 0 everywhere, as some programs write opaque colours. */
+static void mend_alpha(struct zr_scene_builder *builder, zr_vec4 *colors, size_t count)
+{
+    size_t i = 0;
+    while (i < count && colors[i].w <= 0.0f)
+        i++;
+    if (i < count || count == 0) return;
+    for (i = 0; i < count; i++)
+        colors[i].w = 1.0f;
+    zr_warning_list_add(builder->arena, &builder->color_warnings, "PLY: alpha is 0 everywhere: drawn opaque");
+}
+
+static bool has_float_colors(const struct zr_ply_file *file, enum zr_ply_kind kind)
+{
+    for (size_t i = 0; i < file->header.element_count; i++) {
+        const struct zr_ply_plan plan = zr_ply_plan_of(&file->header.elements[i]);
+        if (plan.kind == kind && plan.slots[ZR_PLY_RED]) return zr_ply_color_scale(plan.slots[ZR_PLY_RED]->type) == 1.0;
+    }
+    return false;
+}
+
+static void finish_colors(struct zr_ply_file *file, struct zr_scene_builder *builder)
+{
+    struct odd_colors odd = {.clamped = 0};
+    struct zr_ply_faces *faces = &file->faces;
+    if (file->colors && faces->colors && faces->count > 0) {
+        zr_warning_list_add(builder->arena, &builder->color_warnings,
+                            "PLY: colours of faces are not drawn beside those of vertices");
+        faces->colors = NULL;
+    }
+    if (file->has_odd_colors) {
+        if (file->colors)
+            mend_colors(file, file->colors, file->vertex_count, has_float_colors(file, ZR_PLY_VERTEX), &odd);
+        if (faces->colors) mend_colors(file, faces->colors, faces->count, has_float_colors(file, ZR_PLY_FACE), &odd);
+    }
+    if (odd.is_bright)
+        zr_warning_list_add(builder->arena, &builder->color_warnings,
+                            "PLY: colours of type float go beyond 1: taken as 0 to 255");
+    if (odd.clamped > 0)
+        zr_warning_list_add(builder->arena, &builder->color_warnings, "PLY: %zu %s limited to %s range", odd.clamped,
+                            odd.clamped == 1 ? "colour is" : "colours are", odd.clamped == 1 ? "its" : "their");
+    if (file->colors) mend_alpha(builder, file->colors, file->vertex_count);
+    if (faces->colors) mend_alpha(builder, faces->colors, faces->count);
+}
+
+/* ---- warnings ---- */
+
+static void warn_of_elements(const struct zr_ply_file *file, struct zr_scene_builder *builder)
+{
+    const struct zr_ply_element *first = NULL;
+    size_t count = 0;
+    for (size_t i = 0; i < file->header.element_count; i++) {
+        const struct zr_ply_element *element = &file->header.elements[i];
+        const struct zr_ply_plan plan = zr_ply_plan_of(element);
+        if (plan.kind == ZR_PLY_VERTEX && zr_ply_find(element, "f_dc_0"))
+            zr_warning_list_add(builder->arena, &builder->color_warnings,
+                                "PLY: colours and sizes of splats (f_dc_0) are not read in this version");
+        if (plan.kind != ZR_PLY_OTHER || element->count == 0) continue;
+        if (count++ == 0) first = element;
+    }
+    if (count > 0)
+        zr_warning_list_add(builder->arena, &builder->warnings,
+                            "PLY: %zu kind%s of elements %s not drawn; %s %s (%zu of them)", count,
+                            count == 1 ? "" : "s", count == 1 ? "is" : "are", count == 1 ? "it is" : "the first is",
+                            zr_quote(first->name.at, first->name.size).text, first->count);
+}
+
+static void warn_of_oddities(const struct zr_ply_file *file, struct zr_scene_builder *builder)
+{
+    const struct zr_ply_header *header = &file->header;
+    const struct zr_ply_oddities *odd = &file->odd;
+    if (header->texture_count > 0)
+        zr_warning_list_add(builder->arena, &builder->color_warnings,
+                            "PLY: %zu texture%s not read in this version; %s %s", header->texture_count,
+                            header->texture_count == 1 ? " is" : "s are",
+                            header->texture_count == 1 ? "it is" : "the first is",
+                            zr_quote(header->texture.at, header->texture.size).text);
+    warn_of_first(builder, header->unknown_count, "line of the header is not known",
+                  "lines of the header are not known", "line", header->unknown_line);
+    warn_of_first(builder, odd->small_faces, "face has fewer than 3 corners and is left out",
+                  "faces have fewer than 3 corners and are left out", "face", odd->first_small_face);
+    warn_of_first(builder, odd->broken_lines, "line has another number of values than the header says",
+                  "lines have another number of values than the header says", "line", odd->first_broken_line);
+    warn_of_first(builder, odd->comments, "comment between the values is skipped",
+                  "comments between the values are skipped", "line", odd->first_comment);
+    warn(builder, odd->trailing_bytes, "byte behind the last element is not read",
+         "bytes behind the last element are not read");
+    warn_of_elements(file, builder);
+}
+
+/* ---- interface ---- */
+
+/* Moves the arrays of all faces to the mesh. Without offsets, the faces are triangles. */
+static void take_faces(struct zr_ply_file *file, struct zr_mesh *mesh)
+{
+    const struct zr_ply_faces *faces = &file->faces;
+    if (faces->count == 0) return;
+    mesh->face_count = (uint32_t)faces->count;
+    mesh->face_offsets = faces->offsets;
+    mesh->indices = faces->indices;
+    mesh->face_colors = faces->colors;
+}
+
+enum zr_status zr_ply_finish(struct zr_ply_file *file, struct zr_scene_builder *builder)
+{
+    struct zr_mesh *mesh = zr_scene_builder_meshes(builder, 1);
+    if (!mesh) return ZR_NO_MEMORY;
+    finish_colors(file, builder);
+    mesh->position_count = (uint32_t)file->vertex_count;
+    mesh->positions = file->positions;
+    mesh->colors = file->colors;
+    mesh->texcoords = file->texcoords;
+    mesh->line_count = (uint32_t)file->line_count;
+    mesh->lines = file->lines;
+    take_faces(file, mesh);
+    if (mesh->face_count > 0 && file->normals) {
+        mesh->normals = file->normals;
+        mesh->normal_count = mesh->position_count;
+        zr_scene_builder_note_normals(builder, 0, file->normals, file->vertex_count);
+    }
+    if (mesh->face_count == 0 && mesh->line_count == 0 && !make_points(file, mesh)) return ZR_NO_MEMORY;
+    if (mesh->face_count == 0 && mesh->line_count == 0 && mesh->point_count == 0)
+        return zr_error_add(file->error, ZR_BAD_SCENE, NULL, "no geometry: the PLY file has no vertex to draw");
+    if (file->has_holes) {
+        if (check_holes(file, mesh->indices, file->faces.corner_count, "a face") &&
+            check_holes(file, mesh->lines, 2 * file->line_count, "an edge"))
+            fill_holes(file, builder);
+        if (file->error->count > 0) return file->error->status;
+    }
+    warn_of_oddities(file, builder);
+    if (zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
+    return zr_arena_ok(file->arena) ? ZR_OK : ZR_NO_MEMORY;
+}

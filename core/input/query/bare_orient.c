@@ -1,0 +1,61 @@
+/* Turns a bare mesh upright, and views it face on if it is flat. */
+#include "input/query/cloud.h"
+#include "input/formats/formats.h"
+#include "input/scene/kept.h"
+#include "input/text/names.h"
+#include "input/query/parameters.h"
+#include "scene/camera/face_on.h"
+#include "scene/mesh_up.h"
+
+static enum zr_mesh_up usual_up(const struct zr_query *query)
+{
+    return zr_format_rows[query->request->format].z_is_up ? ZR_MESH_UP_Z : ZR_MESH_UP_Y;
+}
+
+/* The axis of a file with nodes is known. */
+static bool gives_up(const struct zr_query *query)
+{
+    return query->up != ZR_UNSET && !(query->up == ZR_MESH_UP_AUTO && query->given.builder->file);
+}
+
+enum zr_mesh_up zr_query_up(const struct zr_query *query)
+{
+    return gives_up(query) ? (enum zr_mesh_up)query->up : usual_up(query);
+}
+
+static void turn(const struct zr_query *query)
+{
+    const struct zr_scene_builder *builder = query->given.builder;
+    struct zr_scene *scene = builder->scene;
+    enum zr_mesh_up up = zr_query_up(query);
+    scene->file.up_source = up == ZR_MESH_UP_AUTO ? "auto" : gives_up(query) ? "parameter" : "format";
+    if (up == ZR_MESH_UP_AUTO) up = zr_mesh_up_find(scene, usual_up(query), builder->team, query->request->cancel);
+    scene->file.up = zr_mesh_up_names.words[up];
+    const zr_mat4 upright = zr_mesh_up_turn(up);
+    for (uint32_t i = 0; up != ZR_MESH_UP_Y && i < scene->instance_count; i++)
+        query->instances[i].object_to_world = zr_mat4_mul(&upright, &query->instances[i].object_to_world);
+}
+
+static void show_face_on(const struct zr_query *query)
+{
+    const struct zr_scene_builder *builder = query->given.builder;
+    const struct zr_request *request = query->request;
+    struct zr_scene *scene = builder->scene;
+    struct zr_view *view = &scene->views[0];
+    const bool has_view = request->preset || request->azimuth || request->elevation || query->camera ||
+                          (builder->keeping && builder->keeping->has_view);
+    if (has_view || scene->picture.z_is_up) return;
+    const struct zr_bounds bounds = zr_bounds_of(scene, builder->team, request->cancel);
+    scene->has_box = bounds.valid;
+    scene->box_min = bounds.min;
+    scene->box_max = bounds.max;
+    if (zr_face_on_find(scene, &bounds, builder->team, request->cancel, &view->preset)) view->pose = ZR_POSE_PRESET;
+}
+
+void zr_query_orient(const struct zr_query *query)
+{
+    if (zr_format_rows[query->request->format].has_view) return;
+    zr_cloud_size_points(query);
+    turn(query);
+    show_face_on(query);
+}

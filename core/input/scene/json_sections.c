@@ -1,0 +1,160 @@
+/* Reads sections: planes that cut the scene open. */
+#include "input/scene/json_objects.h"
+#include "input/scene/json_scene.h"
+
+enum { UNCUT_MAX = 1024 };
+
+static const char *const axes[] = {"x", "y", "z"};
+static const struct zr_names axis_names = ZR_NAMES(3, axes);
+
+/* In the order of enum zr_section_keep. */
+static const char *const sides[] = {"far", "positive", "negative"};
+static const struct zr_names side_names = ZR_NAMES(ZR_SECTION_KEEPS, sides);
+
+struct given_plane {
+    int axis, keep;
+    double offset, fraction;
+    zr_vec3 point, normal;
+};
+
+/* ---- one plane ---- */
+
+/* zr_vec3 */
+static bool read_normal(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    zr_vec3 v;
+    if (!zr_json_vec3(json, path, field, &v)) return false;
+    if (v.x == 0.0f && v.y == 0.0f && v.z == 0.0f) return zr_json_fault(json, path, "a normal of no length");
+    *(zr_vec3 *)out = v;
+    return true;
+}
+
+enum { AXIS, OFFSET, FRACTION, POINT, NORMAL, KEEP };
+#define AT(member) offsetof(struct given_plane, member)
+static const struct zr_json_field plane_fields[] = {
+    [AXIS] = {"axis", zr_json_choice, AT(axis), .words = &axis_names,
+              .text = "axis across which the plane lies, instead of point and normal"},
+    [OFFSET] = {"offset", zr_json_number, AT(offset), -(double)ZR_MATRIX_MAX, (double)ZR_MATRIX_MAX,
+                .unit = "scene units", .text = "place of the plane on the axis"},
+    [FRACTION] = {"fraction", zr_json_number, AT(fraction), 0, 1, .otherwise = "0.5, without an offset",
+                  .text = "place on the axis, as a share of the bounds of the scene"},
+    [POINT] = {"point", zr_json_vec3, AT(point), .unit = "scene units", .otherwise = "[0,0,0]",
+               .text = "point of the plane"},
+    [NORMAL] = {"normal", read_normal, AT(normal), .text = "direction across the plane, of any length",
+                .schema = ZR_SCHEMA_OF("direction")},
+    [KEEP] = {"keep", zr_json_choice, AT(keep), .words = &side_names, .otherwise = "far",
+              .text =
+                  "side that stays: the far one from the camera, or the one to which normal or axis points or not"}};
+#undef AT
+/* clang-format off */
+const struct zr_json_object zr_json_object_plane = ZR_JSON_RULED_OBJECT("plane", plane_fields,
+    {
+        "if": {"properties": {"axis": false}},
+        "then": {"not": {"properties": {"normal": false}}, "properties": {"offset": false, "fraction": false}},
+        "else": {"properties": {"normal": false, "point": false}},
+        "dependentSchemas": {"offset": {"properties": {"fraction": false}}}
+    });
+/* clang-format on */
+
+static bool check_keys(struct zr_json *json, const struct zr_json_path *path, uint64_t keys)
+{
+    const bool has_axis = zr_json_gives(keys, AXIS), has_normal = zr_json_gives(keys, NORMAL);
+    if (has_axis == has_normal)
+        return zr_json_fault(json, path,
+                             "a plane takes %s: {\"axis\": \"x\", \"fraction\": 0.5}, or {\"point\": "
+                             "[0,0,0], \"normal\": [1,0,0]}",
+                             has_axis ? "either an axis or a normal" : "an axis or a normal");
+    if (has_axis && zr_json_gives(keys, POINT))
+        return zr_json_fault(json, ZR_JSON_KEY(path, "point"),
+                             "belongs to a normal; an axis takes an offset or a fraction");
+    for (int key = OFFSET; has_normal && key <= FRACTION; key++)
+        if (zr_json_gives(keys, key))
+            return zr_json_fault(json, ZR_JSON_KEY(path, plane_fields[key].key),
+                                 "belongs to an axis; a normal takes a point");
+    if (zr_json_gives(keys, OFFSET) && zr_json_gives(keys, FRACTION))
+        return zr_json_fault(json, path, "offset and fraction are two places: give one of them");
+    return true;
+}
+
+static bool read_plane(struct zr_json *json, const struct zr_json_path *path, struct zr_section *out)
+{
+    struct given_plane given = {.fraction = 0.5};
+    uint64_t keys;
+    if (!zr_json_fields(json, path, &zr_json_object_plane, &given, &keys) || !check_keys(json, path, keys))
+        return false;
+    *out = (struct zr_section){.keep = (enum zr_section_keep)given.keep,
+                               .normal = {(double)given.normal.x, (double)given.normal.y, (double)given.normal.z},
+                               .point = {(double)given.point.x, (double)given.point.y, (double)given.point.z}};
+    if (zr_json_gives(keys, NORMAL)) return true;
+    out->normal[given.axis] = 1.0;
+    out->point[given.axis] = given.offset;
+    out->fraction = given.fraction;
+    out->has_fraction = !zr_json_gives(keys, OFFSET);
+    return true;
+}
+
+/* ---- lists ---- */
+
+static bool read_planes(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    struct zr_sections *sections = out;
+    size_t count, number = 0;
+    bool is_good = true;
+    (void)field;
+    if (!zr_json_count(json, path, &count)) return false;
+    if (count < 1 || count > ZR_SECTION_PLANES_MAX)
+        return zr_json_skip(json) &&
+               zr_json_fault(json, path, "%zu planes; 1 to %d are allowed", count, ZR_SECTION_PLANES_MAX);
+    for (zr_json_enter(json, '['); zr_json_item(json); number++)
+        is_good = read_plane(json, ZR_JSON_ITEM(path, number), &sections->planes[number]) && is_good;
+    sections->count = (uint32_t)count;
+    return is_good;
+}
+
+static bool read_uncut(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
+{
+    struct zr_sections *sections = out;
+    size_t count, number = 0;
+    bool is_good = true;
+    if (!zr_json_count(json, path, &count)) return false;
+    if (count > UNCUT_MAX)
+        return zr_json_skip(json) && zr_json_fault(json, path, "%zu names; up to %d are allowed", count, UNCUT_MAX);
+    const char **names = zr_arena_zero(json->arena, count, sizeof *names);
+    if (!names) return false;
+    for (zr_json_enter(json, '['); zr_json_item(json); number++)
+        is_good = zr_json_string(json, ZR_JSON_ITEM(path, number), field, &names[number]) && is_good;
+    if (!is_good) return false;
+    sections->uncut = names;
+    sections->uncut_count = (uint32_t)count;
+    return true;
+}
+
+/* ---- the object ---- */
+
+#define AT(member) offsetof(struct zr_sections, member)
+static const struct zr_json_field fields[] = {
+    {"planes", read_planes, 0, .object = &zr_json_object_plane, .required = true,
+     .text = "list of 1 to 6 cuts, such as [{\"axis\": \"x\"}]",
+     .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/plane"}, "minItems" : 1, "maxItems" : 6})},
+    {"corner", zr_json_bool, AT(is_corner), .otherwise = "false",
+     .text = "removes only what all planes cut away, instead of what any of them does"},
+    {"hatch", zr_json_bool, AT(has_hatch), .otherwise = "true", .text = "lines on the caps, by part"},
+    {"uncut", read_uncut, 0, .otherwise = "[]", .text = "names of parts that stay whole, as in info",
+     .schema = ZR_SCHEMA({"type" : "array", "items" : {"type" : "string"}, "maxItems" : 1024})}};
+#undef AT
+const struct zr_json_object zr_json_object_sections = ZR_JSON_OBJECT_OF("sections", fields);
+
+bool zr_read_sections(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    struct zr_parsed_scene *root = out;
+    struct zr_sections given = {.has_hatch = true};
+    uint64_t keys;
+    (void)field;
+    if (!zr_json_fields(json, path, &zr_json_object_sections, &given, &keys)) return false;
+    root->scene->sections = given;
+    return true;
+}

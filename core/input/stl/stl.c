@@ -1,0 +1,266 @@
+/* Reads STL, binary and ASCII. Each facet has its own vertices. Normals are ignored, since exporters often write zeros
+ * or wrong ones. Source: 3D Systems, StereoLithography Interface Specification, 1989. */
+#include "input/formats/input.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <string.h>
+
+#include "base/team.h"
+#include "input/text/far.h"
+#include "input/text/parts.h"
+#include "input/stl/stl_color.h"
+#include "input/stl/stl_text.h"
+#include "input/text/text.h"
+
+enum {
+    HEADER_BYTES = 80,
+    COUNT_END = HEADER_BYTES + 4,
+    TRIANGLE_BYTES = 50,     /* normal, three vertices, two bytes of attributes */
+    VERTICES_AT = 12,        /* offset in a triangle, behind its normal */
+    ATTRIBUTES_AT = 48,      /* after its vertices */
+    PART_TRIANGLES = 1 << 13 /* read in a tenth of a millisecond */
+};
+
+struct binary {
+    const struct zr_limits *limits;
+    const char *triangles; /* bytes of the first triangle */
+    size_t count;
+    zr_vec4 *positions;
+    atomic_uint any, all, unmarked, colored; /* as in zr_stl_attributes, over all triangles */
+    struct zr_stl_colors colors;
+    zr_vec4 *face_colors;
+    atomic_bool is_far; /* a coordinate is beyond the limit */
+};
+
+static uint32_t read_u32(const char *at)
+{
+    const unsigned char *b = (const unsigned char *)at;
+    return (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
+}
+
+static float read_f32(const char *at)
+{
+    uint32_t bits = read_u32(at);
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static uint16_t read_u16(const char *at)
+{
+    const unsigned char *b = (const unsigned char *)at;
+    return (uint16_t)(b[0] | b[1] << 8);
+}
+
+/* ---- binary ---- */
+
+static uint16_t attribute_of(const struct binary *binary, size_t triangle)
+{
+    return read_u16(binary->triangles + triangle * TRIANGLE_BYTES + ATTRIBUTES_AT);
+}
+
+/* Reads triangles begin..end - 1, up to `faults` faults. Returns the bits that any attribute has. */
+static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, size_t faults, struct zr_error *error)
+{
+    unsigned any = 0;
+    const float near = binary->limits->coordinate_max, limit = (float)zr_far_limit(binary->limits);
+    const char *triangle = binary->triangles + begin * TRIANGLE_BYTES;
+    for (size_t i = begin; i < end && error->count < faults; i++, triangle += TRIANGLE_BYTES) {
+        any |= read_u16(triangle + ATTRIBUTES_AT);
+        for (size_t corner = 0; corner < 3; corner++) {
+            float v[3];
+            bool good = true, is_far = false;
+            for (size_t axis = 0; axis < 3; axis++) {
+                v[axis] = read_f32(triangle + VERTICES_AT + (corner * 3 + axis) * 4);
+                good = v[axis] >= -limit && v[axis] <= limit && good; /* false for a NaN */
+                is_far = v[axis] < -near || v[axis] > near || is_far;
+            }
+            if (is_far) atomic_store_explicit(&binary->is_far, true, memory_order_relaxed);
+            binary->positions[i * 3 + corner] = (zr_vec4){v[0], v[1], v[2], 1};
+            if (!good)
+                zr_error_add(error, ZR_BAD_SCENE, NULL,
+                             "triangle %zu of %zu, vertex %zu: (%.9g, %.9g, %.9g) is beyond the limit of %.9g", i + 1,
+                             binary->count, corner + 1, (double)v[0], (double)v[1], (double)v[2], (double)limit);
+        }
+    }
+    return any;
+}
+
+static size_t end_of_part(const struct binary *binary, size_t part)
+{
+    const size_t end = (part + 1) * PART_TRIANGLES;
+    return end < binary->count ? end : binary->count;
+}
+
+/* Reads attributes one by one only if any is not zero. */
+static bool read_part(void *context, size_t part)
+{
+    struct binary *binary = context;
+    const size_t begin = part * PART_TRIANGLES, end = end_of_part(binary, part);
+    struct zr_error error = {.count = 0};
+    struct zr_stl_attributes bits = {.all = 0};
+    if (read_triangles(binary, begin, end, 1, &error)) {
+        bits.all = UINT16_MAX;
+        for (size_t i = begin; i < end; i++)
+            zr_stl_attributes_add(&bits, attribute_of(binary, i));
+    }
+    atomic_fetch_or_explicit(&binary->any, bits.any, memory_order_relaxed);
+    atomic_fetch_and_explicit(&binary->all, bits.all, memory_order_relaxed);
+    atomic_fetch_or_explicit(&binary->unmarked, bits.unmarked, memory_order_relaxed);
+    atomic_fetch_or_explicit(&binary->colored, bits.colored, memory_order_relaxed);
+    return error.count == 0;
+}
+
+static bool color_part(void *context, size_t part)
+{
+    const struct binary *binary = context;
+    for (size_t i = part * PART_TRIANGLES; i < end_of_part(binary, part); i++)
+        binary->face_colors[i] = zr_stl_facet_color(&binary->colors, attribute_of(binary, i));
+    return true;
+}
+
+static enum zr_status read_colors(struct zr_scene_builder *builder, struct binary *binary, const char *header,
+                                  const struct zr_cancel *cancel, size_t parts)
+{
+    const struct zr_stl_attributes bits = {.any = (uint16_t)binary->any,
+                                           .all = (uint16_t)binary->all,
+                                           .unmarked = (uint16_t)binary->unmarked,
+                                           .colored = (uint16_t)binary->colored};
+    binary->colors = zr_stl_colors_of(header, &bits);
+    if (binary->colors.dialect == ZR_STL_PLAIN) return ZR_OK;
+    binary->face_colors = zr_arena_alloc(builder->arena, binary->count, sizeof *binary->face_colors);
+    if (!binary->face_colors) return ZR_NO_MEMORY;
+    return zr_parts_read(builder->team, cancel, 0, parts, color_part, binary) < parts ? ZR_CANCELLED : ZR_OK;
+}
+
+static enum zr_status read_binary(struct zr_scene_builder *builder, const struct zr_request *request,
+                                  const struct zr_limits *limits, size_t count, struct zr_stl *out,
+                                  struct zr_error *error)
+{
+    struct binary binary = {.limits = limits,
+                            .triangles = request->bytes + COUNT_END,
+                            .count = count,
+                            .positions = zr_arena_alloc(builder->arena, count * 3, sizeof *binary.positions),
+                            .all = UINT16_MAX};
+    if (!binary.positions) return ZR_NO_MEMORY;
+    const size_t parts = (count + PART_TRIANGLES - 1) / PART_TRIANGLES;
+    const size_t failed = zr_parts_read(builder->team, request->cancel, 0, parts, read_part, &binary);
+    if (zr_is_cancelled(request->cancel)) return ZR_CANCELLED;
+    if (failed < parts) {
+        read_triangles(&binary, failed * PART_TRIANGLES, count, ZR_ERROR_ITEMS, error);
+        return error->status;
+    }
+    enum zr_status status = read_colors(builder, &binary, request->bytes, request->cancel, parts);
+    if (status == ZR_OK && binary.is_far)
+        status = zr_far_shift(builder->arena, request->cancel, limits, binary.positions, count * 3,
+                              &builder->scene->origin, error);
+    *out = (struct zr_stl){3 * count, count, binary.positions, NULL, binary.face_colors};
+    return status;
+}
+
+/* ---- both ---- */
+
+/* Returns the size of a binary file by its header. */
+static uint64_t size_wanted(const char *bytes)
+{
+    return COUNT_END + (uint64_t)read_u32(bytes + HEADER_BYTES) * TRIANGLE_BYTES;
+}
+
+/* Decides by the size and the count: many binary files begin with "solid" too. The last byte of the count is 0 in files
+ * of up to 16 million triangles, and in no text. */
+static bool is_binary(const char *bytes, size_t size)
+{
+    if (size < COUNT_END) return false;
+    return size_wanted(bytes) == size || bytes[COUNT_END - 1] == 0 || !zr_stl_is_text(bytes, size);
+}
+
+/* True if the magnitudes of the first `count` triangles are those of a model. Data of other formats fail, since half of
+ * all floats are smaller or larger. */
+static bool has_model_triangles(const char *bytes, size_t count)
+{
+    enum { TRIANGLES = 8 };
+    const float smallest = 1e-20f, largest = 1e12f;
+    bool any = false;
+    for (size_t i = 0; i < (count < TRIANGLES ? count : TRIANGLES); i++)
+        for (size_t k = 0; k < 9; k++) {
+            const float v = fabsf(read_f32(bytes + COUNT_END + i * TRIANGLE_BYTES + VERTICES_AT + 4 * k));
+            if (v != 0.0f && !(v > smallest && v < largest)) return false;
+            any |= v != 0.0f;
+        }
+    return any;
+}
+
+bool zr_looks_so_STL(const char *bytes, size_t size)
+{
+    if (!is_binary(bytes, size)) return zr_stl_is_text(bytes, size);
+    const uint64_t wanted = size_wanted(bytes);
+    return wanted == size || zr_stl_is_text(bytes, size) ||
+           (wanted < size && has_model_triangles(bytes, read_u32(bytes + HEADER_BYTES)));
+}
+
+bool zr_stl_is_cut(const char *bytes, size_t size)
+{
+    return size >= COUNT_END + TRIANGLE_BYTES && is_binary(bytes, size) && !zr_stl_is_text(bytes, size) &&
+           size_wanted(bytes) > size && has_model_triangles(bytes, (size - COUNT_END) / TRIANGLE_BYTES);
+}
+
+/* Returns the length of the first line within the header if header and count are printable, as in a text; else 0. */
+static size_t text_header_line(const char *bytes)
+{
+    size_t line = COUNT_END;
+    for (size_t i = COUNT_END; i-- > 0;) {
+        if (bytes[i] == '\n' || bytes[i] == '\r')
+            line = i;
+        else if (bytes[i] != '\t' && ((unsigned char)bytes[i] < ' ' || bytes[i] == 0x7F))
+            return 0;
+    }
+    return line;
+}
+
+static enum zr_status read_any(struct zr_scene_builder *builder, const struct zr_request *request,
+                               const struct zr_limits *limits, struct zr_stl *out, struct zr_error *error)
+{
+    const char *bytes = request->bytes;
+    const size_t size = request->size;
+    if (!is_binary(bytes, size) && zr_stl_is_text(bytes, size))
+        return zr_stl_text_read(builder, request, limits, out, error);
+    if (size < COUNT_END)
+        return zr_error_add(error, ZR_BAD_SYNTAX, NULL,
+                            "neither 'solid' nor a binary header: at least %d bytes expected, got %zu", COUNT_END,
+                            size);
+    const uint32_t count = read_u32(bytes + HEADER_BYTES);
+    const uint64_t wanted = size_wanted(bytes);
+    const size_t line = text_header_line(bytes);
+    if (wanted > size && line > 0)
+        return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "neither 'solid' nor a binary header: the text begins with %s",
+                            zr_quote(bytes, line).text);
+    if (wanted > size || (count == 0 && wanted < size))
+        return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "%llu bytes expected for %u triangles, got %zu; they hold %zu",
+                            (unsigned long long)wanted, count, size, (size - COUNT_END) / TRIANGLE_BYTES);
+    if (count > ZR_STL_TRIANGLES_MAX)
+        return zr_error_add(error, ZR_BAD_SCENE, NULL, "%u triangles, more than the limit of %d", count,
+                            ZR_STL_TRIANGLES_MAX);
+    if (wanted < size)
+        zr_warning_list_add(builder->arena, &builder->warnings,
+                            "STL: %llu byte%s behind the last of %u triangles ignored",
+                            (unsigned long long)(size - wanted), size - wanted == 1 ? "" : "s", count);
+    return read_binary(builder, request, limits, count, out, error);
+}
+
+enum zr_status zr_read_STL(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
+{
+    struct zr_stl stl = {0};
+    const enum zr_status status = read_any(builder, request, limits, &stl, error);
+    if (status != ZR_OK) return status;
+    if (stl.facets == 0) return zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the STL file has no triangle");
+    struct zr_mesh *mesh = zr_scene_builder_meshes(builder, 1);
+    if (!mesh) return ZR_NO_MEMORY;
+    mesh->position_count = (uint32_t)stl.vertices;
+    mesh->positions = stl.positions;
+    mesh->face_count = (uint32_t)stl.facets;
+    mesh->face_offsets = stl.offsets;
+    mesh->face_colors = stl.face_colors;
+    return ZR_OK;
+}

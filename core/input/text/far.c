@@ -1,0 +1,46 @@
+#include "input/text/far.h"
+
+enum zr_status zr_far_origin(struct zr_arena *arena, const struct zr_box *box, const struct zr_limits *limits,
+                             const double **origin, struct zr_error *error)
+{
+    const double limit = (double)limits->coordinate_max;
+    bool is_far = false;
+    *origin = NULL;
+    for (int axis = 0; axis < 3; axis++) {
+        const double low = box->low[axis], high = box->high[axis];
+        if (low > high) return ZR_OK;
+        is_far = is_far || low < -limit || high > limit;
+        if ((high - low) / 2.0 > limit * ZR_FAR_HALF_EXTENTS)
+            return zr_error_add(error, ZR_BAD_SCENE, NULL,
+                                "the mesh extends from %.9g to %.9g along %c: more than %d times the coordinate limit "
+                                "of %.9g on both sides of its middle",
+                                low, high, "xyz"[axis], ZR_FAR_HALF_EXTENTS, limit);
+    }
+    if (!is_far) return ZR_OK;
+    double *middle = zr_arena_alloc(arena, 3, sizeof *middle);
+    for (int axis = 0; middle && axis < 3; axis++)
+        middle[axis] = box->low[axis] + (box->high[axis] - box->low[axis]) / 2.0;
+    *origin = middle;
+    return middle ? ZR_OK : ZR_NO_MEMORY;
+}
+
+/* Positions between two checks of `cancel`: less than a millisecond. */
+enum { AT_ONCE = 1 << 14 };
+
+enum zr_status zr_far_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
+                            zr_vec4 *positions, size_t count, const double **origin, struct zr_error *error)
+{
+    struct zr_box box = zr_box_empty();
+    for (size_t i = 0; i < count; i++) {
+        const double v[3] = {(double)positions[i].x, (double)positions[i].y, (double)positions[i].z};
+        if (i % AT_ONCE == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        zr_box_include(&box, v);
+    }
+    const enum zr_status status = zr_far_origin(arena, &box, limits, origin, error);
+    for (size_t i = 0; status == ZR_OK && *origin && i < count; i++) {
+        const double v[3] = {(double)positions[i].x, (double)positions[i].y, (double)positions[i].z};
+        if (i % AT_ONCE == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        positions[i] = zr_far_position(v, *origin);
+    }
+    return status;
+}

@@ -1,0 +1,63 @@
+#include "input/text/sniff.h"
+#include "input/text/text.h"
+
+#include <string.h>
+
+#include "input/formats/input.h"
+
+static bool begins_with(const char *bytes, size_t size, const char *begin, size_t length)
+{
+    return size >= length && memcmp(bytes, begin, length) == 0;
+}
+
+static const struct {
+    const char *begin;
+    size_t length;
+    const char *words;
+} foreign[] = {
+    {"\x1F\x8B", 2, "gzip (Content-Encoding: gzip is missing)"},
+    {"\x89PNG", 4, "a PNG picture"},
+    {"\xFF\xD8\xFF", 3, "a JPEG picture"},
+    {"\xFF\xFE", 2, "UTF-16 text (UTF-8 is needed)"},
+    {"\xFE\xFF", 2, "UTF-16 text (UTF-8 is needed)"},
+    {"\x93NUMPY", 6, "an NPY array"},
+    {"%PDF", 4, "a PDF document"},
+    {"GIF8", 4, "a GIF picture"},
+    {"RIFF", 4, "a RIFF file, as WebP pictures are"},
+    {"II*\0", 4, "a TIFF picture"},
+    {"MM\0*", 4, "a TIFF picture"},
+    {"BM", 2, "a BMP picture"},
+    {"\xABKTX ", 5, "a KTX texture"},
+    {"DDS ", 4, "a DDS texture"},
+    {"#?RADIANCE", 10, "a Radiance picture"},
+    {"<", 1, "XML or HTML"},
+};
+
+bool zr_is_utf16(const char *bytes, size_t size)
+{
+    return begins_with(bytes, size, "\xFF\xFE", 2) || begins_with(bytes, size, "\xFE\xFF", 2);
+}
+
+#define FORMAT(ID, ...) {#ID, zr_looks_so_##ID},
+static const struct {
+    const char *name;
+    zr_looks_so_fn *looks_so;
+} formats[ZR_FORMAT_COUNT] = {ZR_FORMAT_ROWS(FORMAT)};
+#undef FORMAT
+
+enum zr_format zr_format_of_bytes(const char *bytes, size_t size)
+{
+    const size_t mark = zr_byte_order_mark(bytes, size);
+    for (int i = 0; i < ZR_FORMAT_COUNT; i++)
+        if (formats[i].looks_so(bytes + mark, size - mark)) return (enum zr_format)i;
+    return ZR_FORMAT_UNKNOWN;
+}
+
+const char *zr_bytes_in_words(const char *bytes, size_t size)
+{
+    const enum zr_format format = zr_format_of_bytes(bytes, size);
+    if (format != ZR_FORMAT_UNKNOWN) return formats[format].name;
+    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
+        if (begins_with(bytes, size, foreign[i].begin, foreign[i].length)) return foreign[i].words;
+    return NULL;
+}

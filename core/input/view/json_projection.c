@@ -1,0 +1,149 @@
+/* Readers of a view's projections. */
+#include "input/scene/json_objects.h"
+#include "input/view/json_view.h"
+
+#define PI 3.14159265358979323846
+
+/* Pixels: the largest is far beyond any lens, and a finite float after division by a window's side. */
+#define FOCAL_MIN  1e-6
+#define PIXELS_MAX 1e9
+
+/* ---- perspective ---- */
+
+static float radians(double degrees)
+{
+    return (float)(degrees * PI / 180);
+}
+
+/* float, radians: field->high is half a turn, in radians or degrees. The message suggests degrees for a large number of
+ * radians. */
+static bool read_angle(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
+{
+    const bool degrees = field->high > 4;
+    double value;
+    if (zr_json_type(json) != ZR_JSON_NUMBER) return zr_json_number(json, path, field, out);
+    if (!zr_json_take_number(json, &value)) return false;
+    if (!degrees && value > PI && value < 360)
+        return zr_json_fault(json, path, "%.9g is more than half a turn: %s takes radians, %sDegrees takes degrees",
+                             value, field->key, field->key);
+    if (!(value >= 0 && value <= field->high))
+        return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, 0.0, field->high);
+    const float angle = degrees ? radians(value) : (float)value;
+    /* In float: an angle that rounds to 0 or to half a turn has no usable tangent. */
+    if (!(angle > 0.0f) || !(angle < (float)PI))
+        return zr_json_fault(json, path, "%.9g: an angle between 0 and 180 degrees, both excluded, is needed", value);
+    *(float *)out = angle;
+    return true;
+}
+
+struct given_angles {
+    float yfov, xfov;
+};
+#define HALF_TURN         ZR_SCHEMA({"type" : "number", "exclusiveMinimum" : 0, "exclusiveMaximum" : 3.14159265})
+#define HALF_TURN_DEGREES ZR_SCHEMA({"type" : "number", "exclusiveMinimum" : 0, "exclusiveMaximum" : 180})
+#define AT(member)        offsetof(struct given_angles, member)
+static const struct zr_json_field angle_fields[] = {
+    {"yfov", read_angle, AT(yfov), 0, PI, .unit = "radians", .text = "vertical angle of view", .schema = HALF_TURN},
+    {"yfovDegrees", read_angle, AT(yfov), 0, 180, .unit = "degrees", .text = "vertical angle of view",
+     .schema = HALF_TURN_DEGREES},
+    {"xfov", read_angle, AT(xfov), 0, PI, .unit = "radians", .text = "horizontal angle of view", .schema = HALF_TURN},
+    {"xfovDegrees", read_angle, AT(xfov), 0, 180, .unit = "degrees", .text = "horizontal angle of view",
+     .schema = HALF_TURN_DEGREES}};
+#undef AT
+/* clang-format off */
+const struct zr_json_object zr_json_object_perspective = ZR_JSON_RULED_OBJECT("perspective", angle_fields,
+    {"minProperties": 1, "maxProperties": 1});
+/* clang-format on */
+
+bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                         void *out)
+{
+    struct zr_parsed_view *given = out;
+    struct given_angles angles = {0, 0};
+    const size_t faults = json->error->count;
+    uint64_t keys;
+    int first = -1;
+    (void)field;
+    if (!zr_json_fields(json, path, &zr_json_object_perspective, &angles, &keys)) return false;
+    for (int i = 0; i < (int)zr_json_object_perspective.count; i++) {
+        if (!zr_json_gives(keys, i)) continue;
+        if (first >= 0)
+            zr_json_fault(json, path, "two angles: %s and %s", angle_fields[first].key, angle_fields[i].key);
+        else
+            first = i;
+    }
+    if (first < 0 && json->error->count == faults)
+        zr_json_fault(json, path, "no angle; one of yfov, yfovDegrees, xfov, xfovDegrees is needed");
+    given->view.yfov_radians = angles.yfov;
+    given->view.xfov_radians = angles.xfov;
+    return json->error->count == faults;
+}
+
+/* ---- orthographic ---- */
+
+enum { XMAG, YMAG };
+static const struct zr_json_field orthographic_fields[] = {
+    [XMAG] = {"xmag", zr_json_positive, offsetof(struct zr_parsed_view, view.xmag), .unit = "scene units",
+              .otherwise = "fitted to the geometry", .text = "half of the width of the view"},
+    [YMAG] = {"ymag", zr_json_positive, offsetof(struct zr_parsed_view, view.ymag), .unit = "scene units",
+              .otherwise = "fitted to the geometry", .text = "half of the height of the view"}};
+/* clang-format off */
+const struct zr_json_object zr_json_object_orthographic = ZR_JSON_RULED_OBJECT("orthographic", orthographic_fields,
+    {"dependentRequired": {"xmag": ["ymag"], "ymag": ["xmag"]}});
+/* clang-format on */
+
+bool zr_read_orthographic(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                          void *out)
+{
+    uint64_t keys;
+    (void)field;
+    if (!zr_json_fields(json, path, &zr_json_object_orthographic, out, &keys)) return false;
+    const bool has_xmag = zr_json_gives(keys, XMAG);
+    return has_xmag == zr_json_gives(keys, YMAG) ||
+           zr_json_fault(json, path, "%s is missing; give xmag and ymag, or neither to fit the geometry",
+                         has_xmag ? "ymag" : "xmag");
+}
+
+/* ---- intrinsics ---- */
+
+bool zr_view_check_focal(struct zr_json *json, const struct zr_json_path *path, double value)
+{
+    return value >= FOCAL_MIN ||
+           zr_json_fault(json, path, "%.9g is no focal length in pixels: %g and more is allowed", value, FOCAL_MIN);
+}
+
+static bool read_focal(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
+{
+    double value;
+    if (!zr_json_number(json, path, field, &value) || !zr_view_check_focal(json, path, value)) return false;
+    *(double *)out = value;
+    return true;
+}
+
+enum { FX, FY, CX, CY, SKEW };
+#define PIXELS(key, read, member)                                                                                      \
+    key, read, offsetof(struct zr_intrinsics, member), -PIXELS_MAX, PIXELS_MAX, .unit = "pixels"
+static const struct zr_json_field intrinsics_fields[] = {
+    [FX] = {PIXELS("fx", read_focal, fx), .required = true, .text = "horizontal focal length",
+            .schema = ZR_SCHEMA_OF("focal")},
+    [FY] = {PIXELS("fy", read_focal, fy), .otherwise = "fx", .text = "vertical focal length",
+            .schema = ZR_SCHEMA_OF("focal")},
+    [CX] = {PIXELS("cx", zr_json_number, cx), .otherwise = "the middle", .text = "principal point, from the left"},
+    [CY] = {PIXELS("cy", zr_json_number, cy), .otherwise = "the middle", .text = "principal point, from the top"},
+    [SKEW] = {PIXELS("skew", zr_json_number, skew), .otherwise = "0", .text = "change of x with y"}};
+const struct zr_json_object zr_json_object_intrinsics = ZR_JSON_OBJECT_OF("intrinsics", intrinsics_fields);
+
+bool zr_read_intrinsics(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    struct zr_intrinsics *intrinsics = &((struct zr_parsed_view *)out)->intrinsics;
+    uint64_t keys;
+    (void)field;
+    if (!zr_json_fields(json, path, &zr_json_object_intrinsics, intrinsics, &keys)) return false;
+    if (!zr_json_gives(keys, FY)) intrinsics->fy = intrinsics->fx;
+    intrinsics->has_cx = zr_json_gives(keys, CX);
+    intrinsics->has_cy = zr_json_gives(keys, CY);
+    return true;
+}

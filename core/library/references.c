@@ -1,7 +1,0 @@
-#include "core.h"
-#include "library/zraster.h"
-
-size_t zraster_references(const void *body, size_t body_size, const char *type, char *names, size_t room)
-{
-    return zr_references_list(body, body_size, type, names, room);
-}

@@ -1,0 +1,359 @@
+/* read.c - core: reads the query, then the body by the reader of its format, and checks the whole scene. */
+#include "change.h"
+
+#include <stdio.h>
+
+#include "geometry/geometry.h"
+#include "input/scene/change.h"
+#include "input/formats/formats.h"
+#include "input/images/image_record.h"
+#include "input/formats/input.h"
+#include "input/scene/kept.h"
+#include "input/mesh/kept_mesh.h"
+#include "input/query/parameters.h"
+#include "input/query/part_select.h"
+#include "input/text/sniff.h"
+#include "input/text/text.h"
+#include "input/query/zip_body.h"
+#include "overlay/color_bar.h"
+#include "scene/camera/camera.h"
+#include "scene/defaults.h"
+#include "scene/scene_edit.h"
+#include "scene/validate.h"
+#include "scene/camera/view_set.h"
+
+/* Bytes of a time as text, in microseconds, with its final zero. */
+enum { ZR_TIME_SIZE = 24 };
+
+/* False if the arena cannot hold the vertices that drawing keeps. Nodes can place a large mesh so often that a walk
+ * over its points would take minutes; this check refuses such scenes first. */
+static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
+{
+    uint64_t points = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++)
+        points += scene->meshes[scene->instances[i].mesh].position_count;
+    const uint64_t point_bytes = sizeof(struct zr_window_vertex) + sizeof(struct zr_eye);
+    if (points <= zr_arena_left(arena) / point_bytes) return true;
+    return zr_arena_charge(arena, points < SIZE_MAX / point_bytes ? points * point_bytes : SIZE_MAX); /* fails */
+}
+
+/* Returns the number of bytes skipped. */
+static size_t skip_byte_order_mark(struct zr_request *request)
+{
+    const size_t mark =
+        zr_format_rows[request->format].is_binary ? 0 : zr_byte_order_mark(request->bytes, request->size);
+    request->bytes += mark;
+    request->size -= mark;
+    return mark;
+}
+
+/* Moves the places of faults behind `skipped` bytes. */
+static void count_skipped(struct zr_error *error, size_t skipped)
+{
+    for (size_t i = 0; i < zr_error_held(error); i++)
+        if (error->items[i].place != 0) error->items[i].place += skipped;
+}
+
+/* Adds a first item to *error if a body with a syntax error looks like another format than its content type. */
+static enum zr_status name_bytes(const struct zr_request *request, enum zr_status status, struct zr_error *error)
+{
+    const struct zr_format_row *row = &zr_format_rows[request->format];
+    if (status != ZR_BAD_SYNTAX || row->looks_so(request->bytes, request->size) ||
+        zr_format_of_bytes(request->bytes, request->size) == request->format)
+        return status;
+    const char *words = zr_bytes_in_words(request->bytes, request->size);
+    if (!words) return status;
+    const struct zr_error all = *error;
+    *error = (struct zr_error){0};
+    zr_error_add(error, status, NULL, "the type is %s, but the body looks like %s", row->name, words);
+    for (size_t i = 0; i < zr_error_held(&all); i++) {
+        zr_error_add(error, status, all.items[i].pointer, "%s", all.items[i].detail);
+        if (i + 1 < zr_error_held(error)) error->items[i + 1].place = all.items[i].place;
+    }
+    return status;
+}
+
+/* Detects the format from the bytes if the request has no type. ZR_BAD_TYPE if none fits. */
+static enum zr_status find_format(struct zr_request *request, struct zr_error *error)
+{
+    if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
+    if (request->size == 0) return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "the body is empty");
+    request->format = zr_format_of_bytes(request->bytes, request->size);
+    if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
+    const char *words = zr_bytes_in_words(request->bytes, request->size);
+    return zr_error_add(error, ZR_BAD_TYPE, NULL, "no type is given; the body looks like %s%snone of: %s",
+                        words ? words : "", words ? ", which is " : "", zr_format_types_join().text);
+}
+
+/* All text is read as UTF-8. */
+static enum zr_status refuse_utf16(const struct zr_request *request, struct zr_error *error)
+{
+    const struct zr_format_row *row = &zr_format_rows[request->format];
+    if (!zr_is_utf16(request->bytes, request->size)) return ZR_OK;
+    if (row->is_binary && row->looks_so(request->bytes, request->size)) return ZR_OK;
+    return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "the body is UTF-16 text; %s is read as UTF-8", row->name);
+}
+
+/* Validates the scene; faults of keys from the query have the names of their parameters. */
+static enum zr_status validate(const struct zr_request *request, const struct zr_scene *scene,
+                               const struct zr_limits *limits, struct zr_error *error)
+{
+    struct zr_error faults = {0};
+    const enum zr_status status = zr_scene_validate(scene, limits, &faults);
+    zr_query_report(request, status, &faults, error);
+    return status;
+}
+
+/* Adds the views of a sheet. */
+static enum zr_status complete_sheet(const struct zr_request *request, struct zr_scene *scene, struct zr_error *error)
+{
+    struct zr_error faults = {0};
+    const enum zr_status status = zr_sheet_complete(scene, &faults);
+    zr_query_report(request, status, &faults, error);
+    return status;
+}
+
+/* Leaves only the base colours of materials, if the scene wants that. Their readers have dropped the rest. */
+static enum zr_status leave_material_colors(const struct zr_scene_builder *builder, struct zr_error *faults)
+{
+    struct zr_scene *scene = builder->scene;
+    if (scene->parts.colors != ZR_COLORS_MATERIALS) return ZR_OK;
+    if (scene->color_bar.is_on)
+        return zr_error_add(faults, ZR_BAD_SCENE, "/colors",
+                            "materials does not go with colorBar: colours of scalars are left out");
+    return zr_scene_drop_colors(builder->arena, scene) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+/* Applies the keys of parts and colours to the scene. */
+static enum zr_status edit_parts(const struct zr_request *request, struct zr_scene_builder *builder,
+                                 struct zr_error *error)
+{
+    struct zr_error faults = {0};
+    const bool has_parts = zr_part_keys_are_given(&builder->scene->parts) || builder->scene->sections.uncut_count > 0;
+    enum zr_status status = leave_material_colors(builder, &faults);
+    if (status == ZR_OK && has_parts && !fits_memory(builder->arena, builder->scene)) return ZR_NO_MEMORY;
+    if (status == ZR_OK && has_parts) status = zr_parts_apply(builder, &faults);
+    if (status == ZR_OK && has_parts) status = zr_parts_check_uncut(builder, &faults);
+    if (status == ZR_BAD_SCENE) zr_query_report(request, status, &faults, error);
+    return status;
+}
+
+/* Reads a model file that a scene names as a mesh. */
+static enum zr_status read_model(struct zr_scene_builder *builder, const struct zr_request *request,
+                                 const struct zr_limits *limits, struct zr_error *error)
+{
+    struct zr_request body = *request;
+    if (body.size == 0) return zr_error_add(error, ZR_BAD_SCENE, NULL, "the file is empty");
+    body.format = zr_format_of_bytes(body.bytes, body.size);
+    if (body.format == ZR_FORMAT_UNKNOWN && zr_stl_is_cut(body.bytes, body.size)) body.format = ZR_FORMAT_STL;
+    if (body.format == ZR_FORMAT_UNKNOWN || body.format == ZR_FORMAT_ZIP || zr_format_rows[body.format].has_view) {
+        const char *words = zr_bytes_in_words(body.bytes, body.size);
+        return zr_error_add(error, ZR_BAD_SCENE, NULL, "the file looks like %s; a mesh needs a model, such as %s or %s",
+                            words ? words : "an unknown format", zr_format_rows[ZR_FORMAT_OBJ].name,
+                            zr_format_rows[ZR_FORMAT_GLB].name);
+    }
+    skip_byte_order_mark(&body);
+    return zr_format_rows[body.format].read(builder, &body, limits, error);
+}
+
+/* Reads the body, or takes the meshes of a kept scene and reads the changed keys. */
+static enum zr_status read_body(struct zr_scene_builder *builder, const struct zr_request *request,
+                                const struct zr_limits *limits, struct zr_error *error)
+{
+    const struct zr_format_row *format = &zr_format_rows[request->format];
+    const struct zr_keeping *keeping = builder->keeping;
+    if (keeping && keeping->from && !format->has_view)
+        return zr_read_model_load(&keeping->from->bare, builder) ? ZR_OK : ZR_NO_MEMORY;
+    if (format->has_view) return format->read(builder, request, limits, error);
+    struct zr_assets_hash assets = {.is_made = false};
+    struct zr_mesh_file file = {.builder = builder, .request = request, .limits = limits, .assets = &assets};
+    if (zr_mesh_file_find(&file)) return ZR_OK;
+    const enum zr_status status = zr_mesh_file_read(&file, format->read, error);
+    if (status == ZR_OK && keeping && keeping->into) zr_read_model_save(&keeping->into->bare, builder);
+    return status;
+}
+
+static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                                 const struct zr_limits *limits, const struct zr_keeping *keeping,
+                                 struct zr_scene *scene, struct zr_error *error)
+{
+    struct zr_query query;
+    zr_scene_defaults(scene);
+    struct zr_scene_builder builder = zr_scene_builder_open(arena, team, scene);
+    builder.keeping = keeping;
+    builder.read_model = read_model;
+    enum zr_status status = zr_query_read(request, limits, &builder, &query, error);
+    if (status != ZR_OK) return status;
+    status = name_bytes(request, read_body(&builder, request, limits, error), error);
+    if (status == ZR_OK) status = zr_query_apply(&query, error);
+    if (status != ZR_OK) return status;
+    zr_default_output_use(scene);
+    zr_color_bar_warn(arena, scene, &scene->views[0], &builder.warnings);
+    zr_view_matrices_warn(arena, &scene->views[0], &builder.warnings);
+    zr_zip_body_warn(&builder, request);
+    zr_scene_builder_close(&builder);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    zr_query_orient(&query);
+    status = complete_sheet(request, scene, error);
+    if (status == ZR_OK) status = edit_parts(request, &builder, error);
+    if (status == ZR_OK) status = validate(request, scene, limits, error);
+    if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, error);
+    return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
+}
+
+/* Finds the format, and the model in a ZIP archive. */
+static enum zr_status open_body(struct zr_arena *arena, struct zr_request *body, const char **model,
+                                struct zr_error *error)
+{
+    if (body->size == 0) body->bytes = ""; /* no arithmetic on a null pointer */
+    enum zr_status status = find_format(body, error);
+    if (status == ZR_OK) status = refuse_utf16(body, error);
+    if (status != ZR_OK) return status;
+    status = zr_zip_body_open(arena, body, model, error);
+    if (status != ZR_OK && body->format == ZR_FORMAT_ZIP) status = name_bytes(body, status, error);
+    if (status == ZR_OK && *model) status = refuse_utf16(body, error);
+    return status;
+}
+
+/* Stores the data that a change needs: the format of the body, and the members of a ZIP archive. */
+static bool keep_body(struct zr_arena *arena, const struct zr_request *body, const struct zr_scene *made,
+                      struct zr_kept *kept)
+{
+    kept->request.format = body->format;
+    kept->request.member = NULL;
+    kept->request.assets = body->assets;
+    kept->request.asset_count = body->asset_count;
+    if (made->view_set && made->view_set->kind == ZR_VIEW_SET_FILE) {
+        kept->body = body->bytes;
+        kept->body_size = body->size;
+    }
+    return zr_zip_body_keep(arena, body);
+}
+
+/* Reads a scene; `keeping` is NULL unless it is kept or changed. */
+static enum zr_status read_request(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                                   const struct zr_limits *limits, const struct zr_keeping *keeping,
+                                   const struct zr_scene **scene, struct zr_error *error)
+{
+    struct zr_scene *made = zr_arena_alloc(arena, 1, sizeof *made);
+    struct zr_request body = *request;
+    const char *model = NULL;
+    arena->cancel = request->cancel;
+    enum zr_status status = made ? open_body(arena, &body, &model, error) : ZR_NO_MEMORY;
+    if (status == ZR_OK) {
+        const size_t mark = skip_byte_order_mark(&body);
+        status = read_scene(arena, team, &body, limits, keeping, made, error);
+        count_skipped(error, mark);
+        status = zr_zip_body_check(&body, model, status, error);
+    }
+    const bool keeps = keeping && keeping->into && (made->view_set || !keeping->if_views);
+    if (status == ZR_OK && keeps && !keep_body(arena, &body, made, keeping->into)) status = ZR_NO_MEMORY;
+    arena->cancel = NULL;
+    if (zr_is_cancelled(request->cancel)) {
+        *error = (struct zr_error){0}; /* faults of a partly read body */
+        return zr_error_add(error, ZR_CANCELLED, NULL, "reading was stopped before it was done");
+    }
+    if ((status == ZR_OK && !zr_arena_ok(arena)) || (status == ZR_NO_MEMORY && error->count == 0))
+        status =
+            zr_error_add(error, ZR_NO_MEMORY, NULL,
+                         "the scene needs more memory than the %zu bytes that one request may have", arena->ceiling);
+    if (status != ZR_OK) return status;
+    *scene = made;
+    return ZR_OK;
+}
+
+enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                             const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error)
+{
+    return read_request(arena, team, request, limits, NULL, scene, error);
+}
+
+static enum zr_status keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                           const struct zr_limits *limits, bool if_views, struct zr_kept **kept, struct zr_error *error)
+{
+    struct zr_kept *made = zr_arena_zero(arena, 1, sizeof *made);
+    struct zr_image_record *images = zr_arena_alloc(arena, 1, sizeof *images);
+    const struct zr_keeping keeping = {.into = made, .if_views = if_views};
+    struct zr_request first = *request;
+    if (request->frames && !if_views) first.bytes = zr_arena_copy(arena, request->bytes, request->size);
+    if (!zr_arena_ok(arena))
+        return zr_error_add(error, ZR_NO_MEMORY, NULL, "a scene needs more than %zu bytes", arena->ceiling);
+    made->images = images;
+    made->request = *request;
+    made->limits = *limits;
+    first.images = zr_image_record_open(images, &request->images);
+    if (request->frames) first.meshes = (struct zr_kept_meshes){.hash = NULL}; /* each frame finds these images */
+    const enum zr_status status = read_request(arena, team, &first, limits, &keeping, &made->scene, error);
+    made->request.images = zr_image_record_lend(images);
+    made->request.texts = (struct zr_kept_texts){.find = NULL};
+    made->request.meshes = (struct zr_kept_meshes){.hash = NULL};
+    made->request.bytes = NULL;
+    made->request.size = 0;
+    made->request.cancel = NULL;
+    made->request.quick = NULL; /* the limits of the first reading, which changes share with other threads */
+    if (status == ZR_OK) *kept = made;
+    return status;
+}
+
+enum zr_status zr_scene_keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                             const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error)
+{
+    return keep(arena, team, request, limits, false, kept, error);
+}
+
+enum zr_status zr_scene_keep_for_views(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                                       const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error)
+{
+    return keep(arena, team, request, limits, true, kept, error);
+}
+
+enum zr_status zr_scene_change(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept,
+                               const struct zr_request *change, const struct zr_scene **scene, struct zr_error *error)
+{
+    struct zr_request request;
+    struct zr_keeping keeping;
+    enum zr_status status = zr_change_read(arena, kept, change, &request, &keeping, error);
+    if (status == ZR_NO_MEMORY && error->count == 0)
+        zr_error_add(error, status, NULL, "the change needs more than %zu bytes", arena->ceiling);
+    return status == ZR_OK ? read_request(arena, team, &request, &kept->limits, &keeping, scene, error) : status;
+}
+
+/* Reads the file of a kept scene at another time of its animation. */
+static enum zr_status read_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept, double time,
+                                 const struct zr_cancel *cancel, const struct zr_scene **scene, struct zr_error *error)
+{
+    char *text = zr_arena_alloc(arena, ZR_TIME_SIZE, 1);
+    struct zr_request request = kept->request;
+    if (!text) return ZR_NO_MEMORY;
+    snprintf(text, ZR_TIME_SIZE, "%.6f", time);
+    request.bytes = kept->body;
+    request.size = kept->body_size;
+    request.cancel = cancel;
+    request.time = text;
+    request.frames = request.timeEnd = NULL;
+    return read_request(arena, team, &request, &kept->limits, NULL, scene, error);
+}
+
+enum zr_status zr_scene_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept, uint32_t number,
+                              const struct zr_cancel *cancel, const struct zr_scene **scene, struct zr_error *error)
+{
+    const struct zr_view_set *set = kept->scene->view_set;
+    const struct zr_request change = {.cancel = cancel};
+    const double share = (double)number / (double)set->count;
+    struct zr_request request;
+    struct zr_keeping keeping;
+    if (set->kind == ZR_VIEW_SET_FILE)
+        return read_frame(arena, team, kept, set->start + set->seconds * share, cancel, scene, error);
+    enum zr_status status = zr_change_read(arena, kept, &change, &request, &keeping, error);
+    if (status == ZR_NO_MEMORY && error->count == 0)
+        zr_error_add(error, status, NULL, "a frame needs more than %zu bytes", arena->ceiling);
+    if (status != ZR_OK) return status;
+    keeping.animation = set->animation;
+    keeping.moment = (struct zr_moment){share, set->seconds * share};
+    return read_request(arena, team, &request, &kept->limits, &keeping, scene, error);
+}
+
+const struct zr_scene *zr_kept_scene(const struct zr_kept *kept)
+{
+    return kept->scene;
+}

@@ -1,0 +1,53 @@
+/* part_keys.h - scene: the keys of a scene that change its parts (scene/parts/part_list.h), as read.
+ *
+ * Names:  a pattern is the name of a part, or has the signs * (any text) and ? (any one character). A text of digits
+ *         that is no name is an id. Ids count parts from 1.
+ */
+#ifndef ZR_PART_KEYS_H
+#define ZR_PART_KEYS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/vec.h"
+
+struct zr_part_pattern {
+    const char *text; /* UTF-8; NULL: an id */
+    double id;
+};
+
+/* The parts that a key names. Without patterns, the key has no effect. */
+struct zr_part_set {
+    uint32_t count;
+    const struct zr_part_pattern *patterns;
+    const char *pointer; /* JSON Pointer of the value */
+    bool is_list;        /* pattern i has the pointer `pointer`/i; false: `pointer` */
+};
+
+struct zr_part_highlight {
+    struct zr_part_set parts;
+    zr_vec4 color; /* opaque, sRGB-encoded */
+};
+
+/* Colours of the scene's own, one per part by its name, or only base colours of materials. */
+enum zr_color_source { ZR_COLORS_OWN, ZR_COLORS_PARTS, ZR_COLORS_MATERIALS, ZR_COLORS_COUNT };
+
+enum zr_explode_axis { ZR_EXPLODE_RADIAL, ZR_EXPLODE_X, ZR_EXPLODE_Y, ZR_EXPLODE_Z, ZR_EXPLODE_AXES };
+
+struct zr_part_keys {
+    struct zr_part_set hide, isolate, ghost;
+    uint32_t highlight_count;
+    const struct zr_part_highlight *highlights;
+    double explode; /* factor; 0: not exploded */
+    enum zr_explode_axis explode_axis;
+    enum zr_color_source colors;
+};
+
+/* True if a key changes the scene. */
+static inline bool zr_part_keys_are_given(const struct zr_part_keys *keys)
+{
+    return keys->hide.count > 0 || keys->isolate.count > 0 || keys->ghost.count > 0 || keys->highlight_count > 0 ||
+           keys->explode != 0.0 || keys->colors == ZR_COLORS_PARTS;
+}
+
+#endif

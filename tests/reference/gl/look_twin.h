@@ -1,0 +1,44 @@
+/* look_twin.h - reference: pictures in linear light, by a program of GLSL that the reference runs for each sample.
+ *
+ * The reference draws at `side` times the size, into 32-bit floats: what the program makes of the surface's own colour,
+ * its normal and the way to the eye, which it interpolates itself. The formulas and the constants of environments are
+ * written down here once more, from their definition, and not taken from the core; of the core's are normals of
+ * vertices and creases, and the table of the split sum, which a unit test integrates. Samples are averaged here, over
+ * the background, and encoded as sRGB, in double. X-rays of one ink are blended as they come, without depths: in which
+ * order they are makes no difference.
+ */
+#ifndef ZR_TEST_LOOK_TWIN_H
+#define ZR_TEST_LOOK_TWIN_H
+
+#include "reference/generate/batches.h"
+#include "reference/gl/reference_program.h"
+
+/* Ours may be off by so many steps of 255, since float rounds; but in so few pixels, beside one in many, that nothing
+ * else is. */
+enum { LOOK_TWIN_SLACK = 1, LOOK_TWIN_NEAR_MAX = 2, LOOK_TWIN_PIXELS_A_NEAR = 20000 };
+
+/* What of the scene's picture has no twin, for people; NULL: its colours can be compared. */
+const char *look_twin_lacks(const struct zr_scene *scene);
+
+/* What is drawn, and where to. */
+struct look_twin {
+    struct reference *reference;
+    struct zr_arena *arena;
+    unsigned *program; /* 0: not made yet */
+    const struct zr_scene *scene;
+    const struct zr_camera *camera;
+    struct batches_options options; /* of BATCHES_LIGHT */
+};
+
+/* To rgba, row 0 on top, as the channel color has it; gaps[pixel] is set where a sample of it is one. */
+bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, struct reference_error *error);
+
+/* look_program.c: the GLSL. `fixed` as in struct reference; NULL: uniforms. */
+unsigned look_program(const char *fixed, struct reference_error *error);
+
+/* All that it has as uniforms of the whole picture. They stand until the next call. */
+enum { LOOK_UNIFORMS = 19 };
+const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin);
+enum { LOOK_LAMPS_MAX = 64 };
+
+#endif
