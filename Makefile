@@ -29,7 +29,7 @@ TEST_LIBS := -lcmocka -lcurl -lcjson -lzip -lz
 reference_libs_osmesa := -lOSMesa
 reference_libs_egl := -lEGL -lOpenGL
 
-# How tests get hold of Mesa: osmesa where there is OSMesa, and egl where there is not, as from Mesa 25.1 on. Nobody need say.
+# The door of tests to Mesa: osmesa if OSMesa is installed, else egl, as with Mesa 25.1 and later. Detected unless given.
 need_osmesa := $(if $(REFERENCE),$(if $(filter osmesa,$(REFERENCE)),GL/osmesa.h=libosmesa6-dev),GL/osmesa.h=libosmesa6-dev?)
 REFERENCE := $(or $(REFERENCE),$(shell $(CC) -E -include GL/osmesa.h -x c /dev/null >/dev/null 2>&1 && echo osmesa || echo egl))
 

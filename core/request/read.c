@@ -4,23 +4,23 @@
 #include <stdio.h>
 
 #include "geometry/geometry.h"
-#include "input/scene/change.h"
 #include "input/formats/formats.h"
-#include "input/images/image_record.h"
 #include "input/formats/input.h"
-#include "input/scene/kept.h"
+#include "input/images/image_record.h"
 #include "input/mesh/kept_mesh.h"
 #include "input/query/parameters.h"
 #include "input/query/part_select.h"
+#include "input/query/zip_body.h"
+#include "input/scene/change.h"
+#include "input/scene/kept.h"
 #include "input/text/sniff.h"
 #include "input/text/text.h"
-#include "input/query/zip_body.h"
 #include "overlay/color_bar.h"
 #include "scene/camera/camera.h"
+#include "scene/camera/view_set.h"
 #include "scene/defaults.h"
 #include "scene/scene_edit.h"
 #include "scene/validate.h"
-#include "scene/camera/view_set.h"
 
 /* Bytes of a time as text, in microseconds, with its final zero. */
 enum { ZR_TIME_SIZE = 24 };
@@ -120,7 +120,7 @@ static enum zr_status leave_material_colors(const struct zr_scene_builder *build
     if (scene->parts.colors != ZR_COLORS_MATERIALS) return ZR_OK;
     if (scene->color_bar.is_on)
         return zr_error_add(faults, ZR_BAD_SCENE, "/colors",
-                            "materials does not go with colorBar: colours of scalars are left out");
+                            "materials cannot be combined with colorBar: colours of scalars are left out");
     return zr_scene_drop_colors(builder->arena, scene) ? ZR_OK : ZR_NO_MEMORY;
 }
 

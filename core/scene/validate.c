@@ -114,9 +114,9 @@ static void check_visibility(const struct zr_scene *scene, const struct zr_view 
         zr_error_add(error, ZR_BAD_SCENE, "/visibility", "nothing is visible, since render is false");
     if (view->has_visibility && scene->base)
         zr_error_add(error, ZR_BAD_SCENE, "/visibility",
-                     "does not go with a base, which may hide an instance and has none itself");
+                     "cannot be combined with a base, which may hide an instance and has none itself");
     if (scene->sections.count > 0)
-        zr_error_add(error, ZR_BAD_SCENE, "/sections", "does not go with %s, which needs whole instances", what);
+        zr_error_add(error, ZR_BAD_SCENE, "/sections", "cannot be combined with %s, which needs whole instances", what);
     if (scene->algorithm == ZR_ALGORITHM_PAINTER)
         zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
                      "painter keeps no fragments, which %s needs; the other algorithms do", what);
@@ -130,11 +130,11 @@ static void check_flow(const struct zr_scene *scene, const struct zr_view *view,
     if (!flow || !zr_view_wants(view, ZR_CHANNEL_FLOW)) return;
     snprintf(pointer, sizeof pointer, "/outputs/%" PRIu32 "%s", flow->output, flow->matrices ? "/to/poses" : "");
     if (flow->matrices && scene->parts.explode > 0.0)
-        zr_error_add(error, ZR_BAD_SCENE, pointer, "poses of a flow do not go with explode");
+        zr_error_add(error, ZR_BAD_SCENE, pointer, "poses of a flow cannot be combined with explode");
     if (flow->matrices && scene->sections.count > 0)
-        zr_error_add(error, ZR_BAD_SCENE, pointer, "poses of a flow do not go with sections");
+        zr_error_add(error, ZR_BAD_SCENE, pointer, "poses of a flow cannot be combined with sections");
     if (view->lens.model != ZR_LENS_NONE || (flow->has_view && flow->view.lens.model != ZR_LENS_NONE))
-        zr_error_add(error, ZR_BAD_SCENE, pointer, "the channel flow does not go with a distortion");
+        zr_error_add(error, ZR_BAD_SCENE, pointer, "the channel flow cannot be combined with a distortion");
 }
 
 static bool has_faces(const struct zr_scene *scene)
@@ -151,7 +151,7 @@ static void check_svg(const struct zr_scene *scene, const struct zr_view *view, 
     if (!zr_view_encodes(view, ZR_ENCODING_SVG)) return;
     if (scene->base)
         zr_error_add(error, ZR_BAD_SCENE, "/base",
-                     "the encoding svg has the lines of the mesh alone, so it does not go with a base");
+                     "the encoding svg has the lines of the mesh alone, so it cannot be combined with a base");
     else if (!edges->is_on)
         zr_error_add(error, ZR_BAD_SCENE, "/edges",
                      "none: the encoding svg has the lines of the mesh alone; give \"edges\": {\"from\": \"mesh\"}, or "
@@ -180,13 +180,15 @@ static void check_trace(const struct zr_scene *scene, const struct zr_view *view
                          "%" PRIu32 " pixels; the channel trace goes up to a window of %d x %d", sides[i],
                          ZR_TRACE_SIDE_MAX, ZR_TRACE_SIDE_MAX);
     if (zr_any_is_see_through(scene->materials, scene->material_count))
-        zr_error_add(error, ZR_BAD_SCENE, pointer,
-                     "the channel trace does not go with the alphaMode MASK or BLEND, whose layers are drawn apart");
+        zr_error_add(
+            error, ZR_BAD_SCENE, pointer,
+            "the channel trace cannot be combined with the alphaMode MASK or BLEND, whose layers are drawn apart");
     if (scene->sections.count > 0)
-        zr_error_add(error, ZR_BAD_SCENE, "/sections", "does not go with the channel trace, which needs whole faces");
+        zr_error_add(error, ZR_BAD_SCENE, "/sections",
+                     "cannot be combined with the channel trace, which needs whole faces");
     if (view->lens.model != ZR_LENS_NONE)
         zr_error_add(error, ZR_BAD_SCENE, "/view/distortion",
-                     "does not go with the channel trace: algorithms draw the picture of the pinhole");
+                     "cannot be combined with the channel trace: algorithms draw the picture of the pinhole");
 }
 
 /* A lens distorts a pinhole's pixels. */

@@ -344,7 +344,7 @@ void metrics_print(FILE *out, const struct metrics *metrics, const struct metric
         printer.name = family->name;
         printer.type = family->type;
         const double number = family->print ? 0 : number_of(&printer, family->number);
-        if (number < 0) continue; /* the kernel does not tell it */
+        if (number < 0) continue; /* not available from the kernel */
         print_head(&printer, family);
         if (family->print)
             family->print(&printer);

@@ -2,7 +2,7 @@
 #ifndef ZRASTERD_PROCESS_H
 #define ZRASTERD_PROCESS_H
 
-/* -1: the kernel does not tell. */
+/* -1: not available from the kernel. */
 struct process_now {
     double cpu_s, resident_bytes, virtual_bytes, open_files, max_files;
 };

@@ -246,11 +246,11 @@ bool zr_meshopt_check(const struct zr_meshopt *of, size_t size, struct zr_reason
     const uint64_t units = has_attributes ? (uint64_t)of->count * of->stride : of->count;
     if (has_attributes ? of->stride % 4 != 0 || of->stride == 0 || of->stride > STRIDE_MOST
                        : of->stride != 2 && of->stride != 4)
-        zr_reason_give(reason, "a byteStride of %u does not go with the mode", of->stride);
+        zr_reason_give(reason, "a byteStride of %u does not fit the mode", of->stride);
     else if ((!has_attributes && of->filter != ZR_MESHOPT_NONE) ||
              (of->filter == ZR_MESHOPT_OCTAHEDRAL && of->stride > 8) ||
              (of->filter == ZR_MESHOPT_QUATERNION && of->stride != 8))
-        zr_reason_give(reason, "the filter does not go with the mode and a byteStride of %u", of->stride);
+        zr_reason_give(reason, "the filter does not fit the mode and a byteStride of %u", of->stride);
     else if (of->mode == ZR_MESHOPT_TRIANGLES && of->count % 3 != 0)
         zr_reason_give(reason, "%u indices, no multiple of 3", of->count);
     else if (size == 0 || units / most[of->mode] > size)

@@ -422,7 +422,7 @@ bool zr_json_opaque(struct zr_json *json, const struct zr_json_path *path, const
 {
     zr_vec4 color;
     if (!zr_json_color(json, path, field, &color)) return false;
-    if (color.w < 1.0f) return zr_json_fault(json, path, "an alpha of %.9g: it has to be opaque", (double)color.w);
+    if (color.w < 1.0f) return zr_json_fault(json, path, "an alpha of %.9g: alpha must be 1", (double)color.w);
     *(zr_vec4 *)out = color;
     return true;
 }

@@ -3,11 +3,11 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "input/formats/quick.h"
+#include "input/images/png_read.h"
+#include "input/json/npy_read.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
-#include "input/json/npy_read.h"
-#include "input/images/png_read.h"
-#include "input/formats/quick.h"
 
 static const char *const sides[] = {"base", "scene"};
 static const struct zr_names side_names = ZR_NAMES(2, sides);
@@ -232,7 +232,8 @@ void zr_parsed_read_base(struct zr_parsed_scene *root, const struct zr_json_path
         if (has(&reader, key)) zr_parsed_read_bytes(&image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
     }
     if (!has(&reader, WINDOW_DEPTH) && !has(&reader, DEPTH))
-        zr_json_fault(json, path, "windowDepth is missing, or depth to make it from: nothing says what hides what");
+        zr_json_fault(json, path,
+                      "windowDepth is missing: the base needs it, or depth, to hide what lies behind its surfaces");
     if (json->error->count > 0 || !zr_arena_ok(json->arena) || !window_is_good(root)) return;
     if (has(&reader, COLOR)) read_color(&reader);
     if (has(&reader, WINDOW_DEPTH)) read_window_depth(&reader);

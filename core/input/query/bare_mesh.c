@@ -1,12 +1,12 @@
 /* Makes a scene of a bare mesh: {"meshes": [the body]}, with the keys of the query and the look studio by default. */
-#include "input/query/cloud.h"
-#include "input/model/file_scene.h"
 #include "input/formats/formats.h"
 #include "input/formats/input.h"
-#include "input/scene/kept.h"
+#include "input/model/file_scene.h"
+#include "input/query/cloud.h"
 #include "input/query/parameters.h"
-#include "scene/defaults.h"
+#include "input/scene/kept.h"
 #include "scene/camera/view_set.h"
+#include "scene/defaults.h"
 
 /* Places the meshes in the axes of the file, by its nodes if it has any. zr_query_orient turns them. */
 static void place(struct zr_query *query)
@@ -63,7 +63,8 @@ static void use_camera(struct zr_query *query)
     const struct zr_json_path *path = ZR_JSON_KEY(ZR_JSON_KEY(NULL, "query"), "camera");
     if (!query->camera) return;
     if (request->preset || request->azimuth || request->elevation || request->projection || request->padding)
-        zr_json_fault(&query->given.json, path, "does not go with preset, azimuth, elevation, projection or padding");
+        zr_json_fault(&query->given.json, path,
+                      "cannot be combined with preset, azimuth, elevation, projection or padding");
     else
         zr_file_scene_use_camera(&query->given, path, file, query->camera, &up);
 }
@@ -81,7 +82,7 @@ static void use_lights(struct zr_query *query)
                                 file->light_count);
     } else if (zr_scene_gives(root, ZR_SCENE_LIGHTS)) {
         zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_KEY(NULL, "query"), "fileLights"),
-                      "does not go with lights of the query");
+                      "cannot be combined with lights of the query");
     } else {
         zr_file_scene_use_lights(root, file, &up);
     }
@@ -138,7 +139,7 @@ static void check_views(struct zr_query *query)
     const struct zr_request *request = query->request;
     if (request->views && (request->preset || request->azimuth || request->elevation || request->camera))
         zr_json_fault(&query->given.json, ZR_JSON_KEY(NULL, "views"),
-                      "does not go with preset, azimuth, elevation or camera");
+                      "cannot be combined with preset, azimuth, elevation or camera");
 }
 
 static void warn(struct zr_parsed_scene *root, const struct zr_request *request)

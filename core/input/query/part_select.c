@@ -242,8 +242,9 @@ static void check_shown(const struct selecting *s, const struct zr_part_keys *ke
 static void check_colors(const struct selecting *s, const struct zr_part_keys *keys)
 {
     if (keys->colors == ZR_COLORS_PARTS && s->builder->scene->color_bar.is_on)
-        zr_error_add(s->error, ZR_BAD_SCENE, "/colors",
-                     "parts does not go with colorBar: colours of parts replace the colours that the bar explains");
+        zr_error_add(
+            s->error, ZR_BAD_SCENE, "/colors",
+            "parts cannot be combined with colorBar: colours of parts replace the colours that the bar explains");
 }
 
 static bool check_count(const struct zr_part_list *list, struct zr_error *error)

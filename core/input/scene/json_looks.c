@@ -148,12 +148,12 @@ static void check_base(struct zr_parsed_scene *root, const char *linear_key)
     const struct zr_json_path *path = ZR_SCENE_PATH(ZR_SCENE_BASE);
     if (!root->base) return;
     if (scene->look != zr_look_textbook())
-        zr_json_fault(&root->json, path, "does not go with the look %s: textbook is the only one for it",
+        zr_json_fault(&root->json, path, "cannot be combined with the look %s: textbook is the only one for it",
                       scene->look->name);
     else if (linear_key)
-        zr_json_fault(&root->json, path, "does not go with linear light, which is needed for: %s", linear_key);
+        zr_json_fault(&root->json, path, "cannot be combined with linear light, which is needed for: %s", linear_key);
     else if (scene->picture.side > 1)
-        zr_json_fault(&root->json, path, "does not go with samples other than 1");
+        zr_json_fault(&root->json, path, "cannot be combined with samples other than 1");
 }
 
 static void check_edges(struct zr_parsed_scene *root)
@@ -173,7 +173,7 @@ void zr_parsed_check_light(struct zr_parsed_scene *root)
     const char *key = linear_key_of(root);
     if (is_given && !is_srgb && key)
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_COLOR_MANAGEMENT),
-                      "none does not go with %s, which needs linear light: srgb", key);
+                      "none cannot be combined with %s, which needs linear light: srgb", key);
     if (is_srgb && !key) key = zr_scene_fields[ZR_SCENE_COLOR_MANAGEMENT].key;
     root->scene->picture.is_linear = key != NULL;
     zr_parsed_decode_light(root);

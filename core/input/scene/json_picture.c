@@ -219,7 +219,7 @@ static bool read_environment(struct zr_json *json, const struct zr_json_path *pa
     if (type == ZR_JSON_OBJECT) return zr_json_fields(json, path, &zr_json_object_environment, given, keys);
     if (type != ZR_JSON_BOOL) return zr_json_expect(json, path, "false, a name or an object");
     return zr_json_take_bool(json, &is_on) &&
-           (!is_on || zr_json_fault(json, path, "expected false, a name or an object: which one is true?"));
+           (!is_on || zr_json_fault(json, path, "expected false, a name or an object, not true"));
 }
 
 bool zr_read_environment(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,

@@ -226,12 +226,13 @@ static enum zr_status check_sheet(const struct zr_scene *scene, struct zr_error 
                             "a picture of pixels, which the encoding svg has not: leave out the sheet, or take png");
     if (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS))
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
-                            "does not go with the channel fragments, which is of a pixel of one view");
+                            "cannot be combined with the channel fragments, which is of a pixel of one view");
     if (zr_view_wants(view, ZR_CHANNEL_TRACE))
-        return zr_error_add(error, ZR_BAD_SCENE, "/sheet", "does not go with the channel trace, which is of one view");
+        return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
+                            "cannot be combined with the channel trace, which is of one view");
     if (scene->base)
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
-                            "does not go with a base, whose pictures have the size of one view");
+                            "cannot be combined with a base, whose pictures have the size of one view");
     return ZR_OK;
 }
 

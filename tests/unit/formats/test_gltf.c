@@ -331,7 +331,7 @@ TEST(a_parameter_chooses_a_camera_of_the_file)
                      "parameter camera: the file has no camera '3'; its cameras: 'eye', 'flat'");
     reading_free(reading);
     reading = read_over((struct zr_request){.camera = "eye", .preset = "top"}, text);
-    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter camera: does not go with preset");
+    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter camera: cannot be combined with preset");
     reading_free(reading);
     reading = read_over((struct zr_request){.camera = "eye"}, FILE_OF(NODE "," MESH(",\"indices\":1")));
     assert_complaint(reading, ZR_BAD_SCENE, "", "parameter camera: the file has no cameras");

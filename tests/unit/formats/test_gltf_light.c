@@ -93,7 +93,7 @@ TEST(wrong_lights_are_refused)
     assert_complaint(reading, ZR_BAD_REQUEST, "", "parameter light");
     reading_free(reading);
     reading = read_over((struct zr_request){.fileLights = "1", .lightDirection = "0,0,-1"}, text);
-    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter fileLights: does not go with lights of the query");
+    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter fileLights: cannot be combined with lights of the query");
     reading_free(reading);
     reading = read_over((struct zr_request){.color = NULL}, FILE_OF(SUN, ",{" LIGHT(1) "}"));
     assert_complaint(reading, ZR_BAD_SCENE, "/nodes/1/extensions/KHR_lights_punctual/light", "index 1 of 1 lights");

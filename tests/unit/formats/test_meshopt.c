@@ -101,9 +101,9 @@ TEST(broken_bytes_are_refused)
         struct zr_meshopt of;
         size_t cut; /* bytes left out at the end of the attributes */
         const char *reason;
-    } cases[] = {{{0, 0, 16, 6}, 0, "a byteStride of 6 does not go with the mode"},
-                 {{1, 0, 3, 8}, 0, "a byteStride of 8 does not go with the mode"},
-                 {{0, 2, 8, 4}, 0, "the filter does not go with the mode and a byteStride of 4"},
+    } cases[] = {{{0, 0, 16, 6}, 0, "a byteStride of 6 does not fit the mode"},
+                 {{1, 0, 3, 8}, 0, "a byteStride of 8 does not fit the mode"},
+                 {{0, 2, 8, 4}, 0, "the filter does not fit the mode and a byteStride of 4"},
                  {{1, 0, 4, 4}, 0, "4 indices, no multiple of 3"},
                  {{0, 0, 4000, 4}, 0, "4000 elements cannot come from 68 bytes"},
                  {{2, 0, 3, 4}, 0, "the compressed data begin with a0, not d1"},
