@@ -24,11 +24,10 @@ size_t zr_gltf_type_bytes(uint32_t type)
 }
 
 /* Reads a componentType, a uint32_t. */
-static bool read_type(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+static bool read_type(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     uint32_t type;
-    if (!zr_json_whole(json, path, field, &type)) return false;
+    if (!zr_json_whole(json, path, &type)) return false;
     if (zr_gltf_type_bytes(type) == 0)
         return zr_json_fault(json, path, "%u; glTF has 5120, 5121, 5122, 5123, 5125 and 5126", type);
     *(uint32_t *)out = type;

@@ -79,11 +79,10 @@ static bool refuse_missing(struct zr_json *json, const struct zr_json_path *path
                          zr_quote(plain, length).text);
 }
 
-bool zr_gltf_uri(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_gltf_uri(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_gltf_uri *uri = out;
     struct zr_json_text text;
-    (void)field;
     if (zr_json_type(json) != ZR_JSON_STRING) return zr_json_expect(json, path, "a string");
     if (!zr_json_take_string(json, &text)) return false;
     const struct zr_json_uri *noted = json->uris ? zr_json_uri_at(json->uris, text.at) : NULL;

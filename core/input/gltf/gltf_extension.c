@@ -37,7 +37,7 @@ static void note_used(struct zr_gltf *file, struct zr_json *json, const struct z
 {
     const char *name;
     (void)number;
-    if (!zr_json_string(json, path, NULL, &name) || is_known(name)) return;
+    if (!zr_json_string(json, path, &name) || is_known(name)) return;
     file->unread_extensions++;
     zr_names_text_add(&file->extensions, zr_quote(name, strlen(name)).text);
 }
@@ -46,7 +46,7 @@ static void check_required(struct zr_gltf *file, struct zr_json *json, const str
 {
     const char *name;
     (void)number;
-    if (!zr_json_string(json, path, NULL, &name)) return;
+    if (!zr_json_string(json, path, &name)) return;
     if (strcmp(name, ZR_GLTF_DRACO) == 0) file->requires_draco = true;
     if (!is_known(name))
         zr_json_fault(json, path, "the file requires the extension %s, which is not read%s",

@@ -44,17 +44,15 @@ double zr_gltf_clamp(struct zr_gltf *file, const struct zr_json_path *path, doub
 
 /* ---- objects ---- */
 
-bool zr_gltf_ignore(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_gltf_ignore(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     (void)path;
-    (void)field;
     (void)out;
     return zr_json_skip(json);
 }
 
-bool zr_gltf_index(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_gltf_index(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return zr_json_index(json, path, ZR_GLTF_NONE, "items", out);
 }
 
@@ -67,15 +65,13 @@ static bool read_numbers(struct zr_json *json, const struct zr_json_path *path, 
     return true;
 }
 
-bool zr_gltf_three(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_gltf_three(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_numbers(json, path, 3, out);
 }
 
-bool zr_gltf_four(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_gltf_four(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_numbers(json, path, 4, out);
 }
 
@@ -104,7 +100,7 @@ static void read_field(struct zr_gltf *file, struct zr_json *json, const struct 
         return;
     }
     *given |= bit;
-    field->read(json, ZR_JSON_KEY(path, field->key), field, (char *)out + field->offset);
+    field->read(json, ZR_JSON_FIELD(path, field), (char *)out + field->offset);
 }
 
 bool zr_gltf_fields(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,

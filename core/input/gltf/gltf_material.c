@@ -203,7 +203,7 @@ static bool read_material(struct zr_gltf *file, const char *place, const struct 
 
 static void note_place(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
-    zr_json_place(json, path, NULL, &file->material_places[number]);
+    zr_json_place(json, path, &file->material_places[number]);
 }
 
 bool zr_gltf_read_materials(struct zr_gltf *file)

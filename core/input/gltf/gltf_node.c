@@ -19,27 +19,24 @@ struct given_node {
 };
 
 /* Reads the translation of a node, also in double. `out`: the node. */
-static bool read_translation(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                             void *out)
+static bool read_translation(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct given_node *node = out;
     const double limit = zr_far_limit(json->limits);
     size_t count;
-    (void)field;
     if (!zr_json_numbers(json, path, 3, 3, -limit, limit, node->exact, &count)) return false;
     node->translation = (zr_vec3){(float)node->exact[0], (float)node->exact[1], (float)node->exact[2]};
     return true;
 }
 
 /* Reads the matrix of a node, its translation also in double. `out`: the node. */
-static bool read_matrix(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_matrix(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct given_node *node = out;
     struct zr_json again = *json;
     double m[16];
     bool rows;
-    if (!zr_json_affine(json, path, field, &node->matrix) ||
+    if (!zr_json_affine(json, path, &node->matrix) ||
         !zr_json_square(&again, path, 4, (double)ZR_MATRIX_MAX, m, &rows))
         return false;
     for (int axis = 0; axis < 3; axis++)

@@ -106,8 +106,8 @@ static uint32_t find_bad(const float *at, size_t step, uint32_t width, uint32_t 
 
 static const struct zr_json_path *path_of(const struct zr_gltf_values *values, struct zr_json_path room[2])
 {
-    room[0] = (struct zr_json_path){NULL, zr_gltf_word(ZR_GLTF_ACCESSORS), 0};
-    room[1] = (struct zr_json_path){&room[0], NULL, values->number};
+    room[0] = *ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_ACCESSORS));
+    room[1] = *ZR_JSON_ITEM(&room[0], values->number);
     return &room[1];
 }
 

@@ -30,12 +30,11 @@ bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_
     return row == side ? good : zr_json_fault(json, path, "expected %zu rows, found %zu", side, row);
 }
 
-bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double m[16] = {0};
     bool rows;
     zr_mat4 matrix;
-    (void)field;
     if (!zr_json_square(json, path, 4, (double)ZR_MATRIX_MAX, m, &rows)) return false;
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 4; k++)
@@ -45,11 +44,11 @@ bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const s
 }
 
 /* The message explains the order: a flat list written row by row has the translation in the bottom row. */
-bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     zr_mat4 matrix;
     const float *m = matrix.m;
-    if (!zr_json_mat4(json, path, field, &matrix)) return false;
+    if (!zr_json_mat4(json, path, &matrix)) return false;
     if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f)
         return zr_json_fault(json, path,
                              "the bottom row is %.9g %.9g %.9g %.9g, not 0 0 0 1 (a flat list goes column by column)",

@@ -70,7 +70,7 @@ void zr_rows_read_positions(struct zr_json *json, const struct zr_json_path *pat
         if (behind)
             json->at = behind;
         else
-            zr_json_position(json, ZR_JSON_ITEM(path, array->count - first), NULL, row);
+            zr_json_position(json, ZR_JSON_ITEM(path, array->count - first), row);
         array->count++;
     }
 }
@@ -84,7 +84,7 @@ void zr_rows_read_colors(struct zr_json *json, const struct zr_json_path *path, 
         if (behind)
             json->at = behind;
         else
-            zr_json_color(json, ZR_JSON_ITEM(path, array->count - first), NULL, row);
+            zr_json_color(json, ZR_JSON_ITEM(path, array->count - first), row);
         array->count++;
     }
 }
@@ -99,7 +99,7 @@ void zr_rows_read_vec3s(struct zr_json *json, const struct zr_json_path *path, s
         if (behind)
             json->at = behind;
         else
-            zr_json_vec3(json, ZR_JSON_ITEM(path, array->count - first), NULL, row);
+            zr_json_vec3(json, ZR_JSON_ITEM(path, array->count - first), row);
         array->count++;
     }
 }
@@ -158,7 +158,7 @@ bool zr_tangent_check(struct zr_json *json, const struct zr_json_path *path, con
 
 static void read_tangent(struct zr_json *json, const struct zr_json_path *path, zr_vec4 *tangent)
 {
-    if (zr_json_vec4(json, path, NULL, tangent)) zr_tangent_check(json, path, tangent);
+    if (zr_json_vec4(json, path, tangent)) zr_tangent_check(json, path, tangent);
 }
 
 void zr_rows_read_tangents(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,

@@ -119,7 +119,7 @@ static void read_field(struct zr_json *json, const struct zr_json_path *path, co
     const uint64_t bit = UINT64_C(1) << (number & 63);
     if (number < object->count && field->read && !(*given & bit)) {
         *given |= bit;
-        field->read(json, ZR_JSON_KEY(path, field->key), field, (char *)out + field->offset);
+        field->read(json, ZR_JSON_FIELD(path, field), (char *)out + field->offset);
         return;
     }
     const char *word = zr_json_decode(json, key);
@@ -163,10 +163,9 @@ bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const
     return true;
 }
 
-bool zr_json_place(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_place(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     (void)path;
-    (void)field;
     zr_json_type(json);
     const char *place = json->at;
     if (!zr_json_skip(json)) return false;
@@ -194,9 +193,9 @@ bool zr_json_number_in(struct zr_json *json, const struct zr_json_path *path, do
     return true;
 }
 
-bool zr_json_number(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_number(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    return zr_json_number_in(json, path, field->low, field->high, out);
+    return zr_json_number_in(json, path, path->field->low, path->field->high, out);
 }
 
 static bool read_float(struct zr_json *json, const struct zr_json_path *path, double low, double high, float *out)
@@ -207,45 +206,41 @@ static bool read_float(struct zr_json *json, const struct zr_json_path *path, do
     return true;
 }
 
-bool zr_json_float(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_float(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    return read_float(json, path, field->low, field->high, out);
+    return read_float(json, path, path->field->low, path->field->high, out);
 }
 
-bool zr_json_coordinate(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+bool zr_json_coordinate(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;
-    (void)field;
     return read_float(json, path, -limit, limit, out);
 }
 
-bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max * ZR_JSON_LENGTHS_A_COORDINATE;
-    (void)field;
     return read_float(json, path, -limit, limit, out);
 }
 
-bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max * ZR_JSON_LENGTHS_A_COORDINATE;
     double value;
-    (void)field;
     if (!zr_json_number_in(json, path, -limit, limit, &value)) return false;
     if (!((float)value > 0.0f)) return zr_json_fault(json, path, "%.9g is not greater than 0", value);
     *(float *)out = (float)value;
     return true;
 }
 
-bool zr_json_whole(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_whole(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    const bool has_range = field && field->high > field->low; /* for the message; callers check it */
+    const bool has_range = path->field && path->field->high > path->field->low; /* for the message; callers check it */
     double value;
     if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &value)) return false;
     if (!(value >= 0 && value <= UINT32_MAX))
-        return zr_json_check_range(json, path, has_range ? field->low : 0, has_range ? field->high : UINT32_MAX, value);
+        return zr_json_check_range(json, path, has_range ? path->field->low : 0,
+                                   has_range ? path->field->high : UINT32_MAX, value);
     if ((double)(uint32_t)value != value) return zr_json_fault(json, path, "%.9g is not a whole number", value);
     *(uint32_t *)out = (uint32_t)value;
     return true;
@@ -279,42 +274,44 @@ bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32
 
 /* ---- words ---- */
 
-bool zr_json_bool(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_bool(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return expect(json, path, ZR_JSON_BOOL, "true or false") && zr_json_take_bool(json, out);
 }
 
-bool zr_json_flag(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_flag(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     bool value;
-    if (!zr_json_bool(json, path, field, &value)) return false;
+    if (!zr_json_bool(json, path, &value)) return false;
     *(int *)out = value;
     return true;
 }
 
-bool zr_json_string(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_string(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_json_text text;
-    (void)field;
     if (!expect(json, path, ZR_JSON_STRING, "a string") || !zr_json_take_string(json, &text)) return false;
     const char *decoded = zr_json_decode(json, &text);
     if (decoded) *(const char **)out = decoded;
     return decoded;
 }
 
-bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_choice_of(struct zr_json *json, const struct zr_json_path *path, const struct zr_names *words, int *out)
 {
-    const struct zr_names *names = field->words;
     struct zr_json_text text;
     if (!expect(json, path, ZR_JSON_STRING, "a string") || !zr_json_take_string(json, &text)) return false;
-    for (int i = 0; i < names->count; i++)
-        if (zr_json_is(&text, names->words[i])) {
-            *(int *)out = i;
+    for (int i = 0; i < words->count; i++)
+        if (zr_json_is(&text, words->words[i])) {
+            *out = i;
             return true;
         }
     const char *word = zr_json_decode(json, &text);
-    return word && zr_json_fault(json, path, "%s", zr_names_refuse(names, word).text);
+    return word && zr_json_fault(json, path, "%s", zr_names_refuse(words, word).text);
+}
+
+bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    return zr_json_choice_of(json, path, path->field->words, out);
 }
 
 /* ---- vectors ---- */
@@ -364,49 +361,44 @@ static bool read_vec4(struct zr_json *json, const struct zr_json_path *path, siz
     return true;
 }
 
-bool zr_json_float2(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_float2(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double v[2] = {0};
     size_t count;
-    if (!zr_json_numbers(json, path, 2, 2, field->low, field->high, v, &count)) return false;
+    if (!zr_json_numbers(json, path, 2, 2, path->field->low, path->field->high, v, &count)) return false;
     for (int k = 0; k < 2; k++)
         ((float *)out)[k] = (float)v[k];
     return true;
 }
 
-bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;
     double v[3] = {0};
     size_t count;
-    (void)field;
     if (!zr_json_numbers(json, path, 3, 3, -limit, limit, v, &count)) return false;
     *(zr_vec3 *)out = (zr_vec3){(float)v[0], (float)v[1], (float)v[2]};
     return true;
 }
 
-bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;
-    (void)field;
     return read_vec4(json, path, 4, -limit, limit, out);
 }
 
-bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;
-    (void)field;
     return read_vec4(json, path, 3, -limit, limit, out);
 }
 
-bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     static const char *const forms = "[r,g,b] or [r,g,b,a] of 0..1, \"#rrggbb\", \"#rrggbbaa\", \"#rgb\", \"#rgba\", "
                                      "\"transparent\" or a name of CSS";
     const enum zr_json_type type = zr_json_type(json);
     struct zr_json_text text;
-    (void)field;
     if (type == ZR_JSON_LIST) return read_vec4(json, path, 3, 0.0, 1.0, out);
     if (type == ZR_JSON_STRING) {
         if (!zr_json_take_string(json, &text)) return false;
@@ -418,10 +410,10 @@ bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const 
     return zr_json_skip(json) && zr_json_fault(json, path, "expected a colour, found %s: %s", kinds[type], forms);
 }
 
-bool zr_json_opaque(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_json_opaque(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     zr_vec4 color;
-    if (!zr_json_color(json, path, field, &color)) return false;
+    if (!zr_json_color(json, path, &color)) return false;
     if (color.w < 1.0f) return zr_json_fault(json, path, "an alpha of %.9g: alpha must be 1", (double)color.w);
     *(zr_vec4 *)out = color;
     return true;

@@ -14,16 +14,20 @@
 #include "input/json/json.h"
 #include "input/text/names.h"
 
+struct zr_json_field;
+
 /* The place of a reader in the text: a chain of links on the stack, formatted as a JSON Pointer (RFC 6901) for faults
  * only. `key` is NULL for an item of a list. */
 struct zr_json_path {
     const struct zr_json_path *parent; /* NULL: the root */
     const char *key;
     size_t index;
+    const struct zr_json_field *field; /* row of the key whose value is read; NULL: an item, or a key of no table */
 };
 
-#define ZR_JSON_KEY(parent, key)    (&(const struct zr_json_path){(parent), (key), 0})
-#define ZR_JSON_ITEM(parent, index) (&(const struct zr_json_path){(parent), NULL, (index)})
+#define ZR_JSON_KEY(parent, key)     (&(const struct zr_json_path){(parent), (key), 0, NULL})
+#define ZR_JSON_ITEM(parent, index)  (&(const struct zr_json_path){(parent), NULL, (index), NULL})
+#define ZR_JSON_FIELD(parent, field) (&(const struct zr_json_path){(parent), (field)->key, 0, (field)})
 
 /* ---- faults ---- */
 
@@ -40,10 +44,10 @@ bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const
 
 /* ---- objects ---- */
 
-struct zr_json_field;
 struct zr_json_object;
-typedef bool zr_json_read_fn(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                             void *out);
+
+/* Reads the value at `path` into *out, as path->field says. */
+typedef bool zr_json_read_fn(struct zr_json *json, const struct zr_json_path *path, void *out);
 
 /* One key of an object. */
 struct zr_json_field {
@@ -97,7 +101,7 @@ static inline bool zr_json_gives(uint64_t given, int field)
     return given >> field & 1u;
 }
 
-/* ---- values; `field` may be NULL if the reader needs none of its members ---- */
+/* ---- values; `field` is path->field ---- */
 
 /* const char *: the first byte of the value, which is skipped for a later reader. */
 zr_json_read_fn zr_json_place;
@@ -132,6 +136,7 @@ zr_json_read_fn zr_json_bool;   /* bool */
 zr_json_read_fn zr_json_flag;   /* int: 0 or 1 */
 zr_json_read_fn zr_json_string; /* const char *, in the arena */
 zr_json_read_fn zr_json_choice; /* int: the index of a supported word of field->words */
+bool zr_json_choice_of(struct zr_json *json, const struct zr_json_path *path, const struct zr_names *words, int *out);
 
 zr_json_read_fn zr_json_float2;   /* float[2], from field->low to field->high */
 zr_json_read_fn zr_json_vec3;     /* zr_vec3 */

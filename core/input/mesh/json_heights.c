@@ -7,8 +7,8 @@
 #include "base/checked.h"
 #include "input/json/json_array.h"
 #include "input/json/json_list.h"
-#include "input/scene/json_objects.h"
 #include "input/json/json_rows.h"
+#include "input/scene/json_objects.h"
 
 /* Four corners per cell are counted in 32 bits. */
 enum { POSITIONS_MAX = INT32_MAX / 4 };
@@ -59,7 +59,7 @@ static void read_odd_row(struct zr_json *json, const struct zr_json_path *path, 
         if (!place) return;
         if (zr_json_type(json) == ZR_JSON_NULL)
             zr_json_skip(json);
-        else if (!zr_json_coordinate(json, ZR_JSON_ITEM(path, *count), NULL, &value))
+        else if (!zr_json_coordinate(json, ZR_JSON_ITEM(path, *count), &value))
             value = 0.0f;
         *place = value;
         heights->has_holes |= isnan(value) != 0;
@@ -140,13 +140,11 @@ static bool names_array(const struct zr_json *json)
 }
 
 /* struct zr_heights */
-static bool read_values(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_values(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     static const struct zr_json_list list = {'[', read_rows, begin_rows, join_rows};
     struct zr_heights *heights = out;
     const size_t faults = json->error->count;
-    (void)field;
     const bool good = zr_json_type(json) == ZR_JSON_OBJECT ? read_value_array(json, path, heights)
                                                            : zr_json_list_read(json, path, &list, heights);
     if (!good) return false;
@@ -159,13 +157,11 @@ static bool read_values(struct zr_json *json, const struct zr_json_path *path, c
 }
 
 /* float[2]: coordinates of the first and the last column or row. */
-static bool read_range(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_range(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;
     double ends[2] = {0, 0};
     size_t count;
-    (void)field;
     if (!zr_json_list(json, path) || !zr_json_count(json, path, &count)) return false;
     if (count != 2)
         return zr_json_skip(json) &&
@@ -189,11 +185,10 @@ static const struct zr_json_field fields[] = {
            .text = "y of the first and the last row", .schema = ZR_SCHEMA_OF("coordinate2")}};
 const struct zr_json_object zr_json_object_heights = ZR_JSON_OBJECT_OF("heights", fields);
 
-bool zr_read_heights(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+bool zr_read_heights(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_heights *heights = out;
-    if (zr_json_type(json) != ZR_JSON_OBJECT || names_array(json)) return read_values(json, path, field, out);
+    if (zr_json_type(json) != ZR_JSON_OBJECT || names_array(json)) return read_values(json, path, out);
     return zr_json_fields(json, path, &zr_json_object_heights, out, &heights->keys);
 }
 

@@ -139,10 +139,9 @@ static bool check_file(struct zr_json *json, const struct zr_json_path *path, co
     return json->error->count == faults;
 }
 
-bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_growing *list = &((struct zr_parsed_scene *)out)->meshes;
-    (void)field;
     list->size = sizeof(struct zr_parsed_mesh);
     if (!zr_json_list(json, path)) return false;
     json->assets->use |= ZR_USED_BY_GEOMETRY;

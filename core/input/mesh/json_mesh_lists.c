@@ -1,7 +1,7 @@
 #include "input/json/json_array.h"
 #include "input/json/json_list.h"
-#include "input/mesh/json_mesh.h"
 #include "input/json/json_rows.h"
+#include "input/mesh/json_mesh.h"
 #include "scene/texture.h"
 
 /* Free slots of the index array before each face. A face with more corners than free slots goes through read_face. */
@@ -65,10 +65,9 @@ static void read_tangent_items(struct zr_json *json, const struct zr_json_path *
 
 /* The last arguments are shapes of arrays. zr_unused_positions_move changes positions. */
 #define READER(name, read_items, limit, ...)                                                                           \
-    bool name(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)     \
+    bool name(struct zr_json *json, const struct zr_json_path *path, void *out)                                        \
     {                                                                                                                  \
         static const struct zr_json_list list = {'[', read_items, begin_array, join_array};                            \
-        (void)field;                                                                                                   \
         return read_array(json, path, &list, (struct zr_array_wanted){__VA_ARGS__}, limit, out);                       \
     }
 READER(zr_read_mesh_positions, read_position_items, 0, .least = 3, .most = 4, .is_changed = true)
@@ -77,13 +76,11 @@ READER(zr_read_mesh_normals, read_normal_items, 0, .least = 3, .most = 3)
 READER(zr_read_mesh_texcoords, read_texcoord_items, ZR_TEXCOORD_MAX, .least = 2, .most = 2)
 #undef READER
 
-bool zr_read_mesh_tangents(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                           void *out)
+bool zr_read_mesh_tangents(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     static const struct zr_json_list list = {'[', read_tangent_items, begin_array, join_array};
     const struct zr_growing *array = out;
     const bool is_array = zr_json_type(json) == ZR_JSON_OBJECT;
-    (void)field;
     if (!read_array(json, path, &list, (struct zr_array_wanted){.least = 4, .most = 4}, 0, out)) return false;
     for (size_t i = 0; is_array && i < array->count; i++) {
         if (i % ROWS_A_LOOK == 0) zr_json_look(json);
@@ -189,14 +186,12 @@ static bool read_face_array(struct zr_json *json, const struct zr_json_path *pat
     return true;
 }
 
-bool zr_read_mesh_faces(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+bool zr_read_mesh_faces(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     static const struct zr_json_list list = {'[', read_face_items, begin_faces, join_faces};
     struct zr_parsed_mesh *given = out;
     struct zr_parsed_faces *faces = &given->faces;
     uint32_t *first;
-    (void)field;
     faces->positions = known_positions(given);
     if (zr_json_type(json) == ZR_JSON_OBJECT) return read_face_array(json, path, faces);
     if (!zr_json_list(json, path) || !(first = zr_growing_next(&faces->ends, json))) return false;
@@ -262,12 +257,10 @@ static bool read_index_array(struct zr_json *json, const struct zr_json_path *pa
            zr_json_array_indices(json, path, &array, positions, "positions", indices);
 }
 
-bool zr_read_mesh_lines(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+bool zr_read_mesh_lines(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     static const struct zr_json_list list = {'[', read_line_items, begin_lines, join_lines};
     struct zr_parsed_mesh *given = out;
-    (void)field;
     given->lines.positions = known_positions(given);
     if (zr_json_type(json) == ZR_JSON_OBJECT)
         return read_index_array(json, path, 2, given->lines.positions, &given->lines.ends);
@@ -277,13 +270,11 @@ bool zr_read_mesh_lines(struct zr_json *json, const struct zr_json_path *path, c
     return good;
 }
 
-bool zr_read_mesh_points(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                         void *out)
+bool zr_read_mesh_points(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_points *points = &((struct zr_parsed_mesh *)out)->points;
     struct zr_growing *indices = &points->indices;
     uint32_t *index;
-    (void)field;
     points->positions = known_positions(out);
     if (zr_json_type(json) == ZR_JSON_OBJECT) return read_index_array(json, path, 1, points->positions, indices);
     if (!zr_json_list(json, path) || !zr_growing_reserve(indices, json, 1)) return false;

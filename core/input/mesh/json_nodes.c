@@ -1,7 +1,7 @@
 /* Reads the hierarchy of nodes and makes the instances that it places. */
 #include "input/json/json_matrix.h"
-#include "input/scene/json_objects.h"
 #include "input/mesh/json_placement.h"
+#include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/scene/kept.h"
 
@@ -12,8 +12,8 @@
 #include "base/cancel.h"
 #include "input/formats/quick.h"
 #include "input/text/text.h"
-#include "scene/parts/animation.h"
 #include "scene/camera/view_set.h"
+#include "scene/parts/animation.h"
 
 /* ---- references ---- */
 
@@ -86,8 +86,7 @@ static bool read_reference(struct zr_json *json, const struct zr_json_path *path
 {
     const enum zr_json_type type = zr_json_type(json);
     const char *name;
-    if (type == ZR_JSON_STRING)
-        return zr_json_string(json, path, NULL, &name) && find_name(json, path, directory, name, out);
+    if (type == ZR_JSON_STRING) return zr_json_string(json, path, &name) && find_name(json, path, directory, name, out);
     if (type != ZR_JSON_NUMBER) return zr_json_expect(json, path, "an index or a name");
     return zr_json_index(json, path, directory->count, directory->many, out);
 }
@@ -219,7 +218,7 @@ static void read_poses(struct reader *reader, struct zr_json *json, const struct
         uint32_t number;
         zr_mat4 matrix;
         if (!name) return;
-        if (zr_json_affine(json, at, NULL, &matrix) && find_name(json, at, &reader->nodes, name, &number))
+        if (zr_json_affine(json, at, &matrix) && find_name(json, at, &reader->nodes, name, &number))
             reader->made[number].local = matrix;
     }
 }

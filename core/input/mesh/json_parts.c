@@ -12,7 +12,7 @@ enum { PATTERNS_MAX = 1000, PATTERN_BYTES_MAX = 1024, HIGHLIGHTS_MAX = 64 };
 static bool read_text(struct zr_json *json, const struct zr_json_path *path, struct zr_part_pattern *out)
 {
     const char *text = "";
-    if (!zr_json_string(json, path, NULL, &text)) return false;
+    if (!zr_json_string(json, path, &text)) return false;
     const size_t length = strlen(text);
     if (length == 0) return zr_json_fault(json, path, "the text is empty; a name, a pattern or an id is needed");
     if (length > PATTERN_BYTES_MAX)
@@ -27,7 +27,7 @@ static bool read_pattern(struct zr_json *json, const struct zr_json_path *path, 
     uint32_t id;
     if (type == ZR_JSON_STRING) return read_text(json, path, out);
     if (type != ZR_JSON_NUMBER) return zr_json_expect(json, path, "the name of a part, a pattern or an id");
-    if (!zr_json_whole(json, path, NULL, &id)) return false;
+    if (!zr_json_whole(json, path, &id)) return false;
     *out = (struct zr_part_pattern){.id = (double)id};
     return true;
 }
@@ -70,22 +70,18 @@ static bool read_set(struct zr_json *json, const struct zr_json_path *path, stru
     return true;
 }
 
-bool zr_read_hide(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_hide(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_set(json, path, &((struct zr_parsed_scene *)out)->scene->parts.hide);
 }
 
-bool zr_read_isolate(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+bool zr_read_isolate(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_set(json, path, &((struct zr_parsed_scene *)out)->scene->parts.isolate);
 }
 
-bool zr_read_ghost(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_ghost(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_set(json, path, &((struct zr_parsed_scene *)out)->scene->parts.ghost);
 }
 
@@ -94,10 +90,8 @@ bool zr_read_ghost(struct zr_json *json, const struct zr_json_path *path, const 
 static const zr_vec4 highlight_color = {1.0f, 0x6a / 255.0f, 0, 1}; /* #ff6a00 */
 
 /* struct zr_part_set */
-static bool read_parts(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_parts(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_set(json, path, out);
 }
 
@@ -130,12 +124,10 @@ static bool has_objects(const struct zr_json *json)
     return false;
 }
 
-bool zr_read_highlight(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+bool zr_read_highlight(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_part_keys *keys = &((struct zr_parsed_scene *)out)->scene->parts;
     size_t count = 1, read = 0;
-    (void)field;
     keys->highlight_count = 0;
     zr_json_type(json);
     const bool is_list = has_objects(json);
@@ -177,14 +169,12 @@ static const struct zr_json_field explode_fields[] = {
      .text = "axis of world space along which parts move; radial: in all directions"}};
 const struct zr_json_object zr_json_object_explode = ZR_JSON_OBJECT_OF("explode", explode_fields);
 
-bool zr_read_explode(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+bool zr_read_explode(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_part_keys *keys = &((struct zr_parsed_scene *)out)->scene->parts;
     struct given_explode given = {.factor = 0.0};
     const enum zr_json_type type = zr_json_type(json);
     uint64_t set;
-    (void)field;
     if (type == ZR_JSON_NUMBER) {
         if (!zr_json_number_in(json, path, 0, FACTOR_MAX, &given.factor)) return false;
     } else if (type == ZR_JSON_OBJECT) {
@@ -197,10 +187,10 @@ bool zr_read_explode(struct zr_json *json, const struct zr_json_path *path, cons
     return true;
 }
 
-bool zr_read_colors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_colors(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     int which = 0;
-    if (!zr_json_choice(json, path, field, &which)) return false;
+    if (!zr_json_choice(json, path, &which)) return false;
     ((struct zr_parsed_scene *)out)->scene->parts.colors = (enum zr_color_source)which;
     return true;
 }

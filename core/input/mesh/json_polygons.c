@@ -1,10 +1,10 @@
 /* Reads polygons, the simple form of a scene, into the arrays of json_soup.h. */
 #include "input/json/json_array.h"
 #include "input/json/json_list.h"
-#include "input/scene/json_objects.h"
 #include "input/json/json_rows.h"
-#include "input/scene/json_scene.h"
 #include "input/mesh/json_soup.h"
+#include "input/scene/json_objects.h"
+#include "input/scene/json_scene.h"
 
 /* A polygon while it is read. */
 struct polygon {
@@ -39,13 +39,11 @@ static bool read_items_of(struct zr_json *json, const struct zr_json_path *path,
 }
 
 /* struct polygon: a ring of positions: the outer one or, called with its path, a hole. */
-static bool read_ring(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+static bool read_ring(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const struct polygon *polygon = out;
     struct zr_growing *positions = &polygon->soup->positions;
     const size_t first = positions->count;
-    (void)field;
     if (!read_items_of(json, path, position_array, zr_rows_read_positions, first, positions)) return false;
     const size_t count = positions->count - first, most = json->limits->polygon_vertices_max;
     const size_t all = positions->count - polygon->first_vertex;
@@ -65,38 +63,31 @@ static bool read_each(struct zr_json *json, const struct zr_json_path *path, con
 }
 
 /* struct polygon, also for read_normals */
-static bool read_colors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_colors(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const struct polygon *polygon = out;
-    (void)field;
     return read_each(json, path, polygon, &polygon->soup->colors, &zr_soup_white, color_array, zr_rows_read_colors);
 }
 
-static bool read_normals(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                         void *out)
+static bool read_normals(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const struct polygon *polygon = out;
-    (void)field;
     return read_each(json, path, polygon, &polygon->soup->normals, &zr_soup_computed, normal_array, zr_rows_read_vec3s);
 }
 
 /* zr_vec4 */
-static bool read_color(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_color(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     zr_json_type(json);
     const char *behind = zr_row_color(json->at, json->end, out);
-    if (!behind) return zr_json_color(json, path, field, out);
+    if (!behind) return zr_json_color(json, path, out);
     json->at = behind;
     return true;
 }
 
 /* struct zr_json_text: a name, compared as written and decoded once per style. */
-static bool read_material(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                          void *out)
+static bool read_material(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return zr_json_type(json) == ZR_JSON_STRING ? zr_json_take_string(json, out)
                                                 : zr_json_expect(json, path, "a string");
 }
@@ -138,7 +129,7 @@ static bool read_holes(struct zr_json *json, const struct zr_json_path *path, st
     if (!zr_json_list(&there, holes)) return false;
     for (zr_json_enter(&there, '['); zr_json_item(&there); number++)
         if (!zr_growing_add(&soup->ring_offsets, json, soup->positions.count) ||
-            !read_ring(&there, ZR_JSON_ITEM(holes, number), NULL, polygon))
+            !read_ring(&there, ZR_JSON_ITEM(holes, number), polygon))
             return false;
     return true;
 }
@@ -203,12 +194,10 @@ static void read_items(struct zr_json *json, const struct zr_json_path *path, vo
         read_polygon(json, ZR_JSON_ITEM(path, soup->offsets.count), soup);
 }
 
-bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     static const struct zr_json_list list = {'{', read_items, zr_soup_begin_part, zr_soup_join};
     struct zr_soup *soup = zr_arena_alloc(json->arena, 1, sizeof *soup);
-    (void)field;
     if (!soup) return false;
     *soup = zr_soup_empty();
     struct zr_parsed_scene *root = out;

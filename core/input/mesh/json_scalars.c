@@ -49,12 +49,10 @@ static void read_odd(struct zr_json *json, const struct zr_json_path *path, stru
     }
 }
 
-bool zr_read_scalars(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+bool zr_read_scalars(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     static const struct zr_array_wanted wanted = {.least = 1, .most = 1, .low = -VALUE_MAX, .high = VALUE_MAX};
     struct zr_growing *values = &((struct zr_scalars *)out)->values;
-    (void)field;
     if (zr_json_type(json) == ZR_JSON_OBJECT) return zr_json_array_read(json, path, &wanted, values);
     if (!zr_json_list(json, path) || !zr_growing_reserve(values, json, 1)) return false;
     if (!read_plain(json, values)) {
@@ -68,13 +66,11 @@ bool zr_read_scalars(struct zr_json *json, const struct zr_json_path *path, cons
     return true;
 }
 
-bool zr_read_scalar_range(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                          void *out)
+bool zr_read_scalar_range(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_scalars *scalars = out;
     double ends[2] = {0, 0};
     size_t count;
-    (void)field;
     if (!zr_json_numbers(json, path, 2, 2, -VALUE_MAX, VALUE_MAX, ends, &count)) return false;
     if (ends[0] > ends[1])
         return zr_json_fault(json, path, "from %.9g to %.9g; the lower end comes first", ends[0], ends[1]);

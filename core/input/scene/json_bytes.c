@@ -1,11 +1,11 @@
 /* Bytes of a scene: in a data: URI, in a named part of the request, or stored under their hash. */
 #include <string.h>
 
-#include "input/text/base64.h"
-#include "input/scene/file_parts.h"
 #include "input/formats/input.h"
+#include "input/scene/file_parts.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "input/text/base64.h"
 
 struct given {
     struct zr_bytes_name name;
@@ -145,7 +145,7 @@ bool zr_parsed_read_bytes(struct zr_json *json, const struct zr_json_path *path,
     struct zr_asset asset = {.name = ""};
     const char *uri;
     if (type == ZR_JSON_STRING)
-        return zr_json_string(json, path, NULL, &uri) && read_uri(json, path, uri, &asset) &&
+        return zr_json_string(json, path, &uri) && read_uri(json, path, uri, &asset) &&
                take_file(json, path, &asset, out);
     if (type != ZR_JSON_OBJECT)
         return zr_json_skip(json) &&

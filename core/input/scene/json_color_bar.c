@@ -20,15 +20,13 @@ static const struct zr_json_field fields[] = {
 #undef AT
 const struct zr_json_object zr_json_object_colorBar = ZR_JSON_OBJECT_OF("colorBar", fields);
 
-bool zr_read_color_bar(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+bool zr_read_color_bar(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     struct zr_color_bar *bar = &root->scene->color_bar;
     const enum zr_json_type type = zr_json_type(json);
     struct given_color_bar given = {.place = 0};
     uint64_t keys;
-    (void)field;
     if (type == ZR_JSON_BOOL) return zr_json_take_bool(json, &bar->is_on);
     if (type != ZR_JSON_OBJECT) return zr_json_expect(json, path, "true, false or an object");
     if (!zr_json_fields(json, path, &zr_json_object_colorBar, &given, &keys)) return false;

@@ -18,12 +18,11 @@ static const struct zr_json_field fields[] = {
     {.key = "density"}};
 const struct zr_json_object zr_json_object_fog = ZR_JSON_OBJECT_OF("fog", fields);
 
-bool zr_read_fog(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_fog(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     struct given_fog given = {.near = -1, .far = -1};
     uint64_t keys;
-    (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_fog, &given, &keys) || given.near < 0 || given.far < 0)
         return false;
     if (!(given.near < given.far))

@@ -34,37 +34,33 @@ struct given_light {
     bool has_shadows;
 };
 
-static bool read_direction(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                           void *out)
+static bool read_direction(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     zr_vec3 v;
-    if (!zr_json_vec3(json, path, field, &v)) return false;
+    if (!zr_json_vec3(json, path, &v)) return false;
     if (v.x == 0.0f && v.y == 0.0f && v.z == 0.0f) return zr_json_fault(json, path, "a direction of no length");
     *(zr_vec3 *)out = zr_vec3_normalize(v);
     return true;
 }
 
 /* double: check_light checks the range, which depends on the type. */
-static bool read_intensity(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                           void *out)
+static bool read_intensity(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, out);
 }
 
 /* double, degrees: field->high is a quarter turn, in radians or degrees. The message suggests degrees for a large
  * number of radians. */
-static bool read_half_angle(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                            void *out)
+static bool read_half_angle(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    const bool degrees = field->high > 4.0;
+    const bool degrees = path->field->high > 4.0;
     double value;
     if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &value)) return false;
-    if (!degrees && value > field->high && value <= 90.0)
+    if (!degrees && value > path->field->high && value <= 90.0)
         return zr_json_fault(json, path, "%.9g is more than a quarter turn: %s takes radians, %sDegrees takes degrees",
-                             value, field->key, field->key);
-    if (!(value >= 0.0 && value <= field->high))
-        return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, 0.0, field->high);
+                             value, path->field->key, path->field->key);
+    if (!(value >= 0.0 && value <= path->field->high))
+        return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, 0.0, path->field->high);
     value = degrees ? value : value * 180.0 / PI;
     *(double *)out = value < 90.0 ? value : 90.0;
     return true;
@@ -258,11 +254,10 @@ static void read_light(struct zr_parsed_scene *root, struct zr_json *json, const
     if (light->has_shadows) root->linear_key = "the key shadows of lights";
 }
 
-bool zr_read_lights(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_lights(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     size_t count, number = 0;
-    (void)field;
     if (!zr_json_count(json, path, &count)) return false;
     if (count > ZR_LIGHTS_MAX)
         return zr_json_skip(json) &&
@@ -285,12 +280,11 @@ bool zr_read_lights(struct zr_json *json, const struct zr_json_path *path, const
 /* Components of a text are bytes. */
 enum { LAST = 255, RAMP_ROOM = 16 };
 
-bool zr_read_light_color(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                         void *out)
+bool zr_read_light_color(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const bool is_text = zr_json_type(json) == ZR_JSON_STRING;
     zr_vec4 *color = out;
-    if (!zr_json_color(json, path, field, out)) return false;
+    if (!zr_json_color(json, path, out)) return false;
     if (is_text) *color = (zr_vec4){-color->x, -color->y, -color->z, color->w};
     return true;
 }

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "base/rgba.h"
+#include "input/query/parameter_names.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/text/names.h"
 #include "input/text/nearest.h"
-#include "input/query/parameter_names.h"
 #include "input/text/text.h"
 #include "scene/defaults.h"
 
@@ -20,15 +20,14 @@
 
 /* ---- outlines ---- */
 
-bool zr_read_outline(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+bool zr_read_outline(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_face_style *faces = out;
     const enum zr_json_type type = zr_json_type(json);
-    if (type == ZR_JSON_BOOL) return zr_json_flag(json, path, field, &faces->outline);
+    if (type == ZR_JSON_BOOL) return zr_json_flag(json, path, &faces->outline);
     if (type != ZR_JSON_STRING && type != ZR_JSON_LIST)
         return zr_json_skip(json) && zr_json_fault(json, path, "true, false or a colour is needed");
-    if (!zr_json_color(json, path, field, &faces->outline_color)) return false;
+    if (!zr_json_color(json, path, &faces->outline_color)) return false;
     faces->outline = ZR_OUTLINE_SET_COLOR;
     return true;
 }
@@ -36,12 +35,11 @@ bool zr_read_outline(struct zr_json *json, const struct zr_json_path *path, cons
 /* ---- materials as read ---- */
 
 /* zr_vec3: linear light, so a text is not allowed. */
-static bool read_emissive(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                          void *out)
+static bool read_emissive(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double v[3] = {0};
     size_t count;
-    if (!zr_json_numbers(json, path, 3, 3, field->low, field->high, v, &count)) return false;
+    if (!zr_json_numbers(json, path, 3, 3, path->field->low, path->field->high, v, &count)) return false;
     *(zr_vec3 *)out = (zr_vec3){(float)v[0], (float)v[1], (float)v[2]};
     return true;
 }
@@ -110,12 +108,10 @@ static void note_linear_keys(struct zr_parsed_scene *root, uint64_t keys)
         if (zr_json_gives(keys, key)) root->linear_key = fields[key].key;
 }
 
-bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     struct zr_growing list = {.size = sizeof(struct zr_parsed_material)};
-    (void)field;
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); list.count++) {
         struct zr_parsed_material *given = zr_growing_next(&list, json);

@@ -15,21 +15,17 @@ struct given_output {
 };
 
 /* int: any space; check_space refuses one that the channel lacks. */
-static bool read_space(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_space(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    const struct zr_json_field any = {.words = &zr_space_names};
-    (void)field;
-    return zr_json_choice(json, path, &any, out);
+    return zr_json_choice_of(json, path, &zr_space_names, out);
 }
 
 /* float[2]: a nearest and a farthest depth. */
-static bool read_range(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_range(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double ends[2] = {0, 0};
     size_t count;
-    if (!zr_json_numbers(json, path, 2, 2, field->low, field->high, ends, &count)) return false;
+    if (!zr_json_numbers(json, path, 2, 2, path->field->low, path->field->high, ends, &count)) return false;
     ((float *)out)[0] = (float)ends[0];
     ((float *)out)[1] = (float)ends[1];
     return ends[0] < ends[1] ||
@@ -37,11 +33,10 @@ static bool read_range(struct zr_json *json, const struct zr_json_path *path, co
 }
 
 /* uint32_t: an integer from field->low to field->high. */
-static bool read_count(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_count(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    return zr_json_whole(json, path, field, out) &&
-           zr_json_check_range(json, path, field->low, field->high, *(uint32_t *)out);
+    return zr_json_whole(json, path, out) &&
+           zr_json_check_range(json, path, path->field->low, path->field->high, *(uint32_t *)out);
 }
 
 enum { CHANNEL, ENCODING, SPACE, SCALE, RANGE, X, Y, QUALITY, LOSSLESS, MAX_BYTES, TO };
@@ -263,12 +258,10 @@ static bool clashes(struct zr_json *json, const struct zr_json_path *path, const
     return false;
 }
 
-bool zr_read_outputs(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+bool zr_read_outputs(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     size_t count = 0, number = 0;
-    (void)field;
     if (!zr_json_list(json, path)) return false;
     struct zr_output *outputs = zr_arena_alloc(json->arena, OUTPUTS_MAX, sizeof *outputs);
     if (!outputs) return false;

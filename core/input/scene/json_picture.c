@@ -29,11 +29,11 @@ void zr_parsed_note_keys(struct zr_parsed_picture *given, const char *name, cons
 
 /* ---- the look ---- */
 
-bool zr_read_look(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_look(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     const char *word = "";
-    if (!zr_json_string(json, path, field, &word)) return false;
+    if (!zr_json_string(json, path, &word)) return false;
     root->look = zr_look_find(word);
     root->scene->has_open_look = !strchr(word, '@');
     return root->look || zr_json_fault(json, path, "%s", zr_looks_refuse(word).text);
@@ -42,23 +42,21 @@ bool zr_read_look(struct zr_json *json, const struct zr_json_path *path, const s
 /* ---- up ---- */
 
 /* bool: true for z, false for y. */
-bool zr_read_up(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_up(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     int axis = 0;
-    if (!zr_json_choice(json, path, field, &axis)) return false;
+    if (!zr_json_choice(json, path, &axis)) return false;
     *(bool *)out = axis == 1;
     return true;
 }
 
 /* ---- samples ---- */
 
-bool zr_read_samples(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+bool zr_read_samples(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     uint32_t side = 1;
     double number;
-    (void)field;
     if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &number)) return false;
     while (side < ZR_SAMPLE_SIDE_MAX && (double)(side * side) < number)
         side *= 2;
@@ -70,11 +68,10 @@ bool zr_read_samples(struct zr_json *json, const struct zr_json_path *path, cons
 /* ---- the background ---- */
 
 /* zr_vec3 */
-static bool read_opaque(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_opaque(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     zr_vec4 color;
-    if (!zr_json_opaque(json, path, field, &color)) return false;
+    if (!zr_json_opaque(json, path, &color)) return false;
     *(zr_vec3 *)out = (zr_vec3){color.x, color.y, color.z};
     return true;
 }
@@ -87,15 +84,14 @@ static const struct zr_json_field gradient_fields[] = {
                 .text = "colour of the lower edge of the picture", .schema = ZR_SCHEMA_OF("opaque")}};
 const struct zr_json_object zr_json_object_gradient = ZR_JSON_OBJECT_OF("gradient", gradient_fields);
 
-bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     struct zr_picture *picture = &root->picture.picture;
     uint64_t keys;
     zr_picture_give(&root->picture, ZR_PICTURE_TOP);
     zr_picture_give(&root->picture, ZR_PICTURE_BOTTOM);
-    if (zr_json_type(json) != ZR_JSON_OBJECT) return zr_json_color(json, path, field, &root->background);
+    if (zr_json_type(json) != ZR_JSON_OBJECT) return zr_json_color(json, path, &root->background);
     if (!zr_json_fields(json, path, &zr_json_object_gradient, picture, &keys)) return false;
     picture->has_gradient = true;
     root->background = (zr_vec4){picture->top.x, picture->top.y, picture->top.z, 1};
@@ -126,12 +122,10 @@ static const struct zr_json_field occlusion_fields[] = {
      .text = "factor of the darkening"}};
 const struct zr_json_object zr_json_object_occlusion = ZR_JSON_OBJECT_OF("occlusion", occlusion_fields);
 
-bool zr_read_occlusion(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+bool zr_read_occlusion(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_picture *given = &((struct zr_parsed_scene *)out)->picture;
     struct zr_occlusion *occlusion = &given->picture.occlusion;
-    (void)field;
     return read_effect(json, path, &zr_json_object_occlusion, given, occlusion, &occlusion->is_on);
 }
 
@@ -139,11 +133,10 @@ static const char *const edge_sources[] = {"samples", "mesh"};
 static const struct zr_names edge_source_names = ZR_NAMES(2, edge_sources);
 
 /* bool: true for mesh. */
-static bool read_edge_source(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                             void *out)
+static bool read_edge_source(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     int source = 0;
-    if (!zr_json_choice(json, path, field, &source)) return false;
+    if (!zr_json_choice(json, path, &source)) return false;
     *(bool *)out = source == 1;
     return true;
 }
@@ -161,11 +154,10 @@ static const struct zr_json_field edge_fields[] = {
      .text = "hidden lines of the mesh, dashed"}};
 const struct zr_json_object zr_json_object_edges = ZR_JSON_OBJECT_OF("edges", edge_fields);
 
-bool zr_read_edges(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_edges(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_picture *given = &((struct zr_parsed_scene *)out)->picture;
     struct zr_edges *edges = &given->picture.edges;
-    (void)field;
     return read_effect(json, path, &zr_json_object_edges, given, edges, &edges->is_on);
 }
 
@@ -203,7 +195,7 @@ const struct zr_json_object zr_json_object_environment = ZR_JSON_OBJECT_OF("envi
 static bool read_name(struct zr_json *json, const struct zr_json_path *path, int *name)
 {
     const char *word = "";
-    if (!zr_json_string(json, path, NULL, &word)) return false;
+    if (!zr_json_string(json, path, &word)) return false;
     *name = zr_names_find(&environment_names, word);
     return *name >= 0 ||
            zr_json_fault(json, path, "%s; or false for none", zr_names_refuse(&environment_names, word).text);
@@ -222,13 +214,11 @@ static bool read_environment(struct zr_json *json, const struct zr_json_path *pa
            (!is_on || zr_json_fault(json, path, "expected false, a name or an object, not true"));
 }
 
-bool zr_read_environment(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                         void *out)
+bool zr_read_environment(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_picture *picture = &((struct zr_parsed_scene *)out)->picture;
     struct given_environment given = {.name = -1};
     uint64_t keys;
-    (void)field;
     if (!read_environment(json, path, &given, &keys)) {
         zr_picture_give(picture, ZR_PICTURE_ENVIRONMENT); /* prevents a second report of a missing name */
         return false;

@@ -5,30 +5,27 @@
 #define EXPOSURE_MAX 1e6
 
 /* uint32_t: the only version is 1. */
-static bool read_version(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                         void *out)
+static bool read_version(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     uint32_t number;
     (void)out;
-    if (!zr_json_whole(json, path, field, &number)) return false;
+    if (!zr_json_whole(json, path, &number)) return false;
     return number == 1 || zr_json_fault(json, path, "%u; this is version 1 of the contract", number);
 }
 
-static bool read_render(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_render(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     bool is_drawn = true;
-    if (!zr_json_bool(json, path, field, &is_drawn)) return false;
+    if (!zr_json_bool(json, path, &is_drawn)) return false;
     root->scene->is_undrawn = !is_drawn;
     return true;
 }
 
-static bool read_visibility(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                            void *out)
+static bool read_visibility(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
-    return zr_json_bool(json, path, field, &root->scene->views[0].has_visibility);
+    return zr_json_bool(json, path, &root->scene->views[0].has_visibility);
 }
 
 #define AT(member)      offsetof(struct zr_parsed_scene, member)

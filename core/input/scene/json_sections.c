@@ -20,11 +20,10 @@ struct given_plane {
 /* ---- one plane ---- */
 
 /* zr_vec3 */
-static bool read_normal(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_normal(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     zr_vec3 v;
-    if (!zr_json_vec3(json, path, field, &v)) return false;
+    if (!zr_json_vec3(json, path, &v)) return false;
     if (v.x == 0.0f && v.y == 0.0f && v.z == 0.0f) return zr_json_fault(json, path, "a normal of no length");
     *(zr_vec3 *)out = v;
     return true;
@@ -96,13 +95,11 @@ static bool read_plane(struct zr_json *json, const struct zr_json_path *path, st
 
 /* ---- lists ---- */
 
-static bool read_planes(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_planes(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_sections *sections = out;
     size_t count, number = 0;
     bool is_good = true;
-    (void)field;
     if (!zr_json_count(json, path, &count)) return false;
     if (count < 1 || count > ZR_SECTION_PLANES_MAX)
         return zr_json_skip(json) &&
@@ -113,8 +110,7 @@ static bool read_planes(struct zr_json *json, const struct zr_json_path *path, c
     return is_good;
 }
 
-static bool read_uncut(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_uncut(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_sections *sections = out;
     size_t count, number = 0;
@@ -125,7 +121,7 @@ static bool read_uncut(struct zr_json *json, const struct zr_json_path *path, co
     const char **names = zr_arena_zero(json->arena, count, sizeof *names);
     if (!names) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); number++)
-        is_good = zr_json_string(json, ZR_JSON_ITEM(path, number), field, &names[number]) && is_good;
+        is_good = zr_json_string(json, ZR_JSON_ITEM(path, number), &names[number]) && is_good;
     if (!is_good) return false;
     sections->uncut = names;
     sections->uncut_count = (uint32_t)count;
@@ -147,13 +143,11 @@ static const struct zr_json_field fields[] = {
 #undef AT
 const struct zr_json_object zr_json_object_sections = ZR_JSON_OBJECT_OF("sections", fields);
 
-bool zr_read_sections(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+bool zr_read_sections(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     struct zr_sections given = {.has_hatch = true};
     uint64_t keys;
-    (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_sections, &given, &keys)) return false;
     root->scene->sections = given;
     return true;

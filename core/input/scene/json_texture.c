@@ -27,13 +27,12 @@ static const struct numbered minify = {ZR_NAMES(ZR_FILTER_COUNT, filter_words), 
 static const struct numbered wraps = {ZR_NAMES(ZR_WRAP_COUNT, wrap_words), wrap_numbers};
 
 /* int: the index of the word. field->words is the first member of a struct numbered. */
-static bool read_numbered(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                          void *out)
+static bool read_numbered(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    const struct numbered *of = (const struct numbered *)(const void *)field->words;
+    const struct numbered *of = (const struct numbered *)(const void *)path->field->words;
     uint32_t number;
-    if (zr_json_type(json) != ZR_JSON_NUMBER) return zr_json_choice(json, path, field, out);
-    if (!zr_json_whole(json, path, field, &number)) return false;
+    if (zr_json_type(json) != ZR_JSON_NUMBER) return zr_json_choice(json, path, out);
+    if (!zr_json_whole(json, path, &number)) return false;
     for (int i = 0; i < of->names.count; i++)
         if (of->numbers[i] == number) {
             *(int *)out = i;
@@ -83,11 +82,9 @@ static const struct zr_json_field sampler_fields[] = {
      .text = "repetition of the image along v", .schema = WRAP}};
 const struct zr_json_object zr_json_object_sampler = ZR_JSON_OBJECT_OF("sampler", sampler_fields);
 
-static bool read_sampler(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                         void *out)
+static bool read_sampler(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     uint64_t keys;
-    (void)field;
     return zr_json_fields(json, path, &zr_json_object_sampler, out, &keys);
 }
 
@@ -97,11 +94,9 @@ static bool read_sampler(struct zr_json *json, const struct zr_json_path *path, 
 #define SCALE_MAX  1000.0
 
 /* uint32_t: 0 or 1 */
-static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                          void *out)
+static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double number;
-    (void)field;
     if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &number)) return false;
     *(uint32_t *)out = number == 1.0;
     return number == 0.0 || number == 1.0 ||
@@ -175,24 +170,18 @@ static bool read_by(struct zr_json *json, const struct zr_json_path *path, const
     return out->is_given;
 }
 
-bool zr_read_texture(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+bool zr_read_texture(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_by(json, path, &zr_json_object_texture, out);
 }
 
-bool zr_read_normal_texture(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                            void *out)
+bool zr_read_normal_texture(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_by(json, path, &zr_json_object_normalTexture, out);
 }
 
-bool zr_read_occlusion_texture(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                               void *out)
+bool zr_read_occlusion_texture(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_by(json, path, &zr_json_object_occlusionTexture, out);
 }
 

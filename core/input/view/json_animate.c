@@ -6,8 +6,8 @@
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/text/text.h"
-#include "scene/parts/animation.h"
 #include "scene/camera/view_set.h"
+#include "scene/parts/animation.h"
 
 #define SECONDS_MAX 3600
 #define DEGREES_MAX 1e6
@@ -47,29 +47,23 @@ static bool read_rows(struct zr_json *json, const struct zr_json_path *path, siz
 }
 
 /* struct zr_growing of three or four floats a key. */
-static bool read_vectors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                         void *out)
+static bool read_vectors(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_rows(json, path, 3, out);
 }
 
-static bool read_quaternions(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                             void *out)
+static bool read_quaternions(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    (void)field;
     return read_rows(json, path, 4, out);
 }
 
 /* struct zr_growing of doubles, ascending. */
-static bool read_times(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_times(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_growing *list = out;
     double before = -1.0;
     size_t number = 0;
     bool is_good = true;
-    (void)field;
     *list = (struct zr_growing){.size = sizeof before};
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_any_item(json); number++) {
@@ -90,21 +84,19 @@ static bool read_times(struct zr_json *json, const struct zr_json_path *path, co
 }
 
 /* zr_vec3: x, y, z or a vector. */
-static bool read_axis(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+static bool read_axis(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     static const char *const words[] = {"x", "y", "z"};
     static const struct zr_names names = ZR_NAMES(3, words);
     static const zr_vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const struct zr_json_field of_names = {.words = &names};
     zr_vec3 *axis = out;
     int number;
     if (zr_json_type(json) == ZR_JSON_STRING) {
-        if (!zr_json_choice(json, path, &of_names, &number)) return false;
+        if (!zr_json_choice_of(json, path, &names, &number)) return false;
         *axis = axes[number];
         return true;
     }
-    if (!zr_json_vec3(json, path, field, axis)) return false;
+    if (!zr_json_vec3(json, path, axis)) return false;
     return axis->x != 0.0f || axis->y != 0.0f || axis->z != 0.0f ||
            zr_json_fault(json, path, "an axis of no length; x, y, z or a vector such as [0, 1, 0]");
 }
@@ -118,12 +110,10 @@ static const struct zr_json_field rotate_fields[] = {
 #undef AT
 const struct zr_json_object zr_json_object_rotate = ZR_JSON_OBJECT_OF("rotate", rotate_fields);
 
-static bool read_rotate(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_rotate(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_track *track = out;
     uint64_t keys;
-    (void)field;
     track->degrees = 360.0;
     return zr_json_fields(json, path, &zr_json_object_rotate, track, &keys);
 }
@@ -211,14 +201,12 @@ static int compare_tracks(const void *left, const void *right)
 }
 
 /* struct zr_animation. */
-static bool read_tracks(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_tracks(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_animation *animation = out;
     struct zr_growing tracks = {.size = sizeof(struct zr_track)};
     struct zr_json_text key;
     bool is_good = true;
-    (void)field;
     if (zr_json_type(json) != ZR_JSON_OBJECT) return zr_json_expect(json, path, "an object: names of nodes");
     for (zr_json_enter(json, '{'); zr_json_member(json, &key);) {
         struct zr_track track = {.node = zr_json_decode(json, &key)};
@@ -266,14 +254,12 @@ static double find_seconds(const struct zr_animation *animation)
     return last >= 0.02 ? last : 4.0;
 }
 
-bool zr_read_animate(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+bool zr_read_animate(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     struct given_animate given = {.frames = 36};
     const size_t faults = json->error->count;
     uint64_t keys;
-    (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_animate, &given, &keys) || json->error->count > faults ||
         !zr_json_gives(keys, NODES))
         return false;

@@ -18,19 +18,17 @@ struct given_lens {
 };
 
 /* struct given_lens: k, of which the last ones may be left out. */
-static bool read_radial(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_radial(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct given_lens *given = out;
-    return zr_json_numbers(json, path, 0, RADIAL_MAX, field->low, field->high, given->k, &given->k_count);
+    return zr_json_numbers(json, path, 0, RADIAL_MAX, path->field->low, path->field->high, given->k, &given->k_count);
 }
 
 /* double[2] */
-static bool read_tangential(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                            void *out)
+static bool read_tangential(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     size_t count;
-    return zr_json_numbers(json, path, 2, 2, field->low, field->high, out, &count);
+    return zr_json_numbers(json, path, 2, 2, path->field->low, path->field->high, out, &count);
 }
 
 enum { MODEL, K, P };
@@ -90,11 +88,9 @@ static bool read_list(struct zr_json *json, const struct zr_json_path *path, str
     return true;
 }
 
-bool zr_read_distortion(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+bool zr_read_distortion(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_lens lens = {.model = ZR_LENS_NONE};
-    (void)field;
     const bool is_list = zr_json_type(json) == ZR_JSON_LIST;
     if (!is_list && zr_json_type(json) != ZR_JSON_OBJECT)
         return zr_json_expect(json, path, "an object or OpenCV's list of coefficients");

@@ -17,10 +17,9 @@ const struct zr_json_object zr_json_object_flow = ZR_JSON_RULED_OBJECT("flow", f
 });
 /* clang-format on */
 
-bool zr_read_flow(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_flow(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     uint64_t keys;
-    (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_flow, out, &keys)) return false;
     return keys != 0 || zr_json_fault(json, path, "neither view nor poses: nothing moves");
 }

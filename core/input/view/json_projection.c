@@ -17,18 +17,17 @@ static float radians(double degrees)
 
 /* float, radians: field->high is half a turn, in radians or degrees. The message suggests degrees for a large number of
  * radians. */
-static bool read_angle(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_angle(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    const bool degrees = field->high > 4;
+    const bool degrees = path->field->high > 4;
     double value;
-    if (zr_json_type(json) != ZR_JSON_NUMBER) return zr_json_number(json, path, field, out);
+    if (zr_json_type(json) != ZR_JSON_NUMBER) return zr_json_number(json, path, out);
     if (!zr_json_take_number(json, &value)) return false;
     if (!degrees && value > PI && value < 360)
         return zr_json_fault(json, path, "%.9g is more than half a turn: %s takes radians, %sDegrees takes degrees",
-                             value, field->key, field->key);
-    if (!(value >= 0 && value <= field->high))
-        return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, 0.0, field->high);
+                             value, path->field->key, path->field->key);
+    if (!(value >= 0 && value <= path->field->high))
+        return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, 0.0, path->field->high);
     const float angle = degrees ? radians(value) : (float)value;
     /* In float: an angle that rounds to 0 or to half a turn has no usable tangent. */
     if (!(angle > 0.0f) || !(angle < (float)PI))
@@ -56,15 +55,13 @@ const struct zr_json_object zr_json_object_perspective = ZR_JSON_RULED_OBJECT("p
     {"minProperties": 1, "maxProperties": 1});
 /* clang-format on */
 
-bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                         void *out)
+bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_view *given = out;
     struct given_angles angles = {0, 0};
     const size_t faults = json->error->count;
     uint64_t keys;
     int first = -1;
-    (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_perspective, &angles, &keys)) return false;
     for (int i = 0; i < (int)zr_json_object_perspective.count; i++) {
         if (!zr_json_gives(keys, i)) continue;
@@ -93,11 +90,9 @@ const struct zr_json_object zr_json_object_orthographic = ZR_JSON_RULED_OBJECT("
     {"dependentRequired": {"xmag": ["ymag"], "ymag": ["xmag"]}});
 /* clang-format on */
 
-bool zr_read_orthographic(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                          void *out)
+bool zr_read_orthographic(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     uint64_t keys;
-    (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_orthographic, out, &keys)) return false;
     const bool has_xmag = zr_json_gives(keys, XMAG);
     return has_xmag == zr_json_gives(keys, YMAG) ||
@@ -113,11 +108,10 @@ bool zr_view_check_focal(struct zr_json *json, const struct zr_json_path *path, 
            zr_json_fault(json, path, "%.9g is no focal length in pixels: %g and more is allowed", value, FOCAL_MIN);
 }
 
-static bool read_focal(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_focal(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double value;
-    if (!zr_json_number(json, path, field, &value) || !zr_view_check_focal(json, path, value)) return false;
+    if (!zr_json_number(json, path, &value) || !zr_view_check_focal(json, path, value)) return false;
     *(double *)out = value;
     return true;
 }
@@ -135,12 +129,10 @@ static const struct zr_json_field intrinsics_fields[] = {
     [SKEW] = {PIXELS("skew", zr_json_number, skew), .otherwise = "0", .text = "change of x with y"}};
 const struct zr_json_object zr_json_object_intrinsics = ZR_JSON_OBJECT_OF("intrinsics", intrinsics_fields);
 
-bool zr_read_intrinsics(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+bool zr_read_intrinsics(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_intrinsics *intrinsics = &((struct zr_parsed_view *)out)->intrinsics;
     uint64_t keys;
-    (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_intrinsics, intrinsics, &keys)) return false;
     if (!zr_json_gives(keys, FY)) intrinsics->fy = intrinsics->fx;
     intrinsics->has_cx = zr_json_gives(keys, CX);

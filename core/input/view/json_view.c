@@ -133,11 +133,10 @@ bool zr_view_read(struct zr_json *json, const struct zr_json_path *path, const s
     return true;
 }
 
-bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     struct zr_parsed_view given;
-    (void)field;
     if (!zr_view_read(json, path, &root->scene->views[0], &given)) return false;
     root->scene->views[0] = given.view;
     if (zr_view_gives(&given, ZR_VIEW_CAMERA)) {

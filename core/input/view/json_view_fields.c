@@ -16,12 +16,11 @@
 
 /* double[9]: three rows of three numbers, or nine numbers row by row, as in OpenCV and ROS; magnitudes up to
  * field->high. */
-static bool read_rows(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+static bool read_rows(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double m[9] = {0};
     bool nested;
-    if (!zr_json_square(json, path, 3, field->high, m, &nested)) return false;
+    if (!zr_json_square(json, path, 3, path->field->high, m, &nested)) return false;
     memcpy(out, m, sizeof m);
     return true;
 }
@@ -39,13 +38,11 @@ static const struct zr_json_field fit_fields[] = {
               .text = "name of the mesh to fit, with all its instances"}};
 const struct zr_json_object zr_json_object_fit = ZR_JSON_OBJECT_OF("fit", fit_fields);
 
-static bool read_fit(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+static bool read_fit(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_view *given = out;
     struct given_fit fit = {given->view.fit_padding, NULL};
     uint64_t keys;
-    (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_fit, &fit, &keys)) return false;
     given->view.fit_padding = fit.padding;
     given->fit_mesh = fit.mesh;
@@ -55,13 +52,12 @@ static bool read_fit(struct zr_json *json, const struct zr_json_path *path, cons
 /* ---- cameras of model files ---- */
 
 /* const char *: a name, or a number as text. */
-static bool read_camera(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+static bool read_camera(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     enum { DIGITS = 12 };
     const enum zr_json_type type = zr_json_type(json);
     uint32_t number;
-    if (type == ZR_JSON_STRING) return zr_json_string(json, path, field, out);
+    if (type == ZR_JSON_STRING) return zr_json_string(json, path, out);
     if (type != ZR_JSON_NUMBER) return zr_json_expect(json, path, "the name or the number of a camera");
     if (!zr_json_index(json, path, UINT32_MAX, "cameras", &number)) return false;
     char *text = zr_arena_alloc(json->arena, DIGITS, 1);

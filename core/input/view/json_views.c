@@ -16,12 +16,10 @@ struct given_value {
 };
 
 /* struct given_value */
-static bool read_value(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static bool read_value(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct given_value *value = out;
     (void)path;
-    (void)field;
     zr_json_type(json);
     value->at = json->at;
     if (!zr_json_skip(json)) return false;
@@ -30,11 +28,10 @@ static bool read_value(struct zr_json *json, const struct zr_json_path *path, co
 }
 
 /* const char *: a name of files. */
-static bool read_name(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+static bool read_name(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const char *name = NULL;
-    if (!zr_json_string(json, path, field, &name)) return false;
+    if (!zr_json_string(json, path, &name)) return false;
     const size_t length = strlen(name), good = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                                             "0123456789_-");
     if (length == 0 || length > NAME_MAX || good != length)
@@ -101,12 +98,11 @@ static bool write_keys(struct zr_arena *arena, const struct given_item *given, s
 
 static bool read_item(struct zr_json *json, const struct zr_json_path *path, struct zr_view_item *item)
 {
-    const struct zr_json_field preset = {.words = &zr_preset_names};
     struct given_item given = {.name = NULL};
     uint64_t keys;
     *item = (struct zr_view_item){.preset = -1};
     if (zr_json_type(json) == ZR_JSON_STRING) {
-        if (!zr_json_choice(json, path, &preset, &item->preset)) return false;
+        if (!zr_json_choice_of(json, path, &zr_preset_names, &item->preset)) return false;
         item->name = zr_preset_names.words[item->preset];
         return true;
     }
@@ -136,13 +132,12 @@ bool zr_view_count_check(struct zr_json *json, const struct zr_json_path *path, 
            zr_json_fault(json, path, "%zu views; 1 to %u are allowed", count, json->limits->views_max);
 }
 
-bool zr_read_views(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_views(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     struct zr_view_set *set = NULL;
     size_t count = 0, number = 0;
     bool is_good = true;
-    (void)field;
     if (!zr_json_count(json, path, &count)) return false;
     if (!zr_view_count_check(json, path, count) || !(set = zr_view_set_add(json, path, root->scene))) {
         zr_json_skip(json);
@@ -187,18 +182,15 @@ static bool read_turn(struct zr_json *json, const struct zr_json_path *path, con
     return true;
 }
 
-bool zr_read_turntable(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+bool zr_read_turntable(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     static const struct zr_view_set defaults = {.kind = ZR_VIEW_SET_TURNTABLE, .count = 36, .seconds = 4.0};
-    (void)field;
     return read_turn(json, path, &zr_json_object_turntable, &defaults, out);
 }
 
-bool zr_read_orbit(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_orbit(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     static const struct zr_view_set defaults = {.kind = ZR_VIEW_SET_ORBIT};
-    (void)field;
     return read_turn(json, path, &zr_json_object_orbit, &defaults, out);
 }
 
@@ -231,16 +223,15 @@ const struct zr_json_object zr_json_object_sheet = ZR_JSON_RULED_OBJECT("sheet",
     });
 /* clang-format on */
 
-bool zr_read_sheet(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_sheet(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     enum { LAYOUT, COLUMNS, ANGLE };
     struct zr_parsed_scene *root = out;
     struct zr_sheet given = {.is_on = true, .has_captions = true};
     uint64_t keys = 0;
     const size_t faults = json->error->count;
-    (void)field;
     if (zr_json_type(json) == ZR_JSON_STRING) {
-        if (!zr_json_choice(json, path, &sheet_fields[LAYOUT], &given.layout)) return false;
+        if (!zr_json_choice_of(json, path, sheet_fields[LAYOUT].words, &given.layout)) return false;
     } else if (!zr_json_fields(json, path, &zr_json_object_sheet, &given, &keys) || json->error->count > faults)
         return false;
     if (zr_json_gives(keys, COLUMNS) && (given.columns < 1 || given.columns > COLUMNS_MAX))

@@ -5,8 +5,7 @@
 #include "input/scene/json_scene.h"
 
 /* uint32_t. zr_scene_validate checks the range. */
-static bool read_side(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+static bool read_side(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double value;
     if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &value)) return false;
@@ -14,7 +13,6 @@ static bool read_side(struct zr_json *json, const struct zr_json_path *path, con
         *(uint32_t *)out = (uint32_t)value;
         return true;
     }
-    (void)field;
     return zr_json_fault(json, path, "%.9g pixels; 1 to %u are allowed, in whole pixels", value,
                          json->limits->window_side_max);
 }
@@ -26,10 +24,9 @@ static const struct zr_json_field window_fields[] = {
      .text = "height of the picture", .schema = ZR_SCHEMA_OF("side")}};
 const struct zr_json_object zr_json_object_window = ZR_JSON_OBJECT_OF("window", window_fields);
 
-bool zr_read_window(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+bool zr_read_window(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     uint64_t keys;
-    (void)field;
     return zr_json_fields(json, path, &zr_json_object_window, &root->scene->views[0], &keys);
 }
