@@ -117,6 +117,10 @@ renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_roo
 	$(kernel_objects)
 mcp := $(call objects,server/mcp/*.c)
 server := $(call objects,server/*.c server/*/*.c) $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o
+# For `make walk`: counts from and up to a signal.
+ifdef WALK
+server += $(BUILD)/tests/make/gcov_signals.o
+endif
 client := $(call objects,$(foreach room,commands options files engine,clients/$(room)/*.c))
 reference_pages := $(call objects,clients/reference/*.c) $(BUILD)/clients/options/values.o
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c tests/support/*/*_kernel.c)))
@@ -377,10 +381,10 @@ uninitialised: ## valgrind over every scene of tests, all channels: no value is 
 
 # Plain C alone, so that the count is the same on every machine; without optimisation, so that no call is inlined.
 .PHONY: walk
-walk: ## counts the functions, files and lines of core/ and server/ that the request of a flat triangle runs (gcov)
-	@.ci/need $(NEED_BUILD) curl=curl
-	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/walk SAN= CFLAGS="-O0 --coverage" isas=scalar $(BUILD)/walk/zrasterd
-	@tests/make/walk.sh $(BUILD)/walk $(SCENE)
+walk: ## counts the functions, files and lines of core/ and server/ that a request runs (gcov): flat triangle, textured GLB, section; SCENE=FILE, NAMES=1
+	@.ci/need $(NEED_BUILD) curl=curl $(PYTHON)=python3
+	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/walk SAN= WALK=1 CFLAGS="-O0 --coverage" isas=scalar $(BUILD)/walk/zrasterd
+	@PYTHON="$(PYTHON)" NAMES="$(NAMES)" tests/make/walk.sh $(BUILD)/walk $(SCENE)
 
 .PHONY: systems
 systems: ## make demo and make test in bare roots of Debian 12, 13 and testing (root); SYSTEMS=13, KEEP=1: tests/systems/run.sh
