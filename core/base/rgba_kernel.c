@@ -1,5 +1,5 @@
 #include "base/prefetch.h"
-#include "base/simd/rgba_simd.h"
+#include "base/rgba_simd.h"
 
 void ZR_KERNEL(zr_rgba_pack)(const zr_vec4 *colors, size_t count, uint32_t *out)
 {

@@ -14,7 +14,7 @@
 #include "base/team.h"
 #include "raster/tile.h"
 #include "shade/draw_attributes.h"
-#include "shade/gbuffer.h"
+#include "shade/lights/gbuffer.h"
 
 _Static_assert(ZR_TILE_SIZE == 64, "a row of a tile is a word");
 

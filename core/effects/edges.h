@@ -20,7 +20,7 @@
 #include "effects/occlusion.h"
 #include "scene/picture.h"
 #include "shade/draw_attributes.h"
-#include "shade/gbuffer.h"
+#include "shade/lights/gbuffer.h"
 
 /* Marks of a picture of width x height pixels with side x side samples per pixel. Tiles are squares of ZR_TILE_SIZE
  * samples (raster/tile.h), numbered row by row from the lower left. */

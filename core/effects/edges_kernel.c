@@ -1,4 +1,4 @@
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "effects/edge_marks.h"
 
 static inline struct zr_vec3_v load3(const float *const v[3], int32_t at)

@@ -15,7 +15,7 @@
 #include "core.h"
 #include "scene/camera/camera.h"
 #include "scene/picture.h"
-#include "shade/gbuffer.h"
+#include "shade/lights/gbuffer.h"
 
 /* Points within this distance of a point's plane are on the same surface; relative to the diagonal. */
 #define ZR_OCCLUSION_PLANE 0.01f

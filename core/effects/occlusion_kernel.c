@@ -1,4 +1,4 @@
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "effects/occlusion.h"
 
 /* ---- from pixel centres to samples ---- */

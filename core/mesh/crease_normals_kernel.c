@@ -1,6 +1,6 @@
 #include "base/prefetch.h"
 #include "base/simd/simd.h"
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
 

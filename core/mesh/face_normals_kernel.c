@@ -1,5 +1,5 @@
 #include "base/prefetch.h"
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "mesh/face_normals.h"
 
 /* Loads corner `k` of ZR_LANES triangles, one per lane. */

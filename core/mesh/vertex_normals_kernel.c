@@ -1,5 +1,5 @@
 #include "base/prefetch.h"
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "mesh/vertex_normals.h"
 
 /* Triangles whose sums are prefetched while the block before is added. Without this, a million triangles take up to

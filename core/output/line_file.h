@@ -6,7 +6,7 @@
 #ifndef ZR_LINE_FILE_H
 #define ZR_LINE_FILE_H
 
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 #include "shade/frame.h"
 
 /* Appends the SVG. `scene` needs no geometry. Returns false if the arena failed. */

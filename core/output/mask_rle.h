@@ -7,8 +7,8 @@
 #ifndef ZR_MASK_RLE_H
 #define ZR_MASK_RLE_H
 
-#include "output/bit_mask.h"
-#include "output/buffer.h"
+#include "output/bytes/bit_mask.h"
+#include "output/bytes/buffer.h"
 
 /* Returns the size of an array of edges for masks of up to `rows` rows. */
 static inline size_t zr_mask_rle_edges(uint32_t rows)

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "output/words.h"
+#include "output/bytes/words.h"
 
 /* The data begin at a multiple of 64 bytes, as the format requires. */
 _Static_assert(ZR_NPY_HEADER % 64 == 0, "the data are aligned");

@@ -7,7 +7,7 @@
 #define ZR_NPY_H
 
 #include "base/status.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 #include <stdint.h>
 

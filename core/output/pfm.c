@@ -2,7 +2,7 @@
 
 #include <stdio.h>
 
-#include "output/words.h"
+#include "output/bytes/words.h"
 
 enum { HEADER_MAX = 48 };
 

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "base/status.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 /* Appends the file to `out`. `components`: 1 (Pf) or 3 (PF) per pixel. Row 0 of `values` is the top. Returns ZR_OK or
  * ZR_NO_MEMORY. */

@@ -8,7 +8,7 @@
 #define ZR_SVG_H
 
 #include "lines/polylines.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 struct zr_svg_desc {
     const struct zr_polylines *lines;

@@ -7,7 +7,7 @@
 #define ZR_ZIP_H
 
 #include "base/status.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 /* One file. Its name is ASCII. */
 struct zr_zip_entry {

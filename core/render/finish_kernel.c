@@ -2,7 +2,7 @@
 
 #include "base/simd/pow_simd.h"
 #include "base/simd/simd.h"
-#include "shade/srgb_color_simd.h"
+#include "base/srgb_color_simd.h"
 
 /* ZR_LANES pixels, premultiplied. */
 struct pixels {

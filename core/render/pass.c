@@ -2,7 +2,7 @@
 
 #include "base/mutant.h"
 #include "geometry/build.h"
-#include "raster/hidden_surface.h"
+#include "raster/textbook/hidden_surface.h"
 #include "render/stage.h"
 #include "shade/paint.h"
 

@@ -8,7 +8,7 @@
 #include "base/rgba.h"
 #include "output/images/depth16.h"
 #include "output/json/fragments_json.h"
-#include "output/json/info.h"
+#include "output/info.h"
 #include "output/line_file.h"
 #include "output/images/lossy.h"
 #include "output/masks.h"

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/hash.h"
-#include "scene/parts/mesh_label.h"
+#include "scene/mesh_label.h"
 
 /* Sets of faces around a vertex: those that share its position's number, or those that share its place. */
 enum sharing { SHARED_NUMBER, SHARED_PLACE };

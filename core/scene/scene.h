@@ -17,13 +17,13 @@
 #include "scene/channels.h"
 #include "scene/colormap.h"
 #include "scene/image.h"
-#include "scene/parts/part_keys.h"
+#include "scene/part_keys.h"
 #include "scene/picture.h"
 #include "scene/section.h"
 #include "scene/shadings.h"
 #include "scene/sheet.h"
 #include "scene/texture.h"
-#include "scene/camera/view.h"
+#include "scene/view.h"
 
 /* Colour of the edges of faces, drawn as lines. */
 enum zr_outline {
@@ -277,7 +277,6 @@ struct zr_color_bar {
 
 struct zr_look;        /* scene/looks.h */
 struct zr_view_set;    /* scene/camera/view_set.h */
-struct zr_flow;        /* scene/camera/flow.h */
 struct zr_mesh_tables; /* mesh/mesh_tables.h */
 struct zr_known_parts; /* render/frame_parts.h */
 

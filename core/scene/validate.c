@@ -3,7 +3,6 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "scene/camera/flow.h"
 
 static void check_side(const char *pointer, uint32_t side, const struct zr_limits *limits, struct zr_error *error)
 {

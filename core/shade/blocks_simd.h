@@ -2,7 +2,7 @@
 #ifndef ZR_BLOCKS_SIMD_H
 #define ZR_BLOCKS_SIMD_H
 
-#include "base/simd/rgba_simd.h"
+#include "base/rgba_simd.h"
 #include "raster/tile_simd.h"
 #include "shade/per_pixel_simd.h"
 

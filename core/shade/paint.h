@@ -14,7 +14,7 @@
 #include "raster/prepaint.h"
 #include "raster/tile.h"
 #include "shade/draw_attributes.h"
-#include "shade/gbuffer.h"
+#include "shade/lights/gbuffer.h"
 
 /* A tile's rows in a channel of 4-byte values. */
 struct zr_pixel_rows {

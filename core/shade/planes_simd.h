@@ -6,8 +6,8 @@
 #define ZR_PLANES_SIMD_H
 
 #include "base/inlined.h"
-#include "base/simd/rgba_simd.h"
-#include "base/simd/vec3_simd.h"
+#include "base/rgba_simd.h"
+#include "base/vec3_simd.h"
 #include "raster/triangle_simd.h"
 #include "shade/paint.h"
 #include "shade/varyings.h"

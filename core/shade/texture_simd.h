@@ -12,7 +12,7 @@
 #include "base/mutant.h"
 #include "base/simd/pow_simd.h"
 #include "base/simd/simd.h"
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "shade/texture_maps.h"
 
 /* Rounds a float of any magnitude to the nearest integer, ties to even. Adding 2^23 to a smaller magnitude rounds it to

@@ -3,7 +3,7 @@
 #ifndef ZR_WORDS_SIMD_H
 #define ZR_WORDS_SIMD_H
 
-#include "base/simd/rgba_simd.h"
+#include "base/rgba_simd.h"
 #include "shade/planes_simd.h"
 
 /* ---- colours ---- */

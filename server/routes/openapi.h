@@ -4,7 +4,7 @@
 #define ZRASTERD_OPENAPI_H
 
 #include "core.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 void openapi_print(struct zr_buffer *out, const struct zr_limits *limits);
 

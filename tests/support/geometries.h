@@ -6,7 +6,7 @@
 #define ZR_TEST_GEOMETRIES_H
 
 #include "raster/binned_scene.h"
-#include "raster/whole_window.h"
+#include "raster/textbook/whole_window.h"
 
 enum { TEST_RECORDS_MAX = 4096, TEST_SHAPES_MAX = 512, TEST_EDGES_MAX = 16384 };
 

@@ -9,7 +9,7 @@
 #include "input/json/json_array.h"
 #include "input/json/json_rows.h"
 #include "scene/degenerate_face.h"
-#include "scene/parts/mesh_label.h"
+#include "scene/mesh_label.h"
 
 #define VALUE_MAX ((double)FLT_MAX)
 

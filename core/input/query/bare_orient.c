@@ -5,7 +5,7 @@
 #include "input/text/names.h"
 #include "input/query/parameters.h"
 #include "scene/camera/face_on.h"
-#include "scene/mesh_up.h"
+#include "scene/camera/mesh_up.h"
 
 static enum zr_mesh_up usual_up(const struct zr_query *query)
 {

@@ -1,6 +1,6 @@
 #include "input/query/cloud.h"
 
-#include "scene/point_spacing.h"
+#include "input/query/point_spacing.h"
 
 struct numbers {
     uint64_t faces, lines, points;

@@ -11,7 +11,7 @@
 #include "input/query/parameter_names.h"
 #include "input/query/parameter_values.h"
 #include "scene/defaults.h"
-#include "scene/mesh_up.h"
+#include "scene/camera/mesh_up.h"
 
 /* ---- the tables ---- */
 

@@ -8,7 +8,7 @@
 
 #include "core.h"
 #include "input/scene/json_scene.h"
-#include "scene/mesh_up.h"
+#include "scene/camera/mesh_up.h"
 
 struct zr_query {
     const struct zr_request *request;

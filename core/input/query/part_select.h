@@ -1,5 +1,5 @@
 /* part_select.h - input: finds the parts that the keys of a scene name, and edits the scene by these keys
- * (scene/parts/part_keys.h, scene/parts/part_edit.h).
+ * (scene/part_keys.h, scene/parts/part_edit.h).
  *
  * Order:  a part is hidden if `hide` has it, or if `isolate` is given without it. The last highlight that has a part
  *         sets its colour. Parts without a highlight get the colour of `colors`.

@@ -8,7 +8,7 @@
 #include <stdatomic.h>
 
 #include "base/isa.h"
-#include "output/rows.h"
+#include "output/bytes/rows.h"
 #include "shade/frame.h"
 
 /* Returns the scene units per step: `given`, or, if that is 0, the scale at which the far plane (without one: the

@@ -13,7 +13,7 @@
 
 #include "core.h"
 #include "output/images/filter.h"
-#include "output/rows.h"
+#include "output/bytes/rows.h"
 
 enum { ZR_IDAT_WIDTH_MAX = 1 << 20 }; /* pixels */
 

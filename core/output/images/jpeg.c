@@ -5,7 +5,7 @@
 
 #include "base/cancel.h"
 #include "input/images/jpeg_memory.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 #include "output/images/lossy.h"
 
 #include <jerror.h>

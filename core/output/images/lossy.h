@@ -10,7 +10,7 @@
 
 #include "base/arena.h"
 #include "base/status.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 /* Most files that are made to find the quality for a number of bytes. */
 enum { ZR_LOSSY_TRIES = 6 };

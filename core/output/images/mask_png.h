@@ -7,8 +7,8 @@
 #ifndef ZR_MASK_PNG_H
 #define ZR_MASK_PNG_H
 
-#include "output/bit_mask.h"
-#include "output/buffer.h"
+#include "output/bytes/bit_mask.h"
+#include "output/bytes/buffer.h"
 
 /* Appends the file: 255 for bits of 1, else 0. Returns false once the arena has failed. */
 bool zr_mask_png_write(const struct zr_bit_mask *mask, struct zr_buffer *out);

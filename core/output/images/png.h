@@ -15,8 +15,8 @@
 
 #include "base/column_span.h"
 #include "core.h"
-#include "output/buffer.h"
-#include "output/rows.h"
+#include "output/bytes/buffer.h"
+#include "output/bytes/rows.h"
 #include "scene/scene.h"
 
 enum zr_png_kind {

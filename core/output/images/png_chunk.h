@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 /* Appends a word, the highest byte first. */
 void zr_png_put_word(struct zr_buffer *out, uint32_t word);

@@ -1,6 +1,6 @@
 #include "output/images/tiff.h"
 
-#include "output/words.h"
+#include "output/bytes/words.h"
 
 enum { SHORT = 3, LONG = 4, RATIONAL = 5, FLOAT_SAMPLES = 3, HEADER = 8, ENTRY = 12 };
 

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "base/status.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 /* Appends the file to `out`. The pixels have at most ZR_TIFF_BYTES_MAX. `components`: 1 to 3 per pixel; 3 are marked as
  * RGB, which readers pass on unchanged. Returns ZR_OK or ZR_NO_MEMORY. */

@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 #include "base/cancel.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 #include "output/images/lossy.h"
 
 #include <webp/encode.h>

@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 #include "base/status.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 struct zr_webp_frames {
     struct zr_buffer *out;

@@ -2,7 +2,7 @@
 #ifndef ZR_FRAGMENTS_JSON_H
 #define ZR_FRAGMENTS_JSON_H
 
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 

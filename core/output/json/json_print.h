@@ -13,7 +13,7 @@
 #include <stdint.h>
 
 #include "base/vec.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 struct zr_print {
     struct zr_buffer *out;

@@ -4,7 +4,7 @@
 
 #include "base/cancel.h"
 #include "base/status.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 #include "raster/textbook/trace.h"
 
 /* Prints all values of the trace. Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */

@@ -7,7 +7,7 @@
 #include "base/matrix.h"
 #include "geometry/face.h"
 #include "sections/sections.h"
-#include "scene/parts/mesh_label.h"
+#include "scene/mesh_label.h"
 #include "scene/camera/resolved_view.h"
 
 /* Returns true if the corners of every placed face are collinear. */

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdatomic.h>
 
-#include "scene/face_area.h"
+#include "scene/camera/face_area.h"
 
 /* Largest thickness of a flat model, as a share of either other extent. */
 static const double thickness_most = 0.04;

@@ -8,13 +8,6 @@
 
 #include "scene/camera/view_camera.h"
 
-struct zr_flow {
-    uint32_t output;         /* number of the output, for messages */
-    bool has_view;           /* false: `view` is unused */
-    struct zr_view view;     /* its window is that of the scene's view */
-    const zr_mat4 *matrices; /* object to world, per instance; NULL: those of the scene */
-};
-
 /* Copies the scene with the matrices of its target. The copy keeps the view. False without memory. */
 bool zr_flow_scene(struct zr_arena *arena, const struct zr_scene *scene, struct zr_scene *out);
 

@@ -15,13 +15,7 @@
 
 #include <stdbool.h>
 
-enum zr_lens_model { ZR_LENS_NONE, ZR_LENS_OPENCV, ZR_LENS_FISHEYE };
-
-struct zr_lens {
-    enum zr_lens_model model;
-    double k[6]; /* k1 to k6, or k1 to k4 of a fisheye */
-    double p[2]; /* p1, p2; 0 of a fisheye */
-};
+#include "scene/view.h"
 
 /* Rays farther from the axis have no place in a pinhole picture. */
 #define ZR_LENS_DEGREES_MAX 80

@@ -1,7 +1,7 @@
 #include "scene/parts/part_offsets.h"
 
 #include "base/cancel.h"
-#include "scene/camera/camera_parts.h"
+#include "base/dvec3.h"
 
 enum { POINTS_A_CANCEL_CHECK = 1 << 14 };
 

@@ -3,7 +3,7 @@
 #define ZR_ENVIRONMENT_SIMD_H
 
 #include "shade/lights/environment.h"
-#include "shade/tone_simd.h"
+#include "shade/lights/tone_simd.h"
 
 /* Returns x / sqrt(x^2 + w^2): -1 .. 1. */
 static inline zr_vf zr_blurred_sign_v(zr_vf x, zr_vf square_w)

@@ -7,7 +7,7 @@
 #define ZR_LAMP_PLACE_SIMD_H
 
 #include "base/mutant.h"
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "shade/lights/light.h"
 
 struct zr_arriving_v {

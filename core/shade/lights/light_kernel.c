@@ -1,5 +1,5 @@
 #include "base/mutant.h"
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "shade/lights/lamp_place_simd.h"
 #include "shade/lights/light.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/isa.h"
 #include "scene/scene.h"
-#include "shade/gbuffer.h"
+#include "shade/lights/gbuffer.h"
 #include "shade/lights/environment.h"
 #include "shade/lights/lamp.h"
 

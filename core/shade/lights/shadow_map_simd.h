@@ -2,7 +2,7 @@
 #ifndef ZR_SHADOW_MAP_SIMD_H
 #define ZR_SHADOW_MAP_SIMD_H
 
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "shade/lights/shadow_map.h"
 
 /* Texels sampled around a point: dx^2 + dy^2 <= 12. */

@@ -6,7 +6,7 @@
 #include "shade/lights/lamp_place_simd.h"
 #include "shade/lights/lighting.h"
 #include "shade/lights/shadow_map_simd.h"
-#include "shade/tone_simd.h"
+#include "shade/lights/tone_simd.h"
 
 /* True if lamps may have a position. Their code would slow down other pictures, so each case has a kernel of its
  * own. */

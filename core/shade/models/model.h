@@ -7,7 +7,7 @@
 #define ZR_MODEL_H
 
 #include "base/mutant.h"
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "shade/lights/light.h"
 
 /* Values that are constant over the picture. */

@@ -1,7 +1,7 @@
 #include "support/pictures/look_kernel.h"
 
-#include "shade/srgb_color_simd.h"
-#include "shade/tone_simd.h"
+#include "base/srgb_color_simd.h"
+#include "shade/lights/tone_simd.h"
 
 static struct zr_vec3_v load3(const float *const from[3], size_t at)
 {

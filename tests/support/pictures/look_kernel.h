@@ -1,4 +1,4 @@
-/* look_kernel.h - support: sRGB (base/simd/srgb_simd.h) and tone mapping (shade/tone_simd.h) on arrays, for each instruction
+/* look_kernel.h - support: sRGB (base/simd/srgb_simd.h) and tone mapping (shade/lights/tone_simd.h) on arrays, for each instruction
  * set. */
 #ifndef ZR_TEST_LOOK_KERNEL_H
 #define ZR_TEST_LOOK_KERNEL_H

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "guarded.h"
-#include "shade/gbuffer.h"
+#include "shade/lights/gbuffer.h"
 #include "support/random.h"
 
 /* The height at x, y, and its slopes. False: there is nothing. */

@@ -4,7 +4,7 @@
 #include "raster/binned_scene.h"
 #include "raster/halfspace.h"
 #include "raster/oddeven.h"
-#include "raster/whole_window.h"
+#include "raster/textbook/whole_window.h"
 #include "support/geometries.h"
 #include "support/random.h"
 #include "support/scenes.h"

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "output/json/info.h"
+#include "output/info.h"
 #include "render/frame_parts.h"
 #include "support/scenes.h"
 #include "support/solids.h"

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "output/json/info.h"
+#include "output/info.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"

@@ -5,7 +5,7 @@
 #include <zip.h>
 
 #include "output/images/depth16.h"
-#include "output/json/info.h"
+#include "output/info.h"
 #include "output/npy.h"
 #include "output/images/png.h"
 #include "output/zip.h"

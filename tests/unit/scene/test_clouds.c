@@ -2,7 +2,7 @@
 #include "base/team.h"
 #include "input/query/cloud.h"
 #include "scene/looks.h"
-#include "scene/point_spacing.h"
+#include "input/query/point_spacing.h"
 #include "support/random.h"
 #include "support/test_arena.h"
 #include "support/tests.h"

@@ -1,7 +1,7 @@
 /* The border of a shadow. */
 #include <math.h>
 
-#include "shade/gbuffer.h"
+#include "shade/lights/gbuffer.h"
 #include "support/isas.h"
 #include "support/shadow_map_kernel.h"
 

@@ -1,6 +1,6 @@
 /* Lamps are tested for positions at run time here: textured shading takes longer anyway. */
 #define ZR_LIGHTS_PLACED true
-#include "shade/lights/lighting_simd.h"
+#include "shade/models/lighting_simd.h"
 
 void ZR_KERNEL(zr_linear_light_textured)(const struct zr_linear_lighting *lighting, const struct zr_material *material,
                                          const struct zr_gbuffer_textures *textures, size_t at,

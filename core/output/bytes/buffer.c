@@ -1,4 +1,4 @@
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 #include <string.h>
 

@@ -2,9 +2,9 @@
 #ifndef ZR_SRGB_COLOR_SIMD_H
 #define ZR_SRGB_COLOR_SIMD_H
 
-#include "base/simd/rgba_simd.h"
+#include "base/rgba_simd.h"
 #include "base/simd/srgb_simd.h"
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 
 static inline struct zr_vec3_v zr_srgb_decode_color_v(struct zr_vec3_v c)
 {

@@ -1,6 +1,6 @@
 #include "shade/channels/channels_simd.h"
 #include "shade/channels/color_simd.h"
-#include "shade/gbuffer.h"
+#include "shade/lights/gbuffer.h"
 #include "shade/paint.h"
 #include "shade/varyings_simd.h"
 

@@ -7,7 +7,6 @@
 
 #include "base/vec.h"
 #include "scene/channels.h"
-#include "scene/camera/lens.h"
 
 enum zr_pose {
     ZR_POSE_PRESET,    /* fitted to the geometry */
@@ -41,6 +40,15 @@ struct zr_intrinsics {
     double fx, fy, skew;
     bool has_cx, has_cy; /* false: the middle of the window */
     double cx, cy;
+};
+
+/* Distortion of a lens (scene/camera/lens.h). */
+enum zr_lens_model { ZR_LENS_NONE, ZR_LENS_OPENCV, ZR_LENS_FISHEYE };
+
+struct zr_lens {
+    enum zr_lens_model model;
+    double k[6]; /* k1 to k6, or k1 to k4 of a fisheye */
+    double p[2]; /* p1, p2; 0 of a fisheye */
 };
 
 struct zr_output {
@@ -90,6 +98,14 @@ struct zr_view {
     bool fit_to_mesh;         /* the view is fitted only to instances of fit_mesh and of meshes that it owns */
     uint32_t fit_mesh;
     bool suits_extent; /* an orbit whose angles suit the extent of the bounds (scene/camera/extent_view.h) */
+};
+
+/* The target of the channel flow (scene/camera/flow.h). */
+struct zr_flow {
+    uint32_t output;         /* number of the output, for messages */
+    bool has_view;           /* false: `view` is unused */
+    struct zr_view view;     /* its window is that of the scene's view */
+    const zr_mat4 *matrices; /* object to world, per instance; NULL: those of the scene */
 };
 
 /* Returns the view's first output of the channel; NULL: none. */

@@ -1,4 +1,4 @@
-#include "raster/whole_window.h"
+#include "raster/textbook/whole_window.h"
 
 #include <string.h>
 

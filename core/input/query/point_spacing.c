@@ -1,4 +1,4 @@
-#include "scene/point_spacing.h"
+#include "input/query/point_spacing.h"
 
 #include <math.h>
 #include <stdatomic.h>

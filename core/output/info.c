@@ -1,4 +1,4 @@
-#include "output/json/info.h"
+#include "output/info.h"
 
 #include <stdio.h>
 

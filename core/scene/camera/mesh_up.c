@@ -1,9 +1,9 @@
-#include "scene/mesh_up.h"
+#include "scene/camera/mesh_up.h"
 
 #include <math.h>
 
 #include "scene/camera/camera.h"
-#include "scene/face_area.h"
+#include "scene/camera/face_area.h"
 
 /* Largest distance of a face from the end of the box in which it lies, as a share of the diagonal. */
 static const double tolerance = 1e-3;

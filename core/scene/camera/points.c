@@ -1,4 +1,4 @@
-#include "scene/points.h"
+#include "scene/camera/points.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 #include "shade/channels/color_simd.h"
-#include "shade/gbuffer.h"
+#include "shade/lights/gbuffer.h"
 #include "shade/texture_simd.h"
 #include "shade/varyings_simd.h"
 

@@ -1,6 +1,6 @@
 #include "shade/lights/lighting.h"
 
-#include "shade/lights/lighting_simd.h"
+#include "shade/models/lighting_simd.h"
 
 /* lighting_placed_kernel.c includes this file under another kernel name. */
 #ifndef ZR_LIGHTING_KERNEL

@@ -7,7 +7,7 @@
 #define ZR_TONE_SIMD_H
 
 #include "base/mutant.h"
-#include "base/simd/vec3_simd.h"
+#include "base/vec3_simd.h"
 #include "scene/picture.h"
 
 static inline zr_vf zr_clamp01_v(zr_vf v)

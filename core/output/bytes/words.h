@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 
 /* Append `count` words of four bytes, or one number. Return false once the arena has failed. */
 bool zr_words_add(struct zr_buffer *buffer, const void *words, size_t count);

@@ -1,4 +1,4 @@
-#include "output/words.h"
+#include "output/bytes/words.h"
 
 #include <string.h>
 

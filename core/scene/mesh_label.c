@@ -1,4 +1,4 @@
-#include "scene/parts/mesh_label.h"
+#include "scene/mesh_label.h"
 
 #include <inttypes.h>
 #include <stdio.h>

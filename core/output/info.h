@@ -3,7 +3,7 @@
 #define ZR_INFO_H
 
 #include "core.h"
-#include "output/buffer.h"
+#include "output/bytes/buffer.h"
 #include "output/json/warnings.h"
 
 /* Faces, lines and points are listed if the scene has at most this many. */

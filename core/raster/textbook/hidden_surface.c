@@ -1,7 +1,7 @@
-#include "raster/hidden_surface.h"
+#include "raster/textbook/hidden_surface.h"
 
 #include "raster/binned_scene.h"
-#include "raster/whole_window.h"
+#include "raster/textbook/whole_window.h"
 
 enum zr_status zr_visibility_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
                                   enum zr_algorithm algorithm, const struct zr_prepaint *prepaints,

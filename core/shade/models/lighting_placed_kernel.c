@@ -3,4 +3,4 @@
 #define ZR_LIGHTS_PLACED   true
 #define ZR_LIGHTING_KERNEL ZR_KERNEL(zr_linear_light_placed)
 
-#include "shade/lights/lighting_kernel.c"
+#include "shade/models/lighting_kernel.c"
