@@ -2,10 +2,10 @@
 # run.sh BUILD PART...: runs the tests of these parts and adds them up. A line for each
 # part, "unit: 512 passed in 41 s", begun when it begins; else quiet but for what fails or
 # was left out. Each test's output is kept in BUILD/test-logs/. All tests speak TAP. Ends
-# with a line "N passed, N failed, N skipped", and with status 1 where one failed, or where
-# a part ran no test at all. As many programs run at once as there are processors, and more
-# of the parts whose programs mostly wait. Those of the part times, which ask how soon the
-# daemon answers, run one by one.
+# with the twenty slowest programs and a line "N passed, N failed, N skipped", and with
+# status 1 where one failed, or where a part ran no test at all. As many programs run at
+# once as there are processors, and more of the parts whose programs mostly wait. Those of
+# the part times, which ask how soon the daemon answers, run one by one.
 set -u
 build=$1
 shift
@@ -14,6 +14,7 @@ assimp=/usr/share/assimp/models
 logs=$build/test-logs
 rm -rf "$logs"
 mkdir -p "$logs"
+: >"$logs/times"
 passed=0 failed=0 skipped=0
 
 # A part's line stays open while it runs. say closes it: something comes in between.
@@ -49,13 +50,15 @@ run() {
     fi
     echo "$1" >>"$logs/$part.names"
     shift
-    echo "env CMOCKA_MESSAGE_OUTPUT=TAP $* >'$log' 2>'$log.err' </dev/null; echo \$? >'$log.status'" >>"$logs/$part.list"
+    echo "begin=\$(date +%s%N); env CMOCKA_MESSAGE_OUTPUT=TAP $* >'$log' 2>'$log.err' </dev/null; echo \$? \$(((\$(date +%s%N) - begin) / 1000000)) >'$log.status'" >>"$logs/$part.list"
 }
 
 # Adds up the program `name`: its TAP and its exit status.
 collect() {
     log=$logs/$name.tap
-    status=$(cat "$log.status")
+    status='' ms=0
+    read -r status ms <"$log.status"
+    echo "$ms $name" >>"$logs/times"
     s=$(grep -ciE '^(not )?ok.*# *skip' "$log")
     p=$(grep -iE '^ok ' "$log" | grep -viE '# *skip' | wc -l)
     f=$(grep -iE '^not ok ' "$log" | grep -viE '# *skip' | wc -l)
@@ -209,5 +212,7 @@ for part in "$@"; do
     part_end
 done
 
+echo "slowest:"
+sort -rn "$logs/times" | head -n 20 | awk '{ printf "%7.1f s  %s\n", $1 / 1000, $2 }'
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" = 0 ] && [ "$passed" != 0 ]

@@ -10,7 +10,8 @@ said=$work/said complained=$work/complained; : >"$said"; : >"$complained"
 trap 'rm -rf "$work"' EXIT
 unset MAKEFLAGS MAKELEVEL MFLAGS ZRASTER_SERVER
 root=$work/root prefix=/usr/local
-placed() { make -s --no-print-directory "$@" BUILD="$build" DESTDIR="$root" >"$said" 2>"$complained"; }
+# Files of BUILD as they are: nothing is compiled.
+placed() { make -s --no-print-directory -o all "$@" BUILD="$build" DESTDIR="$root" >"$said" 2>"$complained"; }
 files() { find "$root" ! -type d | sed "s|^$root||" | sort; }
 
 verdict "make install" placed install
