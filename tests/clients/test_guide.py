@@ -1,5 +1,6 @@
 """Rules of style for the README, the pages of clients/docs and the help of both programs: short sentences and cells, and no
-phrases that readers stumble over. Prose is all but code, tables, headings and HTML."""
+phrases that readers stumble over. Prose is all but code, tables, headings and HTML. Files that pages and comments name exist."""
+import fnmatch
 import glob
 import os
 import re
@@ -97,7 +98,69 @@ def pages():
     return ["README.md"] + sorted(os.path.relpath(path, ROOT) for path in glob.glob(f"{ROOT}/clients/docs/**/*.md", recursive=True))
 
 
+FOLDERS = ("core", "server", "clients", "tests", ".packages")
+ELSEWHERE = {"jpeglib.h", "microhttpd.h", "cmocka.h", "lp_bld_arit.c", "a.b.c"}    # of libraries, and a name in an address
+
+
+def ends(paths):
+    """All paths, and what follows a slash in each: "a/b.c" and "b.c"."""
+    return {path[at:] for path in paths for at in [0] + [slash.end() for slash in re.finditer("/", path)]}
+
+
+def sources():
+    """Paths of all files and folders of the repository, from its root."""
+    found = {name for name in os.listdir(ROOT) if os.path.isfile(os.path.join(ROOT, name))} | set(FOLDERS)
+    for top in FOLDERS:
+        for folder, folders, files in os.walk(os.path.join(ROOT, top)):
+            found |= {os.path.relpath(os.path.join(folder, name), ROOT) for name in folders + files}
+    return found
+
+
+def names_of_sources(text):
+    """Words that look like sources: below a folder of the repository, or files of C, shell or awk. Capitals stand for any name."""
+    words = re.findall(r"(?<![\w./<*-])[\w.*-]+(?:/[\w.*-]+)*/?(?![\w(])", text)
+    return [word.rstrip("/.") for word in words if word.startswith(tuple(f"{top}/" for top in FOLDERS)) or re.search(r"[\w*]\.(?:[ch]|sh|awk)\.?$", word)]
+
+
+def missing(names, found):
+    """The names that are not among the ends of paths."""
+    patterns = {name: re.sub(r"[A-Z][A-Z_]+", "*", name) for name in set(names) if os.path.basename(name) not in ELSEWHERE}
+    return sorted(name for name, pattern in patterns.items() if name not in found and not fnmatch.filter(found, pattern))
+
+
+def names_of_page(text):
+    return names_of_sources("\n".join(re.findall(r"(?<!`)`([^`\n]+)`(?!`)", text)))
+
+
+def names_of_comments(text):
+    return names_of_sources("\n".join(re.findall(r"/\*.*?\*/", text, re.DOTALL)))
+
+
+def read(path):
+    with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+        return file.read()
+
+
 class Guide(unittest.TestCase):
+    def test_names_of_files(self):
+        """files that pages and comments name exist"""
+        paths = sources()
+        found = ends(paths)
+        texts = [(page, names_of_page) for page in pages() + ["server/api/v1.md", "tests/reference/RULES.md"]]
+        texts += [(path, names_of_comments) for path in sorted(paths) if path.endswith((".c", ".h"))]
+        findings = [f"{path}: there is no {name}" for path, names in texts for name in missing(names(read(path)), found)]
+        if findings:
+            self.fail("\n" + "\n".join(findings))
+
+    def test_finds_names_of_files(self):
+        """a name of no file is found, and no other word"""
+        found = ends({"core", "core/scene", "core/scene/nodes.c", "tests/run.sh"})
+        right = "`nodes.c`, `scene/nodes.c`, `core/scene/NAME.c`, `n*.c`, `core/scene/`, `tests/run.sh build unit`, `part.stl`, `core.member`"
+        wrong = "`leaves.c`, `core/scenes`, `core/shade/NAME.c`, `m*.c`, `tests/walk.sh`"
+        self.assertEqual(missing(names_of_page(right), found), [])
+        self.assertEqual(missing(names_of_page(wrong), found), ["core/scenes", "core/shade/NAME.c", "leaves.c", "m*.c", "tests/walk.sh"])
+        self.assertEqual(missing(names_of_comments("int a; /* see leaves.c. */ b.c; /* nodes.c */"), found), ["leaves.c"])
+
     def test_pages(self):
         """pages have short sentences, short cells and plain phrases"""
         findings = [finding for page in pages() for finding in check_page(os.path.join(ROOT, page), page)]
