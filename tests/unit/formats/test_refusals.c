@@ -1,4 +1,4 @@
-/* What readers refuse: every case of tests/refusals, a file per subject.
+/* What readers refuse or warn of: every case of tests/refusals, a file per subject.
  *
  *     format application/json                       the first line: a media type
  *     let NAME = text                               then names; ${NAME} stands for its text in what follows
@@ -9,17 +9,23 @@
  *     and at /view/up: three numbers                lines for the next faults, if they are tested, too
  *     {"polygons": [], "view": {"eye": 1}}          the body, up to an empty line; ${0a} is the byte 0x0a
  *
+ *     warning: mesh 0: pointSize has no effect      a body that is read with this warning and no other; strict, it is refused
+ *     and: a part of the next warning               lines for the next warnings
+ *     warning of colors: material 'b'               the same, but strict requests for depth alone are not refused
+ *     no warning                                    a body that is read without a warning
+ *     # a comment                                   between cases
+ *
  * Bodies of 3MF are the text of the model part.
  */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "input/formats/formats.h"
-#include "unit/common/input_check.h"
 #include "support/files.h"
 #include "support/input/npy.h"
-#include "support/tests.h"
 #include "support/input/zip_file.h"
+#include "support/tests.h"
+#include "unit/common/input_check.h"
 
 enum { LETS_MAX = 16, PARTS_MAX = 24, NUMBERS_MAX = 64, MORE_MAX = 4, BODY_MAX = 1 << 16 };
 
@@ -37,7 +43,7 @@ struct cases {
     size_t part_count;
     struct zr_asset parts[PARTS_MAX];
     size_t more_count;
-    const char *more[MORE_MAX]; /* the next faults, " at PLACE: message" */
+    const char *more[MORE_MAX]; /* the next faults or warnings, " at PLACE: message" or ": message" */
     size_t size;
     char body[BODY_MAX];
 };
@@ -82,34 +88,94 @@ static bool has_fault(const struct zr_error *error, size_t number, const char *w
            strstr(item->detail, detail + 2);
 }
 
-static void check(struct cases *cases, const char *head, int line)
+/* Reads the body, with these parameters of the query or NULL. */
+static struct reading *read_body(struct cases *cases, const char *channel, const char *strict)
 {
-    enum zr_status status = ZR_BAD_SYNTAX;
-    while (status <= ZR_BAD_SCENE && strncmp(head, statuses[status], strlen(statuses[status])) != 0)
-        status++;
-    if (status > ZR_BAD_SCENE || !strstr(head, ": "))
-        fail_msg("%s, line %d: no 'STATUS at PLACE: message'", cases->path, line);
-    const struct zr_request request = {
-        .format = cases->format, .assets = cases->parts, .asset_count = cases->part_count};
+    const struct zr_request request = {.format = cases->format,
+                                       .channel = channel,
+                                       .strict = strict,
+                                       .assets = cases->parts,
+                                       .asset_count = cases->part_count};
     const struct zip_entry part = {"3D/3dmodel.model", cases->body, cases->size, true};
     size_t size = cases->size;
     unsigned char *package = cases->format == ZR_FORMAT_3MF ? zip_3mf(&part, 1, &size) : NULL;
     struct reading *reading = read_request(request, package ? (const void *)package : cases->body, size,
                                            zr_limits_default(), (size_t)1 << 28);
     free(package);
+    return reading;
+}
+
+static void print_reading(const struct reading *reading)
+{
+    print_error("  status %d\n", (int)reading->status);
+    for (size_t i = 0; i < zr_error_held(&reading->error); i++)
+        print_error("  at %s: %s\n", reading->error.items[i].pointer, reading->error.items[i].detail);
+    for (uint32_t i = 0; reading->scene && i < reading->scene->warning_count; i++)
+        print_error("  warning: %s\n", reading->scene->warnings[i]);
+}
+
+/* True if the body is refused with this status and with `wanted` and then the next faults. */
+static bool is_refused(struct cases *cases, const char *strict, enum zr_status status, const char *wanted)
+{
+    struct reading *reading = read_body(cases, NULL, strict);
     const struct zr_error *error = &reading->error;
-    bool is_refused = reading->status == status && error->status == status && !reading->scene &&
-                      has_fault(error, 0, head + strlen(statuses[status]));
+    bool is_refused =
+        reading->status == status && error->status == status && !reading->scene && has_fault(error, 0, wanted);
     for (size_t i = 0; i < cases->more_count; i++)
         is_refused &= has_fault(error, i + 1, cases->more[i]);
-    if (!is_refused) {
-        print_error("%s, line %d: status %d\n", cases->path, line, (int)reading->status);
-        for (size_t i = 0; i < zr_error_held(error); i++)
-            print_error("  at %s: %s\n", error->items[i].pointer, error->items[i].detail);
-        cases->failures++;
-    }
-    cases->count++;
+    if (!is_refused) print_reading(reading);
     reading_free(reading);
+    return is_refused;
+}
+
+/* True if the body is read with the warning ": message", and then the next ones; NULL: without any. */
+static bool is_warned_of(struct cases *cases, const char *wanted)
+{
+    struct reading *reading = read_body(cases, NULL, NULL);
+    const struct zr_scene *scene = reading->scene;
+    const size_t count = wanted ? 1 + cases->more_count : 0;
+    bool is_warned = reading->status == ZR_OK && scene->warning_count == count;
+    for (size_t i = 0; is_warned && i < count; i++)
+        is_warned = strstr(scene->warnings[i], (i ? cases->more[i - 1] : wanted) + strlen(": ")) != NULL;
+    if (!is_warned) print_reading(reading);
+    reading_free(reading);
+    return is_warned;
+}
+
+static bool is_read_strictly_for(struct cases *cases, const char *channel)
+{
+    struct reading *reading = read_body(cases, channel, "1");
+    const bool is_read = reading->status == ZR_OK;
+    reading_free(reading);
+    return is_read;
+}
+
+/* True if the case is as its head has it. */
+static bool holds(struct cases *cases, const char *head, int line)
+{
+    if (strcmp(head, "no warning") == 0)
+        return is_warned_of(cases, NULL) && is_read_strictly_for(cases, "color") &&
+               is_read_strictly_for(cases, "depth");
+    const char *detail = strstr(head, ": ");
+    if (!detail) fail_msg("%s, line %d: no 'STATUS at PLACE: message'", cases->path, line);
+    if (strncmp(head, "warning", strlen("warning")) == 0) {
+        const bool is_of_colors = strncmp(head, "warning of colors: ", strlen("warning of colors: ")) == 0;
+        return is_warned_of(cases, detail) && is_refused(cases, "1", ZR_BAD_SCENE, detail) &&
+               !is_read_strictly_for(cases, "color") && is_read_strictly_for(cases, "depth") == is_of_colors;
+    }
+    enum zr_status status = ZR_BAD_SYNTAX;
+    while (status <= ZR_BAD_SCENE && strncmp(head, statuses[status], strlen(statuses[status])) != 0)
+        status++;
+    if (status > ZR_BAD_SCENE) fail_msg("%s, line %d: no such status", cases->path, line);
+    return is_refused(cases, NULL, status, head + strlen(statuses[status]));
+}
+
+static void check(struct cases *cases, const char *head, int line)
+{
+    cases->count++;
+    if (holds(cases, head, line)) return;
+    print_error("%s, line %d\n", cases->path, line);
+    cases->failures++;
 }
 
 /* Appends a number of a type such as "<f4". */
@@ -182,11 +248,12 @@ static void check_file(const char *path, void *context)
     int head_line = 0;
     while ((line = strsep(&rest, "\n"))) {
         cases.line++;
+        if (!head && *line == '#') continue;
         if (*line && !head) {
             head = line;
             head_line = cases.line;
             cases.size = cases.more_count = 0;
-        } else if (strncmp(line, "and at ", 7) == 0) {
+        } else if (strncmp(line, "and at ", 7) == 0 || strncmp(line, "and: ", 5) == 0) {
             assert_true(cases.more_count < MORE_MAX && strstr(line, ": "));
             cases.more[cases.more_count++] = line + strlen("and");
         } else if (*line) {
@@ -204,7 +271,7 @@ static void check_file(const char *path, void *context)
     counts->failures += cases.failures;
 }
 
-TEST(every_case_is_refused_as_it_says)
+TEST(every_case_is_refused_or_warned_of_as_it_says)
 {
     struct counts counts = {0, 0};
     const int files = files_each("tests/refusals", ".txt", check_file, &counts);
