@@ -86,17 +86,19 @@ macros := $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null)
 target := $(firstword $(foreach name,x86_64 aarch64,$(if $(findstring __$(name)__,$(macros)),$(name))))
 isas_x86_64 := scalar sse2 avx2 avx512
 isas_aarch64 := scalar neon
-# `make isas=avx2` builds these alone, which is quicker.
-isas := $(or $(isas_$(target)),scalar)
+all_isas := $(or $(isas_$(target)),scalar)
+# `make isas=avx2` builds these alone, which is quicker. A later `make` adds the others and compiles nothing twice.
+isas := $(all_isas)
 comma := ,
 space := $(subst ,, )
 upper = $(shell echo $(1) | tr a-z A-Z)
-OURS += '-DZR_EACH_ISA(entry,name)=$(foreach isa,$(isas),entry($(call upper,$(isa))$(comma)$(isa)$(comma)name))'
 # They come behind the user's flags: -march=native must not put what came later into sse2 and avx2. scalar and neon are
 # what the target has anyway. Integers wrap in lanes that nobody reads.
 kernel_sse2 := -mno-sse3
 kernel_avx2 := -mavx2 -mbmi2 -mno-avx512f
 kernel_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl -mbmi2 -mprefer-vector-width=512
+# gcc spends a quarter of its time in kernels on the places of variables, for debuggers.
+kernel_flags := -fwrapv $(if $(findstring __clang__,$(macros)),,-fno-var-tracking-assignments)
 # For `make emulated`: what has AVX2 is told to have AVX-512.
 ifdef EMULATED
 kernel_avx512 := $(kernel_avx2) -Itests/emulated -Wno-psabi
@@ -106,15 +108,15 @@ endif
 kernels := $(basename $(wildcard core/*/*_kernel.c core/*/*/*_kernel.c))
 for_isas = $(foreach isa,$(isas),$(1:%=$(BUILD)/%.$(isa).o))
 kernel_objects := $(call for_isas,$(kernels))
-core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c core/*/*/*.c)) $(kernel_objects)
+core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c core/*/*/*.c)) $(kernel_objects) $(BUILD)/isas.o
 # For the shared library, whose header exports the only visible symbols.
 core_flags := -fPIC -fvisibility=hidden
-our_flags := $(subst ',,$(OURS) $(core_flags) $(foreach isa,$(isas),$(kernel_$(isa))))
+our_flags := $(subst ',,$(OURS) $(core_flags) $(kernel_flags) $(foreach isa,$(all_isas),$(kernel_$(isa))))
 $(core): OURS += $(core_flags)
 # The part of it that needs no library.
 renderer_rooms := base scene geometry mesh sections raster shade lines effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
-	$(kernel_objects)
+	$(kernel_objects) $(BUILD)/isas.o
 mcp := $(call objects,server/mcp/*.c)
 server := $(call objects,server/*.c server/*/*.c) $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o
 # For `make walk`: counts from and up to a signal.
@@ -722,10 +724,22 @@ $(BUILD)/%.o: %.c $(BUILD)/flags | $(missing_compiler)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) $(EXACT) -MMD -MP -c -o $@ $<
 
+# Which instruction sets are built, and zero bytes in place of the kernels of the others.
+missing_isas := $(filter-out $(isas),$(all_isas))
+kernel_names := zr_isa_built $(if $(missing_isas),$(shell sed -n 's/^ZR_KERNEL_TABLE(.*, \([a-z0-9_]*\))$$/\1/p' \
+	$(wildcard core/*/*.h core/*/*/*.h tests/support/*.h tests/support/*/*.h)))
+isas_text := $(isas:%=const _Bool zr_isa_built_%=1;) $(foreach isa,$(missing_isas),$(kernel_names:%=const char %_$(isa);))
+$(BUILD)/isas.c: $(if $(call is_other,$(file <$(BUILD)/isas.c),$(isas_text)),always)
+	@mkdir -p $(@D)
+	@echo '$(isas_text)' >$@
+
+$(BUILD)/isas.o: $(BUILD)/isas.c $(BUILD)/flags | $(missing_compiler)
+	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
+
 define kernel_rule
 $(BUILD)/%_kernel.$(1).o: %_kernel.c $(BUILD)/flags | $(missing_compiler)
 	@mkdir -p $$(@D)
-	$$(Q)$$(CC) $$(OURS) $$(CFLAGS) $$(CPPFLAGS) $$(EXACT) $(kernel_$(1)) -fwrapv -DZR_KERNEL_$(call upper,$(1)) -MMD -MP -c -o $$@ $$<
+	$$(Q)$$(CC) $$(OURS) $$(CFLAGS) $$(CPPFLAGS) $$(EXACT) $(kernel_$(1)) $(kernel_flags) -DZR_KERNEL_$(call upper,$(1)) -MMD -MP -c -o $$@ $$<
 endef
 $(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 

@@ -24,12 +24,17 @@ bool zr_isa_find(const char *name, enum zr_isa *isa)
     return false;
 }
 
-#define IS_COMPILED(upper, lower, value) [ZR_ISA_##upper] = value,
+ZR_KERNEL_TABLE(const bool, zr_isa_built)
+
+static bool is_built(enum zr_isa isa)
+{
+    const bool *built = zr_isa_built_of(isa);
+    return built && *built;
+}
 
 bool zr_isa_is_available(enum zr_isa isa)
 {
-    static const bool compiled[ZR_ISA_COUNT] = {ZR_EACH_ISA(IS_COMPILED, true)};
-    if (!compiled[isa]) return false;
+    if (!is_built(isa)) return false;
     if (isa == ZR_ISA_SCALAR) return true;
 #if defined __x86_64__
     if (isa == ZR_ISA_SSE2) return true;
@@ -56,7 +61,7 @@ bool zr_isa_choose(const char *name, enum zr_isa *isa)
 {
     if (strcmp(name, "auto") != 0) return zr_isa_find(name, isa) && zr_isa_is_available(*isa);
     *isa = zr_isa_best();
-    return true;
+    return zr_isa_is_available(*isa);
 }
 
 #if defined __x86_64__

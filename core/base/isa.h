@@ -9,6 +9,16 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* Instruction sets of the target: identifier and word of each. */
+#if defined __x86_64__
+#define ZR_EACH_ISA(entry, name)                                                                                       \
+    entry(SCALAR, scalar, name) entry(SSE2, sse2, name) entry(AVX2, avx2, name) entry(AVX512, avx512, name)
+#elif defined __aarch64__
+#define ZR_EACH_ISA(entry, name) entry(SCALAR, scalar, name) entry(NEON, neon, name)
+#else
+#define ZR_EACH_ISA(entry, name) entry(SCALAR, scalar, name)
+#endif
+
 enum zr_isa {
     ZR_ISA_SCALAR, /* plain C, for any machine */
     ZR_ISA_SSE2,
@@ -18,11 +28,11 @@ enum zr_isa {
     ZR_ISA_COUNT
 };
 
-/* ZR_KERNEL_TABLE(type, name), in the header of a kernel, declares the kernel for each compiled instruction set, as
+/* ZR_KERNEL_TABLE(type, name), in the header of a kernel, on one line, declares the kernel for each instruction set, as
  * name_avx2 and so on. It also defines their lookup, `type *name_of(enum zr_isa isa)`; isa must be available. `type` is
  * the type of a function, or `const struct x` of functions. The kernel's source file defines ZR_KERNEL(name)
- * (base/simd/simd.h). ZR_EACH_ISA(entry, name), from the Makefile, expands to entry(AVX2, avx2, name) for each instruction
- * set. */
+ * (base/simd/simd.h). The Makefile defines zr_isa_built for each instruction set. If it does not build one, it defines the
+ * kernels of that one as zero bytes. */
 #define ZR_KERNEL_TABLE(type, name)                                                                                    \
     typedef type name##_kernel;                                                                                        \
     ZR_EACH_ISA(ZR_KERNEL_DECLARATION, name)                                                                           \
@@ -46,8 +56,7 @@ bool zr_isa_is_available(enum zr_isa isa);
 /* Returns the available instruction set with the widest vectors. */
 enum zr_isa zr_isa_best(void);
 
-/* Finds an available instruction set by name; "auto" is the best one. False if there is none; *isa is then undefined.
- */
+/* Finds an available instruction set by name; "auto" is the best one. False if there is none; *isa is then undefined. */
 bool zr_isa_choose(const char *name, enum zr_isa *isa);
 
 /* Sets the upper halves of the vector registers to 0. libisal leaves other values there. Until they are 0 again, SSE
