@@ -1,6 +1,6 @@
-/* Reads PLY as text: lines, colours and normals, strips, edges and points; warnings and bounds. */
-#include "unit/common/same_scene.h"
+/* Reads PLY as text: lines, colours and normals, strips, edges and points; bounds. Warnings: tests/refusals/ply-texts.txt. */
 #include "support/tests.h"
+#include "unit/common/same_scene.h"
 #include "unit/common/texts.h"
 
 #define XYZ       "property float x\nproperty float y\nproperty float z\n"
@@ -151,80 +151,6 @@ TEST(finite_vertices_without_faces_are_points)
     assert_int_equal(reading->scene->warning_count, 1);
     assert_non_null(
         strstr(reading->scene->warnings[0], "2 vertices are not finite and are left out; the first is vertex 1"));
-    reading_free(reading);
-}
-
-/* ---- warnings ---- */
-
-TEST(undrawn_and_odd_contents_cause_warnings)
-{
-    static const struct {
-        const char *text, *warning;
-    } cases[] = {
-        {ASCII "comment TextureFile a b.png \ncomment TextureFile c.png\n" VERTEX "end_header\n" POSITIONS,
-         "2 textures are not read in this version; the first is 'a b.png'"},
-        {ASCII "made by hand\n" VERTEX "end_header\n" POSITIONS, "1 line of the header is not known; it is line 3"},
-        {ASCII VERTEX "element face 3\nproperty list uchar int vertex_indices\nend_header\n" POSITIONS
-                      "3 0 1 2\n2 0 1\n0\n",
-         "2 faces have fewer than 3 corners and are left out; the first is face 1"},
-        {ASCII VERTEX "end_header\n0 0 0 9 0 1\n9 8 2 0 8 3\n",
-         "2 lines have another number of values than the header says; the first is line 8"},
-        {ASCII VERTEX FACE "end_header\n" POSITIONS "\ncomment 1 2 3\n\n4 0 1 2 3\n",
-         "1 comment between the values is skipped; it is line 15"},
-        {ASCII VERTEX FACE "end_header\n comment\n0 0 0\n9 0 1\ncomment a\n9 8 2\n0 8 3\n4 0 1 2 3\ncomment\n"
-                           "comment b",
-         "4 comments between the values are skipped; the first is line 10"},
-        {MESH "5 6\n", "3 bytes behind the last element are not read"},
-        {ASCII VERTEX
-         "element camera 1\nproperty float a\nelement b 0\nelement c 2\nproperty float a\nend_header\n" POSITIONS
-         "1\n1\n2\n",
-         "2 kinds of elements are not drawn; the first is 'camera' (1 of them)"},
-        {ASCII VERTEX "property float f_dc_0\nend_header\n0 0 0 1\n1 0 0 1\n1 1 0 1\n2 2 2 2\n", "splats (f_dc_0)"},
-        {ASCII "element vertex 3\n" XYZ "property uchar red\nproperty uchar green\nproperty uchar blue\n" FACE
-               "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n0 0 0 1 2 3\n1 0 0 4 5 6\n"
-               "0 1 0 7 8 9\n3 0 1 2 1 2 3\n",
-         "colours of faces are not drawn beside those of vertices"},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct reading *reading = read_good(cases[i].text);
-        if (reading->scene->warning_count != 1 || !strstr(reading->scene->warnings[0], cases[i].warning))
-            fail_msg("case %zu: %u warnings, %s", i, reading->scene->warning_count,
-                     reading->scene->warning_count ? reading->scene->warnings[0] : "");
-        reading_free(reading);
-        const struct zr_request strict = {.format = ZR_FORMAT_PLY, .strict = "1"};
-        reading = read_request(strict, cases[i].text, strlen(cases[i].text), zr_limits_default(), 1 << 28);
-        assert_complaint(reading, ZR_BAD_SCENE, "", cases[i].warning);
-        reading_free(reading);
-    }
-}
-
-/* Comments are lines of their own. They do not shift the lines in messages. */
-TEST(comments_among_values_are_lines)
-{
-    static const struct {
-        const char *text, *fault;
-    } cases[] = {
-        {ASCII VERTEX "end_header\n0 0 0\ncomment a\n9 0 x\n1 2 3\n1 2 3\n",
-         "line 10: vertex 1: expected a number for z, not 'x'"},
-        {ASCII VERTEX "end_header\n0 0 0 comment a\n9 0 1\n1 2 3\n1 2 3\n",
-         "line 8: vertex 1: expected a number for x, not 'comment'"},
-        {ASCII VERTEX "end_header\n0 0 0\ncomments\n1 2 3\n1 2 3\n",
-         "line 9: vertex 1: expected a number for x, not 'comments'"},
-        {ASCII VERTEX "end_header\n0 0 0\n9 0\ncomment a\n1\n1 2 3\n1 2 3\n",
-         "line 10: vertex 1: expected a number for z"},
-        {ASCII VERTEX "end_header\n0 0 0\n1 2 3\n1 2 3\ncomment a long story",
-         "line 11: vertex 3 of 4: the file ends before its x"},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct reading *reading = read_text(ZR_FORMAT_PLY, cases[i].text);
-        assert_complaint(reading, ZR_BAD_SYNTAX, "", cases[i].fault);
-        reading_free(reading);
-    }
-    struct reading *reading = read_good("ply\rformat ascii 1.0\r"
-                                        "element vertex 1\rproperty float x\rproperty float y\r"
-                                        "property float z\rend_header\rcomment a\r5000000 2 3\r");
-    assert_int_equal(reading->scene->warning_count, 1);
-    assert_non_null(strstr(reading->scene->warnings[0], "1 comment between the values is skipped; it is line 8"));
     reading_free(reading);
 }
 

@@ -1,6 +1,6 @@
-/* Scenes with a base that are refused, and what is said of them. */
-#include "unit/common/base_scenes.h"
+/* Scenes with a base that are refused for their view, outputs or size. Other refusals: tests/refusals/json-base.txt. */
 #include "support/tests.h"
+#include "unit/common/base_scenes.h"
 
 /* A z-buffer means nothing without the planes that it was drawn between; eye-space depth needs none. */
 TEST(window_depth_without_its_planes_is_refused)
@@ -44,19 +44,15 @@ TEST(depth_in_an_oblique_projection_is_refused)
     reading_free(reading);
 }
 
-TEST(ids_that_clash_or_do_not_fit_are_refused)
+TEST(last_id_of_a_base_may_be_the_highest_but_one)
 {
-    const uint32_t highest[PIXELS] = {UINT32_MAX}, last_but_one[PIXELS] = {UINT32_MAX - 1};
-    const char *text =
-        HEAD BASE("\"color\":{\"asset\":\"c\"},\"windowDepth\":{\"asset\":\"w\"},\"faceId\":{\"asset\":\"x\"}") "}";
-    refuses_with(text, npy_asset("x", ZR_NPY_UINT32, highest), "/base/firstFaceId", "do not fit 32 bits");
-    struct reading *reading = read_with(text, npy_asset("x", ZR_NPY_UINT32, last_but_one), NULL);
+    const uint32_t last_but_one[PIXELS] = {UINT32_MAX - 1};
+    struct reading *reading = read_with(
+        HEAD BASE("\"color\":{\"asset\":\"c\"},\"windowDepth\":{\"asset\":\"w\"},\"faceId\":{\"asset\":\"x\"}") "}",
+        npy_asset("x", ZR_NPY_UINT32, last_but_one), NULL);
     assert_read(reading);
     assert_int_equal(reading->scene->base->first_face_id, UINT32_MAX);
     reading_free(reading);
-    refuses_with(HEAD BASE(ALL ",\"firstFaceId\":7") "}", NO_EXTRA, "/base/firstFaceId", "base.faceId has 7 already");
-    refuses_with(HEAD BASE(ALL ",\"firstFaceId\":0") "}", NO_EXTRA, "/base/firstFaceId", "the id of nothing");
-    refuses_with(HEAD BASE(ALL ",\"firstFaceId\":-1") "}", NO_EXTRA, "/base/firstFaceId", "outside of 0");
 }
 
 TEST(what_the_outputs_need_must_be_there)
@@ -77,66 +73,12 @@ TEST(what_the_outputs_need_must_be_there)
     struct reading *reading = read_with(only_depth, NO_EXTRA, "windowDepth");
     assert_read(reading);
     reading_free(reading);
-    refuses_with(HEAD BASE("\"color\":{\"asset\":\"c\"}") "}", NO_EXTRA, "/base", "windowDepth is missing");
-    refuses_with(HEAD BASE("") "}", NO_EXTRA, "/base", "windowDepth is missing");
-}
-
-TEST(bases_that_are_not_one_are_refused_where_it_shows)
-{
-    static const struct {
-        const char *text, *pointer, *detail;
-    } cases[] = {
-        {HEAD "\"base\":7}", "/base", "expected an object"},
-        {HEAD BASE(ALL ",\"colour\":1") "}", "/base/colour", "unknown key"},
-        {HEAD BASE(ALL ",\"ties\":\"new\"") "}", "/base/ties", "'new' is unknown; allowed: base, scene"},
-        {HEAD BASE("\"windowDepth\":7") "}", "/base/windowDepth", "expected a data: URI"},
-        {HEAD BASE("\"windowDepth\":{}") "}", "/base/windowDepth", "one of uri and asset"},
-        {HEAD BASE("\"windowDepth\":{\"uri\":\"data:,\",\"asset\":\"w\"}") "}", "/base/windowDepth", "only one"},
-        {HEAD BASE("\"windowDepth\":{\"asset\":7}") "}", "/base/windowDepth/asset", "expected a string"},
-        {HEAD BASE("\"windowDepth\":{\"asset\":\"z\"}") "}", "/base/windowDepth/asset", "has the name 'z'"},
-        {HEAD BASE("\"windowDepth\":{\"asset\":\"sha256:00\"}") "}", "/base/windowDepth/asset",
-         "64 lower-case hexadecimal digits"},
-        {HEAD BASE("\"windowDepth\":{\"asset\":\"sha256:" HASH_W "\"}") "}", "/base/windowDepth/asset",
-         "no assets are kept here"},
-        {HEAD BASE("\"windowDepth\":{\"url\":\"x\"}") "}", "/base/windowDepth/url", "unknown key"},
-        {HEAD BASE("\"windowDepth\":\"http://a/b.npy\"") "}", "/base/windowDepth", "nothing is fetched"},
-        {HEAD BASE("\"windowDepth\":{\"uri\":\"data:;base64,Zm9\"}") "}", "/base/windowDepth/uri", "cut short"},
-        {HEAD BASE("\"windowDepth\":\"data:;base64,Zm9v\"") "}", "/base/windowDepth", "not an NPY file"},
-        {HEAD BASE("\"windowDepth\":{\"asset\":\"f\"}") "}", "/base/windowDepth", "float32 is needed"},
-        {HEAD BASE("\"windowDepth\":{\"asset\":\"w\"},\"color\":{\"asset\":\"w\"}") "}", "/base/color", "not a PNG"},
-        {HEAD BASE("\"windowDepth\":{\"asset\":\"w\"},\"faceId\":{\"asset\":\"w\"}") "}", "/base/faceId",
-         "uint32 is needed"},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        refuses_with(cases[i].text, NO_EXTRA, cases[i].pointer, cases[i].detail);
-}
-
-TEST(values_outside_of_their_range_are_refused_by_pixel)
-{
-    static const char depth_text[] = HEAD BASE("\"windowDepth\":{\"asset\":\"w\"},\"depth\":{\"asset\":\"x\"}") "}";
-    static const char window_text[] = HEAD BASE("\"windowDepth\":{\"asset\":\"x\"}") "}";
-    const float bad[] = {NAN, INFINITY, -INFINITY, -0.001f, 1.0000001f};
-    for (size_t i = 0; i < 5; i++) {
-        float values[PIXELS] = {0, 1, -0.0f};
-        values[6] = values[7] = bad[i];
-        refuses_with(window_text, npy_asset("x", ZR_NPY_FLOAT32, values), "/base/windowDepth",
-                     "pixel (2, 1), counted from the top left");
-    }
-    const float values[PIXELS] = {0, 0, 0, 0, 0, -INFINITY};
-    refuses_with(depth_text, npy_asset("x", ZR_NPY_FLOAT32, values), "/base/depth", "pixel (1, 1)");
 }
 
 TEST(picture_of_another_size_is_refused)
 {
     refuses_with(HEAD BASE("\"windowDepth\":{\"asset\":\"w\"},\"color\":{\"asset\":\"x\"}") "}",
                  png_asset("x", ZR_PNG_RGB, 64, 64), "/base/color", "64 x 64 pixels, not the window's 4 x 2");
-}
-
-TEST(window_beyond_its_limits_is_refused_for_itself)
-{
-    refuses_with("{\"window\":{\"width\":0},\"view\":{\"znear\":1,\"zfar\":9},\"polygons\":[{\"vertices\":[[0,0,0],[1,"
-                 "0,0],[0,1,0]]}]," BASE(ALL) "}",
-                 NO_EXTRA, "/window/width", "0 pixels");
 }
 
 TEST(memory_that_is_short_is_said_so)

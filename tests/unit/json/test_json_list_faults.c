@@ -2,8 +2,8 @@
 #include <time.h>
 
 #include "base/team.h"
-#include "unit/common/json_texts.h"
 #include "support/tests.h"
+#include "unit/common/json_texts.h"
 
 struct list_case {
     const char *before, *item, *after; /* the text around a list, and a good item of it */
@@ -183,23 +183,6 @@ TEST(text_cut_short_anywhere_is_bad_syntax)
         reading_free(reading);
     }
     drop(&text);
-}
-
-TEST(text_cut_in_a_list_names_the_bracket_of_the_list)
-{
-    static const char *const cuts[][2] = {
-        {"{\"polygons\":[", "expected a value or ']', found the end"},
-        {"{\"meshes\":[{\"positions\":[", "expected a value or ']', found the end"},
-        {"{\"meshes\":[{\"heights\":[", "expected a value or ']', found the end"},
-        {"{\"meshes\":[{\"positions\":[[0,0,0]", "expected ',' or ']', found the end"},
-        {"{\"meshes\":[{\"positions\":[[0,0,0],", "expected a value, found the end"},
-        {"{\"meshes\":[{\"faces\":[[0,1,2]", "expected ',' or ']', found the end"},
-        {"{\"polygons\":[{}", "expected ',' or ']', found the end"},
-        {"{\"polygons\":[{\"vertices\":[[0,0,0]", "expected ',' or ']', found the end"},
-        {"{\"polygons\":[{\"colors\":[", "expected a value or ']', found the end"},
-        {"{\"polygons\":[{\"vertices\":[[0,0,0]]", "expected ',' or '}', found the end"}};
-    for (size_t i = 0; i < sizeof cuts / sizeof *cuts; i++)
-        refuses(ZR_FORMAT_JSON, cuts[i][0], ZR_BAD_SYNTAX, "", cuts[i][1]);
 }
 
 TEST(indices_before_their_positions_have_the_same_complaints)
