@@ -22,8 +22,6 @@
 #include "base/cancel.h"
 #include "base/status.h"
 #include "base/team.h"
-#include "format_rows.h"
-#include "parameter_rows.h"
 #include "version.h"
 
 /* ---- limits of a request ---- */
@@ -42,15 +40,7 @@ struct zr_limits {
 
 struct zr_limits zr_limits_default(void);
 
-/* ---- a request: its body, its query and its assets ---- */
-
-enum zr_format {
-#define ZR_FORMAT_ENUM(ID, ...) ZR_FORMAT_##ID,
-    ZR_FORMAT_ROWS(ZR_FORMAT_ENUM)
-#undef ZR_FORMAT_ENUM
-        ZR_FORMAT_COUNT,
-    ZR_FORMAT_UNKNOWN = ZR_FORMAT_COUNT /* detected from the bytes */
-};
+/* ---- parts of a request (render_request.h) ---- */
 
 struct zr_packed; /* input/zip/zip_part.h */
 
@@ -132,24 +122,6 @@ struct zr_quick {
     bool is_exceeded;
 };
 
-struct zr_request {
-    enum zr_format format;
-    const char *bytes;
-    size_t size;
-    const struct zr_asset *assets; /* names are unique; bare meshes other than glTF and OBJ use none */
-    size_t asset_count;
-    struct zr_stored stored; /* read may be NULL: no store */
-    struct zr_kept_images images;
-    struct zr_kept_texts texts;
-    struct zr_kept_meshes meshes;
-    /* Parameters of the query (parameter_rows.h), as text; NULL: not given. */
-#define ZR_PARAMETER_FIELD(name, ...) const char *name;
-    ZR_PARAMETER_ROWS(ZR_PARAMETER_FIELD)
-#undef ZR_PARAMETER_FIELD
-    const struct zr_cancel *cancel; /* cancels reading; NULL: never */
-    struct zr_quick *quick;         /* NULL: no limit of time */
-};
-
 /* Lists the files that a model file refers to: buffers and images of glTF, material libraries of OBJ, images of MTL,
  * and assets of scenes. Writes their names in the order of the file, each with a final zero. Names may repeat. A line
  * "mtllib a b" gives "a b", "a" and "b", since names may have blanks. URIs with a scheme and stored assets are left
@@ -160,6 +132,7 @@ size_t zr_references_list(const char *bytes, size_t size, const char *type, char
 
 /* ---- the four steps, and the cost of the last two ---- */
 
+struct zr_request;       /* render_request.h */
 struct zr_scene;         /* scene/scene.h */
 struct zr_resolved_view; /* scene/camera/resolved_view.h */
 struct zr_frame;         /* shade/frame.h */

@@ -96,8 +96,8 @@ enum refusal load_busy_with(const struct load *load, const struct service *servi
 
 void request_free(struct request *request)
 {
-    free(request->query_values);
-    request->query_values = NULL;
+    free(request->render);
+    request->render = NULL;
 }
 
 void request_take_id(struct request *request, struct service *service, const char *client_id)

@@ -84,12 +84,13 @@ struct request {
     bool gzip;                                                   /* set by router_open: the body is compressed */
     int64_t expires_s; /* set by router_open: end of the address, in seconds since 1970; 0: none */
     bool is_private;   /* set by router_open: a token opened it; shared caches must not keep the answer */
+    const char *body;  /* set by the caller of router_work */
+    size_t body_size;
     bool small_only;   /* set on the express (queue.h): a request that turns out to be large is given up */
 
     /* Set by rendering_open and drake_open: */
     char boundary[MULTIPART_BOUNDARY_SIZE]; /* of the body's parts; "": no parts */
-    struct zr_request render;               /* the caller sets `bytes` and `size` */
-    char *query_values;                     /* decoded texts of `render` */
+    struct zr_request *render;              /* without the body, with the texts of the query behind it; NULL: another route */
 
     /* Set by assets_open: */
     const char *asset; /* name of the asset, in `path`; "": a new asset; NULL: another route */

@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "help.h"
+#include "options/endings.h"
+#include "options/parameters.h"
 #include "tables.h"
 
 /* An option as shells complete it. */
@@ -34,7 +36,7 @@ static void visit(void (*print)(const struct completed *))
         options_flag_of(p->name, strlen(p->name), flag);
         snprintf(option.name, sizeof option.name, "%s", flag + 2);
         if (i == PARAMETER_look) option.help = "appearance";
-        tables_values(&option.words, (enum parameter)i);
+        tables_values(&option.words, p);
         print(&option);
     }
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "keys.h"
+#include "options/parameters.h"
 #include "tables.h"
 
 #define COUNTED(...) +1

@@ -5,6 +5,7 @@
 
 #include "engine/job.h"
 #include "engine/report.h"
+#include "options/parameters.h"
 
 enum { COLUMN = 26, LIST_MAX = 16 };
 

@@ -2,6 +2,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "options/parameters.h"
 #include "render.h"
 
 /* Sets a parameter that the command line does not give. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "api/zraster.h"
+#include "options/parameters.h"
 
 static cJSON *tables;
 
@@ -144,16 +145,16 @@ void tables_offer(struct near_word *near)
     cJSON_ArrayForEach(word, list_of("words")) near_offer(near, text_of(word, "name"));
 }
 
-void tables_values(struct words *words, enum parameter parameter)
+void tables_values(struct words *words, const struct parameter_row *parameter)
 {
-    const char *value = parameter_rows[parameter].value;
-    if (parameter == PARAMETER_channel)
+    const char *value = parameter->value;
+    if (parameter == &parameter_rows[PARAMETER_channel])
         add_channels(words);
-    else if (parameter == PARAMETER_look)
+    else if (parameter == &parameter_rows[PARAMETER_look])
         tables_looks(words);
     else if (value[0] == '[') {
         words_add(words, "true", 4);
         words_add(words, "false", 5);
     } else if (strcmp(value, "NAME") == 0 || strcmp(value, "COUNT") == 0)
-        words_of_help(words, parameter_rows[parameter].help);
+        words_of_help(words, parameter->help);
 }

@@ -12,8 +12,10 @@ void tables_looks(struct words *words);
  * channel, or it lacks this encoding. */
 const char *tables_extension(const char *channel, const char *encoding);
 
+struct parameter_row; /* options/parameters.h */
+
 /* Adds the values that a parameter accepts, as far as they are words. */
-void tables_values(struct words *words, enum parameter parameter);
+void tables_values(struct words *words, const struct parameter_row *parameter);
 
 /* Prints the meaning of a word ("nocs", "studio@2"), or those of all words of a kind ("channel", "channels"). Returns
  * false for other names. */

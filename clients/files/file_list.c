@@ -10,6 +10,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "options/endings.h"
+#include "options/parameters.h"
 #include "options/words.h"
 
 static int no_memory(void)

@@ -7,6 +7,9 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "options/endings.h"
+#include "options/parameters.h"
+
 #define FORMAT(ID, suffix, media_types, has_view, ...) {suffix, media_types, has_view},
 static const struct {
     const char *suffix, *media_types; /* the first media type is sent */

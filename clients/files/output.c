@@ -11,6 +11,7 @@
 #include "input.h"
 #include "mcp/unzip.h"
 #include "commands/tables.h"
+#include "options/parameters.h"
 
 struct format {
     const char *type, *ending, *name, *instead;

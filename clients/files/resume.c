@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 
 #include "commands/tables.h"
+#include "options/parameters.h"
 
 enum { CHANNEL_SIZE = 64 };
 

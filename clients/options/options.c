@@ -7,6 +7,9 @@
 #include <string.h>
 #include <strings.h>
 
+#include "endings.h"
+#include "parameter_kinds.h"
+#include "parameters.h"
 #include "scene/shadings.h"
 #include "words.h"
 
@@ -35,6 +38,7 @@ enum { ANY, MESH };
 #define KIND(ID, placeholder) static const char VALUE_##ID[] = placeholder;
 ZR_PARAMETER_KINDS(KIND)
 #define PARAMETER(name, pointer, of, kind, help) {#name, of == MESH, VALUE_##kind, help},
+_Static_assert((int)PARAMETER_COUNT <= PARAMETERS_MAX, "struct options has room for each");
 const struct parameter_row parameter_rows[PARAMETER_COUNT] = {ZR_PARAMETER_ROWS(PARAMETER)};
 
 char parameter_letter(enum parameter parameter)

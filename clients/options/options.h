@@ -6,8 +6,6 @@
 #include <stddef.h>
 
 #include "command_rows.h"
-#include "format_rows.h"
-#include "parameter_rows.h"
 
 /* Exit statuses. */
 enum {
@@ -30,7 +28,7 @@ struct command {
 #define OPTIONS_COUNT(...) +1
 enum {
     COMMAND_COUNT = 0 COMMAND_ROWS(OPTIONS_COUNT),
-    PARAMETER_COUNT = 0 ZR_PARAMETER_ROWS(OPTIONS_COUNT),
+    PARAMETERS_MAX = 128,
     PARTS_MAX = 31,
     THREADS_MAX = 256,
     FLAG_SIZE = 32
@@ -57,22 +55,6 @@ struct option_row {
 };
 extern const struct option_row option_rows[OPTION_COUNT];
 
-/* Parameters of the query. Each one is an option: doubleSided is --double-sided. */
-enum parameter {
-#define PARAMETER_ENUM(name, ...) PARAMETER_##name,
-    ZR_PARAMETER_ROWS(PARAMETER_ENUM)
-#undef PARAMETER_ENUM
-};
-struct parameter_row {
-    const char *name;
-    bool of_mesh;      /* for meshes only */
-    const char *value; /* placeholder; in brackets: may be omitted, which means true */
-    const char *help;
-};
-extern const struct parameter_row parameter_rows[PARAMETER_COUNT];
-
-char parameter_letter(enum parameter parameter); /* 0: none */
-
 /* Writes the option of a parameter, whose name has `length` characters: "--name". */
 void options_flag_of(const char *name, size_t length, char flag[FLAG_SIZE]);
 
@@ -80,7 +62,7 @@ void options_flag_of(const char *name, size_t length, char flag[FLAG_SIZE]);
 struct options {
     const struct command *command;
     const char *own[OPTION_COUNT];
-    const char *parameters[PARAMETER_COUNT];
+    const char *parameters[PARAMETERS_MAX]; /* by enum parameter (parameters.h) */
     const char **files; /* in the arguments */
     size_t file_count;
     const char *parts[PARTS_MAX]; /* NAME=FILE */
@@ -108,13 +90,5 @@ struct shard {
     size_t index, count;
 };
 struct shard options_shard(const struct options *options);
-
-/* Endings of file names, for messages: of meshes " .obj .3mf .stl", of all formats " json obj 3mf stl". */
-#define OPTIONS_ENDING_true(suffix)
-#define OPTIONS_ENDING_false(suffix)                                " ." suffix
-#define OPTIONS_MESH_ENDING(ID, suffix, media_types, has_view, ...) OPTIONS_ENDING_##has_view(suffix)
-#define OPTIONS_ANY_ENDING(ID, suffix, ...)                         " " suffix
-#define OPTIONS_MESHES                                              ZR_FORMAT_ROWS(OPTIONS_MESH_ENDING)
-#define OPTIONS_TYPES                                               ZR_FORMAT_ROWS(OPTIONS_ANY_ENDING)
 
 #endif

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "files/bytes.h"
+#include "parameters.h"
 
 static void add_escaped(struct bytes *query, const char *text)
 {

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "files/neighbours.h"
+#include "format_rows.h"
+#include "parameters.h"
 
 static const char parameter_word[] = "parameter ";
 static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";

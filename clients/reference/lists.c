@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "options/command_rows.h"
-#include "format_rows.h"
+#include "options/endings.h"
 #include "input/scene/outputs.h"
 #include "markdown.h"
 #include "parameter_rows.h"
@@ -45,10 +45,6 @@ void lists_print_looks(const struct tables *tables)
 }
 
 /* ---- the command ---- */
-
-/* As in options.h. */
-#define ENDING(ID, ending, ...) " " ending
-#define OPTIONS_TYPES           ZR_FORMAT_ROWS(ENDING)
 
 /* Ends a row with cells for the arguments or the value, if there are any, and for the meaning. */
 static void end_row_of_client(FILE *out, const char *arguments, const char *meaning)

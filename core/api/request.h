@@ -2,7 +2,7 @@
 #ifndef ZR_LIBRARY_REQUEST_H
 #define ZR_LIBRARY_REQUEST_H
 
-#include "core.h"
+#include "render_request.h"
 #include "api/zraster.h"
 
 /* A request and its cancel, which may be NULL. */

@@ -219,10 +219,10 @@ static enum zr_status open_body(struct zr_arena *arena, struct zr_request *body,
 static bool keep_body(struct zr_arena *arena, const struct zr_request *body, const struct zr_scene *made,
                       struct zr_kept *kept)
 {
-    kept->request.format = body->format;
-    kept->request.member = NULL;
-    kept->request.assets = body->assets;
-    kept->request.asset_count = body->asset_count;
+    kept->request->format = body->format;
+    kept->request->member = NULL;
+    kept->request->assets = body->assets;
+    kept->request->asset_count = body->asset_count;
     if (made->view_set && made->view_set->kind == ZR_VIEW_SET_FILE) {
         kept->body = body->bytes;
         kept->body_size = body->size;
@@ -273,24 +273,26 @@ static enum zr_status keep(struct zr_arena *arena, struct zr_team *team, const s
 {
     struct zr_kept *made = zr_arena_zero(arena, 1, sizeof *made);
     struct zr_image_record *images = zr_arena_alloc(arena, 1, sizeof *images);
+    struct zr_request *lasting = zr_arena_alloc(arena, 1, sizeof *lasting);
     const struct zr_keeping keeping = {.into = made, .if_views = if_views};
     struct zr_request first = *request;
     if (request->frames && !if_views) first.bytes = zr_arena_copy(arena, request->bytes, request->size);
     if (!zr_arena_ok(arena))
         return zr_error_add(error, ZR_NO_MEMORY, NULL, "a scene needs more than %zu bytes", arena->ceiling);
     made->images = images;
-    made->request = *request;
+    *lasting = *request;
+    made->request = lasting;
     made->limits = *limits;
     first.images = zr_image_record_open(images, &request->images);
     if (request->frames) first.meshes = (struct zr_kept_meshes){.hash = NULL}; /* each frame finds these images */
     const enum zr_status status = read_request(arena, team, &first, limits, &keeping, &made->scene, error);
-    made->request.images = zr_image_record_lend(images);
-    made->request.texts = (struct zr_kept_texts){.find = NULL};
-    made->request.meshes = (struct zr_kept_meshes){.hash = NULL};
-    made->request.bytes = NULL;
-    made->request.size = 0;
-    made->request.cancel = NULL;
-    made->request.quick = NULL; /* the limits of the first reading, which changes share with other threads */
+    made->request->images = zr_image_record_lend(images);
+    made->request->texts = (struct zr_kept_texts){.find = NULL};
+    made->request->meshes = (struct zr_kept_meshes){.hash = NULL};
+    made->request->bytes = NULL;
+    made->request->size = 0;
+    made->request->cancel = NULL;
+    made->request->quick = NULL; /* the limits of the first reading, which changes share with other threads */
     if (status == ZR_OK) *kept = made;
     return status;
 }
@@ -323,7 +325,7 @@ static enum zr_status read_frame(struct zr_arena *arena, struct zr_team *team, c
                                  const struct zr_cancel *cancel, const struct zr_scene **scene, struct zr_error *error)
 {
     char *text = zr_arena_alloc(arena, ZR_TIME_SIZE, 1);
-    struct zr_request request = kept->request;
+    struct zr_request request = *kept->request;
     if (!text) return ZR_NO_MEMORY;
     snprintf(text, ZR_TIME_SIZE, "%.6f", time);
     request.bytes = kept->body;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "render_request.h"
 #include "request/change.h"
 
 void zr_view_name(const struct zr_view_set *set, uint32_t number, char name[ZR_VIEW_NAME_SIZE])

@@ -4,6 +4,7 @@
 
 #include "base/arena.h"
 #include "input/query/query_text.h"
+#include "render_request.h"
 #include "views/views.h"
 
 enum { ARENA_BYTES = 64 << 20 };

@@ -253,8 +253,8 @@ void http_abandon_work(struct http *http, struct exchange *exchange)
 enum MHD_Result http_begin_work(struct exchange *exchange)
 {
     struct http *http = exchange->http;
-    exchange->request.render.bytes = exchange->upload.bytes ? exchange->upload.bytes : "";
-    exchange->request.render.size = exchange->upload.size;
+    exchange->request.body = exchange->upload.bytes ? exchange->upload.bytes : "";
+    exchange->request.body_size = exchange->upload.size;
     exchange->step = STEP_ANSWER;
     exchange->job.work = work;
     if (exchange->connection->has_left) {

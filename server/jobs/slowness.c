@@ -5,6 +5,7 @@
 
 #include "clock.h"
 #include "core.h"
+#include "render_request.h"
 
 enum { ROUNDS = 5, ARENA_BYTES = 64 << 20 };
 static const double REFERENCE_MS = 5.0, BUDGET_MS = 100.0; /* a slow machine draws fewer than ROUNDS */

@@ -11,6 +11,7 @@
 #include "gate/origin.h"
 #include "mcp/faults.h"
 #include "problem.h"
+#include "render_request.h"
 #include "rendering.h"
 #include "text.h"
 
@@ -80,7 +81,7 @@ static enum body_status unpack(const struct service *service, const struct reque
     (void)arena;
     (void)cancel;
     (void)answer;
-    *render = request->render;
+    *render = *request->render;
     return BODY_READY;
 }
 
@@ -116,6 +117,11 @@ static enum mcp_draw_status draw(void *context, const struct mcp_draw *draw, str
     static const struct rendering_kind kind = {unpack, report, NULL, true};
     const struct agents *agents = context;
     const struct zr_asset file = {.name = draw->file_name, .bytes = draw->file, .size = draw->file_size};
+    struct zr_request scene = {.format = ZR_FORMAT_JSON,
+                               .bytes = draw->scene,
+                               .size = draw->scene_size,
+                               .assets = &file,
+                               .asset_count = draw->file_name ? 1 : 0};
     struct request request = *agents->request;
     struct answer *made = calloc(1, sizeof *made);
     if (!made) {
@@ -124,11 +130,7 @@ static enum mcp_draw_status draw(void *context, const struct mcp_draw *draw, str
     }
     request.stream = NULL;
     request.parts = ACCEPT_NO_PARTS;
-    request.render = (struct zr_request){.format = ZR_FORMAT_JSON,
-                                         .bytes = draw->scene,
-                                         .size = draw->scene_size,
-                                         .assets = &file,
-                                         .asset_count = draw->file_name ? 1 : 0};
+    request.render = &scene;
     const enum request_next next =
         rendering_run(&kind, agents->service, &request, agents->arena, agents->cancel, agents->times, made);
     if (next != REQUEST_LARGE && made->status == 200 && made->bytes && !made->is_broken) {

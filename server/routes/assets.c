@@ -11,6 +11,7 @@
 #include "body.h"
 #include "gate/admit.h"
 #include "problem.h"
+#include "render_request.h"
 #include "text.h"
 
 enum { WHOLE_MAX = 32 << 10, ASSET_S = 31536000 };

@@ -11,6 +11,14 @@
 /* all known media types are shorter */
 enum { TYPE_SIZE = 128 };
 
+/* Fills *render with the query and the body as sent. */
+static void begin(const struct request *request, struct zr_request *render)
+{
+    *render = request->render ? *request->render : (struct zr_request){.format = ZR_FORMAT_JSON};
+    render->bytes = request->body;
+    render->size = request->body_size;
+}
+
 /* Undoes the Content-Encoding of the body. */
 static enum body_status decompress(const struct request *request, size_t max, struct zr_arena *arena,
                                    const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
@@ -56,7 +64,7 @@ enum body_status body_split(const struct request *request, size_t max, struct zr
                             struct answer *answer)
 {
     const char *fault;
-    *render = request->render;
+    begin(request, render);
     const enum body_status status = decompress(request, max, arena, cancel, render, answer);
     if (status != BODY_READY) return status;
     *parts = zr_arena_zero(arena, 1, sizeof **parts);
@@ -107,7 +115,7 @@ enum body_status body_unpack(const struct request *request, size_t max, struct z
                              const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
 {
     struct multipart *parts;
-    *render = request->render;
+    begin(request, render);
     if (!request->boundary[0]) return decompress(request, max, arena, cancel, render, answer);
     const enum body_status status = body_split(request, max, arena, cancel, render, &parts, answer);
     if (status != BODY_READY) return status;

@@ -10,6 +10,7 @@
 #include "drake_form.h"
 #include "input/json/json_writer.h"
 #include "problem.h"
+#include "render_request.h"
 #include "rendering.h"
 
 bool drake_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)

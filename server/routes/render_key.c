@@ -7,6 +7,7 @@
 
 #include "input/query/query_plain.h"
 #include "output/images/lossy.h"
+#include "render_request.h"
 #include "scene/looks.h"
 
 _Static_assert(sizeof(struct zr_file_hash) == SHA256_DIGEST_SIZE, "the key is a SHA-256");

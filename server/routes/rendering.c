@@ -22,17 +22,25 @@
 
 /* ---- opening: checks before the body ---- */
 
-/* Reads "name=value&name=value" into request->render. */
+char *rendering_begin(struct request *request, size_t room, struct answer *answer)
+{
+    request->render = malloc(sizeof *request->render + room);
+    if (!request->render) {
+        problem_busy(answer, 1, REFUSAL_MEMORY);
+        return NULL;
+    }
+    *request->render = (struct zr_request){.format = ZR_FORMAT_UNKNOWN};
+    return (char *)(request->render + 1);
+}
+
+/* Reads "name=value&name=value" into a new request->render. */
 static bool read_query(struct request *request, struct answer *answer)
 {
+    const char *query = request->query ? request->query : "";
     struct zr_error error = {0};
-    if (!request->query || !*request->query) return true;
-    request->query_values = malloc(zr_query_room(request->query));
-    if (!request->query_values) {
-        problem_busy(answer, 1, REFUSAL_MEMORY);
-        return false;
-    }
-    if (zr_query_split(request->query, request->query_values, &request->render, &error) == ZR_OK) return true;
+    char *values = rendering_begin(request, zr_query_room(query), answer);
+    if (!values) return false;
+    if (zr_query_split(query, values, request->render, &error) == ZR_OK) return true;
     problem_answer(answer, 400, "query: %s", error.items[0].detail);
     return false;
 }
@@ -52,17 +60,17 @@ bool rendering_is_multipart(const char *type)
 }
 
 /* Reads the Content-Type. A generic one leaves the format to the bytes. */
-static bool read_content_type(struct request *request, struct answer *answer)
+static bool read_content_type(struct request *request, enum zr_format *format, struct answer *answer)
 {
     const char *type = request->content_type ? request->content_type : "", *fault;
     if (rendering_is_multipart(type)) {
-        request->render.format = ZR_FORMAT_JSON; /* until the part's type is known */
+        *format = ZR_FORMAT_JSON; /* until the part's type is known */
         if (multipart_boundary(type, request->boundary, &fault)) return true;
         problem_answer(answer, 400, "%s", fault);
         return false;
     }
-    request->render.format = zr_format_of_type(type);
-    if (request->render.format != ZR_FORMAT_UNKNOWN || zr_media_type_is_generic(type)) return true;
+    *format = zr_format_of_type(type);
+    if (*format != ZR_FORMAT_UNKNOWN || zr_media_type_is_generic(type)) return true;
     add_accepted_types(answer);
     problem_answer(answer, 415, "Content-Type '%.80s' is none of: %s, " MULTIPART, type, zr_format_types_join().text);
     return false;
@@ -73,7 +81,10 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 {
     (void)service;
     (void)load;
-    return read_content_type(request, answer) && read_query(request, answer);
+    enum zr_format format;
+    if (!read_content_type(request, &format, answer) || !read_query(request, answer)) return false;
+    request->render->format = format;
+    return true;
 }
 
 /* ---- working ---- */

@@ -9,6 +9,10 @@
 bool rendering_open(const struct service *service, const struct load *load, struct request *request,
                     struct answer *answer);
 
+/* Allocates request->render, of an unknown format, with room for the texts of its query, and returns that room. NULL: the
+ * answer is ready. */
+char *rendering_begin(struct request *request, size_t room, struct answer *answer);
+
 /* Unpacks the body, reads the scene, predicts its cost, draws it and encodes the outputs. */
 enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
                                  const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);

@@ -13,6 +13,7 @@
 #include "keep/sizes.h"
 #include "problem.h"
 #include "render_key.h"
+#include "render_request.h"
 #include "rendering.h"
 #include "text.h"
 
@@ -98,7 +99,7 @@ static const char *find_preset(const struct gate *gate, const char *name, const 
     return NULL;
 }
 
-/* Reads "name=value&name=value" into request->render. */
+/* Reads "name=value&name=value" into a new request->render. */
 static bool read_parameters(struct request *request, const char *preset, struct answer *answer)
 {
     const char *query = request->query ? request->query : "";
@@ -109,13 +110,10 @@ static bool read_parameters(struct request *request, const char *preset, struct 
                        "/v1/renders/{sha256}");
         return false;
     }
-    request->query_values = malloc(zr_query_room(preset) + zr_query_room(query));
-    if (!request->query_values) {
-        problem_busy(answer, 1, REFUSAL_MEMORY);
-        return false;
-    }
-    if (zr_query_split(preset, request->query_values, &request->render, &error) == ZR_OK &&
-        zr_query_split(query, request->query_values + zr_query_room(preset), &request->render, &error) == ZR_OK)
+    char *values = rendering_begin(request, zr_query_room(preset) + zr_query_room(query), answer);
+    if (!values) return false;
+    if (zr_query_split(preset, values, request->render, &error) == ZR_OK &&
+        zr_query_split(query, values + zr_query_room(preset), request->render, &error) == ZR_OK)
         return true;
     problem_answer(answer, 400, "query: %s", error.items[0].detail);
     return false;
@@ -148,11 +146,10 @@ bool renders_open(const struct service *service, const struct load *load, struct
     if (!read_path(request, &preset, answer)) return false;
     const char *parameters = find_preset(service->gate, preset, request->query, answer);
     if (!parameters || !read_parameters(request, parameters, answer)) return false;
-    request->render.format = ZR_FORMAT_UNKNOWN;
     request->parts = ACCEPT_NO_PARTS; /* an address has one form */
     request->has_preset = preset;
-    request->is_pinned = request->render.look && strchr(request->render.look, '@');
-    if (!render_key(request->scene, &request->render, &service->limits, &request->answer_key)) {
+    request->is_pinned = request->render->look && strchr(request->render->look, '@');
+    if (!render_key(request->scene, request->render, &service->limits, &request->answer_key)) {
         problem_busy(answer, 1, REFUSAL_MEMORY);
         return false;
     }
@@ -173,7 +170,7 @@ static enum body_status unpack(const struct service *service, const struct reque
 {
     const uint64_t most = service->config->body_max_bytes;
     const void *bytes = NULL;
-    *render = request->render;
+    *render = *request->render;
     enum store_status status = store_look(service->store, request->scene, &render->size);
     if (status == STORE_THERE && request->small_only && render->size > REQUEST_SMALL_BYTES) return BODY_LARGE;
     if (status == STORE_THERE && render->size > most) {

@@ -8,6 +8,7 @@
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "core.h"
+#include "render_request.h"
 #include "support/pictures/png.h"
 
 enum { FILES = 8, SIDE = 1024, GLB_HEAD = 12, CHUNK_HEAD = 8, CORNER_BYTES = 36, TEXT_BYTES = 4096 };

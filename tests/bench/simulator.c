@@ -11,6 +11,7 @@
 #include "bench/simulator_scene.h"
 #include "bench/http/wire.h"
 #include "core.h"
+#include "render_request.h"
 #include "server/support/daemon.h"
 
 enum { OURS, PARSE, RENDER, ENCODE, THEIRS, TIMES };

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "fuzz/fuzz.h"
+#include "render_request.h"
 #include "support/input/zip_file.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

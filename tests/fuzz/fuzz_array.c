@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "fuzz/fuzz.h"
+#include "render_request.h"
 
 #define MESH(members) "{\"window\":{\"width\":16,\"height\":9},\"meshes\":[{" members "}]}"
 #define POSITIONS     "\"positions\":[[0,0,0],[1,0,0],[0,1,0],[1,1,1]]"

@@ -1,5 +1,6 @@
 /* A scene in JSON: read, drawn by two algorithms, and encoded. */
 #include "fuzz/fuzz.h"
+#include "render_request.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

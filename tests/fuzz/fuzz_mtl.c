@@ -1,5 +1,6 @@
 /* Reads materials of a fixed OBJ, whose textures are in the request. Draws most of them in the fastest look. */
 #include "fuzz/fuzz.h"
+#include "render_request.h"
 #include "support/input/mtl_pictures.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

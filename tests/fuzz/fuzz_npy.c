@@ -3,6 +3,7 @@
 
 #include "fuzz/base.h"
 #include "fuzz/fuzz.h"
+#include "render_request.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

@@ -2,6 +2,7 @@
 #include "fuzz/base.h"
 #include "fuzz/fuzz.h"
 #include "fuzz/png_checksums.h"
+#include "render_request.h"
 
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max, unsigned seed)
 {

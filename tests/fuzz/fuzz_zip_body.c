@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "fuzz/fuzz.h"
+#include "render_request.h"
 #include "support/input/zip_file.h"
 
 enum { MEMBERS_MAX = 16, NAMES_ROOM = 64 };

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "fuzz/fuzz.h"
+#include "render_request.h"
 
 /* `when`: the parameter time, or NULL; with it, the lights of the file are used, and its
  * animations draw frames. */

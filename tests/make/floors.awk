@@ -12,7 +12,7 @@
 
 BEGIN {
     # The lowest first. The two public headers need base only, and all above it may include them.
-    floors = split("base|core.h version.h format_rows.h parameter_rows.h|scene|input geometry|mesh|sections|raster|shade|lines effects overlay|render|output|cost|request views schema|api", folders, "|")
+    floors = split("base|core.h render_request.h version.h format_rows.h parameter_rows.h parameter_kinds.h|scene|input geometry|mesh|sections|raster|shade|lines effects overlay|render|output|cost|request views schema|api", folders, "|")
     for (i = 1; i <= floors; i++) {
         n = split(folders[i], names, " ")
         for (k = 1; k <= n; k++) floor_of[names[k]] = i

@@ -8,6 +8,7 @@
 #include "core.h"
 #include "format_rows.h"
 #include "parameter_rows.h"
+#include "render_request.h"
 #include "scene/looks.h"
 
 enum { TEXT_SIZE = 1024, DEPTH_MAX = 6 };

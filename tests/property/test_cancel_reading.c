@@ -6,6 +6,7 @@
 #include "cancel_check.h"
 #include "input/images/image_read.h"
 #include "output/images/png.h"
+#include "render_request.h"
 #include "scene/scene.h"
 #include "support/pictures/jpeg.h"
 

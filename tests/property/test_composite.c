@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core.h"
+#include "render_request.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "support/random.h"

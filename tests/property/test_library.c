@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core.h"
+#include "render_request.h"
 #include "support/files.h"
 #include "support/renderer.h"
 #include "support/tests.h"

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "output/masks.h"
+#include "render_request.h"
 #include "scene/camera/resolved_view.h"
 #include "support/files.h"
 #include "support/scenes.h"

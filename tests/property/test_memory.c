@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "core.h"
+#include "render_request.h"
 #include "support/input/mtl_pictures.h"
 #include "support/input/skinned_gltf.h"
 #include "support/tests.h"

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render_request.h"
 #include "support/pictures/digests.h"
 #include "support/files.h"
 #include "support/geometries.h"

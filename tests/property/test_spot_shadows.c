@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "render_request.h"
 #include "support/random.h"
 #include "support/scenes.h"
 #include "support/tests.h"

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "raster/textbook/trace.h"
+#include "render_request.h"
 #include "scene/validate.h"
 #include "support/files.h"
 #include "support/geometries.h"

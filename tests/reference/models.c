@@ -9,6 +9,7 @@
 #include "input/formats/input.h"
 #include "reference/page/page.h"
 #include "reference/subject.h"
+#include "render_request.h"
 #include "support/files.h"
 
 static const char *const names[] = {"stanford-bunny", "teapot"};

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "core.h"
+#include "render_request.h"
 #include "support/files.h"
 
 #include "scene/scene.h"

@@ -4,9 +4,19 @@
 #include <string.h>
 #include <strings.h>
 
+#include "input/text/text.h"
+
 #define FORMAT_ROW(ID, suffix, media_types, ...)                                                                       \
     {#ID, suffix, media_types, __VA_ARGS__, zr_looks_so_##ID, zr_read_##ID},
 const struct zr_format_row zr_format_rows[ZR_FORMAT_COUNT] = {ZR_FORMAT_ROWS(FORMAT_ROW)};
+
+enum zr_format zr_format_of_bytes(const char *bytes, size_t size)
+{
+    const size_t mark = zr_byte_order_mark(bytes, size);
+    for (int i = 0; i < ZR_FORMAT_COUNT; i++)
+        if (zr_format_rows[i].looks_so(bytes + mark, size - mark)) return (enum zr_format)i;
+    return ZR_FORMAT_UNKNOWN;
+}
 
 static size_t type_length(const char *media_type)
 {

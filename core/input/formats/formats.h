@@ -6,6 +6,7 @@
 #define ZR_FORMATS_H
 
 #include "input/formats/input.h"
+#include "render_request.h"
 
 struct zr_format_row {
     const char *name;        /* for messages */
@@ -21,6 +22,9 @@ struct zr_format_row {
 };
 
 extern const struct zr_format_row zr_format_rows[ZR_FORMAT_COUNT];
+
+/* Returns the first format whose looks_so accepts the bytes, or ZR_FORMAT_UNKNOWN. */
+enum zr_format zr_format_of_bytes(const char *bytes, size_t size);
 
 /* zr_format_of_type: the format of a Content-Type, without its parameters; ZR_FORMAT_UNKNOWN if there is none.
  * zr_media_type_is_generic: true for NULL and for types that clients send by default, such as text/plain. */

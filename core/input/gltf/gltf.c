@@ -6,6 +6,7 @@
 
 #include "input/formats/input.h"
 #include "input/text/text.h"
+#include "render_request.h"
 
 /* ---- the version ---- */
 

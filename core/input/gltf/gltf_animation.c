@@ -8,6 +8,7 @@
 #include "base/cancel.h"
 #include "base/slerp.h"
 #include "input/text/number.h"
+#include "render_request.h"
 
 /* ---- the animation of the request ---- */
 

@@ -9,6 +9,7 @@
 #include "input/json/json_matrix.h"
 #include "input/mesh/kept_mesh.h"
 #include "input/text/text.h"
+#include "render_request.h"
 
 struct zr_model {
     struct zr_scene scene; /* meshes, images, textures, counts, origin and instances as read */

@@ -4,6 +4,7 @@
 
 #include "base/cancel.h"
 #include "input/scene/kept.h"
+#include "render_request.h"
 
 /* A copy of bytes that a file was made of. */
 struct copy {

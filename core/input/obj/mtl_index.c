@@ -6,6 +6,7 @@
 #include "input/obj/mtl.h"
 #include "input/text/sniff.h"
 #include "input/text/text.h"
+#include "render_request.h"
 
 enum { ENTRIES_AT_FIRST = 16, LINES_A_POLL = 1024, REPORT_MAX = 64 };
 

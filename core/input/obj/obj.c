@@ -10,6 +10,7 @@
 #include "input/obj/mtl.h"
 #include "input/obj/obj_file.h"
 #include "input/text/text.h"
+#include "render_request.h"
 #include "scene/unused_positions.h"
 
 /* Counted and read in a fifth of a millisecond, about the time to wake a thread. */

@@ -2,10 +2,11 @@
 #ifndef ZR_OBJ_FILE_H
 #define ZR_OBJ_FILE_H
 
-#include "input/text/far.h"
-#include "input/formats/input.h"
+#include "core.h"
 #include "input/obj/obj_text.h"
+#include "input/text/far.h"
 #include "input/text/parts.h"
+#include "scene/scene_builder.h"
 
 enum { ZR_OBJ_COUNT_MAX = 1 << 30 };
 

@@ -6,6 +6,7 @@
 #include "input/obj/mtl.h"
 #include "input/obj/obj_file.h"
 #include "input/text/text.h"
+#include "render_request.h"
 
 enum {
     PARTS_AT_FIRST = 16,

@@ -6,6 +6,7 @@
 #include <inttypes.h>
 
 #include "input/ply/ply_file.h"
+#include "render_request.h"
 
 bool zr_looks_so_PLY(const char *bytes, size_t size)
 {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "input/scene/outputs.h"
+#include "render_request.h"
 
 static const char prefix[] = "/outputs/";
 

@@ -1,6 +1,7 @@
 #include "input/query/cloud.h"
 
 #include "input/query/point_spacing.h"
+#include "render_request.h"
 
 struct numbers {
     uint64_t faces, lines, points;

@@ -1,6 +1,7 @@
 #include "input/query/parameter_list.h"
 
 #include "parameter_rows.h"
+#include "render_request.h"
 
 const struct zr_parameter_row zr_parameter_list[] = {
 #define PARAMETER(name, pointer, whose, kind, help)                                                                    \

@@ -5,6 +5,7 @@
 #include "core.h"
 #include "input/json/json_value.h"
 #include "input/json/json_writer.h"
+#include "parameter_kinds.h"
 
 enum zr_parameter_kind {
 #define KIND(ID, ...) ZR_PARAMETER_##ID,

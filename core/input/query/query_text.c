@@ -4,6 +4,7 @@
 
 #include "input/text/nearest.h"
 #include "input/text/text.h"
+#include "render_request.h"
 
 #define PARAMETER(name, ...) {#name, offsetof(struct zr_request, name)},
 static const struct {

@@ -21,7 +21,7 @@ static bool is_key(const struct zr_kept_key *key, enum zr_scene_key of)
 static bool add(struct zr_json *json, const struct zr_kept *kept, const struct zr_kept_key *key, struct keys *keys)
 {
     const struct zr_json_path *path = ZR_JSON_KEY(NULL, key->name);
-    const bool has_view = zr_format_rows[kept->request.format].has_view;
+    const bool has_view = zr_format_rows[kept->request->format].has_view;
     if (!has_view && is_key(key, ZR_SCENE_LOOK))
         return zr_json_fault(json, path, "the look of a bare mesh is a parameter");
     if (is_key(key, ZR_SCENE_MESHES) || is_key(key, ZR_SCENE_POLYGONS))
@@ -119,11 +119,11 @@ static bool write_text(struct zr_arena *arena, const struct zr_kept *kept, const
 static bool join_assets(struct zr_arena *arena, const struct zr_kept *kept, const struct zr_request *change,
                         struct zr_request *request)
 {
-    const size_t first = kept->request.asset_count;
+    const size_t first = kept->request->asset_count;
     if (change->asset_count == 0) return true;
     struct zr_asset *assets = zr_arena_alloc(arena, first + change->asset_count, sizeof *assets);
     if (!assets) return false;
-    if (first > 0) memcpy(assets, kept->request.assets, first * sizeof *assets);
+    if (first > 0) memcpy(assets, kept->request->assets, first * sizeof *assets);
     memcpy(assets + first, change->assets, change->asset_count * sizeof *assets);
     request->assets = assets;
     request->asset_count = first + change->asset_count;
@@ -136,7 +136,7 @@ enum zr_status zr_change_read(struct zr_arena *arena, const struct zr_kept *kept
     struct keys keys = {.count = 0};
     const enum zr_status status = list_keys(arena, kept, change, &keys, error);
     if (status != ZR_OK) return status;
-    *request = kept->request;
+    *request = *kept->request;
     *keeping = (struct zr_keeping){.from = kept};
     request->cancel = change->cancel;
     const char *posed = change->animation ? "animation"

@@ -6,6 +6,7 @@
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/text/base64.h"
+#include "render_request.h"
 
 struct given {
     struct zr_bytes_name name;

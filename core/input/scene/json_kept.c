@@ -3,6 +3,7 @@
 
 #include "input/scene/json_scene.h"
 #include "input/scene/kept.h"
+#include "render_request.h"
 
 /* Returns the byte behind the value of a list that was read before; NULL: another key. */
 static const char *end_of_list(const struct zr_parsed_scene *root, const char *name)
@@ -54,7 +55,7 @@ bool zr_kept_save(struct zr_kept *kept, struct zr_parsed_scene *root)
 
 bool zr_kept_load(const struct zr_kept *kept, struct zr_parsed_scene *root)
 {
-    if (kept->request.asset_count > 0) memcpy(root->assets.uses, kept->uses, kept->request.asset_count);
+    if (kept->request->asset_count > 0) memcpy(root->assets.uses, kept->uses, kept->request->asset_count);
     root->meshes = kept->meshes;
     root->soup = kept->soup ? zr_soup_copy(root->json.arena, kept->soup, false) : NULL;
     return zr_arena_ok(root->json.arena);

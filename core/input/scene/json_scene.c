@@ -4,6 +4,7 @@
 #include "input/formats/input.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/kept.h"
+#include "render_request.h"
 #include "scene/camera/view_set.h"
 
 /* The deepest item of a list, /meshes/0/heights/values/0/0. Rows of numbers are read without counting levels. */

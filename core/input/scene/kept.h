@@ -34,7 +34,7 @@ struct zr_kept_key {
 };
 
 struct zr_kept {
-    struct zr_request request;    /* without its body; its texts and assets outlive this */
+    struct zr_request *request;   /* without its body; its texts and assets outlive this */
     struct zr_limits limits;      /* of the first reading */
     const struct zr_scene *scene; /* the scene without a change */
     struct zr_image_record *images;

@@ -12,6 +12,7 @@
 #include "input/stl/stl_color.h"
 #include "input/stl/stl_text.h"
 #include "input/text/text.h"
+#include "render_request.h"
 
 enum {
     HEADER_BYTES = 80,

@@ -4,6 +4,7 @@
 #include "input/text/parts.h"
 #include "input/stl/stl_words.h"
 #include "input/text/text.h"
+#include "render_request.h"
 
 /* The shortest text of a vertex, which bounds the vertices of a file. */
 #define VERTEX_TEXT "vertex 0 0 0 "

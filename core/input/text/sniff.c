@@ -1,9 +1,8 @@
 #include "input/text/sniff.h"
-#include "input/text/text.h"
 
 #include <string.h>
 
-#include "input/formats/input.h"
+#include "input/formats/formats.h"
 
 static bool begins_with(const char *bytes, size_t size, const char *begin, size_t length)
 {
@@ -38,25 +37,10 @@ bool zr_is_utf16(const char *bytes, size_t size)
     return begins_with(bytes, size, "\xFF\xFE", 2) || begins_with(bytes, size, "\xFE\xFF", 2);
 }
 
-#define FORMAT(ID, ...) {#ID, zr_looks_so_##ID},
-static const struct {
-    const char *name;
-    zr_looks_so_fn *looks_so;
-} formats[ZR_FORMAT_COUNT] = {ZR_FORMAT_ROWS(FORMAT)};
-#undef FORMAT
-
-enum zr_format zr_format_of_bytes(const char *bytes, size_t size)
-{
-    const size_t mark = zr_byte_order_mark(bytes, size);
-    for (int i = 0; i < ZR_FORMAT_COUNT; i++)
-        if (formats[i].looks_so(bytes + mark, size - mark)) return (enum zr_format)i;
-    return ZR_FORMAT_UNKNOWN;
-}
-
 const char *zr_bytes_in_words(const char *bytes, size_t size)
 {
     const enum zr_format format = zr_format_of_bytes(bytes, size);
-    if (format != ZR_FORMAT_UNKNOWN) return formats[format].name;
+    if (format != ZR_FORMAT_UNKNOWN) return zr_format_rows[format].name;
     for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
         if (begins_with(bytes, size, foreign[i].begin, foreign[i].length)) return foreign[i].words;
     return NULL;

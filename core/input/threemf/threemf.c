@@ -4,6 +4,9 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "input/formats/input.h"
+#include "render_request.h"
+
 /* ---- faults and warnings ---- */
 
 /* Text of each warning, after its count. */

@@ -10,7 +10,6 @@
 
 #include "input/model/far_scene.h"
 #include "input/model/file_scene.h"
-#include "input/formats/input.h"
 #include "input/text/xml.h"
 #include "input/zip/zip_read.h"
 

@@ -4,6 +4,7 @@
 #include "input/model/file_scene.h"
 #include "input/threemf/threemf.h"
 #include "input/formats/quick.h"
+#include "render_request.h"
 #include "scene/parts/nodes.h"
 
 /* Nodes: first the build items, then one range per used object: its components. */

@@ -1,6 +1,7 @@
 /* Materials of 3MF: one per texture that a placed mesh uses. */
 #include "input/mesh/json_image_ahead.h"
 #include "input/threemf/threemf.h"
+#include "render_request.h"
 #include "scene/texture.h"
 
 struct making {

@@ -1,6 +1,7 @@
 /* Finds the model part of a 3MF package by its relationships (Open Packaging Conventions), and parts by their paths. */
 #include <string.h>
 
+#include "input/formats/input.h"
 #include "input/threemf/threemf.h"
 
 #define RELATIONSHIPS "_rels/.rels"

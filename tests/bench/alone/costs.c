@@ -14,6 +14,7 @@
 
 #include "core.h"
 #include "cost/cost.h"
+#include "render_request.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/scene.h"
 #include "support/files.h"

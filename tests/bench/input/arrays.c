@@ -8,6 +8,7 @@
 #include "bench/series.h"
 #include "bench/works.h"
 #include "core.h"
+#include "render_request.h"
 #include "scene/scene.h"
 #include "support/input/npy.h"
 

@@ -7,6 +7,7 @@
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/works.h"
+#include "render_request.h"
 #include "request/change.h"
 #include "core.h"
 

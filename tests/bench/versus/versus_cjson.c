@@ -9,6 +9,7 @@
 #include "bench/series.h"
 #include "bench/works.h"
 #include "core.h"
+#include "render_request.h"
 #include "scene/scene.h"
 
 /* Ours in an arena that is warm, in a new one, and in a warm one by two threads; cJSON. */

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 
 #include "cost/cost.h"
+#include "render_request.h"
 #include "scene/camera/resolved_view.h"
 #include "support/cmocka_all.h"
 

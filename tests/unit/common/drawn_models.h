@@ -7,6 +7,7 @@
 
 #include "core.h"
 #include "lines/window_mesh.h"
+#include "render_request.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/scene.h"
 #include "support/files.h"

@@ -4,6 +4,7 @@
 
 #include "core.h"
 #include "guarded.h"
+#include "render_request.h"
 #include "scene/scene.h"
 #include "support/cmocka_all.h"
 

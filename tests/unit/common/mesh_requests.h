@@ -3,6 +3,7 @@
 #define MESH_REQUESTS_H
 
 #include "core.h"
+#include "render_request.h"
 #include "sheet_files.h"
 
 #define STORED "sha256:aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render_request.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "support/test_arena.h"

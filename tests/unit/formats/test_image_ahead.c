@@ -1,6 +1,7 @@
 /* Images that several threads decode before their materials are read: in scenes of JSON, glTF, OBJ and 3MF. */
 #include "base/team.h"
 #include "core.h"
+#include "render_request.h"
 #include "scene/image.h"
 #include "scene/scene.h"
 #include "support/input/base64.h"

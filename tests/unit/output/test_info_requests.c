@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "output/info.h"
+#include "render_request.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"

@@ -10,6 +10,7 @@
 #include "input/images/image_read.h"
 #include "output/npy.h"
 #include "output/images/png.h"
+#include "render_request.h"
 #include "support/failing_malloc.h"
 #include "support/pictures/jpeg.h"
 #include "support/sanitized.h"

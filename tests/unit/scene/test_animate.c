@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "render_request.h"
 #include "request/change.h"
 #include "scene/parts/animation.h"
 #include "scene/scene.h"

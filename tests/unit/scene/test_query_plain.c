@@ -4,6 +4,7 @@
 
 #include "input/query/query_plain.h"
 #include "input/query/query_text.h"
+#include "render_request.h"
 #include "routes/render_key.h"
 #include "support/tests.h"
 

@@ -1,6 +1,7 @@
 /* server/keep/images.c: images kept between requests. No answer depends on them. */
 #include "base/team.h"
 #include "keep/images.h"
+#include "render_request.h"
 #include "scene/image.h"
 #include "support/files.h"
 #include "support/scenes.h"

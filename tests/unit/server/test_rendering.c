@@ -44,9 +44,7 @@ static void trial_close(struct trial *trial)
 
 static struct request request_of(const char *method, const char *path, const void *bytes, size_t size)
 {
-    struct request request = {.method = method, .path = path, .small_only = true};
-    request.render = (struct zr_request){.format = ZR_FORMAT_JSON, .bytes = bytes, .size = size};
-    return request;
+    return (struct request){.method = method, .path = path, .body = bytes, .body_size = size, .small_only = true};
 }
 
 /* By the thread for small requests; `late`: it has taken too long for one. */
@@ -169,7 +167,7 @@ TEST(request_that_inflates_to_more_is_given_up_on_the_way)
         size_t used;
         request.gzip = true;
         request.asset = i == 1 ? "" : NULL;
-        assert_true(request.render.size < REQUEST_SMALL_BYTES);
+        assert_true(request.body_size < REQUEST_SMALL_BYTES);
         assert_int_equal(work_on(&trial, &request, false, false, &used), REQUEST_LARGE);
         assert_true(used < 4 * REQUEST_SMALL_BYTES);
     }
