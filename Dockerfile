@@ -21,7 +21,6 @@ COPY LICENSE /image/usr/share/doc/zraster/
 
 # docker build --target batch: the command instead of the daemon, for server/deploy/kubernetes/indexed-job.yaml.
 FROM build AS build-batch
-RUN apt-get update && apt-get install -y --no-install-recommends libcurl4-gnutls-dev && rm -rf /var/lib/apt/lists/*
 RUN make -j"$(nproc)" CFLAGS=-O3 LDFLAGS=-s build/zraster
 RUN mkdir -p /batch && cp build/zraster /batch/zraster \
     && ldd build/zraster | grep -o '/[^ ]*' | xargs -I LIBRARY cp -L --parents LIBRARY /batch/

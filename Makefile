@@ -38,12 +38,13 @@ PYTHON ?= /usr/bin/python3
 
 # FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it; PACKAGE?: unless there is
 # no such package.
-NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev jpeglib.h=libjpeg62-turbo-dev webp/decode.h=libwebp-dev \
-	isa-l/igzip_lib.h=libisal-dev zlib.h=zlib1g-dev nettle/sha2.h=nettle-dev curl/curl.h=libcurl4-gnutls-dev
+NEED_COMMAND := cc=gcc stdlib.h=libc6-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev jpeglib.h=libjpeg62-turbo-dev webp/decode.h=libwebp-dev \
+	isa-l/igzip_lib.h=libisal-dev
+NEED_BUILD := $(NEED_COMMAND) microhttpd.h=libmicrohttpd-dev zlib.h=zlib1g-dev nettle/sha2.h=nettle-dev
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
-NEED_TEST = c++=g++ cmocka.h=libcmocka-dev zip.h=libzip-dev openssl=openssl pngcheck=pngcheck curl=curl strace=strace pkg-config=pkg-config bwrap=bubblewrap admesh=admesh \
+NEED_TEST = c++=g++ cmocka.h=libcmocka-dev curl/curl.h=libcurl4-gnutls-dev zip.h=libzip-dev openssl=openssl pngcheck=pngcheck curl=curl strace=strace pkg-config=pkg-config bwrap=bubblewrap admesh=admesh \
 	/usr/share/i18n/charmaps=locales /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/tifffile=python3-tifffile? dwebp=webp djpeg=libjpeg-turbo-progs \
 	update-mime-database=shared-mime-info parallel=parallel pgrep=procps $(NEED_REFERENCE) \
 	$(NEED_PYTHON)
@@ -64,7 +65,9 @@ NEED_PYTHON := $(NEED_WHEEL) /usr/lib/python3/dist-packages/numpy=python3-numpy 
 NEED_NODE := node=nodejs npm=npm
 NEED_LOADERS := $(NEED_NODE) /usr/share/doc/python3-meshio=python3-meshio /usr/share/doc/python3-trimesh=python3-trimesh?
 NEED_DEB := /usr/share/doc/build-essential=build-essential dh=debhelper dh_python3=dh-python $(PYTHON)=python3
-NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels curl=curl
+# The command loads libcurl if a server is named (clients/engine/curl_rows.h).
+NEED_CLIENT := -l:libcurl-gnutls.so.4=libcurl3-gnutls
+NEED_MODELS := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 
 # Data that is not in the repository, used where it is present: models/*.obj, gltf/ and json-test-suite/.
 DATA ?= ../shared/data
@@ -87,11 +90,20 @@ target := $(firstword $(foreach name,x86_64 aarch64,$(if $(findstring __$(name)_
 isas_x86_64 := scalar sse2 avx2 avx512
 isas_aarch64 := scalar neon
 all_isas := $(or $(isas_$(target)),scalar)
-# `make isas=avx2` builds these alone, which is quicker. A later `make` adds the others and compiles nothing twice.
-isas := $(all_isas)
 comma := ,
 space := $(subst ,, )
 upper = $(shell echo $(1) | tr a-z A-Z)
+macros_sse2 := __SSE2__
+macros_avx2 := __AVX2__ __BMI2__
+macros_avx512 := $(foreach part,F BW DQ VL,__AVX512$(part)__) $(macros_avx2)
+macros_neon := __aarch64__
+# The last of them that this machine has.
+own_macros = $(shell $(CC) -march=native -dM -E -x c /dev/null 2>/dev/null)
+own_isa = $(lastword $(foreach isa,$(all_isas),$(if $(filter-out $(own_macros),$(macros_$(isa))),,$(isa))))
+built_isas = $(patsubst zr_isa_built_%=1;,%,$(filter %=1;,$(file <$(BUILD)/isas.c)))
+# `make isas=avx2` builds these alone, which is quicker. A later `make` adds the others and compiles nothing twice.
+# QUICK builds those of this machine, or those that the folder has.
+isas := $(if $(QUICK),$(or $(built_isas),$(own_isa)),$(all_isas))
 # They come behind the user's flags: -march=native must not put what came later into sse2 and avx2. scalar and neon are
 # what the target has anyway. Integers wrap in lanes that nobody reads.
 kernel_sse2 := -mno-sse3
@@ -161,10 +173,15 @@ completions := $(addprefix $(BUILD)/completion.,bash zsh fish)
 .PHONY: documents
 documents: $(manuals) $(completions) ## man pages, and completion for bash, zsh and fish, from the tables of options
 
+.PHONY: packages
+packages: ## installs what `make` needs (Debian)
+	@.ci/need $(NEED_BUILD)
+
+# A daemon that is built draws, too.
 .PHONY: demo
-demo: ## installs what is missing, builds, renders a model and a scene into build/demo/, without and with the daemon
-	@.ci/need $(NEED_BUILD) $(NEED_DEMO)
-	@$(MAKE) -s -j$(JOBS) all
+demo: ## installs what the command needs, builds it, renders a model and a scene into build/demo/
+	@.ci/need $(NEED_COMMAND) $(if $(wildcard $(BUILD)/zrasterd),$(NEED_CLIENT))
+	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster $(wildcard $(BUILD)/zrasterd)
 	@clients/demo.sh $(BUILD)
 
 .PHONY: gallery
@@ -232,7 +249,7 @@ contract: ## the schema of scenes beside the daemon, by ajv, and OpenAPI by redo
 
 .PHONY: reference
 reference: ## the long comparison with Mesa, and build/reference/report.html about it; REFERENCE=egl: without OSMesa
-	@.ci/need $(NEED_BUILD) $(NEED_REFERENCE) $(NEED_DEMO)
+	@.ci/need $(NEED_BUILD) $(NEED_REFERENCE) $(NEED_MODELS)
 	@$(MAKE) -s -j$(JOBS) $(verify) mutants
 	@$(MAKE) -s compare-reference
 
@@ -266,7 +283,7 @@ LOADER_FILES = $(or $(FILES),$(addprefix $(DATA)/,models hunt gltf/asset-generat
 
 .PHONY: loaders
 loaders: ## triangles, bounds, parts and materials of models beside three, obj2gltf, gltf-validator (npm), lib3mf, meshio, trimesh: FILES="DIR..."
-	@.ci/need $(NEED_BUILD) $(NEED_LOADERS) "-l:lib3MF.so.1=lib3mf1?" /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
+	@.ci/need $(NEED_BUILD) $(NEED_LOADERS) "-l:lib3MF.so.1=lib3mf1?" $(NEED_MODELS)
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@$(npm_install) $(LOADER_PACKAGES)
 	@$(PYTHON) tests/reference/loaders/compare.py $(BUILD) $(LOADER_FILES)
@@ -309,7 +326,7 @@ repeat: ## 200 pictures from each of 150 processes, with every instruction set: 
 
 .PHONY: same-command
 same-command: ## all scenes of tests/scenes, and every look of three models: the command gives the daemon's bytes
-	@.ci/need $(NEED_BUILD) curl=curl
+	@.ci/need $(NEED_BUILD) curl=curl $(NEED_CLIENT)
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster
 	@SAME=all DATA="$(DATA)" tests/clients/test_same_bytes.sh $(BUILD)
 
@@ -599,7 +616,6 @@ $(BUILD)/server/manual_files.c: $(wildcard server/manual/*) server/site.sh serve
 $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o: %.o: %.c server/routes/site.h $(BUILD)/flags | $(missing_compiler)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
-# libcurl is loaded once a server is named (clients/engine/curl_rows.h).
 $(BUILD)/zraster: $(client) $(mcp) $(BUILD)/libzraster.a
 	$(LINK) $(CLIENT_LIBS) $(CORE_LIBS)
 
@@ -712,7 +728,7 @@ missing_compiler := $(if $(macros),,compiler)
 .PHONY: compiler
 compiler:
 	@command -v $(firstword $(CC)) >/dev/null || { echo "error: there is no C compiler ($(CC)) here;" \
-		"'make demo' installs what is missing (Debian) and builds" >&2; exit 1; }
+		"'make packages' installs what is missing (Debian)" >&2; exit 1; }
 
 is_other = $(if $(filter $(subst $(space),^,$(strip $(1))),$(subst $(space),^,$(strip $(2)))),,other)
 # Changes when the flags of this file change; objects of a build by an older Makefile are then compiled anew.

@@ -15,7 +15,7 @@ done
 PATH=$work/bin make -j2 BUILD="$work/build" >"$work/said" 2>"$work/complained"
 status=$?
 verdict "make without a compiler ends with 2" [ "$status" = 2 ]
-verdict "and names make demo" grep -q "no C compiler (cc) here; 'make demo' installs what is missing" "$work/complained"
+verdict "and names make packages" grep -q "no C compiler (cc) here; 'make packages' installs what is missing" "$work/complained"
 verdict "once, in two lines at most" [ "$(wc -l <"$work/complained")" -le 2 ]
 PATH=$work/bin make CC=no-such-gcc BUILD="$work/build" >"$work/said" 2>"$work/complained"
 verdict "a compiler that was asked for is named" grep -q "no C compiler (no-such-gcc) here" "$work/complained"
