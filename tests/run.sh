@@ -200,7 +200,8 @@ for part in "$@"; do
         fi
         ;;
     mutants)
-        run mutants tests/reference/mutants.sh "$build"
+        run mutants-1 HALF=1 tests/reference/mutants.sh "$build"
+        run mutants-2 HALF=2 tests/reference/mutants.sh "$build"
         run line-faults "$build/mutant/zraster-verify-lines" --fault all --primitives 5000
         run fast tests/reference/fast.sh "$build"
         ;;
