@@ -1,5 +1,5 @@
-#include "unit/common/input_check.h"
 #include "support/tests.h"
+#include "unit/common/input_check.h"
 
 #include <math.h>
 
@@ -9,8 +9,6 @@ enum { MAX_TRIANGLES = 4, BYTES_MAX = 84 + 50 * MAX_TRIANGLES };
 
 /* As few bytes as a facet can have. */
 #define SHORTEST "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 2 0 endloop endfacet "
-
-#define THREE "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1.5 0\n"
 
 static void put_u32(unsigned char *at, uint32_t value)
 {
@@ -233,46 +231,6 @@ TEST(every_prefix_of_ascii_is_refused_within_its_bytes)
         if (size >= FACET_END) assert_int_equal(reading->scene->warning_count > 0, size < sizeof text - 1);
         reading_free(reading);
     }
-}
-
-TEST(malformed_ascii_is_refused_with_its_line)
-{
-    static const struct {
-        const char *text, *detail;
-    } cases[] = {
-        {"solid\n", "line 2: expected 'facet' or 'endsolid', found the end of the file"},
-        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0\nvertex", "line 5: expected a number, found 'vertex'"},
-        {"solid\nfacet normal 0 0 1\nouter lop", "line 3: expected 'loop', found 'lop'"},
-        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan", "line 4: expected a number, found 'nan'"},
-        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0x1", "line 4: expected a number, found '0x1'"},
-        {"solid\nfacet 0 0 1", "line 2: expected 'outer', found the end of the file"},
-        {"solid\nfacet\n0 0 1", "line 3: expected 'outer', found '0'"},
-        {"solid\nendsolid\nx", "line 3: expected 'solid', 'facet' or 'endsolid', found 'x'"},
-        {"solid\nfacets\nfasad", "line 2: expected 'solid', 'facet' or 'endsolid', found 'facets'"},
-        {"solid\nfasad", "line 2: expected 'solid', 'facet' or 'endsolid', found 'fasad'"},
-        {"solid\n" FACET "outer loop\nendsolid", "line 9: expected 'facet' or 'endsolid', found 'outer'"},
-        {"solid\n" FACET "endsolid\nvertex", "line 10: expected 'solid', found 'vertex'"},
-        {"solid\nfacet normal 0 0 1\nouter loop\nversus 0 0 0", "line 4: expected 'vertex', found 'versus'"},
-        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid",
-         "line 6: expected 'vertex', found 'endloop'"},
-        {"solid\nfacet normal 0 0 1\nouter loop\n" THREE "versus",
-         "line 7: expected 'vertex' or 'endloop', found 'vers"},
-        {"solid\nfacet normal 0 0 1\nouter loop\n" THREE "endloop\nouter loop", "line 8: expected 'endfacet', found"},
-        {"solid\n# a\nfacet\nouter loop\rvertex 0 0 0,", "line 4: expected a number, found '0,'"},
-        {"solid\rfacet normal 0 0 1\router loop\rversus 0 0 0", "line 4: expected 'vertex', found 'versus'"},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
-        refuses(ZR_FORMAT_STL, cases[i].text, ZR_BAD_SYNTAX, "", cases[i].detail);
-}
-
-TEST(ascii_out_of_range_gives_bad_scene_with_triangle)
-{
-    refuses(ZR_FORMAT_STL,
-            "solid\n" FACET
-            "facet normal 0 0 1 outer loop\nvertex 0 1e16 0\nvertex 0 0 0 vertex 1 1 1 endloop endfacet "
-            "endsolid",
-            ZR_BAD_SCENE, "", "line 10: '1e16' in triangle 2 is beyond the limit of 1e+15");
-    refuses(ZR_FORMAT_STL, "solid nothing\nendsolid", ZR_BAD_SCENE, "", "no geometry");
 }
 
 TEST(small_arena_gives_no_memory_naming_the_ceiling)
