@@ -139,7 +139,7 @@ static int serve(const struct config *config, struct gate *gate)
     block_signals(&signals);
     tune_allocator();
     if (!log_writer_start()) {
-        fprintf(stderr, "zrasterd: no thread can be had to write the log\n");
+        fprintf(stderr, "zrasterd: the thread that writes the log cannot be started\n");
         gate_free(gate);
         return EXIT_FAILURE;
     }
@@ -147,7 +147,7 @@ static int serve(const struct config *config, struct gate *gate)
     if (*gate_warning(gate)) log_event("warn", "gate", gate_warning(gate));
     struct zr_team *team = zr_team_create_for((int)config->threads, config_isa(config));
     if (!team) {
-        fprintf(stderr, "zrasterd: %" PRIu64 " render threads cannot be had; --threads asks for fewer\n",
+        fprintf(stderr, "zrasterd: %" PRIu64 " render threads cannot be started; give a smaller number by --threads\n",
                 config->threads);
         gate_free(gate);
         log_writer_stop();

@@ -160,7 +160,7 @@ void problem_memory(struct answer *answer, const struct zr_arena *arena, const s
     if (arena->wanted == 0)
         problem_busy(answer, 1, REFUSAL_MEMORY);
     else if (arena->wanted == SIZE_MAX)
-        problem_answer(answer, 422, "the request needs more memory than can be had; requestMemoryBytes is %zu bytes",
+        problem_answer(answer, 422, "the request needs more memory than it can get; requestMemoryBytes is %zu bytes",
                        arena->ceiling);
     else if (are_lamps_too_many(arena, cost))
         problem_answer(answer, 422,

@@ -302,7 +302,7 @@ int command_mcp(struct options *options)
     struct serving *serving = calloc(1, sizeof *serving);
     char *root = NULL;
     int status = STATUS_FAILED;
-    if (options->file_count) return free(serving), options_wrong("mcp accepts no file; --root DIR has the files");
+    if (options->file_count) return free(serving), options_wrong("mcp accepts no file; --root DIR names their folder");
     if (!options->own[OPTION_ROOT])
         return free(serving), options_wrong("mcp needs --root DIR: the folder whose files an agent may read");
     root = realpath(options->own[OPTION_ROOT], NULL);

@@ -56,7 +56,7 @@ static enum protocol find_protocol(void)
 static int check_terminal(struct bytes *faults)
 {
     if (!isatty(STDOUT_FILENO))
-        bytes_print(faults, "--show needs a terminal, and standard output is none; -o FILE saves the picture");
+        bytes_print(faults, "--show needs a terminal, and standard output is not one; -o FILE saves the picture");
     else if (find_protocol() == NONE)
         bytes_print(faults,
                     "--show needs a terminal with the protocol of kitty, iTerm2 or sixels, and this one has none "
@@ -98,8 +98,9 @@ static bool show(const struct zraster_bytes *file, struct bytes *faults)
     struct pixels pixels;
     size_t length;
     if (strcmp(file->type, "image/png") != 0) {
-        bytes_print(faults,
-                    "--show draws pictures, and this output is none; leave out --show, or choose --channel color");
+        bytes_print(
+            faults,
+            "--show draws pictures, and this output is not a picture; leave out --show, or choose --channel color");
         return false;
     }
     if (find_protocol() == SIXEL) {

@@ -111,7 +111,7 @@ static void take_reply(CURL *handle, const struct token *token, struct answer *a
     if (status == 200) return;
     report_problem(&answer->faults, status, &answer->received);
     if (status == 401 && *token->text)
-        bytes_print(&answer->faults, "\nThe token of %s is not the server's.", token->from);
+        bytes_print(&answer->faults, "\nThe server rejected the token of %s.", token->from);
     else if (status == 401)
         bytes_print(&answer->faults, "\n--token-file FILE, or the variable ZRASTER_TOKEN, gives the token.");
     if (seconds > 0) bytes_print(&answer->faults, "\nTry again in %ld s.", (long)seconds);
@@ -219,7 +219,7 @@ void post(const char *server, const struct token *token, const struct input *inp
     CURL *handle = curl.easy_init();
     CURLcode code = CURLE_FAILED_INIT;
     if (url && !set_address(url, server, query))
-        snprintf(why, sizeof why, "not an address; HOST:PORT and http://HOST:PORT are");
+        snprintf(why, sizeof why, "not an address; give HOST:PORT or http://HOST:PORT");
     else if (url && handle)
         code = send_to(url, handle, token, input, why, answer);
     if (code != CURLE_OK) {

@@ -38,9 +38,9 @@
     ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcwvst", "no overwriting of existing files")                            \
     ROW(SHOW, "show", 0, NULL, "rws", "picture in the terminal (kitty, iTerm2, sixel)")                                \
     ROW(RESUME, "resume", 0, NULL, "b", "only files with missing outputs")                                             \
-    ROW(LIST, "list", 0, "FILE", "b", "more files of the batch: FILE has lines as standard input has them for -")      \
+    ROW(LIST, "list", 0, "FILE", "b", "more files of the batch, one per line of FILE, as on standard input for -")     \
     ROW(SHARD, "shard", 0, "I/N", "b",                                                                                 \
-        "every Nth file of the list, from file I on, which counts from 0: shards 0/N to N-1/N draw each file once")    \
+        "every Nth file of the list, beginning with file I, from 0; the shards 0/N to N-1/N draw each file once")      \
     ROW(JSON, "json", 0, NULL, "ib", "JSON on standard output: the facts, or one line per file")
 #define GENERAL_OPTION_ROWS(ROW)                                                                                       \
     ROW(TYPE, "type", 0, "TYPE", DRAWING_COMMANDS,                                                                     \

@@ -196,7 +196,7 @@ enum zr_status zr_render_apart(struct zr_arena *arena, struct zr_arena *scratch,
         zr_error_add(error, status, NULL, "rendering needs more than the %zu bytes a request may use%s", arena->ceiling,
                      zr_any_is_see_through(scene->materials, scene->material_count) ||
                              zr_any_is_xray(scene->materials, scene->material_count)
-                         ? ": all layers of what is see-through are kept, 8 bytes for each pixel of each"
+                         ? ": all layers of translucent surfaces are kept, 8 bytes per pixel and layer"
                          : "");
     if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "rendering was stopped before it was done");
     if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "the algorithm failed");

@@ -42,7 +42,7 @@ static struct pointer pointer_of_output(const struct zr_frame *frame)
 static enum zr_status refuse_primitives(const struct zr_frame *frame, uint32_t count, struct zr_error *error)
 {
     return zr_error_add(error, ZR_BAD_SCENE, pointer_of_output(frame).text,
-                        "the channel trace goes up to %d primitives in the window, and these are %u: faces, lines and "
+                        "the channel trace is limited to %d primitives in the window; these are %u: faces, lines and "
                         "points, and pieces of clipped ones",
                         ZR_TRACE_PRIMITIVES_MAX, (unsigned)count);
 }
@@ -51,10 +51,9 @@ static enum zr_status refuse_primitives(const struct zr_frame *frame, uint32_t c
 static enum zr_status refuse_steps(const struct zr_frame *frame, const struct zr_trace *trace, struct zr_error *error)
 {
     const bool has_many_steps = trace->steps > ZR_TRACE_STEPS_MAX;
-    return zr_error_add(
-        error, ZR_BAD_SCENE, pointer_of_output(frame).text,
-        "this scene takes more than %d %s, up to which the channel trace goes: show fewer or simpler faces",
-        has_many_steps ? ZR_TRACE_STEPS_MAX : ZR_TRACE_VALUES_MAX, has_many_steps ? "steps" : "values");
+    return zr_error_add(error, ZR_BAD_SCENE, pointer_of_output(frame).text,
+                        "the channel trace is limited to %d %s, and this scene takes more: show fewer or simpler faces",
+                        has_many_steps ? ZR_TRACE_STEPS_MAX : ZR_TRACE_VALUES_MAX, has_many_steps ? "steps" : "values");
 }
 
 /* Runs the algorithm. A trace that raised its own flag is beyond its bounds, or without memory. */

@@ -3,7 +3,6 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-
 static void check_side(const char *pointer, uint32_t side, const struct zr_limits *limits, struct zr_error *error)
 {
     if (side < 1 || side > limits->window_side_max)
@@ -77,8 +76,7 @@ static void check_base(const struct zr_scene *scene, const struct zr_view *view,
     for (uint32_t i = 0; i < view->output_count; i++) {
         enum zr_channel channel = view->outputs[i].channel;
         if (channel > last_of_base)
-            zr_error_add(error, ZR_BAD_SCENE, "/base",
-                         "no base has the channel %s, so the outputs cannot have it, either",
+            zr_error_add(error, ZR_BAD_SCENE, "/base", "no base has the channel %s, so it cannot be an output",
                          zr_channel_rows[channel].name);
         color |= channel == ZR_CHANNEL_COLOR;
         depth |= channel == ZR_CHANNEL_DEPTH;
@@ -107,8 +105,7 @@ static void check_visibility(const struct zr_scene *scene, const struct zr_view 
     const char *what = view->has_visibility ? "visibility" : "the channel masks";
     if (!zr_view_has_masks(view)) return;
     if (view->has_visibility && !zr_view_wants(view, ZR_CHANNEL_INFO) && !zr_view_wants(view, ZR_CHANNEL_MASKS))
-        zr_error_add(error, ZR_BAD_SCENE, "/visibility",
-                     "the outputs do not have it: add the channel info, which lists it, or masks");
+        zr_error_add(error, ZR_BAD_SCENE, "/visibility", "no output shows it: add the channel info or masks");
     if (view->has_visibility && scene->is_undrawn)
         zr_error_add(error, ZR_BAD_SCENE, "/visibility", "nothing is visible, since render is false");
     if (view->has_visibility && scene->base)
@@ -150,15 +147,15 @@ static void check_svg(const struct zr_scene *scene, const struct zr_view *view, 
     if (!zr_view_encodes(view, ZR_ENCODING_SVG)) return;
     if (scene->base)
         zr_error_add(error, ZR_BAD_SCENE, "/base",
-                     "the encoding svg has the lines of the mesh alone, so it cannot be combined with a base");
+                     "the encoding svg has only the lines of the mesh, so it cannot be combined with a base");
     else if (!edges->is_on)
         zr_error_add(error, ZR_BAD_SCENE, "/edges",
-                     "none: the encoding svg has the lines of the mesh alone; give \"edges\": {\"from\": \"mesh\"}, or "
+                     "none: the encoding svg has only the lines of the mesh; give \"edges\": {\"from\": \"mesh\"}, or "
                      "the look technical");
     else if (!edges->is_from_mesh)
         zr_error_add(
             error, ZR_BAD_SCENE, "/edges",
-            "from samples of the picture, which the encoding svg has not: give \"edges\": {\"from\": \"mesh\"}, "
+            "these edges come from pixels, and the encoding svg has none: give \"edges\": {\"from\": \"mesh\"}, "
             "or the look technical");
     else if (!has_faces(scene))
         zr_error_add(error, ZR_BAD_SCENE, NULL, "the encoding svg has the lines of faces, and the scene has no face");
@@ -176,7 +173,7 @@ static void check_trace(const struct zr_scene *scene, const struct zr_view *view
     for (int i = 0; i < 2; i++)
         if (sides[i] > ZR_TRACE_SIDE_MAX)
             zr_error_add(error, ZR_BAD_SCENE, pointers[i],
-                         "%" PRIu32 " pixels; the channel trace goes up to a window of %d x %d", sides[i],
+                         "%" PRIu32 " pixels; the channel trace is limited to a window of %d x %d", sides[i],
                          ZR_TRACE_SIDE_MAX, ZR_TRACE_SIDE_MAX);
     if (zr_any_is_see_through(scene->materials, scene->material_count))
         zr_error_add(
@@ -198,9 +195,7 @@ static void check_lens(const struct zr_scene *scene, const struct zr_view *view,
     if (view->projection != ZR_PROJECTION_PERSPECTIVE && view->projection != ZR_PROJECTION_INTRINSICS)
         zr_error_add(error, ZR_BAD_SCENE, pointer,
                      "belongs to a pinhole: give intrinsics, K or perspective as the projection");
-    if (scene->base)
-        zr_error_add(error, ZR_BAD_SCENE, pointer,
-                     "nothing is drawn into a base through a lens: leave out one of them");
+    if (scene->base) zr_error_add(error, ZR_BAD_SCENE, pointer, "a distortion cannot be combined with a base");
     if (zr_view_encodes(view, ZR_ENCODING_SVG))
         zr_error_add(error, ZR_BAD_SCENE, pointer,
                      "the encoding svg has straight lines, which a lens bends; the others have pixels");
@@ -219,7 +214,7 @@ static void check_formats(const struct zr_scene *scene, const struct zr_view *vi
         snprintf(pointer, sizeof pointer, "/outputs/%" PRIu32 "/encoding", i);
         if ((is_jpeg || is_webp) && side > most)
             zr_error_add(error, ZR_BAD_SCENE, pointer,
-                         "a %s has up to %" PRIu32 " pixels a side, and the window is %" PRIu32 "x%" PRIu32,
+                         "a %s has up to %" PRIu32 " pixels per side, and the window is %" PRIu32 "x%" PRIu32,
                          is_jpeg ? "jpeg" : "webp", most, view->width, view->height);
         if (is_jpeg && scene->background.w < 1.0f)
             zr_error_add(error, ZR_BAD_SCENE, pointer,
@@ -268,8 +263,7 @@ static void check_see_through(const struct zr_scene *scene, struct zr_error *err
 {
     if (!zr_any_is_see_through(scene->materials, scene->material_count)) return;
     if (scene->base)
-        zr_error_add(error, ZR_BAD_SCENE, "/base",
-                     "nothing with the alphaMode MASK or BLEND is drawn into a base: leave out one of them");
+        zr_error_add(error, ZR_BAD_SCENE, "/base", "the alphaMode MASK or BLEND cannot be combined with a base");
     if (scene->algorithm == ZR_ALGORITHM_PAINTER)
         zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
                      "painter keeps no fragments, which the alphaMode MASK or BLEND needs; the other algorithms do");

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "output/images/apng.h"
-#include "output/npy.h"
 #include "output/images/webp_frames.h"
+#include "output/npy.h"
 #include "scene/scene.h"
 #include "views/sheet_picture.h"
 #include "views/view_scene.h"
@@ -63,7 +63,7 @@ static enum zr_status add_frame(struct collecting *c, struct sink *sink, uint32_
     struct zr_error fault = {0};
     zr_error_add(
         &fault, status, NULL, "%s",
-        is_apng ? "another size than view 0, or an opaque background where that has none: frames of an apng are alike"
+        is_apng ? "its size, or whether its background is opaque, differs from view 0: all frames of an apng must agree"
                 : "with this frame, the webp has 4 GiB or more: a smaller window, fewer frames or less quality fit");
     return zr_view_report(c->views, number, status, &fault, c->error);
 }

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "request/change.h"
 #include "input/scene/kept.h"
+#include "request/change.h"
 #include "scene/scene.h"
 #include "views/still_camera.h"
 #include "views/view_scene.h"
@@ -137,7 +137,7 @@ static enum zr_status lay_out_sheet(struct zr_views *views, struct zr_error *err
     return zr_error_add(
         error, ZR_BAD_SCENE, "/sheet",
         "%" PRIu32 " x %" PRIu32 " pixels have no room for %" PRIu32
-        " views of at least 16 x 16 pixels, with margins and captions: a larger window or fewer views have",
+        " views of at least 16 x 16 pixels, with margins and captions: give a larger window or fewer views",
         window->width, window->height, views->set->count);
 }
 

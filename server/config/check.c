@@ -33,7 +33,7 @@ bool config_check_folders(const struct config *config, char *message, size_t mes
     faults_end(&faults);
     if (faults.count > 0) return false;
     snprintf(message, message_size,
-             "the settings are right: %u of the file, %u of variables, %u of flags, else defaults", counts[CONFIG_FILE],
-             counts[CONFIG_VARIABLE], counts[CONFIG_FLAG]);
+             "the settings are valid: %u from the file, %u from variables, %u from flags; the others are defaults",
+             counts[CONFIG_FILE], counts[CONFIG_VARIABLE], counts[CONFIG_FLAG]);
     return true;
 }

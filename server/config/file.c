@@ -97,7 +97,7 @@ static void read_line(struct config *config, char *line, unsigned number, struct
     const struct config_source *before = setting_source(config, s);
     const char *value = read_value(equals + 1);
     if (setting_is_file(s))
-        faults_add(faults, "%s: %s: a file of settings names no other one", place, s->flag);
+        faults_add(faults, "%s: %s: a file of settings cannot name another one", place, s->flag);
     else if (before->kind == CONFIG_FILE)
         faults_add(faults, "%s: %s: is set in line %u, too", place, s->flag, before->line);
     else if (!value)

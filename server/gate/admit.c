@@ -22,14 +22,14 @@ static bool has_token(const struct gate *gate, const char *authorization)
 static bool refuse_without_token(struct answer *answer)
 {
     answer_header(answer, "WWW-Authenticate", "Bearer realm=\"zraster\"");
-    problem_answer(answer, 401, "Authorization: Bearer with the right token is asked for");
+    problem_answer(answer, 401, "the header Authorization: Bearer with a valid token is required");
     return false;
 }
 
 /* Details of a 403. They reveal nothing of the keys, but that a signature was right once. */
 static const char *refusal(enum signature_status status, size_t key_count)
 {
-    if (key_count == 0) return "no signature is known here; start zrasterd with --keys-file for that";
+    if (key_count == 0) return "this daemon has no keys for signatures; start zrasterd with --keys-file";
     switch (status) {
     case SIGNATURE_MISSING:
         return "this address needs a signature, or a token";

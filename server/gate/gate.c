@@ -100,7 +100,7 @@ static bool check_query(const struct gate *gate, const struct lines *lines, cons
     for (const char *c = query; *c; c++)
         if (*c < PRINTABLE_FIRST || *c > PRINTABLE_LAST || *c == '#' || *c == '?')
             return lines_fault(lines, fault->message, fault->size,
-                               "a query has no space, '?' or '#', and bytes beyond ASCII as %%XX");
+                               "a query cannot have a space, '?' or '#'; write bytes beyond ASCII as %%XX");
     if (preset_check(query, &gate->limits, &error)) return true;
     const char *detail = error.items[0].detail, *known = strstr(detail, "; known: ");
     return lines_fault(lines, fault->message, fault->size, "%.*s", known ? (int)(known - detail) : (int)strlen(detail),
@@ -117,8 +117,8 @@ static bool add_preset(struct gate *gate, struct lines *lines, char *line, struc
     *equals = '\0';
     if (!is_preset_name(line))
         return lines_fault(lines, fault->message, fault->size,
-                           "'%.80s' is no name of a preset: 1 to %d of A-Z, a-z, 0-9, _ and -", line,
-                           GATE_PRESET_NAME_MAX);
+                           "'%.80s' is no name of a preset: 1 to %d characters of A-Z, a-z, 0-9, _ and - are allowed",
+                           line, GATE_PRESET_NAME_MAX);
     if (gate_preset(gate, line))
         return lines_fault(lines, fault->message, fault->size, "the preset '%s' is here twice", line);
     if (gate->preset_count == GATE_PRESETS_MAX)
@@ -160,7 +160,7 @@ static bool read_all(struct gate *gate, const struct config *config, struct faul
         !read_secrets(gate, config->keys_file, add_key, fault))
         return false;
     if (gate->keys.count > 0 && gate->token_count == 0)
-        warn(gate, "there are keys and no token: who has no signature may still POST and PUT", "");
+        warn(gate, "there are keys and no token: clients without a signature may still POST and PUT", "");
     if (*config->presets) return read_entries(gate, config->presets, add_preset, &gate->preset_lines, fault);
     if (gate->has_only_presets) snprintf(fault->message, fault->size, "--only-presets=on needs --presets");
     return !gate->has_only_presets;

@@ -39,9 +39,10 @@ bool origin_check(const struct config *config, const struct request *request, st
     if (origin_is_allowed(config, request) || is_read_only(request->method) ||
         !(is_text(request->fetch_site, "cross-site") || is_text(request->fetch_site, "same-site")))
         return true;
-    problem_answer(answer, 403,
-                   "a page of another origin, %.100s, sent this request; start zrasterd with --allow-origin for it",
-                   request->origin ? request->origin : "unnamed");
+    problem_answer(
+        answer, 403,
+        "a page of another origin, %.100s, sent this request; to allow it, start zrasterd with --allow-origin",
+        request->origin ? request->origin : "unnamed");
     return false;
 }
 

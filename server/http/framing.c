@@ -52,7 +52,7 @@ static bool start_request(struct framing *f, char c)
     *f = (struct framing){.reads_client = f->reads_client, .state = FRAMING_METHOD, .passed = f->passed};
     if (!is_token((unsigned char)c))
         return refuse(f, 400,
-                      c == 0x16 ? "these bytes look like TLS; plain HTTP is spoken here"
+                      c == 0x16 ? "these bytes look like TLS; this port serves plain HTTP"
                                 : "the request line is malformed");
     f->line_bytes = 1;
     return true;
@@ -70,7 +70,7 @@ static bool take_method(struct framing *f, char c)
 {
     if (c == ' ') return enter(f, FRAMING_TARGET);
     if (!is_token((unsigned char)c)) return refuse(f, 400, "the request line is malformed");
-    if (++f->line_bytes > FRAMING_METHOD_MAX) return refuse(f, 501, "no method has so long a name");
+    if (++f->line_bytes > FRAMING_METHOD_MAX) return refuse(f, 501, "the name of the method is too long");
     return true;
 }
 
@@ -94,7 +94,7 @@ static bool take_version(struct framing *f, char c)
     if (c == '\n') return refuse(f, 400, "a line ends with LF alone");
     if (c != '\r') {
         if (f->value_length == sizeof "HTTP/1.1" - 1)
-            return refuse(f, 400, "the URI has a space in it, or the version is none");
+            return refuse(f, 400, "the URI has a space, or the version of HTTP is malformed");
         f->value[f->value_length++] = c;
         return true;
     }
@@ -103,8 +103,8 @@ static bool take_version(struct framing *f, char c)
     f->state = FRAMING_LINE_LF;
     if (f->is_old || equals(version, f->value_length, "HTTP/1.1")) return true;
     const bool is_version = f->value_length == sizeof "HTTP/1.1" - 1 && memcmp(version, "HTTP/", 5) == 0;
-    return is_version ? refuse(f, 505, "of HTTP only the versions 1.1 and 1.0 are spoken here")
-                      : refuse(f, 400, "the URI has a space in it, or the version is none");
+    return is_version ? refuse(f, 505, "only the versions 1.1 and 1.0 of HTTP are served")
+                      : refuse(f, 400, "the URI has a space, or the version of HTTP is malformed");
 }
 
 /* ---- headers and trailers ---- */
@@ -181,7 +181,7 @@ static bool take_value(struct framing *f, char c)
     if (is_control((unsigned char)c) && c != '\t')
         return refuse(f, 400, c == '\n' ? "a line ends with LF alone" : "a header's value has control characters");
     if (f->is_read && ++f->values_bytes > FRAMING_VALUES_MAX)
-        return refuse(f, 431, "the headers that are read here are larger than 4096 bytes");
+        return refuse(f, 431, "the values of the headers that the daemon uses are larger than 4096 bytes");
     const bool is_space = c == ' ' || c == '\t';
     f->is_dropped |= !f->is_read || (f->is_exact && is_space && f->line_bytes > 0);
     if (is_space && f->line_bytes == 0) return true;

@@ -379,7 +379,7 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
         char client[IP_TEXT_SIZE];
         ip_print(&exchange->client, client);
         answer_header(answer, "Retry-After", "%u", load.retry_after_s);
-        problem_answer(answer, 429, "more than %s, %llu, requests in flight from %s", forbids, (unsigned long long)most,
+        problem_answer(answer, 429, "%s allows %llu requests in flight from %s", forbids, (unsigned long long)most,
                        client);
         answer->refusal = REFUSAL_CLIENT;
         return reply_early(exchange, is_chunked, expects_continue);

@@ -51,7 +51,7 @@ void http_loop_wake(struct http *http)
 static void push_out(struct http *http, struct connection *connection)
 {
     if (connection->phase == PHASE_HEADER || connection->phase == PHASE_BODY)
-        http_refuse(http, connection, 503, "others needed the connection's place");
+        http_refuse(http, connection, 503, "the connection was closed to make room for another one");
     connections_enter(&http->connections, connection, PHASE_REFUSED);
     shutdown(connection->fd, SHUT_RDWR);
 }
@@ -262,7 +262,7 @@ static void cut_short(struct http *http, int64_t now)
     http->cut_ms = now;
     for (struct connection *c = http->connections.first; c; c = c->next) {
         if (c->phase == PHASE_WORK || (c->exchange && http_is_streaming(c->exchange))) http_cancel_work(c->exchange);
-        if (c->phase == PHASE_BODY) http_refuse(http, c, 503, "the service is going down");
+        if (c->phase == PHASE_BODY) http_refuse(http, c, 503, "the daemon is shutting down");
     }
 }
 

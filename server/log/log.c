@@ -84,7 +84,7 @@ static void write_line(struct line *line)
     if (lost > 0) {
         struct line notice;
         char detail[96];
-        snprintf(detail, sizeof detail, "%" PRIu64 " lines were lost: they were not read as fast as they came", lost);
+        snprintf(detail, sizeof detail, "%" PRIu64 " lines were lost, because the log was not read fast enough", lost);
         begin_line(&notice, "warn");
         add_text(&notice, "event", "log-lost");
         add_text(&notice, "detail", detail);

@@ -222,7 +222,7 @@ static void put_pick(const struct mcp_job *job, const struct target *target, con
         if (cJSON_GetArraySize(made) < FRAGMENTS_MAX) mcp_append(made, make_fragment(fragment));
     }
     mcp_text_print(&words, "pixel (%u, %u) of image %u: %s", job->x, job->y, job->image,
-                   target->is_paper           ? "paper between the views of the sheet"
+                   target->is_paper           ? "background between the views of the sheet"
                    : cJSON_GetArraySize(made) ? "surfaces, the nearest first:"
                                               : "nothing, the background");
     if (mcp_memory_has_failed())

@@ -155,7 +155,7 @@ void mcp_facts_add_views(cJSON *views, const struct mcp_shot *shot, unsigned num
 /* Copies a warning. Returns NULL for that of a blank first view of a sheet: each view has a key for it, `blank`. */
 static cJSON *copy_warning(const cJSON *warning, bool is_sheet)
 {
-    static const char blank[] = "nothing is seen";
+    static const char blank[] = "nothing is visible";
     if (!cJSON_IsString(warning)) return NULL;
     if (is_sheet && strncmp(warning->valuestring, blank, sizeof blank - 1) == 0) return NULL;
     return cJSON_Duplicate(warning, true);

@@ -113,7 +113,7 @@ static void check_meshes(struct mcp_job *job, struct mcp_span meshes)
         while (mcp_meshes_next(&walk, &found))
             job->model_meshes++;
     if (job->model_meshes > 0 && !job->model.is_given)
-        mcp_fault(&job->faults, "/model", "it is missing, and a mesh of the scene is {\"asset\": \"model\"}");
+        mcp_fault(&job->faults, "/model", "the model is missing, which the scene names by {\"asset\": \"model\"}");
     else if (job->model_meshes == 0 && job->model.is_given && !has_name(job, meshes))
         mcp_fault(&job->faults, "/scene/meshes",
                   "no mesh is the model: give one as {\"asset\": \"model\"}, or leave the model out");

@@ -32,7 +32,7 @@ static enum body_status decompress(const struct request *request, size_t max, st
         render->bytes = bytes;
         return BODY_READY;
     case GUNZIP_BROKEN:
-        problem_answer(answer, 400, "the body is not what Content-Encoding says: no whole gzip");
+        problem_answer(answer, 400, "Content-Encoding is gzip, but the body is not a complete gzip file");
         break;
     case GUNZIP_TOO_LARGE:
         if (is_bounded) return BODY_LARGE;

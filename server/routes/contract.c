@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "schema/schema.h"
 #include "openapi.h"
 #include "problem.h"
+#include "schema/schema.h"
 #include "text.h"
 
 enum { MEMORY = 8 << 20, NAME_SIZE = 64 };
@@ -57,8 +57,8 @@ static void refuse_name(struct answer *answer, const char *path)
     for (size_t i = 0; i < zr_schema_object_count && used < sizeof known; i++)
         used +=
             (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "", zr_schema_objects[i]->name);
-    problem_answer(answer, 404, "no object of a scene has the schema %.100s; there are %s, each with .json",
-                   path + strlen(SCHEMA_PATH), known);
+    problem_answer(answer, 404, "there is no schema %.100s; there are %s, each with .json", path + strlen(SCHEMA_PATH),
+                   known);
 }
 
 bool contract_open_schema(const struct service *service, const struct load *load, struct request *request,

@@ -242,14 +242,14 @@ bool multipart_parse(const char *boundary, const char *bytes, size_t size, struc
     struct text body = {bytes, bytes + size};
     out->count = 0;
     if (!skip_preamble(&body, mark, mark_size))
-        return fail(fault, "the body does not have the boundary it was sent with");
+        return fail(fault, "the body does not contain the boundary that Content-Type names");
     for (;;) {
         switch (take_delimiter(&body)) {
         case DELIMITER_LAST:
             return true;
         case DELIMITER_BROKEN:
             return fail(fault, body.at == body.end ? "the body ends without its closing boundary"
-                                                   : "the body has something behind a boundary");
+                                                   : "bytes follow a boundary in its line");
         case DELIMITER_NEXT:
             break;
         }

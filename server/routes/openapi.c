@@ -4,12 +4,12 @@
 #include <string.h>
 
 #include "base/status.h"
-#include "schema/parameters.h"
-#include "schema/schema.h"
-#include "request/encode.h"
 #include "input/formats/formats.h"
 #include "openapi_texts.h"
 #include "output/json/json_print.h"
+#include "request/encode.h"
+#include "schema/parameters.h"
+#include "schema/schema.h"
 
 static const char refs[] = "#/components/schemas/";
 
@@ -46,7 +46,7 @@ static void print_body(struct zr_print *print)
     zr_print_members(print, ZR_SCHEMA({
         "application/octet-stream": {
             "schema": {
-                "description": "A body of any format, which its bytes tell.", "type": "string",
+                "description": "A body of any format, detected from its bytes.", "type": "string",
                 "contentMediaType": "application/octet-stream"
             }
         },
@@ -145,7 +145,7 @@ static void print_headers(struct zr_print *print, const char *others)
 }
 
 static const char address_faults[] = ZR_SCHEMA({
-    "304": {"description": "The client has the picture."},
+    "304": {"description": "Not modified: the client has this picture."},
     "400": {"$ref": "#/components/responses/problem"}, "401": {"$ref": "#/components/responses/problem"},
     "403": {"$ref": "#/components/responses/problem"}, "404": {"$ref": "#/components/responses/problem"},
     "413": {"$ref": "#/components/responses/problem"}, "422": {"$ref": "#/components/responses/problem"},
@@ -155,8 +155,8 @@ static const char address_faults[] = ZR_SCHEMA({
 });
 
 static const char head_faults[] = ZR_SCHEMA({
-    "304": {"description": "The client has the picture."}, "4XX": {"description": "There is no such picture."},
-    "default": {"description": "Nothing is known now."}
+    "304": {"description": "Not modified: the client has this picture."}, "4XX": {"description": "There is no such picture."},
+    "default": {"description": "The daemon is too busy to tell."}
 });
 
 /* Prints one path of pictures with addresses. `parameters`: those of the path. */
@@ -170,11 +170,11 @@ static void print_address(struct zr_print *print, const char *path, const char *
         zr_print_string(print, "operationId", ids[is_head]);
         zr_print_json(print, "tags", ZR_SCHEMA(["render"]));
         zr_print_string(print, "summary",
-                        is_head ? "Return the headers of a picture, undrawn" : "Draw a stored scene or model");
+                        is_head ? "Return the headers of a picture without drawing it" : "Draw a stored scene or model");
         zr_parameters_print(print, limits);
         zr_print_begin(print, "responses", '{');
         zr_print_begin(print, "200", '{');
-        zr_print_string(print, "description", is_head ? "The picture can be asked for." : "The outputs.");
+        zr_print_string(print, "description", is_head ? "The picture can be drawn." : "The outputs.");
         print_headers(print, address_headers);
         if (!is_head) print_pictures(print, false);
         zr_print_end(print, '}');
@@ -201,14 +201,14 @@ static void print_stored(struct zr_print *print, const char *path, const char *n
         })},
         {"get", "get", "Return %s", ZR_SCHEMA({
             "responses": {
-                "200": {"$ref": "#/components/responses/file"}, "304": {"description": "The client has the file."},
+                "200": {"$ref": "#/components/responses/file"}, "304": {"description": "Not modified: the client has this file."},
                 "4XX": {"$ref": "#/components/responses/problem"},
                 "default": {"$ref": "#/components/responses/problem"}
             }
         })},
         {"head", "has", "Tell whether %s is stored", ZR_SCHEMA({
             "responses": {
-                "200": {"$ref": "#/components/responses/there"}, "304": {"description": "The client has the file."},
+                "200": {"$ref": "#/components/responses/there"}, "304": {"description": "Not modified: the client has this file."},
                 "4XX": {"description": "It is not stored."}
             }
         })},
@@ -240,7 +240,7 @@ static void print_addresses(struct zr_print *print, const struct zr_limits *limi
     print_address(print, "/v1/renders/{sha256}/{preset}", preset, ZR_SCHEMA([
         {"$ref": "#/components/parameters/sha256"},
         {
-            "name": "preset", "in": "path", "required": true, "description": "Name of parameters that the daemon has.",
+            "name": "preset", "in": "path", "required": true, "description": "Name of a preset of the daemon.",
             "schema": {"type": "string"}
         },
         {"$ref": "#/components/parameters/exp"},

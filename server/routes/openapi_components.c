@@ -72,8 +72,8 @@ const char openapi_components[] = ZR_SCHEMA({
             "schema": {"type": "string"},
             "example": "00-0af7651916cd43dd8448eb211c80319c-00f067aa0ba902b7-01"
         },
-        "Vary": {"description": "Headers that decide about the answer.", "schema": {"type": "string"}},
-        "ETag": {"description": "Name of these bytes.", "schema": {"type": "string"}},
+        "Vary": {"description": "Request headers that the answer depends on.", "schema": {"type": "string"}},
+        "ETag": {"description": "Identifier of these bytes.", "schema": {"type": "string"}},
         "Cache-Control": {"description": "Time for which caches keep the answer.", "schema": {"type": "string"}},
         "Accept-Ranges": {"description": "none: the answer is always whole.", "schema": {"type": "string"}},
         "Location": {"description": "Path of the asset.", "schema": {"type": "string"}},

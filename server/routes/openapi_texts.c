@@ -147,7 +147,7 @@ static const char contract[] = ZR_SCHEMA({
                     "description": "OpenAPI 3.1.", "headers": {"ETag": {"$ref": "#/components/headers/ETag"}},
                     "content": {"application/json": {"schema": {"type": "object"}}}
                 },
-                "304": {"description": "The client has it."}, "4XX": {"$ref": "#/components/responses/problem"}
+                "304": {"description": "Not modified: the client has this version."}, "4XX": {"$ref": "#/components/responses/problem"}
             }
         }
     },
@@ -159,7 +159,7 @@ static const char contract[] = ZR_SCHEMA({
                     "description": "JSON Schema 2020-12.", "headers": {"ETag": {"$ref": "#/components/headers/ETag"}},
                     "content": {"application/schema+json": {"schema": {"type": "object"}}}
                 },
-                "304": {"description": "The client has it."}, "4XX": {"$ref": "#/components/responses/problem"}
+                "304": {"description": "Not modified: the client has this version."}, "4XX": {"$ref": "#/components/responses/problem"}
             }
         }
     },
@@ -178,7 +178,7 @@ static const char contract[] = ZR_SCHEMA({
                     "description": "JSON Schema 2020-12.", "headers": {"ETag": {"$ref": "#/components/headers/ETag"}},
                     "content": {"application/schema+json": {"schema": {"type": "object"}}}
                 },
-                "304": {"description": "The client has it."}, "4XX": {"$ref": "#/components/responses/problem"}
+                "304": {"description": "Not modified: the client has this version."}, "4XX": {"$ref": "#/components/responses/problem"}
             }
         }
     }

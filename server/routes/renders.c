@@ -91,7 +91,8 @@ static const char *find_preset(const struct gate *gate, const char *name, const 
     gate_list_presets(gate, known, sizeof known);
     if (is_forbidden)
         problem_answer(answer, 403,
-                       "addresses have a preset here and no parameters: " RENDERS_PATH "{sha256}/PRESET; there are: %s",
+                       "this daemon draws addresses with a preset and without parameters: " RENDERS_PATH
+                       "{sha256}/PRESET; there are: %s",
                        known);
     else
         problem_answer(answer, 404, "there is no preset '%.64s'%s%s", name,
@@ -106,7 +107,7 @@ static bool read_parameters(struct request *request, const char *preset, struct 
     struct zr_error error = {0};
     if (query_has(query, "url")) {
         problem_answer(answer, 400,
-                       "query: addresses are not fetched: upload the file by PUT /v1/scenes/{sha256}, and ask for "
+                       "query: the daemon fetches no files: upload the file by PUT /v1/scenes/{sha256}, and ask for "
                        "/v1/renders/{sha256}");
         return false;
     }

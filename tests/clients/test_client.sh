@@ -62,12 +62,12 @@ verdict "and each fault has its place" grep -q '^  /polygons/0/vertices/2/2: exp
 verdict "and nothing is saved" [ ! -e bad.png ]
 printf '{"polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
 check "a scene that shows nothing is saved" 0 "$client" render away.json
-verdict "with a warning" grep -q '^warning: nothing is seen' complained
+verdict "with a warning" grep -q '^warning: nothing is visible' complained
 check "with --strict, it fails instead" 3 "$client" render away.json --strict true -o strict.png
-verdict "for the same reason" grep -q 'nothing is seen' complained
+verdict "for the same reason" grep -q 'nothing is visible' complained
 verdict "and nothing is saved" [ ! -e strict.png ]
 check "strict alone means true" 3 "$client" render --strict -o strict.png away.json
-verdict "and takes no option for its value" grep -q 'nothing is seen' complained
+verdict "and takes no option for its value" grep -q 'nothing is visible' complained
 check "nor the file" 3 "$client" render --strict away.json -o strict.png
 check "and is the last, too" 3 "$client" render away.json -o strict.png --strict
 check "--strict=yes is refused" 2 "$client" render away.json --strict=yes -o strict.png
@@ -88,7 +88,7 @@ check "localhost:PORT, too" 0 "$client" render scene.json --server "localhost:${
 check "a URL may have a path, behind which /v1/render is" 1 "$client" render scene.json --server "$server/zraster/"
 verdict "and not in its place" grep -q '404' complained
 check "a wrong address ends with 1" 1 "$client" render scene.json --server 'http://:::'
-verdict "and the message has a right one" grep -q 'not an address; HOST:PORT' complained
+verdict "and the message has a right one" grep -q 'not an address; give HOST:PORT' complained
 check "a password in an address" 1 "$client" render scene.json --server 'http://me:hunter2@127.0.0.1:1'
 verdict "is not shown" eval '! grep -q hunter2 complained said'
 
@@ -101,7 +101,7 @@ verdict "and gives the picture" is_png token.png
 check "the token may be in ZRASTER_TOKEN" 0 env ZRASTER_TOKEN="$secret" "$client" render scene.json --server "$guarded" -o token.png
 check "the file is preferred" 0 env ZRASTER_TOKEN=wrong "$client" render scene.json --server "$guarded" --token-file=token -o token.png
 check "a wrong token is refused" 1 env ZRASTER_TOKEN=wrong-one "$client" render scene.json --server "$guarded" -o token.png
-verdict "and the message names its origin" grep -q 'The token of ZRASTER_TOKEN is not' complained
+verdict "and the message names its origin" grep -q 'The server rejected the token of ZRASTER_TOKEN' complained
 verdict "but not the token" eval '! grep -q wrong-one complained said'
 check "a token on the command line ends with 2" 2 "$client" render scene.json --server "$guarded" --token=another-one
 verdict "and the message has advice" grep -q -e '--token-file FILE' complained

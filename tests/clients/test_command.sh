@@ -60,7 +60,7 @@ check "-n refuses to overwrite" 1 "$zraster" part.stl -o new -s 10 -n
 verdict "and leaves the picture" [ "$(size_of_png new/part.png)" = 9x9 ]
 printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
 check "a scene with a warning is drawn" 0 "$zraster" away.json
-verdict "and the warning is on standard error" grep -q '^warning: nothing is seen' "$complained"
+verdict "and the warning is on standard error" grep -q '^warning: nothing is visible' "$complained"
 check "the same with -q" 0 "$zraster" away.json -q
 verdict "prints no warning" [ ! -s "$complained" ]
 rm -f away.png

@@ -250,7 +250,7 @@ TEST(files_that_are_no_models_are_refused)
     } cases[] = {
         {"{\"asset\":\"m.obj\",\"positions\":[[0,0,0]]}", "/meshes/0", "two shapes: asset and positions"},
         {"{\"asset\":\"m.obj\",\"scalars\":[1,2,3,4]}", "/meshes/0/scalars", "two kinds of colours: asset and scalars"},
-        {"{\"asset\":\"m.obj\",\"colormap\":\"turbo\"}", "/meshes/0/colormap", "a map without scalars"},
+        {"{\"asset\":\"m.obj\",\"colormap\":\"turbo\"}", "/meshes/0/colormap", "a colormap needs scalars"},
         {"{\"asset\":\"m.obj\",\"range\":[0,1]}", "/meshes/0/range", "a range without scalars"},
         {"{\"uri\":\"data:;base64,e30=\"}", "/meshes/0/uri",
          "the file looks like JSON; a mesh needs a model, such as OBJ"},
@@ -272,7 +272,7 @@ TEST(files_that_are_no_models_are_refused)
          "the camera '0' then has zfar"},
         {"{\"asset\":\"m.gltf\"}],\"view\":{\"camera\":0,\"znear\":1,\"projectionMatrix\":[1,0,0,0,0,1,0,0,0,0,-1,-1,"
          "0,0,-0.2,0]},\"lights\":[",
-         "/view/znear", "projectionMatrix has planes of its own"},
+         "/view/znear", "projectionMatrix sets the planes itself"},
         {"{\"asset\":\"m.gltf\"}],\"view\":{\"camera\":0,\"K\":[9,0,9,0,9,9,0,0,1],\"intrinsics\":{\"fx\":9}},"
          "\"lights\":[",
          "/view", "two projections: intrinsics and K"}};

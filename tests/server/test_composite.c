@@ -166,7 +166,7 @@ TEST(broken_bodies_give_400)
     assert_refused(send_body("/v1/render", (const char *const[]){"Content-Type: multipart/form-data", NULL}, "x", 1),
                    400, "without a boundary");
     assert_refused(send_body("/v1/render", (const char *const[]){TYPE, NULL}, GOOD_SCENE, strlen(GOOD_SCENE)), 400,
-                   "does not have the boundary");
+                   "does not contain the boundary");
     body.size = 0;
     add_part(&body, "name=other", GOOD_SCENE, strlen(GOOD_SCENE));
     end_parts(&body);

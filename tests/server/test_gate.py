@@ -277,7 +277,7 @@ class Signatures(unittest.TestCase):
             self.addCleanup(server.stop)
             status, _, data = server.send(sign(f"{self.path}?look=clay&width=32"))
             self.assertEqual((status, json.loads(data)["detail"]),
-                             (403, "no signature is known here; start zrasterd with --keys-file for that"))
+                             (403, "this daemon has no keys for signatures; start zrasterd with --keys-file"))
             self.assertEqual(server.send(f"{self.path}?look=clay&width=32")[0], unsigned)
 
     def test_rotation(self):
@@ -323,7 +323,7 @@ class OnlyPresets(unittest.TestCase):
             self.assertEqual(server.send(sign(f"{path}/small?exp={in_an_hour()}"))[0], 200)
             for refused in (path, f"{path}?look=clay", f"{path}/small?width=33"):
                 status, _, data = server.send(sign(refused))
-                wanted = "addresses have a preset here and no parameters: /v1/renders/{sha256}/PRESET; there are: small, large"
+                wanted = "this daemon draws addresses with a preset and without parameters: /v1/renders/{sha256}/PRESET; there are: small, large"
                 self.assertEqual((status, json.loads(data)["detail"]), (403, wanted), refused)
             server.write("presets", "tiny = look=clay&width=8&height=8\n")
             server.reload()

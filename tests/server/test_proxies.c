@@ -145,7 +145,7 @@ TEST(each_client_behind_a_proxy_has_its_own_budget)
     const int fd = begin_slow(&mild, "", "X-Forwarded-For: 8.8.8.8\r\n");
     client_wait_for_metric(&mild, "", ONE_AT_WORK);
     assert_render(&mild, "", "X-Forwarded-For: 1.2.3.4, 8.8.8.8\r\n", 429,
-                  "maxPerClient, 1, requests in flight from 8.8.8.8");
+                  "maxPerClient allows 1 requests in flight from 8.8.8.8");
     assert_render(&mild, "", "X-Forwarded-For: 8.8.8.8, 9.9.9.9\r\n", 200, "");
     assert_render(&mild, "", "", 200, "");
     close(fd);
@@ -416,7 +416,7 @@ TEST(floods_get_clear_answers_and_cost_no_other_request)
     assert_flood("GET /healthz" REST "X-A: ", "a", "\r\n\r\n", 431, "larger than 32768 bytes");
     assert_flood("GET /healthz" REST, "a", ": b\r\n\r\n", 431, "longer than 64 bytes");
     assert_flood("", "\r\n", "GET /healthz" REST "\r\n", 400, "empty lines");
-    assert_flood("", "G", " / HTTP/1.1\r\n\r\n", 501, "no method");
+    assert_flood("", "G", " / HTTP/1.1\r\n\r\n", 501, "the name of the method");
     const long after = daemon_memory_kib(&shy, "VmHWM:");
     assert_true(IS_SANITIZED || after - before < 4 << 10); /* whose allocators keep what is freed */
 }

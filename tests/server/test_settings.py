@@ -95,7 +95,7 @@ class Lines(Case):
             "c.conf:4: queue: is set in line 3, too",
             "c.conf:5: 'nonsense' has no =; a line is KEY = VALUE",
             "c.conf:6: 'xyzzyfoo' is no setting; --help lists the known ones",
-            "c.conf:7: config: a file of settings names no other one",
+            "c.conf:7: config: a file of settings cannot name another one",
             "c.conf:8: assets-dir: the value in quotes does not end, or something follows it",
             "c.conf:9: cgroup: the value in quotes does not end, or something follows it",
             "c.conf:10: page: 'yes' is neither on nor off",
@@ -149,7 +149,7 @@ class Check(Case):
         """--check-config says one line, and listens nowhere"""
         done = self.run_with("--check-config", "--port=1", text="assets-dir = .\n", ZRASTER_ADDRESS="203.0.113.1")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertEqual(done.stdout, "the settings are right: 1 of the file, 1 of variables, 2 of flags, else defaults\n")
+        self.assertEqual(done.stdout, "the settings are valid: 1 from the file, 1 from variables, 2 from flags; the others are defaults\n")
 
     def test_folder(self):
         """--check-config looks for the folder of assets"""

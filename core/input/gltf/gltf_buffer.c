@@ -75,7 +75,7 @@ static bool refuse_missing(struct zr_json *json, const struct zr_json_path *path
     char *plain = zr_arena_alloc(json->arena, strlen(uri) + 1, 1);
     if (!plain) return false;
     const size_t length = zr_file_path_clean(uri, strlen(uri), plain);
-    return zr_json_fault(json, path, "no part of the request has the name %s, and nothing is fetched",
+    return zr_json_fault(json, path, "no part of the request has the name %s; nothing is fetched from elsewhere",
                          zr_quote(plain, length).text);
 }
 

@@ -73,7 +73,7 @@ static bool make_poses(struct zr_gltf *file, const struct zr_json_path *path, co
         for (uint32_t i = 0; i < count; i++) {
             if (q[i].x == 0.0f && q[i].y == 0.0f && q[i].z == 0.0f && q[i].w == 0.0f)
                 return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, "ROTATION"),
-                                     "instance %u: a quaternion of no length", i);
+                                     "instance %u: the quaternion has the length 0", i);
             poses[i] = zr_mat4_of_pose(xyz(t[i]), q[i], xyz(s[i]));
         }
         use->poses = poses;

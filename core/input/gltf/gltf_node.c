@@ -36,8 +36,7 @@ static bool read_matrix(struct zr_json *json, const struct zr_json_path *path, v
     struct zr_json again = *json;
     double m[16];
     bool rows;
-    if (!zr_json_affine(json, path, &node->matrix) ||
-        !zr_json_square(&again, path, 4, (double)ZR_MATRIX_MAX, m, &rows))
+    if (!zr_json_affine(json, path, &node->matrix) || !zr_json_square(&again, path, 4, (double)ZR_MATRIX_MAX, m, &rows))
         return false;
     for (int axis = 0; axis < 3; axis++)
         node->exact[axis] = m[rows ? 4 * axis + 3 : 12 + axis];
@@ -74,7 +73,7 @@ static zr_mat4 find_local(struct zr_json *json, const struct zr_json_path *path,
     }
     if (!has_pose) return zr_mat4_identity();
     if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f) {
-        zr_json_fault(json, ZR_JSON_KEY(path, fields[ROTATION].key), "a quaternion of no length");
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[ROTATION].key), "the quaternion has the length 0");
         return zr_mat4_identity();
     }
     return zr_mat4_of_pose(given->translation, q, given->scale);
@@ -245,7 +244,7 @@ static bool animate(struct zr_gltf *file)
         if (!pose->is_moved) continue;
         if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f)
             return zr_json_fault(&file->root.json, ZR_GLTF_ITEM(ZR_GLTF_NODES, i),
-                                 "the animation gives it a quaternion of no length");
+                                 "the animation gives it a quaternion of length 0");
         file->nodes->nodes[i].local = zr_mat4_of_pose(pose->translation, q, pose->scale);
     }
     return true;

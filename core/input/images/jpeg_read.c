@@ -142,7 +142,7 @@ static void check_kind(struct reading *reading)
 {
     const struct jpeg_decompress_struct *jpeg = &reading->jpeg;
     if (jpeg->data_precision != 8)
-        zr_reason_give(reading->reason, "a JPEG of %d bits a channel; those of 8 are read", jpeg->data_precision);
+        zr_reason_give(reading->reason, "a JPEG of %d bits per channel; 8 are read", jpeg->data_precision);
     else if (jpeg->jpeg_color_space == JCS_CMYK || jpeg->jpeg_color_space == JCS_YCCK)
         zr_reason_give(reading->reason, "a JPEG in CMYK, the colours of print; grey, RGB and YCbCr are read");
     else if (jpeg->jpeg_color_space != JCS_GRAYSCALE && jpeg->jpeg_color_space != JCS_YCbCr &&

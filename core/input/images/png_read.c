@@ -75,7 +75,7 @@ static bool check_head(const void *bytes, size_t size, uint32_t width, uint32_t 
         zr_reason_give(reason, "%" PRIu32 " x %" PRIu32 " pixels, not the window's %" PRIu32 " x %" PRIu32, head.width,
                        head.height, width, height);
     else if (head.bits > 8)
-        zr_reason_give(reason, "%" PRIu32 " bits a channel; 8 are needed, as pictures here have", head.bits);
+        zr_reason_give(reason, "%" PRIu32 " bits per channel; 8 are needed", head.bits);
     else
         return true;
     return false;

@@ -134,7 +134,7 @@ static void read_depth(struct reader *reader)
     for (size_t i = 0; depth && i < pixels; i++) {
         if (isnan(depth[i])) depth[i] = INFINITY; /* both mean background, which the output writes as +inf */
         if (depth[i] == -INFINITY) {
-            pixel_fault(reader, DEPTH, i, "-inf is no depth; +inf is where nothing is");
+            pixel_fault(reader, DEPTH, i, "-inf is not a depth; +inf marks uncovered pixels");
             return;
         }
     }
@@ -187,7 +187,7 @@ static void check_words(struct reader *reader)
     reader->base->first_face_id = reader->first_face_id;
     if (reader->first_face_id == 0)
         zr_json_fault(&reader->root->json, ZR_JSON_KEY(reader->path, fields[FIRST_FACE_ID].key),
-                      "0 is the id of nothing");
+                      "0 is the id of uncovered pixels");
 }
 
 /* Requires znear and zfar: depths of a z-buffer are relative to its planes. Planes fitted to the new geometry would

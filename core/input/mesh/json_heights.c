@@ -169,7 +169,7 @@ static bool read_range(struct zr_json *json, const struct zr_json_path *path, vo
     if (!zr_json_numbers(json, path, 2, 2, -limit, limit, ends, &count)) return false;
     const float first = (float)ends[0], last = (float)ends[1];
     if (first == last)
-        return zr_json_fault(json, path, "from %.9g to %.9g: there is nothing between", (double)first, (double)last);
+        return zr_json_fault(json, path, "%.9g to %.9g: the two ends must differ", (double)first, (double)last);
     memcpy(out, (float[2]){first, last}, 2 * sizeof(float));
     return true;
 }

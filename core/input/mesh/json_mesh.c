@@ -196,8 +196,8 @@ static const void *one_each(struct zr_json *json, const struct zr_json_path *pat
 {
     if (!gives(given, key)) return NULL;
     if (list->count != wanted)
-        zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key), "%zu items for %zu %s; one each is needed", list->count,
-                      wanted, of);
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key), "%zu items for %zu %s; the counts must be equal",
+                      list->count, wanted, of);
     return list->items;
 }
 

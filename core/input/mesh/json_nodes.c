@@ -151,7 +151,7 @@ static zr_mat4 find_local(struct zr_json *json, const struct zr_json_path *path,
         return zr_mat4_identity();
     if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f)
         zr_json_fault(json, ZR_JSON_KEY(path, fields[ROTATION].key),
-                      "a quaternion of no length; 0 0 0 1 turns nothing");
+                      "the quaternion has the length 0; 0 0 0 1 is no rotation");
     return zr_mat4_of_pose(given->translation, q, given->scale);
 }
 

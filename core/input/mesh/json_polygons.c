@@ -140,9 +140,9 @@ static bool check_list(struct zr_json *json, const struct zr_json_path *path, co
 {
     const size_t behind = polygon->soup->positions.count;
     if (!is_given) return list->items == NULL || zr_growing_fill(list, json, behind, item);
-    return list->count == behind ||
-           zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key), "%zu items for %zu vertices; one each is needed",
-                         list->count - polygon->first_vertex, behind - polygon->first_vertex);
+    return list->count == behind || zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key),
+                                                  "%zu items for %zu vertices; the counts must be equal",
+                                                  list->count - polygon->first_vertex, behind - polygon->first_vertex);
 }
 
 /* Removes the vertices of a polygon with faults, so that the next polygon is checked on its own. */

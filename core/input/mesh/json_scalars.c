@@ -73,7 +73,7 @@ bool zr_read_scalar_range(struct zr_json *json, const struct zr_json_path *path,
     size_t count;
     if (!zr_json_numbers(json, path, 2, 2, -VALUE_MAX, VALUE_MAX, ends, &count)) return false;
     if (ends[0] > ends[1])
-        return zr_json_fault(json, path, "from %.9g to %.9g; the lower end comes first", ends[0], ends[1]);
+        return zr_json_fault(json, path, "%.9g to %.9g: the lower end must come first", ends[0], ends[1]);
     scalars->range[0] = (float)ends[0];
     scalars->range[1] = (float)ends[1];
     return scalars->has_range = true;
@@ -191,7 +191,7 @@ static void check_none(struct zr_json *json, const struct zr_json_path *path, co
                        const float *z)
 {
     if (scalars->colormap >= 0 && !z)
-        zr_json_fault(json, ZR_JSON_KEY(path, "colormap"), "a map without scalars, or heights, to colour");
+        zr_json_fault(json, ZR_JSON_KEY(path, "colormap"), "a colormap needs scalars or heights");
     if (scalars->has_range)
         zr_json_fault(json, ZR_JSON_KEY(path, "range"), "a range without scalars%s", z ? " or a colormap" : "");
 }
@@ -229,7 +229,7 @@ void zr_scalars_apply(struct zr_json *json, const struct zr_json_path *path, con
                                     scalars->colormap < 0 ? ZR_COLORMAP_VIRIDIS : (enum zr_colormap)scalars->colormap};
     if (coloring.count != mesh->position_count && coloring.count != mesh->face_count) {
         zr_json_fault(json, ZR_JSON_KEY(path, "scalars"),
-                      "%zu items for %u positions and %u faces; one for each of these or of those is needed",
+                      "%zu items for %u positions and %u faces; one per position or one per face is needed",
                       coloring.count, mesh->position_count, mesh->face_count);
         return;
     }

@@ -201,7 +201,7 @@ static void find_materials(struct zr_parsed_scene *root, const struct zr_json_pa
                 root, ZR_JSON_KEY(ZR_JSON_ITEM(path, styles[i].polygon), ZR_POLYGON_MATERIAL), name);
         if (zr_parsed_has_textures(root, style.material))
             zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, styles[i].polygon), ZR_POLYGON_MATERIAL),
-                          "it has textures, which need texcoords: meshes have them, and polygons have not");
+                          "it has textures, which need texcoords; only meshes have them");
         style.is_uniform = !(styles[i].has & ZR_POLYGON_COLORS);
         materials[i] = zr_parsed_make_material(root, &style, styles[i].has & (ZR_POLYGON_COLOR | ZR_POLYGON_COLORS),
                                                styles[i].has & (ZR_POLYGON_COLORS | ZR_POLYGON_NORMALS));

@@ -130,7 +130,7 @@ static void finish_colors(struct zr_ply_file *file, struct zr_scene_builder *bui
     struct zr_ply_faces *faces = &file->faces;
     if (file->colors && faces->colors && faces->count > 0) {
         zr_warning_list_add(builder->arena, &builder->color_warnings,
-                            "PLY: colours of faces are not drawn beside those of vertices");
+                            "PLY: colours of faces are not drawn, since the vertices have colours");
         faces->colors = NULL;
     }
     if (file->has_odd_colors) {

@@ -124,7 +124,7 @@ static void add_frames(struct zr_query *query)
     if (!zr_file_scene_find_animation(file, query->animation, &number)) return; /* reported by check_animation */
     const double until = request->timeEnd ? query->time_end : file->animation_end, length = until - query->time;
     if (!(length > 0.0)) {
-        zr_json_fault(json, request->timeEnd ? end : path, "an animation of no length: from %.9g to %.9g seconds",
+        zr_json_fault(json, request->timeEnd ? end : path, "an animation without duration: from %.9g to %.9g seconds",
                       query->time, until);
         return;
     }

@@ -35,7 +35,7 @@ static bool explain_missing(const char *pointer, const char *text, size_t key, s
 {
     const int row = row_of(pointer, text, key);
     if (row < 0 || strncmp(text + key, missing, sizeof missing - 1) != 0) return false;
-    snprintf(out->text, sizeof out->text, "%s is missing, which it needs: %s", rows[row].name, rows[row].help);
+    snprintf(out->text, sizeof out->text, "%s is missing, which is needed here: %s", rows[row].name, rows[row].help);
     return true;
 }
 

@@ -38,7 +38,7 @@ static bool read_direction(struct zr_json *json, const struct zr_json_path *path
 {
     zr_vec3 v;
     if (!zr_json_vec3(json, path, &v)) return false;
-    if (v.x == 0.0f && v.y == 0.0f && v.z == 0.0f) return zr_json_fault(json, path, "a direction of no length");
+    if (v.x == 0.0f && v.y == 0.0f && v.z == 0.0f) return zr_json_fault(json, path, "the direction has the length 0");
     *(zr_vec3 *)out = zr_vec3_normalize(v);
     return true;
 }
@@ -188,7 +188,7 @@ static void check_cone(struct zr_json *json, const struct zr_json_path *path, ui
                       given->inner_degrees, given->outer_degrees);
     if (given->has_shadows && given->outer_degrees > SHADOW_DEGREES_MAX)
         zr_json_fault(json, ZR_JSON_KEY(path, fields[SHADOWS].key),
-                      "spots whose outerConeAngle is up to %g degrees have shadows; this one's is %.9g",
+                      "shadows need a spot whose outerConeAngle is at most %g degrees; this one has %.9g",
                       SHADOW_DEGREES_MAX, given->outer_degrees);
 }
 

@@ -4,8 +4,8 @@
 
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
-#include "scene/defaults.h"
 #include "scene/camera/upright.h"
+#include "scene/defaults.h"
 
 /* ---- the picture ---- */
 
@@ -35,7 +35,7 @@ static void fit_samples(struct zr_parsed_scene *root)
     if (fits == side || view->width > most || view->height > most) return; /* zr_scene_validate reports such windows */
     if (zr_scene_gives(root, ZR_SCENE_SAMPLES))
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_SAMPLES),
-                      "%u a pixel are %u x %u: in this window up to %u are allowed", side * side, side, side,
+                      "%u samples per pixel are %u x %u; up to %u are allowed in this window", side * side, side, side,
                       fits * fits);
     else
         zr_warn_of_fewer_samples(root->builder, side, fits);

@@ -29,7 +29,7 @@ static bool read_range(struct zr_json *json, const struct zr_json_path *path, vo
     ((float *)out)[0] = (float)ends[0];
     ((float *)out)[1] = (float)ends[1];
     return ends[0] < ends[1] ||
-           zr_json_fault(json, path, "from %.9g to %.9g; the nearest depth comes first", ends[0], ends[1]);
+           zr_json_fault(json, path, "%.9g to %.9g: the nearest depth must come first", ends[0], ends[1]);
 }
 
 /* uint32_t: an integer from field->low to field->high. */
@@ -114,9 +114,9 @@ static void check_encoding(struct zr_json *json, const struct zr_json_path *path
     if (given->encoding == UNSET) return;
     output->encoding = (enum zr_encoding)given->encoding;
     if (!zr_channel_has(output->channel, output->encoding))
-        zr_json_fault(json, ZR_JSON_KEY(path, fields[ENCODING].key), "the channel %s cannot be had as %s; allowed: %s",
-                      zr_channel_names.words[output->channel], zr_encoding_names.words[given->encoding],
-                      zr_channel_encodings_join(output->channel).text);
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[ENCODING].key),
+                      "the channel %s cannot be encoded as %s; allowed: %s", zr_channel_names.words[output->channel],
+                      zr_encoding_names.words[given->encoding], zr_channel_encodings_join(output->channel).text);
 }
 
 /* Only png16 has a scale. A scale with an unknown encoding, which is reported, may be right. */
@@ -165,7 +165,7 @@ static void check_space(struct zr_json *json, const struct zr_json_path *path, c
     const struct zr_json_path *at = ZR_JSON_KEY(path, fields[SPACE].key);
     if (given->space == UNSET) return;
     if (count == 0)
-        zr_json_fault(json, at, "the channel %s lies in no space", zr_channel_names.words[output->channel]);
+        zr_json_fault(json, at, "the channel %s has no space", zr_channel_names.words[output->channel]);
     else if (given->space >= count)
         zr_json_fault(json, at, "%s", zr_names_refuse(&allowed, zr_space_names.words[given->space]).text);
     else
@@ -191,7 +191,8 @@ static void check_pixel(struct zr_json *json, const struct zr_json_path *path, u
     if (output->channel != ZR_CHANNEL_FRAGMENTS && (x || y))
         zr_json_fault(json, ZR_JSON_KEY(path, fields[x ? X : Y].key), "only the channel fragments has one");
     if (output->channel == ZR_CHANNEL_FRAGMENTS && !(x && y))
-        zr_json_fault(json, path, "missing the key%s: fragments are of one pixel", missing[x ? 1 : 2 * y]);
+        zr_json_fault(json, path, "missing the key%s: the channel fragments describes one pixel",
+                      missing[x ? 1 : 2 * y]);
 }
 
 /* The channel flow needs a target, and others have none. A target with faults counts as given. */
@@ -205,7 +206,8 @@ static void check_flow(struct zr_json *json, const struct zr_json_path *path, ui
         zr_json_fault(json, path, "missing the key to: the view or the poses that the flow leads to");
     if (is_flow && root->is_bare) zr_json_fault(json, path, "a bare mesh has no flow; a scene in JSON has");
     if (is_flow && (root->flow.view || root->flow.poses))
-        zr_json_fault(json, path, "a flow beside /outputs/%u; a request has one", root->flow.output);
+        zr_json_fault(json, path, "a second flow; /outputs/%u is one, and a request has at most one",
+                      root->flow.output);
 }
 
 static bool read_output(struct zr_json *json, const struct zr_json_path *path, struct zr_parsed_scene *root,

@@ -24,7 +24,7 @@ static bool read_normal(struct zr_json *json, const struct zr_json_path *path, v
 {
     zr_vec3 v;
     if (!zr_json_vec3(json, path, &v)) return false;
-    if (v.x == 0.0f && v.y == 0.0f && v.z == 0.0f) return zr_json_fault(json, path, "a normal of no length");
+    if (v.x == 0.0f && v.y == 0.0f && v.z == 0.0f) return zr_json_fault(json, path, "the normal has the length 0");
     *(zr_vec3 *)out = v;
     return true;
 }

@@ -21,7 +21,7 @@ static const char *const filter_words[] = {
 static const uint32_t filter_numbers[] = {9728, 9729, 9984, 9985, 9986, 9987};
 static const char *const wrap_words[] = {"repeat", "mirror", "clamp"};
 static const uint32_t wrap_numbers[] = {10497, 33648, 33071};
-static const struct numbered magnify = {{2, ZR_FILTER_COUNT, filter_words, "for minFilter, which alone has mipmaps"},
+static const struct numbered magnify = {{2, ZR_FILTER_COUNT, filter_words, "for minFilter; only minFilter has mipmaps"},
                                         filter_numbers};
 static const struct numbered minify = {ZR_NAMES(ZR_FILTER_COUNT, filter_words), filter_numbers};
 static const struct numbered wraps = {ZR_NAMES(ZR_WRAP_COUNT, wrap_words), wrap_numbers};

@@ -40,7 +40,7 @@ static bool read_rows(struct zr_json *json, const struct zr_json_path *path, siz
         for (size_t k = 0; k < width; k++)
             row[k] = (float)v[k];
         if (width == 4 && row[0] == 0.0f && row[1] == 0.0f && row[2] == 0.0f && row[3] == 0.0f)
-            is_good = zr_json_fault(json, at, "a quaternion of no length; 0 0 0 1 turns nothing");
+            is_good = zr_json_fault(json, at, "the quaternion has the length 0; 0 0 0 1 is no rotation");
         list->count++;
     }
     return is_good;
@@ -98,7 +98,7 @@ static bool read_axis(struct zr_json *json, const struct zr_json_path *path, voi
     }
     if (!zr_json_vec3(json, path, axis)) return false;
     return axis->x != 0.0f || axis->y != 0.0f || axis->z != 0.0f ||
-           zr_json_fault(json, path, "an axis of no length; x, y, z or a vector such as [0, 1, 0]");
+           zr_json_fault(json, path, "the axis has the length 0; x, y, z or a vector such as [0, 1, 0]");
 }
 
 #define AT(member) offsetof(struct zr_track, member)
@@ -173,7 +173,7 @@ static bool read_track(struct zr_json *json, const struct zr_json_path *path, st
         return zr_json_fault(json, path,
                              has_keys ? "keys without times" : "times without keys: translation, rotation or scale");
     if (!has_keys && !zr_json_gives(keys, ROTATE))
-        return zr_json_fault(json, path, "moves nothing: rotate, or times with translation, rotation or scale");
+        return zr_json_fault(json, path, "no motion: give rotate, or times with translation, rotation or scale");
     const size_t times = given.times.count;
     given.track.key_count = (uint32_t)times;
     given.track.times = given.times.items;
@@ -220,7 +220,7 @@ static bool read_tracks(struct zr_json *json, const struct zr_json_path *path, v
         *next = track;
         tracks.count++;
     }
-    if (is_good && tracks.count == 0) return zr_json_fault(json, path, "an animation of no node");
+    if (is_good && tracks.count == 0) return zr_json_fault(json, path, "no node is animated");
     struct zr_track *items = tracks.items;
     if (tracks.count > 1) qsort(items, tracks.count, sizeof *items, compare_tracks);
     for (size_t i = 1; i < tracks.count; i++)

@@ -92,8 +92,7 @@ static void check_direction(struct zr_parsed_view *given)
 {
     const zr_vec3 d = given->view.direction;
     if (d.x == 0.0f && d.y == 0.0f && d.z == 0.0f)
-        zr_json_fault(given->json, ZR_VIEW_PATH(given, ZR_VIEW_DIRECTION),
-                      "the direction is zero: there is none to look in");
+        zr_json_fault(given->json, ZR_VIEW_PATH(given, ZR_VIEW_DIRECTION), "the direction is zero");
 }
 
 static bool check_inverse(struct zr_parsed_view *given, enum zr_view_key key, const zr_mat4 *matrix, zr_mat4 *inverse)
@@ -155,7 +154,7 @@ static void check_convention(struct zr_parsed_view *given)
         given->convention = zr_view_gives(given, ZR_VIEW_R) ? ZR_CONVENTION_OPENCV : ZR_CONVENTION_OPENGL;
     else if (given->convention == ZR_CONVENTION_OPENCV && !matrices)
         zr_json_fault(given->json, ZR_VIEW_PATH(given, ZR_VIEW_CONVENTION),
-                      "opencv belongs to cameraToWorld, worldToCamera and R: no other pose has axes to be told apart");
+                      "opencv belongs to cameraToWorld, worldToCamera and R: other poses have no convention");
 }
 
 void zr_view_find_pose(struct zr_parsed_view *given)

@@ -79,7 +79,7 @@ static bool check_plane(struct zr_parsed_view *given, enum zr_view_key key, floa
 {
     if (!zr_view_gives(given, key)) return false;
     if (given->view.projection == ZR_PROJECTION_MATRIX)
-        return zr_json_fault(given->json, ZR_VIEW_PATH(given, key), "projectionMatrix has planes of its own");
+        return zr_json_fault(given->json, ZR_VIEW_PATH(given, key), "projectionMatrix sets the planes itself");
     return given->view.projection == ZR_PROJECTION_ORTHOGRAPHIC || distance > 0.0f ||
            zr_json_fault(given->json, ZR_VIEW_PATH(given, key), "%.9g is not greater than 0", (double)distance);
 }

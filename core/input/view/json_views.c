@@ -35,7 +35,8 @@ static bool read_name(struct zr_json *json, const struct zr_json_path *path, voi
     const size_t length = strlen(name), good = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                                             "0123456789_-");
     if (length == 0 || length > NAME_MAX || good != length)
-        return zr_json_fault(json, path, "names files, and so has 1 to %d letters, digits, - or _ of ASCII", NAME_MAX);
+        return zr_json_fault(json, path, "is part of file names: 1 to %d letters, digits, - or _ of ASCII are allowed",
+                             NAME_MAX);
     *(const char **)out = name;
     return true;
 }

@@ -6,9 +6,9 @@
 
 #include "base/matrix.h"
 #include "geometry/face.h"
-#include "sections/sections.h"
-#include "scene/mesh_label.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/mesh_label.h"
+#include "sections/sections.h"
 
 /* Returns true if the corners of every placed face are collinear. */
 static bool are_lines(const struct zr_scene *scene)
@@ -122,7 +122,7 @@ static void add_left_out(struct zr_arena *arena, const struct zr_frame *frame, s
     if (frame->lines && lines + points > 0)
         zr_warning_list_add(arena, w,
                             "%" PRIu64 " lines and %" PRIu64
-                            " points are left out of the SVG: it has the lines of faces alone",
+                            " points are left out of the SVG: it has only the lines of faces",
                             lines, points);
 }
 
@@ -198,7 +198,7 @@ static bool has_layers(const struct zr_frame *frame)
 }
 
 /* Data channels omit blended faces. */
-#define ONLY_BLENDED "all that is in view has the alphaMode BLEND, which color alone shows"
+#define ONLY_BLENDED "all that is in view has the alphaMode BLEND, which only the channel color shows"
 
 /* Returns the name of the first output whose pixels all have the clear value, or NULL. Channels that are also 0 on
  * lines are not checked. */
@@ -261,10 +261,10 @@ struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, cons
     if (scene->is_undrawn) return w;
     if (frame->covered_pixels == 0 && frame->covered_samples == 0) {
         if (!has_thickness(frame) && !has_layers(frame))
-            zr_warning_list_add(arena, &w.last, "nothing is seen: %s", why_uncovered(scene, frame));
+            zr_warning_list_add(arena, &w.last, "nothing is visible: %s", why_uncovered(scene, frame));
     } else if (frame->color && any_is_blended(scene)) {
         const char *empty = find_empty_output(scene, frame);
-        if (empty) zr_warning_list_add(arena, &w.last, "nothing is seen in the output %s: " ONLY_BLENDED, empty);
+        if (empty) zr_warning_list_add(arena, &w.last, "nothing is visible in the output %s: " ONLY_BLENDED, empty);
     }
     return w;
 }

@@ -105,7 +105,7 @@ static enum zr_status fit_on_axis(const struct fitting *fitting, struct zr_axes 
     const struct zr_opening *o = &fitting->opening;
     if (!(o->left < 0.0 && o->right > 0.0 && o->bottom < 0.0 && o->top > 0.0))
         return zr_error_add(error, ZR_BAD_SCENE, "/view/target",
-                            "no distance shows what is around it: the principal point is outside of the window");
+                            "no distance shows the geometry: the principal point is outside of the window");
     const struct retreat retreat = {fitting, axes};
     double most[ZR_MEASURES];
     zr_points_most(fitting->points, measure_retreat, &retreat, most);

@@ -69,7 +69,7 @@ static enum zr_status refuse_wide(uint32_t x, uint32_t y, struct zr_error *error
 {
     return zr_error_add(error, ZR_BAD_SCENE, "/view/distortion",
                         "the ray of pixel %" PRIu32 ", %" PRIu32 " is more than %d degrees from the axis of the lens, "
-                        "the most that is drawn: a smaller window, or a longer focal length, has narrower rays",
+                        "the maximum: give a smaller window or a longer focal length",
                         x, y, ZR_LENS_DEGREES_MAX);
 }
 
@@ -133,7 +133,7 @@ static enum zr_status set_window(struct zr_lens_plan *plan, const struct box *bo
         return zr_error_add(
             error, ZR_BAD_SCENE, "/view/distortion",
             "the rays of this lens need a pinhole picture of %.0f x %.0f pixels; up to %d on a side and "
-            "%" PRIu64 " in all are drawn: a smaller window has fewer",
+            "%" PRIu64 " in all are allowed: give a smaller window",
             width, height, ZR_LENS_SIDE_MAX, ZR_LENS_PIXELS_MAX);
     plan->left = left;
     plan->top = top;

@@ -54,7 +54,7 @@ static enum zr_status direction_axes(const struct zr_view *view, struct zr_axes 
 {
     axes->back = zr_dvec3_sub((zr_dvec3){0, 0, 0}, zr_dvec3_of(view->direction));
     if (!normalize(&axes->back, 0.0))
-        return zr_error_add(error, ZR_BAD_SCENE, "/view/direction", "the direction is zero: there is none to look in");
+        return zr_error_add(error, ZR_BAD_SCENE, "/view/direction", "the direction is zero");
     return upright_axes(view, axes, error);
 }
 

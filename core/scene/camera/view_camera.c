@@ -12,7 +12,7 @@ static enum zr_status check_range(const struct zr_camera *camera, struct zr_erro
     if (zr_mat4_is_within(&camera->world_to_eye, ZR_MATRIX_MAX) &&
         zr_mat4_is_within(&camera->projection, ZR_MATRIX_MAX) && isfinite(camera->znear) && isfinite(camera->zfar))
         return ZR_OK;
-    return zr_error_add(error, ZR_BAD_SCENE, "/view", "the view leads beyond the range of numbers");
+    return zr_error_add(error, ZR_BAD_SCENE, "/view", "the numbers of the camera overflow");
 }
 
 /* Returns zr_camera.fit_margin. Small geometry far from the origin gets a large margin, since rounding errors grow with

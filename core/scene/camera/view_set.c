@@ -150,7 +150,8 @@ static enum zr_status check(const struct zr_view *view, const struct zr_view_set
     const bool is_pose = view->pose == ZR_POSE_MATRIX;
     if (!is_pose && view->projection != ZR_PROJECTION_MATRIX) return ZR_OK;
     return zr_error_add(error, ZR_BAD_SCENE, zr_view_set_pointer(set),
-                        "the view has a %s as a matrix, which does not turn: give %s", is_pose ? "pose" : "projection",
+                        "a turntable needs a view that can turn, and this view has a %s as a matrix: give %s",
+                        is_pose ? "pose" : "projection",
                         is_pose ? "eye and target, a preset or azimuthDegrees" : "perspective or orthographic");
 }
 
@@ -222,14 +223,15 @@ static enum zr_status check_sheet(const struct zr_scene *scene, struct zr_error 
 {
     const struct zr_view *view = &scene->views[0];
     if (zr_view_encodes(view, ZR_ENCODING_SVG))
-        return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
-                            "a picture of pixels, which the encoding svg has not: leave out the sheet, or take png");
+        return zr_error_add(
+            error, ZR_BAD_SCENE, "/sheet",
+            "a sheet is made of pixels, and the encoding svg has none: leave out the sheet, or choose png");
     if (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS))
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
-                            "cannot be combined with the channel fragments, which is of a pixel of one view");
+                            "cannot be combined with the channel fragments, which describes one pixel of one view");
     if (zr_view_wants(view, ZR_CHANNEL_TRACE))
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
-                            "cannot be combined with the channel trace, which is of one view");
+                            "cannot be combined with the channel trace, which describes one view");
     if (scene->base)
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
                             "cannot be combined with a base, whose pictures have the size of one view");
@@ -244,13 +246,14 @@ enum zr_status zr_sheet_complete(struct zr_scene *scene, struct zr_error *error)
     if (!sheet->is_on) return ZR_OK;
     if (check_sheet(scene, error) != ZR_OK) return ZR_BAD_SCENE;
     if (sheet->layout == ZR_SHEET_VIEWS)
-        return scene->view_set ? ZR_OK
-                               : zr_error_add(error, ZR_BAD_SCENE, "/sheet",
-                                              "of which views? Give \"views\", or the layout threeView or balanced");
+        return scene->view_set
+                   ? ZR_OK
+                   : zr_error_add(error, ZR_BAD_SCENE, "/sheet",
+                                  "the views are missing: give \"views\", or the layout threeView or balanced");
     if (scene->view_set)
         return zr_error_add(
             error, ZR_BAD_SCENE, "/sheet",
-            "this layout has views of its own, and the scene gives %s, too: give \"layout\": \"views\", "
+            "this layout chooses its own views, and the scene gives %s, too: give \"layout\": \"views\", "
             "or leave these out",
             strrchr(zr_view_set_pointer(scene->view_set), '/') + 1);
     scene->view_set = &sets[sheet->layout - ZR_SHEET_THREE_VIEW][sheet->angle];

@@ -71,7 +71,7 @@ static inline size_t png_channels(struct png_kind kind)
                                                      : 1;
 }
 
-/* What the pixel is: 16 bits a channel where the file has them, else 8. */
+/* What the pixel is: 16 bits per channel where the file has them, else 8. */
 static inline void png_expect(struct png_kind kind, const unsigned char *row, size_t x, unsigned want[4])
 {
     const size_t channels = png_channels(kind);

@@ -1,9 +1,9 @@
 /* Tests the poses of animations of glTF files: curves, times, targets and refusals. */
+#include "scene/camera/view_set.h"
+#include "support/tests.h"
 #include "unit/common/input_check.h"
 #include "unit/common/kept_check.h"
 #include "unit/common/same_scene.h"
-#include "scene/camera/view_set.h"
-#include "support/tests.h"
 
 /* Bytes of the part "b". */
 static struct {
@@ -239,11 +239,11 @@ TEST(wrong_frames_are_refused)
         {text,
          {.frames = "2", .time = "4"},
          ZR_BAD_SCENE,
-         "parameter frames: an animation of no length: from 4 to 4 seconds"},
+         "parameter frames: an animation without duration: from 4 to 4 seconds"},
         {text,
          {.frames = "2", .time = "1", .timeEnd = "0.5"},
          ZR_BAD_SCENE,
-         "parameter timeEnd: an animation of no length: from 1 to 0.5 seconds"},
+         "parameter timeEnd: an animation without duration: from 1 to 0.5 seconds"},
         {text, {.timeEnd = "2"}, ZR_BAD_SCENE, "parameter timeEnd: needs the parameter frames"},
         {text,
          {.frames = "2", .turntable = "3"},

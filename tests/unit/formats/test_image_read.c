@@ -1,8 +1,8 @@
 /* Images: PNGs of every kind, what is not quite one, and what is none. JPEGs are in test_jpeg_read.c. */
 #include "base/cancel.h"
+#include "support/tests.h"
 #include "unit/common/image_check.h"
 #include "unit/common/png_files.h"
-#include "support/tests.h"
 
 static const int COLORS[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_PALETTE, PNG_COLOR_TYPE_GRAY_ALPHA,
                              PNG_COLOR_TYPE_RGB_ALPHA};
@@ -120,12 +120,12 @@ TEST(huge_pictures_cost_nothing)
     static const struct {
         uint32_t width, height;
         const char *why;
-    } cases[] = {{16385, 1, "16385 x 1 texels; up to 16384 a side are allowed"},
-                 {1, 0x7fffffff, "up to 16384 a side"},
-                 {0xffffffff, 0xffffffff, "up to 16384 a side"},
+    } cases[] = {{16385, 1, "16385 x 1 texels; up to 16384 per side are allowed"},
+                 {1, 0x7fffffff, "up to 16384 per side"},
+                 {0xffffffff, 0xffffffff, "up to 16384 per side"},
                  {1024, 1025, "1024 x 1025 texels; 1048576 are left of what all images"},
-                 {0, 7, "which is none"},
-                 {7, 0, "which is none"}};
+                 {0, 7, "both sides must be at least 1"},
+                 {7, 0, "both sides must be at least 1"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct png_file file = a_file(PNG_COLOR_TYPE_RGB, 8, 0);
         for (int k = 0; k < 4; k++) {

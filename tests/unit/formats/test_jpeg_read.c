@@ -1,9 +1,9 @@
 /* JPEGs of every kind that libjpeg writes, and everything that is not quite one. */
 #include "base/cancel.h"
-#include "unit/common/image_check.h"
 #include "support/pictures/jpeg.h"
 #include "support/random.h"
 #include "support/tests.h"
+#include "unit/common/image_check.h"
 
 enum { WIDTH = 37, HEIGHT = 21, PIXELS = WIDTH * HEIGHT };
 
@@ -140,7 +140,7 @@ TEST(huge_pictures_cost_nothing)
     static const struct {
         uint16_t width, height;
         const char *why;
-    } cases[] = {{65500, 65500, "65500 x 65500 texels; up to 16384 a side are allowed"},
+    } cases[] = {{65500, 65500, "65500 x 65500 texels; up to 16384 per side are allowed"},
                  {16384, 16384, "16384 x 16384 texels; 1048576 are left of what all images"},
                  {0, 7, "a broken JPEG"},
                  {7, 0, "a broken JPEG"}};

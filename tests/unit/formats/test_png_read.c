@@ -1,11 +1,11 @@
 /* PNGs of every kind that hold 8 bits, and everything that is not quite one. */
 #include <stdlib.h>
 
-#include "unit/common/guarded.h"
 #include "input/images/png_read.h"
-#include "unit/common/png_files.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
+#include "unit/common/guarded.h"
+#include "unit/common/png_files.h"
 
 TEST_ARENA(1 << 24)
 
@@ -59,7 +59,7 @@ TEST(sixteen_bits_are_refused)
     uint8_t *rgba;
     png_file_make(&file, (struct png_kind){PNG_COLOR_TYPE_RGB_ALPHA, 16, 0, false, false}, samples, PNG_WIDTH * 8);
     assert_int_equal(read_file(file.bytes, file.size, &rgba, &reason), ZR_BAD_SCENE);
-    assert_non_null(strstr(reason.text, "16 bits a channel"));
+    assert_non_null(strstr(reason.text, "16 bits per channel"));
 }
 
 TEST(picture_of_another_size_is_refused_before_it_costs_anything)

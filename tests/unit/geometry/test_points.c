@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "unit/common/json_check.h"
 #include "raster/binned_scene.h"
 #include "raster/oddeven.h"
 #include "raster/point.h"
@@ -11,6 +10,7 @@
 #include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 TEST_ARENA(1 << 26)
 
@@ -55,7 +55,7 @@ TEST_AROUND(points_behind_the_eye_or_beside_the_window_are_outside, open_arena, 
     test.mesh.points += 2;
     test.mesh.point_count = 2;
     struct zr_answer answer = scene_encode(&arena, NULL, &test.scene);
-    assert_string_equal(answer.warnings, "nothing is seen: all geometry is outside the view");
+    assert_string_equal(answer.warnings, "nothing is visible: all geometry is outside the view");
 }
 
 static double number_in(const cJSON *object, const char *key)

@@ -67,7 +67,7 @@ TEST_AROUND(sixty_five_primitives_are_refused_and_those_outside_do_not_count, op
     const struct zr_frame *frame;
     for (int a = 0; a < ZR_ALGORITHM_COUNT; a++) {
         make_triangles(65, 0);
-        assert_refused((enum zr_algorithm)a, "up to 64 primitives in the window, and these are 65");
+        assert_refused((enum zr_algorithm)a, "limited to 64 primitives in the window; these are 65");
         make_triangles(80, 16);
         assert_int_equal(draw((enum zr_algorithm)a, &frame), ZR_OK);
         assert_int_equal(frame->trace->primitive_count, 64);
@@ -83,7 +83,7 @@ TEST_AROUND(more_than_20000_steps_are_refused, open_arena, close_arena)
         positions[i] = (zr_vec4){(float)random_range(&random, -1, 1), (float)random_range(&random, -1, 1),
                                  (float)random_range(&random, -1, 1), 1};
     scene_of_triangles(&test, SIDE, SIDE, positions, 60);
-    assert_refused(ZR_ALGORITHM_PAINTER, "more than 20000 steps,");
+    assert_refused(ZR_ALGORITHM_PAINTER, "limited to 20000 steps,");
 }
 
 TEST_AROUND(the_last_step_within_the_bound_is_recorded, open_arena, close_arena)
@@ -101,7 +101,7 @@ TEST_AROUND(the_last_step_within_the_bound_is_recorded, open_arena, close_arena)
 TEST_AROUND(more_values_than_the_bound_are_refused, open_arena, close_arena)
 {
     make_tangle();
-    assert_refused(ZR_ALGORITHM_TRAPEZOID, "more than 1048576 values,");
+    assert_refused(ZR_ALGORITHM_TRAPEZOID, "limited to 1048576 values,");
 }
 
 RUN_TESTS(NULL, NULL)

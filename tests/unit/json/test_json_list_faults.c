@@ -211,8 +211,8 @@ TEST(each_polygon_is_judged_by_itself)
     assert_int_equal(reading->error.count, 5);
     for (int i = 0; i < 5; i++)
         assert_string_equal(reading->error.items[i].pointer, pointers[i]);
-    assert_string_equal(reading->error.items[3].detail, "1 items for 3 vertices; one each is needed");
-    assert_string_equal(reading->error.items[4].detail, "2 items for 3 vertices; one each is needed");
+    assert_string_equal(reading->error.items[3].detail, "1 items for 3 vertices; the counts must be equal");
+    assert_string_equal(reading->error.items[4].detail, "2 items for 3 vertices; the counts must be equal");
     reading_free(reading);
 }
 

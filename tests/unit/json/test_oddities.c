@@ -27,7 +27,7 @@ TEST(outputs_that_show_nothing_of_what_is_blended_say_so)
 {
     static const char glass[] = "{" SMALL "\"alphaMode\": \"BLEND\", " MESHES(CUBE "}") "%s}",
                       both[] = "{" SMALL MESHES(CUBE ", \"alphaMode\": \"BLEND\"}, " CUBE "}") "%s}";
-    static const char why[] = "all that is in view has the alphaMode BLEND, which color alone shows";
+    static const char why[] = "all that is in view has the alphaMode BLEND, which only the channel color shows";
     static const char *const channels[] = {"depth",       "windowDepth", "faceId",       "distance", "instanceId",
                                            "frontFacing", "position",    "barycentrics", "normals",  "info"};
     char text[2048];
@@ -40,7 +40,7 @@ TEST(outputs_that_show_nothing_of_what_is_blended_say_so)
     snprintf(text, sizeof text, both, "");
     assert_says(text, "depth", NULL);
     snprintf(text, sizeof text, glass, ", \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}]");
-    assert_says(text, NULL, "nothing is seen in the output depth: all that is in view has the alphaMode BLEND");
+    assert_says(text, NULL, "nothing is visible in the output depth: all that is in view has the alphaMode BLEND");
     snprintf(text, sizeof text, both, ", \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}]");
     assert_says(text, NULL, NULL);
     assert_says("{" SMALL "\"alphaMode\": \"BLEND\", " MESHES("{" POSITIONS ", \"lines\": [[0,1]]}") "}", "depth", why);
@@ -100,15 +100,15 @@ TEST(what_hides_everything_is_the_reason_given)
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
         char text[1024];
         snprintf(text, sizeof text, masked, ways[i]);
-        assert_says(text, "color", "nothing is seen: alpha is below alphaCutoff wherever something is drawn");
-        assert_says(text, "info", "nothing is seen: alpha is below alphaCutoff wherever something is drawn");
+        assert_says(text, "color", "nothing is visible: alpha is below alphaCutoff wherever something is drawn");
+        assert_says(text, "info", "nothing is visible: alpha is below alphaCutoff wherever something is drawn");
     }
     static const char cut[] =
         "{" SMALL "\"view\": {\"eye\": [0.5,0.5,3], \"target\": [0.5,0.5,0], \"znear\": %s, \"zfar\": 10}, "
         "\"meshes\": [" CUBE "}]}";
     char text[1024];
     snprintf(text, sizeof text, cut, "2.5");
-    assert_says(text, "thickness", "nothing is seen: the near plane (znear) cuts off the faces that face the camera");
+    assert_says(text, "thickness", "nothing is visible: the near plane (znear) cuts off the faces that face the camera");
     snprintf(text, sizeof text, cut, "1");
     assert_says(text, "thickness", NULL);
     assert_says("{" SMALL "\"view\": {\"eye\": [0,0,-5]}, " POLYGONS "}", "depth", "every face in view faces away");
@@ -122,7 +122,7 @@ TEST(thickness_is_something_that_is_seen)
                    ", \"faceColors\": [" FAINT "," FAINT "," FAINT "," FAINT "," FAINT "," FAINT "]}]}");
     const struct zr_answer answer = scene_encode(&reading->arena, NULL, reading->scene);
     assert_non_null(strstr(answer.warnings, "alpha is below"));
-    assert_null(strstr(answer.warnings, "nothing is seen"));
+    assert_null(strstr(answer.warnings, "nothing is visible"));
     reading_free(reading);
 }
 

@@ -82,7 +82,7 @@ TEST(samples_of_a_query_fit_the_window)
     reading_free(reading);
     const struct zr_request request = {.format = ZR_FORMAT_OBJ, .width = "8192", .height = "8", .samples = "16"};
     reading = read_request(request, MESH, strlen(MESH), zr_limits_default(), (size_t)1 << 24);
-    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter samples: 16 a pixel are 4 x 4: in this window up to 4");
+    assert_complaint(reading, ZR_BAD_SCENE, "", "parameter samples: 16 samples per pixel are 4 x 4; up to 4");
     reading_free(reading);
 }
 

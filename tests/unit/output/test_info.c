@@ -75,10 +75,10 @@ TEST_AROUND(nothing_seen_says_why, open_arena, close_arena)
         const char *warning;
     } cases[] = {
         {{{0, 0, 0, 1}, {0.1f, 0.2f, 0.3f, 1}, {0.2f, 0.4f, 0.6f, 1}},
-         "nothing is seen: the corners of each polygon are collinear"},
-        {{{0, 0, 0, 1}, {0.5f, 0, 0, 1}, {0.25f, 0, 0.5f, 1}}, "nothing is seen: the polygons in view are edge-on"},
-        {{{5, 5, 0, 1}, {6, 5, 0, 1}, {5, 6, 0, 1}}, "nothing is seen: all geometry is outside the view"},
-        {{{0.02f, 0.02f, 0, 1}, {0.03f, 0.02f, 0, 1}, {0.02f, 0.03f, 0, 1}}, "nothing is seen: no pixel is covered"},
+         "nothing is visible: the corners of each polygon are collinear"},
+        {{{0, 0, 0, 1}, {0.5f, 0, 0, 1}, {0.25f, 0, 0.5f, 1}}, "nothing is visible: the polygons in view are edge-on"},
+        {{{5, 5, 0, 1}, {6, 5, 0, 1}, {5, 6, 0, 1}}, "nothing is visible: all geometry is outside the view"},
+        {{{0.02f, 0.02f, 0, 1}, {0.03f, 0.02f, 0, 1}, {0.02f, 0.03f, 0, 1}}, "nothing is visible: no pixel is covered"},
         {{{0, 0, 0, 1}, {0.5f, 0, 0, 1}, {0, 0.5f, 0, 1}}, ""}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         static struct test_scene test;

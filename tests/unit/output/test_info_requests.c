@@ -114,7 +114,7 @@ TEST_AROUND(without_a_picture_info_has_no_pixels, open_arena, close_arena)
 {
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 3 2 1\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
     static const char *const absent[] = {"\"pixels\"", "\"faces\":[", "\"backgroundPixels\"", "\"triangles\":0",
-                                         "nothing is seen"};
+                                         "nothing is visible"};
     static const char *const present[] = {
         "\"worldToCamera\":[",
         "\"bounds\":{",

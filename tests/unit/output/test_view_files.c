@@ -1,6 +1,6 @@
 /* core/views: arrays, animations and sheets of several views have the pixels of the views drawn alone. */
-#include "output/npy.h"
 #include "output/images/webp_frames.h"
+#include "output/npy.h"
 #include "support/pictures/png.h"
 #include "unit/common/views_check.h"
 
@@ -48,9 +48,9 @@ TEST_AROUND(warnings_of_some_views_name_them, open_arena, close_arena)
 {
     static const struct {
         const char *views, *warning;
-    } cases[] = {{"\"front\", " AWAY("away") ", \"top\"", "view away: nothing is seen"},
-                 {"\"front\", " AWAY("a") ", " AWAY("b"), "2 of 3 views, the first is a: nothing is seen"},
-                 {AWAY("a") ", " AWAY("b"), "nothing is seen"}};
+    } cases[] = {{"\"front\", " AWAY("away") ", \"top\"", "view away: nothing is visible"},
+                 {"\"front\", " AWAY("a") ", " AWAY("b"), "2 of 3 views, the first is a: nothing is visible"},
+                 {AWAY("a") ", " AWAY("b"), "nothing is visible"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[1024];
         struct zr_views views;

@@ -308,21 +308,21 @@ TEST_AROUND(wrong_views_are_refused_before_any_is_drawn, open_arena, close_arena
         {"\"views\": [\"front\", \"top\"], \"sections\": {\"planes\": [{\"axis\": \"z\"}]}", "/sections/planes/0",
          "in the view top: the camera sees the plane edge-on"},
         {"\"views\": [\"front\", \"top\"], \"view\": {\"perspective\": {\"yfovDegrees\": 1e-30}}", "/view",
-         "in the view front: the view leads beyond"},
+         "in the view front: the numbers of the camera overflow"},
         {"\"views\": [\"front\", {\"view\": {\"preset\": \"top\"}, \"sections\": {\"planes\": [{\"axis\": \"z\"}]}}]",
          "/views/1/sections/planes/0", "sees the plane edge-on"},
         {"\"turntable\": {}, \"view\": {\"cameraToWorld\": [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}", "/turntable",
-         "does not turn"},
+         "needs a view that can turn"},
         {"\"orbit\": {\"count\": 4096}, \"window\": {\"width\": 1024, \"height\": 1024}", "/orbit",
          "4294967296 pixels of images, more than the limit of 536870912"},
         {"\"sheet\": \"threeView\", \"window\": {\"width\": 30, \"height\": 30}", "/sheet", "have no room for 4 views"},
         {"\"sheet\": \"views\", \"views\": [{\"window\": {\"width\": 9}}]", "/views/0/window", "have one size"},
         {"\"views\": [\"front\", {\"window\": {\"width\": 9, \"height\": 9}}], \"outputs\": [{\"channel\": \"color\", "
          "\"encoding\": \"apng\"}]",
-         "/views/1", "another size than view 0"},
+         "/views/1", "differs from view 0"},
         {"\"views\": [\"front\", {\"background\": \"#0000\"}], \"outputs\": [{\"channel\": \"color\", \"encoding\": "
          "\"apng\"}]",
-         "/views/1", "or an opaque background"},
+         "/views/1", "whether its background is opaque"},
         {"\"turntable\": {}, \"outputs\": [{\"channel\": \"color\", \"encoding\": \"webp\", \"maxBytes\": 9999}]",
          "/outputs/0/maxBytes", "an animated webp has none"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

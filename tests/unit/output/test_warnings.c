@@ -2,10 +2,10 @@
 #include <cjson/cJSON.h>
 #include <math.h>
 
-#include "unit/common/json_check.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 TEST_ARENA(1 << 26)
 
@@ -181,7 +181,7 @@ TEST(strict_ends_as_soon_as_a_warning_is_known)
         {"{\"view\": {\"preset\": \"front\"}, \"polygons\": [{\"vertices\": [[9e5,0,0],[9.00001e5,0,0],[9e5,1,0]]}]}",
          "small and far from the origin", 0},
         {MESH("\"faces\": [[0,1,2],[0,1,1]]"), "fewer than three distinct corners", 2},
-        {"{\"view\": {\"eye\": [0,0,-5]}, " POLYGONS "}", "nothing is seen", 2},
+        {"{\"view\": {\"eye\": [0,0,-5]}, " POLYGONS "}", "nothing is visible", 2},
         {"{" POLYGONS ", \"outputs\": [{\"channel\": \"depth\", \"encoding\": \"png16\", \"scale\": 1e-6}]}",
          "does not fit 16 bits", 2},
     };

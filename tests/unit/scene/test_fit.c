@@ -62,7 +62,7 @@ TEST(views_without_a_solution_are_refused)
         {"\"azimuthDegrees\": 0, \"up\": [0,0,0]", "/view/up", "there is no axis to turn around"},
         {"\"direction\": [1,2,3], \"up\": [2,4,6]", "/view/up", "up is zero or along the line of sight"},
         {"\"direction\": [1,2,3], \"up\": [0,0,0]", "/view/up", "up is zero or along the line of sight"},
-        {"\"azimuthDegrees\": 0, \"distance\": 1e6, \"perspective\": {\"yfov\": 1e-30}", "/view", "range of numbers"},
+        {"\"azimuthDegrees\": 0, \"distance\": 1e6, \"perspective\": {\"yfov\": 1e-30}", "/view", "numbers of the camera overflow"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct shot shot = shoot(SMALL, CUBE, cases[i].view);

@@ -138,7 +138,7 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
          "channel: 'colour' is unknown (did you mean color?); allowed: color, depth"},
         {{.format = ZR_FORMAT_OBJ, .channel = "overdraw"}, "channel: 'overdraw' is not supported"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png"},
-         "encoding: the channel depth cannot be had as png; allowed: npy, png16"},
+         "encoding: the channel depth cannot be encoded as png; allowed: npy, png16"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .scale = "2"}, "scale: only the encoding png16"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .x = "2"}, "x: only the channel fragments"},
         {{.format = ZR_FORMAT_OBJ, .channel = "fragments"}, "channel: missing the keys x and y"},
@@ -162,7 +162,7 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .channel = "color,depth", .x = "2"}, "x: only the channel fragments"},
         {{.format = ZR_FORMAT_OBJ, .channel = "color,depth", .scale = "2"}, "scale: only the encoding png16"},
         {{.format = ZR_FORMAT_OBJ, .channel = "color,depth", .encoding = "json"},
-         "encoding: the channel color cannot be had as json"},
+         "encoding: the channel color cannot be encoded as json"},
         {{.format = ZR_FORMAT_OBJ, .channel = "color,depth", .encoding = "png16", .scale = "0"}, "scale: '0' is not"},
         {{.format = ZR_FORMAT_OBJ, .channel = ",,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,"}, "channel: 32 channels; up to "},
         {{.format = ZR_FORMAT_OBJ, .preset = "up"}, "preset: 'up' is unknown; allowed: front"},
@@ -187,7 +187,7 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .environment = "true"},
          "environment: 'true' is unknown; allowed: studio, outdoor, studio@2, metal@2, outdoor@2; or false for none"},
         {{.format = ZR_FORMAT_OBJ, .lightDirection = "1,2"}, "lightDirection: '1,2' is not three numbers"},
-        {{.format = ZR_FORMAT_OBJ, .lightDirection = "0,0,0"}, "lightDirection: a direction of no length"},
+        {{.format = ZR_FORMAT_OBJ, .lightDirection = "0,0,0"}, "lightDirection: the direction has the length 0"},
         {{.format = ZR_FORMAT_OBJ, .light = "spot"}, "light: lightDirection is missing"},
         {{.format = ZR_FORMAT_OBJ, .light = "point"}, "light: lightPosition is missing"},
         {{.format = ZR_FORMAT_OBJ, .lightColor = "red"}, "lightColor: lightDirection is missing"},
@@ -226,7 +226,7 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
          "section: 'x,x,x,x,x,x,x' is not a list of up to 6 planes"},
         {{.format = ZR_FORMAT_OBJ, .sectionCorner = "true"}, "sectionCorner: section is missing"},
         {{.format = ZR_FORMAT_STL, .sectionHatch = "true"},
-         "parameter sectionHatch: section is missing, which it needs: planes that cut the mesh open: x, y or z, a "
+         "parameter sectionHatch: section is missing, which is needed here: planes that cut the mesh open: x, y or z, a "
          "share "
          "of its bounds and a side, such as x:0.5"},
         {{.format = ZR_FORMAT_JSON, .section = "x"}, "parameter section belongs to bodies that are a bare mesh"},

@@ -153,11 +153,14 @@ TEST(faults_name_file_and_line)
         {KEYS, KEY "0\n", ":1: a key has 16 to 128 bytes, each of two hexadecimal digits; this line has 33 digits"},
         {KEYS, "000102030405060708090a0b0c0d0e0g\n", ":1: byte 32 is no hexadecimal digit"},
         {PRESETS, "small\n", ":1: this is not NAME = QUERY"},
-        {PRESETS, "=look=studio\n", ":1: '' is no name of a preset: 1 to 64 of A-Z, a-z, 0-9, _ and -"},
-        {PRESETS, "a/b = look=studio\n", ":1: 'a/b' is no name of a preset: 1 to 64 of A-Z, a-z, 0-9, _ and -"},
+        {PRESETS, "=look=studio\n",
+         ":1: '' is no name of a preset: 1 to 64 characters of A-Z, a-z, 0-9, _ and - are allowed"},
+        {PRESETS, "a/b = look=studio\n",
+         ":1: 'a/b' is no name of a preset: 1 to 64 characters of A-Z, a-z, 0-9, _ and - are allowed"},
         {PRESETS, "a = look=studio\nb = look=studio\na = width=1\n", ":3: the preset 'a' is here twice"},
-        {PRESETS, "a = look=studio width=3\n", ":1: a query has no space, '?' or '#', and bytes beyond ASCII as %XX"},
-        {PRESETS, "a = ?look=studio\n", ":1: a query has no space, '?' or '#', and bytes beyond ASCII as %XX"},
+        {PRESETS, "a = look=studio width=3\n",
+         ":1: a query cannot have a space, '?' or '#'; write bytes beyond ASCII as %XX"},
+        {PRESETS, "a = ?look=studio\n", ":1: a query cannot have a space, '?' or '#'; write bytes beyond ASCII as %XX"},
         {PRESETS, "a = look=%zz\n", ":1: a %-escape is broken"},
         {PRESETS, "a = width=3&widht=3\n", ":1: unknown parameter 'widht' (did you mean width?)"},
         {PRESETS, "a = width=3&width=3\n", ":1: duplicate parameter 'width'"},
@@ -238,7 +241,8 @@ TEST(files_of_secrets_that_all_may_read_are_warned_of)
     assert_string_equal(gate_warning(gate), "");
     gate_free(gate);
     gate = gate_of(KEYS, KEY);
-    assert_string_equal(gate_warning(gate), "there are keys and no token: who has no signature may still POST and PUT");
+    assert_string_equal(gate_warning(gate),
+                        "there are keys and no token: clients without a signature may still POST and PUT");
     gate_free(gate);
 }
 

@@ -108,7 +108,7 @@ TEST_AROUND(layers_end_where_memory_does, open_arena, close_arena)
     const struct zr_frame *frame;
     zr_arena_init(&small, (size_t)64 << 20); /* 4000 layers of 4096 pixels take 131 MB */
     assert_int_equal(zr_render(&small, NULL, &test.scene, NULL, NULL, &frame, &error), ZR_NO_MEMORY);
-    assert_non_null(strstr(error.items[0].detail, "all layers of what is see-through are kept, 8 bytes"));
+    assert_non_null(strstr(error.items[0].detail, "all layers of translucent surfaces are kept, 8 bytes"));
     zr_arena_free(&small);
     const struct zr_frame *whole = scene_render(&arena, NULL, &test.scene);
     assert_true(whole->covered_pixels == 64 * 64);
