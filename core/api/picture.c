@@ -6,6 +6,7 @@
 #include "api/cancel.h"
 #include "api/error.h"
 #include "scene/looks.h"
+#include "scene/output.h"
 #include "scene/validate.h"
 #include "views/views.h"
 

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "scene/output.h"
+
 static const char *copy_text(struct zr_arena *arena, const char *text)
 {
     return text ? zr_arena_copy(arena, text, strlen(text) + 1) : NULL;

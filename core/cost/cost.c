@@ -16,6 +16,7 @@
 #include "render/lens.h"
 #include "render/picture.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/output.h"
 #include "shade/lights/shadow_map.h"
 #include "shade/texture_maps.h"
 

@@ -4,6 +4,7 @@
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
 #include "mesh/vertex_normals.h"
+#include "scene/output.h"
 
 /* Most bytes of the tables per corner, while they are made. */
 enum { BYTES_A_CORNER = 96 };

@@ -4,6 +4,7 @@
 
 #include "base/rgba.h"
 #include "overlay/glyphs.h"
+#include "scene/output.h"
 
 /* ---- scale ---- */
 

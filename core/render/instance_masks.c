@@ -2,6 +2,7 @@
 
 #include "render/pass.h"
 #include "render/stage.h"
+#include "scene/channels.h"
 #include "scene/scene_edit.h"
 
 enum { BUCKETS = 64, NONE = 0, ROWS_A_RANGE = 16 };

@@ -11,6 +11,7 @@
 #define ZR_LAYER_CHANNELS_H
 
 #include "base/team.h"
+#include "scene/channels.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 

@@ -6,6 +6,7 @@
 #include "lines/strokes.h"
 #include "effects/edges.h"
 #include "render/pixel_fragments.h"
+#include "scene/output.h"
 #include "scene/parsed_picture.h"
 
 /* ---- the pinhole picture ---- */

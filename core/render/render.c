@@ -21,6 +21,7 @@
 #include "render/stage.h"
 #include "render/trace.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/output.h"
 #include "scene/scene.h"
 #include "shade/nocs.h"
 
@@ -35,7 +36,7 @@ static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team
                                       .base = frame->base};
     enum zr_status status = ZR_OK;
     struct zr_pass pass;
-    if (frame->channels[ZR_CHANNEL_POSITION] && zr_frame_space(frame, ZR_CHANNEL_POSITION) == ZR_SPACE_NOCS) {
+    if (frame->channels[ZR_CHANNEL_POSITION] && zr_view_space(frame->view, ZR_CHANNEL_POSITION) == ZR_SPACE_NOCS) {
         frame->nocs = zr_nocs_make(arena, scene, cancel);
         if (!frame->nocs) return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
     }

@@ -6,6 +6,7 @@
 #include "base/fast.h"
 #include "base/rgba.h"
 #include "raster/halfspace.h"
+#include "scene/output.h"
 #include "shade/depths.h"
 #include "shade/paint.h"
 #include "shade/visible_points.h"
@@ -132,7 +133,7 @@ static void shade(const struct zr_geometry *geometry, const struct zr_scene_attr
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
         to.channels[c] = zr_resolve_rows(frame, tile, (enum zr_channel)c);
     if (base) to.behind = rows_in(frame, tile, (void *)(uintptr_t)base->color, 1);
-    normals_to_space(&frame->camera.world_to_eye, zr_frame_space(frame, ZR_CHANNEL_NORMALS), to.normals_to_space);
+    normals_to_space(&frame->camera.world_to_eye, zr_view_space(frame->view, ZR_CHANNEL_NORMALS), to.normals_to_space);
     paint->shade(geometry, attributes, tile, &to);
     const struct zr_pixel_rows *faces = &to.channels[ZR_CHANNEL_FACE_ID];
     for (int32_t y = 0; frame->face_id && base && y < tile->height; y++)
@@ -164,7 +165,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
     if (frame->depth || frame->owners || points) zr_halfspace_of(isa)->flush(tile); /* these read every sample */
     if (frame->owners) copy_owners(tile, frame);
     if (points)
-        zr_visible_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_frame_space(frame, ZR_CHANNEL_POSITION),
+        zr_visible_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_view_space(frame->view, ZR_CHANNEL_POSITION),
                                tile, frame);
     if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
     if (frame->base) {

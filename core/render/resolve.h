@@ -8,6 +8,7 @@
 
 #include "base/isa.h"
 #include "raster/tile.h"
+#include "scene/channels.h"
 #include "shade/draw_attributes.h"
 #include "shade/frame.h"
 #include "shade/paint.h"

@@ -5,6 +5,7 @@
 
 #include "base/rgba.h"
 #include "render/layers.h"
+#include "scene/channels.h"
 #include "shade/models/xray.h"
 #include "shade/paint.h"
 

@@ -8,6 +8,7 @@
 #include "render/pass.h"
 #include "render/stage.h"
 #include "scene/algorithm.h"
+#include "scene/output.h"
 
 #define WORD(ID, word) word,
 static const char *const words[] = {ZR_ALGORITHMS(WORD)};

@@ -18,6 +18,7 @@
 #include "output/images/tiff.h"
 #include "output/json/trace_json.h"
 #include "scene/looks.h"
+#include "scene/output.h"
 #include "scene/scene.h"
 #include "scene/validate.h"
 #include "shade/frame.h"

@@ -5,6 +5,7 @@
 #include "core.h"
 #include "output/json/warnings.h"
 #include "output/zip.h"
+#include "scene/channels.h"
 #include "scene/scene.h"
 
 /* One entry per output of the frame's view, in their order; or the files of several views (views.h). */

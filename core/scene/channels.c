@@ -1,5 +1,9 @@
 #include "scene/channels.h"
 
+#include "scene/view.h"
+
+_Static_assert((int)ZR_CHANNEL_COUNT <= ZR_CHANNELS_MAX, "arrays have room for each channel");
+
 #define ENCODINGS(...)                                                                                                 \
     sizeof((const enum zr_encoding[]){__VA_ARGS__}) / sizeof(enum zr_encoding), (const enum zr_encoding[])             \
     {                                                                                                                  \

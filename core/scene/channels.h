@@ -44,9 +44,6 @@ enum zr_values {
     ZR_VALUES_NONE /* no pixels of the frame */
 };
 
-/* Coordinate space of positions and normals. */
-enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS /* shade/nocs.h */, ZR_SPACE_COUNT };
-
 /* Clear value of a channel: the word of uncovered pixels, as bits. */
 #define ZR_CLEAR_ZERO     UINT32_C(0)
 #define ZR_CLEAR_ONE      UINT32_C(0x3f800000) /* as a float */

@@ -1,6 +1,7 @@
 #include "scene/defaults.h"
 
 #include "core.h"
+#include "scene/output.h"
 
 static const struct zr_output color = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
                               info = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};

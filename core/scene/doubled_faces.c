@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "scene/mesh_label.h"
+#include "scene/output.h"
 
 /* Sets of faces around a vertex: those that share its position's number, or those that share its place. */
 enum sharing { SHARED_NUMBER, SHARED_PLACE };

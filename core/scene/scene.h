@@ -14,7 +14,6 @@
 
 #include "base/vec.h"
 #include "scene/algorithm.h"
-#include "scene/channels.h"
 #include "scene/colormap.h"
 #include "scene/image.h"
 #include "scene/part_keys.h"

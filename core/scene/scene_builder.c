@@ -5,6 +5,7 @@
 #include "base/hash.h"
 #include "base/team.h"
 #include "scene/doubled_faces.h"
+#include "scene/output.h"
 #include "scene/unused_positions.h"
 
 enum { MATERIALS_AT_FIRST = 16, IMAGES_AT_FIRST = 4, RANGE_AT_ONCE = 1 << 14 };

@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
+#include "scene/output.h"
 static void check_side(const char *pointer, uint32_t side, const struct zr_limits *limits, struct zr_error *error)
 {
     if (side < 1 || side > limits->window_side_max)

@@ -6,7 +6,6 @@
 #include <stdint.h>
 
 #include "base/vec.h"
-#include "scene/channels.h"
 
 enum zr_pose {
     ZR_POSE_PRESET,    /* fitted to the geometry */
@@ -51,20 +50,13 @@ struct zr_lens {
     double p[2]; /* p1, p2; 0 of a fisheye */
 };
 
-struct zr_output {
-    enum zr_channel channel;
-    enum zr_encoding encoding;
-    float scale;         /* png16: scene units per step; 0: the far plane is 65535 */
-    enum zr_space space; /* of channels with a choice; the same for all outputs of one channel */
-    uint32_t x, y;       /* fragments: the pixel, from the top left corner */
-    bool has_range;      /* depth: nearer depths are 0, farther ones the greatest value of the encoding */
-    float range[2];      /* nearest and farthest depth, scene units */
-    uint32_t quality;    /* jpeg and webp: 1..100; 0: ZR_QUALITY_DEFAULT */
-    uint32_t max_bytes;  /* most bytes of the file; 0: any */
-    bool is_lossless;    /* webp */
-};
+/* Coordinate space of positions and normals. */
+enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_NOCS /* shade/nocs.h */, ZR_SPACE_COUNT };
 
-#define ZR_QUALITY_DEFAULT 85
+struct zr_output; /* scene/output.h */
+
+/* Channels that arrays by enum zr_channel have room for. */
+enum { ZR_CHANNELS_MAX = 32 };
 
 /* Bounds of the channel trace: sides of the window, primitives, and steps. */
 enum { ZR_TRACE_SIDE_MAX = 64, ZR_TRACE_PRIMITIVES_MAX = 64, ZR_TRACE_STEPS_MAX = 20000 };
@@ -107,59 +99,5 @@ struct zr_flow {
     struct zr_view view;     /* its window is that of the scene's view */
     const zr_mat4 *matrices; /* object to world, per instance; NULL: those of the scene */
 };
-
-/* Returns the view's first output of the channel; NULL: none. */
-static inline const struct zr_output *zr_view_output(const struct zr_view *view, enum zr_channel channel)
-{
-    for (uint32_t i = 0; i < view->output_count; i++)
-        if (view->outputs[i].channel == channel) return &view->outputs[i];
-    return NULL;
-}
-
-static inline bool zr_view_wants(const struct zr_view *view, enum zr_channel channel)
-{
-    return zr_view_output(view, channel) != NULL;
-}
-
-/* True if an output has the encoding. */
-static inline bool zr_view_encodes(const struct zr_view *view, enum zr_encoding encoding)
-{
-    for (uint32_t i = 0; i < view->output_count; i++)
-        if (view->outputs[i].encoding == encoding) return true;
-    return false;
-}
-
-/* True if an output has pixels of the channel. */
-static inline bool zr_view_has_pixels(const struct zr_view *view, enum zr_channel channel)
-{
-    for (uint32_t i = 0; i < view->output_count; i++)
-        if (view->outputs[i].channel == channel && view->outputs[i].encoding != ZR_ENCODING_SVG) return true;
-    return false;
-}
-
-/* True if masks of instances are made. */
-static inline bool zr_view_has_masks(const struct zr_view *view)
-{
-    return view->has_visibility || zr_view_wants(view, ZR_CHANNEL_MASKS);
-}
-
-/* True if an output has pixels of the channel, or if `info`, `fragments` or the covered pixels of a `trace` are
- * computed from them. */
-static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel channel)
-{
-    const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS);
-    return zr_view_has_pixels(view, channel) || (lists && channel == ZR_CHANNEL_WINDOW_DEPTH) ||
-           (channel == ZR_CHANNEL_INSTANCE_ID && zr_view_has_masks(view)) ||
-           (channel == ZR_CHANNEL_FACE_ID &&
-            (lists || zr_view_wants(view, ZR_CHANNEL_INFO) || zr_view_wants(view, ZR_CHANNEL_TRACE)));
-}
-
-/* Returns the space of the view's outputs of a channel. */
-static inline enum zr_space zr_view_space(const struct zr_view *view, enum zr_channel channel)
-{
-    for (uint32_t i = 0; i < view->output_count; i++)
-        if (view->outputs[i].channel == channel) return view->outputs[i].space;
-    return ZR_SPACE_CAMERA;
-}
 
 #endif

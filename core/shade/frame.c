@@ -2,6 +2,7 @@
 
 #include "raster/tile.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/output.h"
 
 void zr_frame_open(const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {

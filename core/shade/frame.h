@@ -12,7 +12,6 @@
 #include "geometry/counts.h"
 #include "mesh/part_facts.h"
 #include "scene/camera/camera.h"
-#include "scene/channels.h"
 #include "scene/scene.h"
 
 /* A fragment at a pixel's centre. */
@@ -79,8 +78,8 @@ struct zr_frame {
     const struct zr_view *view; /* view of the rendered scene; NULL: this is a depth map */
     uint32_t width, height;
     union {
-        void *channels[ZR_CHANNEL_COUNT]; /* scene/channels.h; NULL: not wanted */
-        struct {                          /* names of the first ones */
+        void *channels[ZR_CHANNELS_MAX]; /* by enum zr_channel (scene/channels.h); NULL: not wanted */
+        struct {                         /* names of the first ones */
             uint8_t *color;
             float *depth;
             float *window_depth;
@@ -116,12 +115,6 @@ void zr_frame_open(const struct zr_resolved_view *resolved, struct zr_frame *fra
 
 /* Copies the view's data, and allocates the channels that the outputs need. Returns ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_view *resolved, struct zr_frame *frame);
-
-/* Returns the space of a channel, as set in the view. */
-static inline enum zr_space zr_frame_space(const struct zr_frame *frame, enum zr_channel channel)
-{
-    return frame->view ? zr_view_space(frame->view, channel) : ZR_SPACE_CAMERA;
-}
 
 /* Fills in `spans` from the tiles with covered pixels; tile 0 is at the window's lower left. */
 void zr_frame_find_spans(const struct zr_frame *frame, const uint8_t *occupied);

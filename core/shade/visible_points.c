@@ -4,6 +4,7 @@
 
 #include "base/matrix.h"
 #include "geometry/geometry.h"
+#include "scene/channels.h"
 #include "shade/nocs.h"
 
 /* Values that all samples of a primitive share. */

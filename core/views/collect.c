@@ -5,6 +5,7 @@
 #include "output/images/apng.h"
 #include "output/images/webp_frames.h"
 #include "output/npy.h"
+#include "scene/output.h"
 #include "scene/scene.h"
 #include "views/sheet_picture.h"
 #include "views/view_scene.h"

@@ -6,6 +6,7 @@
 #include "base/cancel.h"
 #include "input/scene/kept.h"
 #include "request/change.h"
+#include "scene/output.h"
 #include "scene/scene.h"
 #include "views/still_camera.h"
 #include "views/view_scene.h"

@@ -5,6 +5,7 @@
 
 #include "base/rgba.h"
 #include "output/json/json_print.h"
+#include "scene/output.h"
 #include "views/view_scene.h"
 
 enum zr_status zr_sheet_picture_make(struct zr_arena *arena, const struct zr_views *views,

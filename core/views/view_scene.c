@@ -5,6 +5,7 @@
 
 #include "render_request.h"
 #include "request/change.h"
+#include "scene/output.h"
 
 void zr_view_name(const struct zr_view_set *set, uint32_t number, char name[ZR_VIEW_NAME_SIZE])
 {

@@ -12,6 +12,7 @@
 #include "bench/http/wire.h"
 #include "core.h"
 #include "render_request.h"
+#include "scene/output.h"
 #include "server/support/daemon.h"
 
 enum { OURS, PARSE, RENDER, ENCODE, THEIRS, TIMES };

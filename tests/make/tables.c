@@ -10,6 +10,7 @@
 #include "parameter_rows.h"
 #include "render_request.h"
 #include "scene/looks.h"
+#include "scene/output.h"
 
 enum { TEXT_SIZE = 1024, DEPTH_MAX = 6 };
 

@@ -6,6 +6,7 @@
 
 #include "core.h"
 #include "render_request.h"
+#include "scene/output.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "support/random.h"

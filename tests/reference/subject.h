@@ -4,6 +4,7 @@
 
 #include "core.h"
 #include "reference/drawing.h"
+#include "scene/output.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 

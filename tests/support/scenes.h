@@ -4,6 +4,7 @@
 
 #include "core.h"
 #include "cost/cost.h"
+#include "scene/output.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "support/pictures/look.h"

@@ -14,6 +14,7 @@
 
 #include "core.h"
 #include "render_request.h"
+#include "scene/output.h"
 #include "support/files.h"
 
 #include "scene/scene.h"

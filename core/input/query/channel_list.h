@@ -4,6 +4,7 @@
 
 #include "base/arena.h"
 #include "core.h"
+#include "scene/channels.h"
 
 /* Returns the number of channels, at least 1. */
 size_t zr_channel_list_count(const struct zr_request *request);

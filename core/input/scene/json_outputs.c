@@ -1,6 +1,7 @@
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/scene/outputs.h"
+#include "scene/output.h"
 
 #define RANGE_MAX 1e30 /* scene units */
 

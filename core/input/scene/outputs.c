@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "scene/output.h"
+
 /* WORD(word, meaning for people), in the order of enum zr_encoding and of enum zr_space */
 #define ZR_ENCODING_WORDS(WORD)                                                                                        \
     WORD("png", "PNG, without loss")                                                                                   \

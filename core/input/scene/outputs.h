@@ -7,6 +7,7 @@
 #include "base/status.h"
 #include "core.h"
 #include "input/text/names.h"
+#include "scene/channels.h"
 #include "scene/scene.h"
 
 extern const struct zr_names zr_channel_names;  /* enum zr_channel */

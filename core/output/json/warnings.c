@@ -6,6 +6,7 @@
 
 #include "base/matrix.h"
 #include "geometry/face.h"
+#include "scene/output.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/mesh_label.h"
 #include "sections/sections.h"

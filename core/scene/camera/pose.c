@@ -3,6 +3,7 @@
 
 #include "base/trig.h"
 #include "scene/camera/camera_parts.h"
+#include "scene/output.h"
 
 /* Scales `v` to unit length. False if its length is at most `least`. */
 static bool normalize(zr_dvec3 *v, double least)

@@ -6,6 +6,7 @@
 #include "base/cancel.h"
 #include "scene/camera/flow.h"
 #include "scene/camera/lens_plan.h"
+#include "scene/output.h"
 
 enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                      const struct zr_cancel *cancel, const struct zr_resolved_view **out,

@@ -4,6 +4,7 @@
 
 #include "scene/camera/camera_parts.h"
 #include "scene/camera/upright.h"
+#include "scene/output.h"
 
 const char *zr_view_set_pointer(const struct zr_view_set *set)
 {

@@ -7,6 +7,7 @@
 #define ZR_CHANNELS_SIMD_H
 
 #include "base/inlined.h"
+#include "scene/channels.h"
 #include "shade/blocks_simd.h"
 #include "shade/varyings_simd.h"
 #include "shade/words_simd.h"

@@ -3,6 +3,7 @@
 #ifndef ZR_COLOR_SIMD_H
 #define ZR_COLOR_SIMD_H
 
+#include "scene/channels.h"
 #include "shade/blocks_simd.h"
 #include "shade/words_simd.h"
 

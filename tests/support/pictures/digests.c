@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene/output.h"
 #include "support/cmocka_all.h"
 #include "support/files.h"
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "scene/looks.h"
+#include "scene/output.h"
 #include "support/pictures/look.h"
 #include "support/random.h"
 

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "scene/output.h"
+
 enum {
     CELLS = 6, /* of a side of the ball, each way */
     ROW = CELLS + 1,

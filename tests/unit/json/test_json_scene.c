@@ -1,3 +1,4 @@
+#include "scene/output.h"
 #include "unit/common/json_check.h"
 #include "support/tests.h"
 

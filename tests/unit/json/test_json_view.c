@@ -1,4 +1,5 @@
 /* What a scene says of its views and outputs. */
+#include "scene/output.h"
 #include "unit/common/json_check.h"
 #include "support/tests.h"
 

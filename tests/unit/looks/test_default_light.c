@@ -1,4 +1,5 @@
 /* A scene and a bare mesh without lights get the same ones. */
+#include "scene/output.h"
 #include "unit/common/json_check.h"
 #include "shade/frame.h"
 #include "support/tests.h"

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene/output.h"
 #include "unit/common/json_check.h"
 #include "shade/frame.h"
 #include "support/tests.h"

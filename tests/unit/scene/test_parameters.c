@@ -1,4 +1,5 @@
 /* input/query/parameters.c: what the query of a bare mesh says. */
+#include "scene/output.h"
 #include "unit/common/looks_check.h"
 
 #include "input/scene/json_objects.h"
