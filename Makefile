@@ -398,6 +398,10 @@ uninitialised: ## valgrind over every scene of tests, all channels: no value is 
 	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/uninitialised SAN= CFLAGS="-O1 -g" isas=scalar $(BUILD)/uninitialised/zraster-uninitialised
 	@tests/uninitialised/check.sh $(BUILD)/uninitialised/zraster-uninitialised $(JOBS) $(or $(SCENES),$(sort $(wildcard tests/scenes/*.json)))
 
+.PHONY: rows
+rows: ## counts the compilations that one more channel, encoding, format or parameter causes
+	@tests/make/test_rows.sh -p
+
 # Plain C alone, so that the count is the same on every machine; without optimisation, so that no call is inlined.
 .PHONY: walk
 walk: ## counts the functions, files and lines of core/ and server/ that a request runs (gcov): flat triangle, textured GLB, section; SCENE=FILE, NAMES=1

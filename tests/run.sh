@@ -116,6 +116,7 @@ for part in "$@"; do
         run floors tests/make/test_floors.sh
         run contract tests/make/test_contract.sh "$build"
         run calls tests/make/test_calls.sh "$build"
+        run rows tests/make/test_rows.sh
         run library tests/make/test_library.sh "$build"
         run install tests/make/test_install.sh "$build"
         run service tests/make/test_service.sh "$build"
