@@ -6,6 +6,6 @@ work=$out.parts
 
 server/manual/pages.sh "$work" >"$out.list"
 . server/site.sh
-while IFS='|' read -r file address type; do add "$address" NULL NULL "$type" "$file"; done <"$out.list"
+awk -F '|' '{ print $1 "|" $2 "|NULL|NULL|" $3 }' "$out.list" | write_table manual
 rm "$out.list"
-end_table manual </dev/null
+mv "$out.new" "$out"

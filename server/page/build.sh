@@ -38,27 +38,32 @@ awk -v script="$work/script" -v style="$work/style" '
     /<!-- script -->/ { put("script", script); next }
     { sub(/^ */, ""); print }' $page/index.html >"$work/page"
 
-add "" NULL NULL "text/html; charset=utf-8" "$work/page"
-while IFS='|' read -r name title files; do
-    scene=$examples/$name.json
-    [ -e "$scene" ] || scene=clients/examples/$name.json
-    if [ -e "$examples/$name.awk" ]; then
-        scene=$work/$name.json
-        LC_ALL=C awk -f "$examples/$name.awk" >"$scene"
-    fi
-    list=
-    for file in $files; do list="$list${list:+, }\\\"$file\\\""; done
-    add "$name" "\"$title\"" "\"[$list]\"" application/json "$scene"
-done <$examples/list.txt
-for profile in "$examples"/*.profile; do
-    name=$(basename "$profile" .profile).obj
-    LC_ALL=C awk -f $examples/lathe.awk "$profile" >"$work/$name"
-    add "$name" NULL NULL model/obj "$work/$name"
-done
-end_table site <<END
+{
+    echo "$work/page||NULL|NULL|text/html; charset=utf-8"
+    while IFS='|' read -r name title files; do
+        if [ -e "$examples/$name.awk" ]; then
+            LC_ALL=C awk -f "$examples/$name.awk" >"$work/$name.json"
+        elif [ -e "$examples/$name.json" ]; then
+            cp "$examples/$name.json" "$work"
+        else
+            cp "clients/examples/$name.json" "$work"
+        fi
+        list=
+        for file in $files; do list="$list${list:+, }\\\"$file\\\""; done
+        echo "$work/$name.json|$name|\"$title\"|\"[$list]\"|application/json"
+    done <$examples/list.txt
+    for profile in "$examples"/*.profile; do
+        name=$(basename "$profile" .profile).obj
+        LC_ALL=C awk -f $examples/lathe.awk "$profile" >"$work/$name"
+        echo "$work/$name|$name|NULL|NULL|model/obj"
+    done
+} >"$work/list"
+write_table site <"$work/list"
+cat >>"$out.new" <<END
 
 const char site_policy[] = "default-src 'none'; script-src 'sha256-$(policy_hash "$work/script")'; "
                            "style-src 'sha256-$(policy_hash "$work/style")'; "
                            "img-src data: blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; "
                            "frame-ancestors 'none'; require-trusted-types-for 'script'";
 END
+mv "$out.new" "$out"
