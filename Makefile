@@ -184,6 +184,16 @@ demo: ## installs what the command needs, builds it, renders a model and a scene
 	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster $(wildcard $(BUILD)/zrasterd)
 	@clients/demo.sh $(BUILD)
 
+# A build of its own, whose shell is timed. CHANGED: then only what a change of that file compiles anew.
+.PHONY: times
+times: ## where the seconds of a build go: folders, kernels, links, the slowest units; GOALS=build/times/zraster, CHANGED=core/scene/scene.h
+	@.ci/need $(NEED_BUILD)
+	@rm -rf $(if $(CHANGED),$(BUILD)/times/log,$(BUILD)/times)
+	@mkdir -p $(BUILD)/times/log
+	@$(if $(CHANGED),$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/times $(GOALS))
+	@begin=$$(date +%s) && $(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/times $(CHANGED:%=-W %) SHELL=tests/make/timed.sh \
+		'.SHELLFLAGS=$(BUILD)/times/log $$$$@ -c' $(GOALS) && tests/make/times.sh $(BUILD)/times/log $$(($$(date +%s) - begin))
+
 .PHONY: gallery
 gallery: ## pictures of parts, looks and features, each with its command: build/gallery/index.html
 	@.ci/need $(NEED_BUILD)

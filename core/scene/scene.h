@@ -73,7 +73,7 @@ static inline bool zr_material_has_textures(const struct zr_material *material)
 }
 
 /* Indexed polygons, lines and points. Face f has the corners indices[face_offsets[f]] to indices[face_offsets[f + 1] -
- * 1], counter-clockwise seen from its front. * The odd-even rule over all of its rings defines its interior. */
+ * 1], counter-clockwise seen from its front. The odd-even rule over all of its rings defines its interior. */
 struct zr_mesh {
     const char *name; /* UTF-8, "" if unnamed */
     bool is_complete; /* scene_builder.h */

@@ -110,8 +110,10 @@ zr_json_read_fn zr_json_place;
 zr_json_read_fn zr_json_number, zr_json_float;
 bool zr_json_number_in(struct zr_json *json, const struct zr_json_path *path, double low, double high, double *out);
 
-/* float. Length: magnitude <= 1000 * coordinate_max, enough for a camera that shows a scene of the full size. Positive:
- * a length > 0, also after rounding to float. Coordinate: magnitude <= coordinate_max. */
+/* float.
+ * Length: magnitude <= 1000 * coordinate_max, enough for a camera that shows a scene of the full size.
+ * Positive: a length > 0, also after rounding to float.
+ * Coordinate: magnitude <= coordinate_max. */
 enum { ZR_JSON_LENGTHS_A_COORDINATE = 1000 };
 zr_json_read_fn zr_json_length, zr_json_positive, zr_json_coordinate;
 
