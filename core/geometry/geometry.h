@@ -4,6 +4,7 @@
 #ifndef ZR_GEOMETRY_H
 #define ZR_GEOMETRY_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "base/matrix.h"
@@ -11,7 +12,6 @@
 #include "geometry/counts.h"
 #include "geometry/cut.h"
 #include "geometry/draw.h"
-#include "geometry/grid_edge.h"
 #include "scene/camera/camera.h"
 
 /* ---- transforms from object to clip and eye space in double, one set per instance ----
@@ -38,6 +38,19 @@ struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera
 /* Limit of the primitives and vertices of a request, and of the corners of a mesh: kernels address four words of each
  * by 31 bits. */
 #define ZR_GEOMETRY_MAX (1u << 28)
+
+/* An edge on the snapped grid (viewport.h), y up, for the odd-even rule. */
+struct zr_grid_edge {
+    int32_t x0, y0, x1, y1; /* y0 < y1 */
+};
+
+/* Makes the edge between two points in either order. Returns false if it is horizontal: such an edge crosses no row of
+ * samples, so the odd-even rule ignores it. */
+static inline bool zr_grid_edge_make(int32_t ax, int32_t ay, int32_t bx, int32_t by, struct zr_grid_edge *edge)
+{
+    *edge = ay < by ? (struct zr_grid_edge){ax, ay, bx, by} : (struct zr_grid_edge){bx, by, ax, ay};
+    return ay != by;
+}
 
 /* A polygon that is not convex. The odd-even rule over its edges decides coverage; its triangles only supply depth and
  * colour. They are consecutive primitives, and span several draws if the arrays of one draw (zr_placed) are full. */

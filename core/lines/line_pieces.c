@@ -1,7 +1,7 @@
 #include "lines/line_pieces.h"
 
 #include "base/cancel.h"
-#include "lines/probe.h"
+#include "lines/cells.h"
 
 enum { PIECES_A_RANGE = 64, LINES_A_CANCEL_CHECK = 1 << 12, WEAK_PIXELS = 6 };
 
@@ -19,6 +19,80 @@ struct making {
     bool with_hidden;
     struct zr_line_pieces *out; /* at: NULL while they are counted */
 };
+
+/* ---- probes ---- */
+
+#define NO_HIDER UINT32_MAX
+
+/* The nearest triangle at a point of the window. */
+struct probe {
+    uint32_t hider; /* triangle or cut piece; NO_HIDER: background */
+    double depth;
+};
+
+/* The hiders of a cell. */
+struct cell_hiders {
+    uint32_t count;
+    const struct zr_cell_entry *at;
+};
+
+static double side_of(const struct zr_window_point *a, const struct zr_window_point *b, double x, double y)
+{
+    return (b->x - a->x) * (y - a->y) - (b->y - a->y) * (x - a->x);
+}
+
+/* Returns the depth of a hider's plane at a point. */
+static double plane_depth(const struct zr_window_mesh *mesh, uint32_t hider, double x, double y)
+{
+    const uint32_t *corners = mesh->corners[hider];
+    const struct zr_window_point *a = &mesh->points[corners[0]], *b = &mesh->points[corners[1]],
+                                 *c = &mesh->points[corners[2]];
+    const double of_b = side_of(c, a, x, y), of_c = side_of(a, b, x, y), area = side_of(a, b, c->x, c->y);
+    return a->z + (of_b * (b->z - a->z) + of_c * (c->z - a->z)) / area;
+}
+
+/* Returns true if a hider covers a point, or touches it. */
+static bool hider_covers(const struct zr_window_mesh *mesh, uint32_t hider, double x, double y)
+{
+    const uint32_t *corners = mesh->corners[hider];
+    const struct zr_window_point *a = &mesh->points[corners[0]], *b = &mesh->points[corners[1]],
+                                 *c = &mesh->points[corners[2]];
+    return side_of(a, b, x, y) >= 0.0 && side_of(b, c, x, y) >= 0.0 && side_of(c, a, x, y) >= 0.0;
+}
+
+static struct cell_hiders cell_hiders_at(const struct zr_cells *cells, double x, double y)
+{
+    const uint32_t cell = zr_cell_at(y, cells->rows) * cells->columns + zr_cell_at(x, cells->columns);
+    return (struct cell_hiders){cells->firsts[cell + 1] - cells->firsts[cell], cells->entries + cells->firsts[cell]};
+}
+
+static struct probe probe_at(const struct zr_window_mesh *mesh, const struct zr_cells *cells, double x, double y)
+{
+    const uint32_t column = zr_cell_at(x, cells->columns), row = zr_cell_at(y, cells->rows);
+    const uint32_t cell = row * cells->columns + column;
+    const uint8_t step_x = zr_box_step(x, column), step_y = zr_box_step(y, row);
+    const struct zr_cell_box box = {step_x, step_y, step_x, step_y};
+    struct probe nearest = {NO_HIDER, HUGE_VAL};
+    const uint32_t first = cells->firsts[cell], count = cells->firsts[cell + 1] - first;
+    for (uint32_t i = first; i < first + count && !zr_cell_ends(&cells->entries[i], nearest.depth, count); i++) {
+        const struct zr_cell_entry *entry = &cells->entries[i];
+        const uint32_t hider = entry->hider;
+        if (zr_boxes_are_apart(&entry->box, &box) || !((double)entry->near < nearest.depth)) continue;
+        if (!hider_covers(mesh, hider, x, y)) continue;
+        const double depth = plane_depth(mesh, hider, x, y);
+        if (depth < nearest.depth) nearest = (struct probe){hider, depth};
+    }
+    return nearest;
+}
+
+/* Returns the cosine of the angle between two hiders, both turned towards the eye. */
+static float hider_cosine(const struct zr_window_mesh *mesh, uint32_t a, uint32_t b)
+{
+    const uint32_t first = zr_hider_source(mesh, a), second = zr_hider_source(mesh, b);
+    const float *u = mesh->normals[first], *v = mesh->normals[second];
+    const float cosine = (u[0] * v[0] + u[1] * v[1]) + u[2] * v[2];
+    return (mesh->traits[first] ^ mesh->traits[second]) & ZR_TRIANGLE_FRONT ? -cosine : cosine;
+}
 
 /* ---- cutting ---- */
 
@@ -92,26 +166,26 @@ static struct middle middle_of(const struct zr_line_piece *piece)
                            .left_y = length > 0.0 ? (q->x - p->x) / length : 0.0};
 }
 
-static struct zr_probe probe(const struct making *m, const struct middle *at, double left)
+static struct probe probe(const struct making *m, const struct middle *at, double left)
 {
-    return zr_probe_at(m->mesh, m->cells, at->x + left * at->left_x, at->y + left * at->left_y);
+    return probe_at(m->mesh, m->cells, at->x + left * at->left_x, at->y + left * at->left_y);
 }
 
 /* True if two hiders lie in one plane where the line is. */
 static bool is_one_plane(const struct making *m, const struct middle *at, uint32_t a, uint32_t b)
 {
-    if (a == ZR_NO_HIDER || b == ZR_NO_HIDER || zr_hider_cosine(m->mesh, a, b) < seam_cosine) return false;
-    return fabs(zr_plane_depth(m->mesh, a, at->x, at->y) - zr_plane_depth(m->mesh, b, at->x, at->y)) < seam_depth;
+    if (a == NO_HIDER || b == NO_HIDER || hider_cosine(m->mesh, a, b) < seam_cosine) return false;
+    return fabs(plane_depth(m->mesh, a, at->x, at->y) - plane_depth(m->mesh, b, at->x, at->y)) < seam_depth;
 }
 
 /* True if both sides of a weak crease continue one another without a step. */
 static bool is_faint(const struct making *m, const struct middle *at)
 {
     const uint32_t left = probe(m, at, weak_beside).hider, right = probe(m, at, -weak_beside).hider;
-    if (left == ZR_NO_HIDER || right == ZR_NO_HIDER) return false;
-    if (zr_hider_cosine(m->mesh, left, right) < weak_cosine) return false;
-    const double to_left = zr_plane_depth(m->mesh, left, at->x, at->y),
-                 to_right = zr_plane_depth(m->mesh, right, at->x, at->y);
+    if (left == NO_HIDER || right == NO_HIDER) return false;
+    if (hider_cosine(m->mesh, left, right) < weak_cosine) return false;
+    const double to_left = plane_depth(m->mesh, left, at->x, at->y),
+                 to_right = plane_depth(m->mesh, right, at->x, at->y);
     return fabs(to_left - to_right) < weak_beside * step_least;
 }
 
@@ -124,19 +198,19 @@ static uint32_t face_of(const struct making *m, uint32_t hider, const struct zr_
     return (*of)->table->faces[triangle - (*of)->first_triangle];
 }
 
-/* Returns the first cap at a point beside a line that goes through the line; ZR_NO_HIDER: none. Where caps of several
+/* Returns the first cap at a point beside a line that goes through the line; NO_HIDER: none. Where caps of several
  * parts lie in one plane, the first one is drawn (geometry/claims.h). */
 static uint32_t cap_beside(const struct making *m, const struct middle *at, double left)
 {
     const double x = at->x + left * at->left_x, y = at->y + left * at->left_y;
     const struct zr_drawn_instance *of;
-    uint32_t first = ZR_NO_HIDER;
-    const struct zr_cell_hiders in = zr_cell_hiders_at(m->cells, x, y);
+    uint32_t first = NO_HIDER;
+    const struct cell_hiders in = cell_hiders_at(m->cells, x, y);
     for (uint32_t i = 0; i < in.count; i++) {
         const uint32_t hider = in.at[i].hider;
-        if (first != ZR_NO_HIDER && zr_hider_source(m->mesh, hider) >= zr_hider_source(m->mesh, first)) continue;
-        if (!zr_hider_covers(m->mesh, hider, x, y)) continue;
-        if (fabs(zr_plane_depth(m->mesh, hider, at->x, at->y) - at->z) >= seam_depth) continue;
+        if (first != NO_HIDER && zr_hider_source(m->mesh, hider) >= zr_hider_source(m->mesh, first)) continue;
+        if (!hider_covers(m->mesh, hider, x, y)) continue;
+        if (fabs(plane_depth(m->mesh, hider, at->x, at->y) - at->z) >= seam_depth) continue;
         const uint32_t face = face_of(m, hider, &of);
         if (zr_mesh_face_is_cap(of->mesh, face)) first = hider;
     }
@@ -148,7 +222,7 @@ static bool is_inside_cap(const struct making *m, const struct middle *at)
 {
     const uint32_t left = cap_beside(m, at, seam), right = cap_beside(m, at, -seam);
     const struct zr_drawn_instance *a, *b;
-    if (left == ZR_NO_HIDER || right == ZR_NO_HIDER) return false;
+    if (left == NO_HIDER || right == NO_HIDER) return false;
     return face_of(m, left, &a) == face_of(m, right, &b) && a == b;
 }
 
@@ -175,9 +249,9 @@ static double outside_of(const struct making *m, const struct zr_line_piece *pie
     return most > 0.0 ? -1.0 : 1.0;
 }
 
-static float step_of(const struct zr_probe *outer, double depth)
+static float step_of(const struct probe *outer, double depth)
 {
-    return outer->hider == ZR_NO_HIDER ? HUGE_VALF : (float)(outer->depth - depth);
+    return outer->hider == NO_HIDER ? HUGE_VALF : (float)(outer->depth - depth);
 }
 
 /* Returns the point at 9/10 of the way to an end. */
@@ -193,15 +267,15 @@ static struct middle near_end(const struct middle *at, const struct zr_window_po
 static void judge(const struct making *m, struct zr_line_piece *piece)
 {
     const struct middle at = middle_of(piece);
-    const struct zr_probe left = probe(m, &at, beside), right = probe(m, &at, -beside);
-    piece->is_at_background = left.hider == ZR_NO_HIDER || right.hider == ZR_NO_HIDER;
+    const struct probe left = probe(m, &at, beside), right = probe(m, &at, -beside);
+    piece->is_at_background = left.hider == NO_HIDER || right.hider == NO_HIDER;
     piece->is_dropped = is_seam(m, piece, &at);
     if (piece->kind != ZR_LINE_CONTOUR) return;
     const double outside = outside_of(m, piece, &at);
     piece->step = piece->step_most = step_of(outside > 0.0 ? &left : &right, at.z);
     for (int k = 0; k < 2 && piece->step < HUGE_VALF; k++) {
         const struct middle near = near_end(&at, &piece->ends[k]);
-        const struct zr_probe outer = probe(m, &near, outside * beside);
+        const struct probe outer = probe(m, &near, outside * beside);
         const float step = step_of(&outer, near.z);
         if (step > piece->step_most && step < HUGE_VALF) piece->step_most = step;
     }

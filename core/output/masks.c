@@ -4,9 +4,10 @@
 #include <stdio.h>
 
 #include "base/cancel.h"
-#include "output/json/camera_json.h"
+#include "output/bytes/bit_mask.h"
+#include "output/bytes/buffer.h"
 #include "output/images/mask_png.h"
-#include "output/mask_rle.h"
+#include "output/json/camera_json.h"
 #include "output/zip.h"
 
 static struct zr_bit_mask bits_of(const struct zr_frame *frame, const struct zr_instance_mask *mask,
@@ -19,6 +20,105 @@ static struct zr_bit_mask bits_of(const struct zr_frame *frame, const struct zr_
                                 .left = mask->left,
                                 .words = mask->words,
                                 .bits = bits};
+}
+
+/* ---- run lengths ----
+ *
+ * As COCO writes them: pixels are counted column by column, each from the top. Runs of 0 and 1 alternate, and the first
+ * is of 0. From the fourth run on, the difference to the run before the last is written. A number has groups of five
+ * bits, the lowest first; bit 5 is set if another follows, and bit 4 of the last is its sign. A group is the character
+ * 48 + its value. */
+
+enum { COLUMNS = 64 };
+
+/* Runs written so far. An edge is a pixel that differs from the one before it, in the order of columns. */
+struct runs {
+    struct zr_buffer *out;
+    uint64_t edge;   /* the last one, not yet written */
+    bool has_edge;   /* else there is none */
+    uint64_t begin;  /* of the run that ends at the edge */
+    int64_t last[2]; /* the last two runs, the later one first */
+    uint32_t count;
+};
+
+static void put_number(struct zr_buffer *out, int64_t value)
+{
+    bool has_more = true;
+    while (has_more) {
+        uint8_t group = value & 31;
+        value = (value - group) / 32;
+        has_more = group & 16 ? value != -1 : value != 0;
+        group = (uint8_t)(48 + (has_more ? group | 32 : group));
+        zr_buffer_add(out, &group, 1);
+    }
+}
+
+static void put_run(struct runs *runs, uint64_t length)
+{
+    put_number(runs->out, (int64_t)length - (runs->count > 2 ? runs->last[1] : 0));
+    runs->last[1] = runs->last[0];
+    runs->last[0] = (int64_t)length;
+    runs->count++;
+}
+
+static void flush_edge(struct runs *runs)
+{
+    if (!runs->has_edge) return;
+    put_run(runs, runs->edge - runs->begin);
+    runs->begin = runs->edge;
+    runs->has_edge = false;
+}
+
+/* Two edges at one place are none: the end of a column meets the beginning of the next. */
+static void add_edge(struct runs *runs, uint64_t at)
+{
+    if (runs->has_edge && runs->edge == at) {
+        runs->has_edge = false;
+        return;
+    }
+    flush_edge(runs);
+    runs->edge = at;
+    runs->has_edge = true;
+}
+
+/* Returns the size of an array of edges for masks of up to `rows` rows. */
+static size_t edges_room(uint32_t rows)
+{
+    return COLUMNS * ((size_t)rows + 1);
+}
+
+/* Lists the rows of the edges of each column of a word. */
+static void find_edges(const struct zr_bit_mask *mask, uint32_t word, size_t room, uint32_t *edges,
+                       uint32_t counts[COLUMNS])
+{
+    uint64_t above = 0;
+    for (uint32_t y = mask->top; y <= mask->bottom; y++) {
+        const uint64_t bits = y < mask->bottom ? zr_bit_mask_row(mask, y)[word] : 0;
+        for (uint64_t changed = bits ^ above; changed != 0; changed &= changed - 1) {
+            const uint32_t column = (uint32_t)__builtin_ctzll(changed);
+            edges[column * room + counts[column]++] = y;
+        }
+        above = bits;
+    }
+}
+
+/* Appends the text, without a final zero. Returns false once the arena has failed. `edges` is overwritten. */
+static bool write_runs(const struct zr_bit_mask *mask, uint32_t *edges, struct zr_buffer *out)
+{
+    const size_t room = (size_t)(mask->bottom - mask->top) + 1;
+    const uint64_t pixels = (uint64_t)mask->width * mask->height;
+    struct runs runs = {.out = out};
+    for (uint32_t word = 0; word < mask->words; word++) {
+        uint32_t counts[COLUMNS] = {0};
+        find_edges(mask, word, room, edges, counts);
+        for (uint32_t column = 0; column < COLUMNS; column++)
+            for (uint32_t i = 0; i < counts[column]; i++)
+                add_edge(&runs, (uint64_t)(mask->left + 64 * word + column) * mask->height + edges[column * room + i]);
+    }
+    if (runs.has_edge && runs.edge == pixels) runs.has_edge = false;
+    flush_edge(&runs);
+    put_run(&runs, pixels - runs.begin);
+    return zr_arena_ok(out->arena);
 }
 
 /* ---- JSON ---- */
@@ -42,7 +142,7 @@ static void print_box(struct zr_print *print, const char *key, const struct zr_m
 static void print_runs(struct printing *p, const char *key, const struct zr_bit_mask *mask)
 {
     p->text.size = 0;
-    if (!zr_mask_rle_write(mask, p->edges, &p->text) || !zr_buffer_add(&p->text, "", 1)) return;
+    if (!write_runs(mask, p->edges, &p->text) || !zr_buffer_add(&p->text, "", 1)) return;
     zr_print_begin(p->print, key, '{');
     zr_print_begin(p->print, "size", '[');
     zr_print_count(p->print, NULL, mask->height);
@@ -89,7 +189,7 @@ enum zr_status zr_masks_print(struct zr_print *print, const struct zr_scene *sce
     const struct zr_instance_masks *masks = frame->masks;
     struct zr_arena *arena = print->out->arena;
     struct printing p = {print, frame, {.arena = arena}, NULL};
-    p.edges = zr_arena_alloc(arena, zr_mask_rle_edges(most_rows(masks)), sizeof *p.edges);
+    p.edges = zr_arena_alloc(arena, edges_room(most_rows(masks)), sizeof *p.edges);
     if (!p.edges) return ZR_NO_MEMORY;
     zr_print_begin(print, "visibility", '[');
     for (uint32_t i = 0; i < masks->count; i++) {

@@ -2,7 +2,8 @@
 
 #include "base/mutant.h"
 #include "geometry/build.h"
-#include "raster/textbook/hidden_surface.h"
+#include "raster/binned_scene.h"
+#include "raster/textbook/whole_window.h"
 #include "render/stage.h"
 #include "shade/paint.h"
 
@@ -47,6 +48,27 @@ static enum zr_status make_textures(struct zr_arena *arena, struct zr_team *team
     return zr_texture_maps_make(arena, team, scene, wants->samples, cancel, &wants->textures);
 }
 
+/* Decides the visibility of the window by the scene's algorithm, or prepares to decide it tile by tile. listed: alpha
+ * modes whose fragments will be requested. `base` may be NULL. */
+static enum zr_status make_visibility(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *desc,
+                                      const struct zr_prepaint *prepaints, const bool listed[ZR_ALPHA_COUNT],
+                                      const struct zr_cancel *cancel, struct zr_pass *pass)
+{
+    const struct zr_geometry *geometry = &pass->geometry;
+    zr_visibility_fn *window_at_once = zr_visibility_of(desc->scene->algorithm);
+    if (window_at_once) {
+        struct zr_whole_window *window = zr_arena_alloc(arena, 1, sizeof *window);
+        if (!window) return ZR_NO_MEMORY;
+        pass->visibility = &window->visibility;
+        return zr_whole_window_make(arena, geometry, window_at_once, listed, desc->base, cancel, window);
+    }
+    struct zr_binned_scene *binned = zr_arena_alloc(arena, 1, sizeof *binned);
+    if (!binned) return ZR_NO_MEMORY;
+    pass->visibility = &binned->visibility;
+    return zr_binned_scene_make(arena, team, geometry, prepaints, geometry->window.width, geometry->window.height,
+                                desc->base, cancel, binned);
+}
+
 enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *desc,
                             const struct zr_cancel *cancel, struct zr_pass *pass)
 {
@@ -64,8 +86,7 @@ enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const 
     if (in_tiles && wants.colors)
         STAGE(zr_paint_prepare(arena, team, &pass->geometry, &pass->attributes, samples_in(&desc->window), &prepaints));
     if (status == ZR_OK) find_listed(&pass->geometry, &wants, listed);
-    STAGE(zr_visibility_make(arena, team, &pass->geometry, scene->algorithm, prepaints, listed, desc->base, cancel,
-                             &pass->visibility));
+    STAGE(make_visibility(arena, team, desc, prepaints, listed, cancel, pass));
     pass->layers = (struct zr_layers_pool){.arena = arena, .lock = PTHREAD_MUTEX_INITIALIZER};
     pass->tiles = (struct zr_tile_source){.scene = scene,
                                           .geometry = &pass->geometry,

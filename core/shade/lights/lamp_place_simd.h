@@ -1,4 +1,4 @@
-/* lamp_place_simd.h - shade: light that arrives from a lamp with a position (lamp_place.h), at ZR_LANES points, for
+/* lamp_place_simd.h - shade: light that arrives from a lamp with a position (lamp.h), at ZR_LANES points, for
  * kernels.
  *
  * Exact:  without range and cone, equal to the last bit to Mesa's fixed functions with the attenuation 0, 0, 1.
@@ -20,7 +20,7 @@ static inline zr_vf zr_within_1_v(zr_vf v)
     return zr_vf_min(zr_vf_max(v, zr_vf_set(0.0f)), zr_vf_set(1.0f));
 }
 
-/* Returns the light that arrives at `point`, in the space of lamp_place.h. */
+/* Returns the light that arrives at `point`, in the space of lamp.h. */
 static inline struct zr_arriving_v zr_arriving_from_v(const struct zr_lamp_place *lamp, struct zr_vec3_v point)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);

@@ -1,6 +1,6 @@
 /* light.h - shade: the lit colour of a point, by GL 2.1's equations.
  *
- * Space:  eye space. Ambient and diffuse terms only; directional lights and those with a position (lamp_place.h).
+ * Space:  eye space. Ambient and diffuse terms only; directional lights and those with a position (lamp.h).
  * Exact:  the order of operations is that of Mesa's fixed-function lighting. Colours are clamped to 0..1 here, before
  *         clipping and interpolation.
  */

@@ -1,4 +1,4 @@
-#include "shade/lights/lamp_place.h"
+#include "shade/lights/lamp.h"
 
 #include <math.h>
 
