@@ -2,7 +2,7 @@
  *
  * The table in config/settings.c gives each setting its flag, default, unit, bounds and help line. The ZRASTER_*
  * variable and the name in /v1/limits follow from the flag. A flag overrides a variable, a variable overrides the file
- * of --config, and that the default.
+ * of --config, and the file overrides the default.
  */
 #ifndef ZRASTERD_CONFIG_H
 #define ZRASTERD_CONFIG_H
@@ -80,7 +80,7 @@ enum zr_isa config_isa(const struct config *config);
 
 void config_print_help(FILE *out);
 
-/* Prints the settings in the form of the file of --config, each with where it comes from. Secrets are not shown. */
+/* Prints the settings in the form of the file of --config, each with its source. Secrets are not shown. */
 void config_print(const struct config *config, FILE *out);
 
 /* Checks the folders that the settings name, and says in `message` how many settings are given. False:

@@ -71,7 +71,7 @@ struct request {
     char id[REQUEST_ID_SIZE];
     struct trace trace;
     const char *method, *path;
-    char *query;                                                 /* behind the '?', or NULL */
+    char *query;                                                 /* after the '?', or NULL */
     const char *content_type, *content_encoding, *authorization; /* NULL if not sent */
     const char *if_none_match, *accept, *accept_encoding;        /* NULL if not sent */
     const char *origin, *fetch_site;                             /* of browsers; NULL if not sent */
@@ -90,7 +90,7 @@ struct request {
 
     /* Set by rendering_open and drake_open: */
     char boundary[MULTIPART_BOUNDARY_SIZE]; /* of the body's parts; "": no parts */
-    struct zr_request *render;              /* without the body, with the texts of the query behind it; NULL: another route */
+    struct zr_request *render;              /* without the body; texts of the query follow it; NULL: another route */
 
     /* Set by assets_open: */
     const char *asset; /* name of the asset, in `path`; "": a new asset; NULL: another route */

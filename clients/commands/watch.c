@@ -55,12 +55,13 @@ static void report_absence(const char *path, int *absent)
     if (*absent == PATIENCE) fprintf(stderr, "zraster: %s: %s; watch waits for it\n", path, strerror(why));
 }
 
-/* Draws the file whenever it changes, until a signal. A wrong command line ends it, unless the file was drawn. */
+/* Draws the file whenever it changes, until a signal. A wrong command line ends the loop, unless the file was drawn
+ * before. */
 static int watch(const struct engine *engine, const struct options *options)
 {
     const char *path = options->files[0];
     struct version drawn = {.size = -1};
-    bool is_right = false;
+    bool was_drawn = false;
     int absent = 0;
     while (!interrupted()) {
         const struct version now = version_of(path);
@@ -68,8 +69,8 @@ static int watch(const struct engine *engine, const struct options *options)
         if (!is_same(&now, &drawn) && now.size > 0 && !absent) { /* a file of 0 bytes is about to be written */
             drawn = now;
             const int status = render_draw(engine, options);
-            if (status == STATUS_USAGE && !is_right) return status;
-            is_right = is_right || status == STATUS_DONE;
+            if (status == STATUS_USAGE && !was_drawn) return status;
+            was_drawn = was_drawn || status == STATUS_DONE;
         }
         pause_ms(PERIOD_MS);
     }

@@ -9,7 +9,7 @@
 /* Catches the first of these signals. The second one ends the process. */
 void interruption_catch(void);
 
-/* Sets the object that a signal raises; NULL: none. */
+/* Sets the cancel that a signal raises; NULL: none. */
 void interruption_raises(zraster_cancel *cancel);
 
 /* Returns true once a signal was caught. */

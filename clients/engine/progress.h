@@ -14,12 +14,12 @@ struct progress {
 
 struct options;
 
-/* Returns true if stderr is a terminal, and the options and NO_COLOR allow a line that is written again. */
+/* Returns true if stderr is a terminal, and the options and NO_COLOR allow a progress line. */
 bool progress_is_wanted(const struct options *options);
 
 void progress_show(struct progress *progress, bool is_last);
 
-/* Shows "12 of 36 views" until all are done. `progress->printed` starts as the time of the beginning, so that
+/* Shows "12 of 36 views" until all are done. Initialize `progress->printed` with the start time, so that
  * requests under 0.1 s show nothing. */
 void progress_show_views(struct progress *progress, size_t done, size_t total);
 

@@ -1,4 +1,4 @@
-/* cancel.h - library: a cancel with a count of its users. */
+/* cancel.h - api: a cancel with a count of its users. */
 #ifndef ZR_LIBRARY_CANCEL_H
 #define ZR_LIBRARY_CANCEL_H
 

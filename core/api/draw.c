@@ -1,4 +1,4 @@
-/* draw.c - library: draws a request, or a kept scene with changes. */
+/* draw.c - api: draws a request, or a kept scene with changes. */
 #include <stdlib.h>
 
 #include "api/cancel.h"

@@ -1,4 +1,4 @@
-/* draw_views.c - library: draws the views of a request, and hands them on one by one. */
+/* draw_views.c - api: draws the views of a request, and hands them on one by one. */
 #include <stdio.h>
 
 #include "api/cancel.h"

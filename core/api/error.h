@@ -1,4 +1,4 @@
-/* error.h - library: faults of a call, for its caller. */
+/* error.h - api: faults of a call, for its caller. */
 #ifndef ZR_LIBRARY_ERROR_H
 #define ZR_LIBRARY_ERROR_H
 

@@ -1,11 +1,11 @@
-/* options.h - library: structs that begin with struct_size, from callers of older and newer headers. */
+/* options.h - api: structs that begin with struct_size, from callers of older and newer headers. */
 #ifndef ZR_LIBRARY_OPTIONS_H
 #define ZR_LIBRARY_OPTIONS_H
 
 #include "base/status.h"
 #include "api/zraster.h"
 
-/* Copies a caller's struct; members behind its struct_size become 0. Options may be NULL: all become 0. Fails with
+/* Copies a caller's struct; members after its struct_size become 0. Options may be NULL: all become 0. Fails with
  * ZR_BAD_REQUEST for a struct_size of 0, and for a larger struct whose further members are not 0. */
 enum zr_status zr_options_read(const struct zraster_options *given, struct zraster_options *out,
                                struct zr_error *error);

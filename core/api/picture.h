@@ -1,4 +1,4 @@
-/* picture.h - library: a drawn frame, and its files once they are encoded. */
+/* picture.h - api: a drawn frame, and its files once they are encoded. */
 #ifndef ZR_LIBRARY_PICTURE_H
 #define ZR_LIBRARY_PICTURE_H
 

@@ -1,4 +1,4 @@
-/* remains.h - library: the parts of a scene and its frame that encoding needs, without meshes, images and materials. */
+/* remains.h - api: the parts of a scene and its frame that encoding needs, without meshes, images and materials. */
 #ifndef ZR_LIBRARY_REMAINS_H
 #define ZR_LIBRARY_REMAINS_H
 

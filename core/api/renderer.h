@@ -1,4 +1,4 @@
-/* renderer.h - library: threads, limits, and memory that calls share.
+/* renderer.h - api: threads, limits, and memory that calls share.
  *
  * Memory:  arenas wait for the next call in atomic slots, so a fork never copies a held lock. An arena for
  *          drawing (scratch) and one for a result differ: a result must not pin the scratch memory of earlier calls.

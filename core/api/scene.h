@@ -1,4 +1,4 @@
-/* scene.h - library: a scene that is kept in an arena of its own. */
+/* scene.h - api: a scene that is kept in an arena of its own. */
 #ifndef ZR_LIBRARY_SCENE_H
 #define ZR_LIBRARY_SCENE_H
 

@@ -1,4 +1,4 @@
-/* tables.c - library: parameters, keys of scenes, looks, channels, formats and limits as JSON, for programs that offer
+/* tables.c - api: parameters, keys of scenes, looks, channels, formats and limits as JSON, for programs that offer
  * them as options; and the schema of scenes. */
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* srgb_color_simd.h - shade: decodes sRGB colours to linear light, for kernels. */
+/* srgb_color_simd.h - base: decodes sRGB colours to linear light, for kernels. */
 #ifndef ZR_SRGB_COLOR_SIMD_H
 #define ZR_SRGB_COLOR_SIMD_H
 

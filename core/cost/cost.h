@@ -1,4 +1,4 @@
-/* cost.h - core: predicted time of rendering and encoding a scene, and a lower bound of its memory.
+/* cost.h - cost: predicted time of rendering and encoding a scene, and a lower bound of its memory.
  *
  * How:    ms = 1e-6 * sum over all kinds of counts[kind] * ns. Most counts follow from sizes. The window area that
  *         faces cover is estimated from a sample of faces.

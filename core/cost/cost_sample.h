@@ -1,4 +1,4 @@
-/* cost_sample.h - core: window area that faces, lines and points cover, estimated from a sample of them (cost.h).
+/* cost_sample.h - cost: window area that faces, lines and points cover, estimated from a sample of them (cost.h).
  *
  * Exact:  the sample is pseudo-random, and the same on every machine.
  */

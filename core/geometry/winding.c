@@ -50,7 +50,7 @@ static int32_t column_of(const struct winding *w, const struct zr_grid_edge *e, 
     return column < 0 ? 0 : column < width ? (int32_t)column : width;
 }
 
-/* Few rows have more than two changes, and most keep their order. */
+/* Sorts by column (Shell sort). Few rows have more than two changes, and most are already in order. */
 static void sort(struct change *changes, uint32_t count)
 {
     static const uint32_t gaps[] = {1750, 701, 301, 132, 57, 23, 10, 4, 1}; /* Ciura 2001 */

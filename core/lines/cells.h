@@ -1,4 +1,4 @@
-/* cells.h - drawing: lists of the triangles that hide lines, by cells of 8 x 8 pixels.
+/* cells.h - lines: lists of the triangles that hide lines, by cells of 8 x 8 pixels.
  *
  * Space:  window_view.h. Cell 0 begins ZR_WINDOW_MARGIN to the left of and below the window.
  * How:    a triangle is listed in the cells that it overlaps, or that are within 1e-5 pixel of it.

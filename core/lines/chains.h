@@ -1,4 +1,4 @@
-/* chains.h - drawing: keeps the creases that form lines, by hysteresis.
+/* chains.h - lines: keeps the creases that form lines, by hysteresis.
  *
  * Space:  lengths in pixels of the window; turns in eye space.
  * How:    creases are linked at vertices, the straightest pair first, if they turn by at most 50 degrees and are both

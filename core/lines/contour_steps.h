@@ -1,4 +1,4 @@
-/* contour_steps.h - drawing: drops smooth contours that nothing lies behind, and closes small gaps of the others.
+/* contour_steps.h - lines: drops smooth contours that nothing lies behind, and closes small gaps of the others.
  *
  * Why:    where a surface is nearly tangent to the view, contours by faces zigzag, and the surface behind begins at
  *         the line.

@@ -1,4 +1,4 @@
-/* drawing.h - drawing, entry point of the room: scene and camera -> polylines and ink of a line drawing.
+/* drawing.h - lines, entry point of the room: scene and camera -> polylines and ink of a line drawing.
  *
  *     mesh/edge_mesh.h    welded edges of each mesh
  *     window_mesh.h       triangles in the window

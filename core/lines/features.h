@@ -1,4 +1,4 @@
-/* features.h - drawing: which edges of the mesh are lines, before visibility.
+/* features.h - lines: which edges of the mesh are lines, before visibility.
  *
  * Border:   an edge of one triangle.
  * Contour:  of two triangles, one faces the eye and the other does not (by their planes).

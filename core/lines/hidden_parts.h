@@ -1,4 +1,4 @@
-/* hidden_parts.h - drawing: which parts of each line are hidden, exactly.
+/* hidden_parts.h - lines: which parts of each line are hidden, exactly.
  *
  * Space:  window_view.h; parts are intervals of t from 0 (ends[0]) to 1 (ends[1]).
  * How:    a line is cut at the borders of cells. In each cell, a triangle that the line does not lie on hides the

@@ -1,4 +1,4 @@
-/* ink.h - drawing, last step: lays ink over finished pixels.
+/* ink.h - lines, last step: lays ink over finished pixels.
  *
  * Space:  stored values (sRGB-encoded): lines look equally heavy on light and dark grounds, as in other programs.
  * How:    ink of opacity a over a pixel of colour c and alpha b: alpha a + b (1 - a), colour the mean of both, weighted

@@ -1,9 +1,9 @@
-/* intersections.h - drawing: lines along which pieces of the scene cut one another.
+/* intersections.h - lines: lines along which pieces of the scene cut one another.
  *
  * Space:  window_view.h: planes and lines of space are planes and lines there.
- * How:    in each cell, triangles of two pieces whose boxes overlap are compared: the one is cut by the plane of the
- *         other and the result is cut to the other. Corners within 1e-3 pixel of a plane lie on it; a triangle that
- *         does not cross the plane gives no line. The cell that holds the middle of a line makes it.
+ * How:    in each cell, triangles of two pieces whose boxes overlap are compared: the first is cut by the plane of the
+ *         second, and the segment is clipped to the second. Corners within 1e-3 pixel of a plane lie on it; a triangle
+ *         that does not cross the plane gives no line. The cell that holds the middle of a line emits it.
  *         Triangles of one piece (mesh/edge_mesh.h) and those that share a corner are not compared.
  * Exact:  lines are in the order of cells, the same for any number of threads. */
 #ifndef ZR_INTERSECTIONS_H

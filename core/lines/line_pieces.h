@@ -1,4 +1,4 @@
-/* line_pieces.h - drawing: lines cut into visible and hidden pieces, and what lies beside the visible ones.
+/* line_pieces.h - lines: lines cut into visible and hidden pieces, and what lies beside the visible ones.
  *
  * Space:  window_view.h.
  * How:    visible parts are cut to at most 16 pixels. The middle of each piece is probed to both sides:

@@ -1,8 +1,8 @@
-/* line_sheet.h - drawing: the polylines of a drawing by part, without the meshes.
+/* line_sheet.h - lines: the polylines of a drawing by part, without the meshes.
  *
  * Space:  window, pixels, y up.
- * Parts:  those of scene/parts/part_list.h. If the scene has more than ZR_SHEET_PARTS_MOST, the lines of all others are in
- *         one more, without a name. A line between two parts belongs to the part of its first triangle.
+ * Parts:  those of scene/parts/part_list.h. Beyond ZR_SHEET_PARTS_MOST, the lines of all other parts are in one more,
+ *         without a name. A line between two parts belongs to the part of its first triangle.
  * Length: of a pixel in world units, if all points have the same scale: rays are parallel, and pixels square. */
 #ifndef ZR_LINE_SHEET_H
 #define ZR_LINE_SHEET_H

@@ -1,4 +1,4 @@
-/* lines.h - drawing: the lines of a window mesh before visibility, as straight segments in the window.
+/* lines.h - lines: the lines of a window mesh before visibility, as straight segments in the window.
  *
  * Space:  window_view.h. Segments are cut at the near and far plane and at ZR_WINDOW_MARGIN around the window. */
 #ifndef ZR_LINES_H

@@ -1,4 +1,4 @@
-/* links.h - drawing: joins ends of segments that meet in the window.
+/* links.h - lines: joins ends of segments that meet in the window.
  *
  * How:    ends within 1/32 pixel of the first end of a node belong to the node. At each node, ends of the same class
  *         are linked, the straightest pair first, if the line turns by at most 80 degrees there. Where a node has two

@@ -1,4 +1,4 @@
-/* polylines.h - drawing: pieces joined to polylines, for strokes and files.
+/* polylines.h - lines: pieces joined to polylines, for strokes and files.
  *
  * Space:  window, pixels, y up.
  * How:    pieces of one class are linked (links.h). Visible lines that touch no others in a node and are nowhere at

@@ -1,4 +1,4 @@
-/* smooth_normal.h - drawing: the normal of a small triangle, averaged with those around it.
+/* smooth_normal.h - lines: the normal of a small triangle, averaged with those around it.
  *
  * Space:  eye space.
  * Why:    scans have noise: each triangle of a few pixels has creases around it. Large triangles, as of CAD parts and

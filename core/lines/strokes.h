@@ -1,4 +1,4 @@
-/* strokes.h - drawing: polylines to the opacity of ink per pixel.
+/* strokes.h - lines: polylines to the opacity of ink per pixel.
  *
  * Width:  w = max(1, 1.5 sqrt(min(width, height) / 480)) pixels if none is given. Outlines and those of cuts have w,
  * inner lines 0.7 w, hidden ones 0.5 w, in dashes of 4 w and gaps of 2.5 w along the polyline. A width below a pixel is

@@ -1,4 +1,4 @@
-/* window_mesh.h - drawing: all triangles of a scene in the window, with their edges.
+/* window_mesh.h - lines: all triangles of a scene in the window, with their edges.
  *
  * Space:  window_view.h; normals and areas in eye space.
  * In:     the scene's instances, and the edge table of each mesh (mesh/edge_mesh.h).

@@ -1,4 +1,4 @@
-/* window_view.h - drawing: the map from eye space to the window in which lines are found.
+/* window_view.h - lines: the map from eye space to the window in which lines are found.
  *
  * Space:  x and y in pixels, y up, as in geometry/viewport.h. z is affine in the window: z/w of clip space, scaled so
  *         that one unit is a pixel at the middle of the bounds. It grows away from the eye. Slopes of depth are thus

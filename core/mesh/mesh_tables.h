@@ -2,7 +2,7 @@
  *
  * Why:     without them, 36 views of the bunny take 1.2 times the processor time in `technical`, 1.06 in `studio`, and
  *          1.13 in `textbook` with the shading gouraud.
- * Exact:   a table equals that which a single view makes.
+ * Exact:   a table equals the one that a single view computes.
  * Threads: nothing here changes once it is made. */
 #ifndef ZR_MESH_TABLES_H
 #define ZR_MESH_TABLES_H

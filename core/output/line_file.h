@@ -1,8 +1,8 @@
 /* line_file.h - output: the file of a frame's lines: units, widths, colours.
  *
- * Unit:  millimetres if the scene's unit is known and a pixel has one length everywhere, else scene units. In
- *        perspective, and if pixels are not square, pixels.
- * Width: of lines as in pictures. In millimetres, the nearest of ISO 128 (output/svg.h). */
+ * Unit:  millimetres if the scene's unit is known and all pixels have the same length in the scene, else scene units.
+ *        In perspective, and if pixels are not square, pixels.
+ * Width: as in pictures. In millimetres, the nearest of ISO 128 (output/svg.h). */
 #ifndef ZR_LINE_FILE_H
 #define ZR_LINE_FILE_H
 

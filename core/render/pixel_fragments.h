@@ -1,8 +1,8 @@
-/* pixel_fragments.h - render: all fragments of one pixel: the channel fragments, on which picking is based.
+/* pixel_fragments.h - render: all fragments of one pixel: the channel fragments, which picking reads.
  *
  * Draws the pixel's tile with every surface transparent (layer_pass.h). A fragment is `is_shown` if it contributes to
- * the pixel: the visible opaque or masked one, which has its windowDepth and faceId, and blended ones nearer than that.
- */
+ * the pixel: the visible opaque or masked one, whose windowDepth and faceId the frame has, and blended ones in front of
+ * it. */
 #ifndef ZR_PIXEL_FRAGMENTS_H
 #define ZR_PIXEL_FRAGMENTS_H
 

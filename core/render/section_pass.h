@@ -1,4 +1,4 @@
-/* sections.h - render: cuts the scene open before it is drawn, and restores the ids of the whole scene afterwards. */
+/* section_pass.h - render: cuts the scene open before it is drawn, and restores the ids of the whole scene. */
 #ifndef ZR_RENDER_SECTIONS_H
 #define ZR_RENDER_SECTIONS_H
 

@@ -1,4 +1,4 @@
-/* change.h - core: scenes that are read once and drawn with several views, outputs, poses and looks. */
+/* change.h - request: scenes that are read once and drawn with several views, outputs, poses and looks. */
 #ifndef ZR_CHANGE_H
 #define ZR_CHANGE_H
 

@@ -1,4 +1,4 @@
-/* encode.c - core: encodes each output of a frame, and puts several into one archive. */
+/* encode.c - request: encodes each output of a frame, and puts several into one archive. */
 #include "encode.h"
 
 #include <math.h>

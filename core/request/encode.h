@@ -1,4 +1,4 @@
-/* encode.h - core: the files of a frame's outputs, before several of them become one archive. */
+/* encode.h - request: the files of a frame's outputs, before several of them become one archive. */
 #ifndef ZR_ENCODE_H
 #define ZR_ENCODE_H
 

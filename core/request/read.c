@@ -1,4 +1,4 @@
-/* read.c - core: reads the query, then the body by the reader of its format, and checks the whole scene. */
+/* read.c - request: reads the query, then the body by the reader of its format, and checks the whole scene. */
 #include "change.h"
 
 #include <stdio.h>
@@ -47,7 +47,7 @@ static size_t skip_byte_order_mark(struct zr_request *request)
     return mark;
 }
 
-/* Moves the places of faults behind `skipped` bytes. */
+/* Moves the places of faults by `skipped` bytes. */
 static void count_skipped(struct zr_error *error, size_t skipped)
 {
     for (size_t i = 0; i < zr_error_held(error); i++)

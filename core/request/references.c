@@ -1,4 +1,4 @@
-/* references.c - core: lists the files that a model file refers to. */
+/* references.c - request: lists the files that a model file refers to. */
 #include <string.h>
 #include <strings.h>
 

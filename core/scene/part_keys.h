@@ -29,7 +29,7 @@ struct zr_part_highlight {
     zr_vec4 color; /* opaque, sRGB-encoded */
 };
 
-/* Colours of the scene's own, one per part by its name, or only base colours of materials. */
+/* The scene's own colours, one colour per part by its name, or only the base colours of materials. */
 enum zr_color_source { ZR_COLORS_OWN, ZR_COLORS_PARTS, ZR_COLORS_MATERIALS, ZR_COLORS_COUNT };
 
 enum zr_explode_axis { ZR_EXPLODE_RADIAL, ZR_EXPLODE_X, ZR_EXPLODE_Y, ZR_EXPLODE_Z, ZR_EXPLODE_AXES };

@@ -1,4 +1,4 @@
-/* kinds.h - contract: kinds of values that several keys share, as JSON Schema. */
+/* kinds.h - schema: kinds of values that several keys share, as JSON Schema. */
 #ifndef ZR_CONTRACT_KINDS_H
 #define ZR_CONTRACT_KINDS_H
 

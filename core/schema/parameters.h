@@ -1,4 +1,4 @@
-/* parameters.h - contract: parameters of a query, as OpenAPI, from their rows (parameter_rows.h) and the keys that they
+/* parameters.h - schema: parameters of a query, as OpenAPI, from their rows (parameter_rows.h) and the keys that they
  * set. */
 #ifndef ZR_CONTRACT_PARAMETERS_H
 #define ZR_CONTRACT_PARAMETERS_H

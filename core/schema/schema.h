@@ -1,4 +1,4 @@
-/* schema.h - contract: JSON Schema 2020-12 of scenes, from the rows of keys (input/scene/json_objects.h).
+/* schema.h - schema: JSON Schema 2020-12 of scenes, from the rows of keys (input/scene/json_objects.h).
  *
  * Values: a row's `schema`, else the kind of its reader (kinds.h), its object or its words. Bounds of numbers are those
  *         of the row; limits are the caller's. Rules of an object (struct zr_json_object) hold for its keys together.

@@ -1,4 +1,4 @@
-/* hatch.h - mesh: the hatch of caps, as a texture of stripes.
+/* hatch.h - sections: the hatch of caps, as a texture of stripes.
  *
  * Space:  coordinates follow from places in the world, in double: u grows by 1 from line to line, and v is 0.
  * Lines:  at 45 degrees to the axis e1 = up x n of the plane, or at 135 degrees, by the number of the part; up is the

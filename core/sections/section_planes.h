@@ -1,4 +1,4 @@
-/* section_planes.h - scene: resolves the planes of a section.
+/* section_planes.h - sections: resolves the planes of a section.
  *
  * Space:  world space, in double.
  */

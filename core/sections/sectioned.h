@@ -1,4 +1,4 @@
-/* sectioned.h - mesh: one mesh, cut open by the planes of a section.
+/* sectioned.h - sections: one mesh, cut open by the planes of a section.
  *
  * Space:  object space; planes in double (slice.h).
  * What:   kept faces stay as they are. Faces that a plane crosses become pieces; their corners get interpolated

@@ -1,4 +1,4 @@
-/* sectioned_attributes.h - mesh: corners, positions and their attributes while a sectioned mesh is made; for
+/* sectioned_attributes.h - sections: corners, positions and their attributes while a sectioned mesh is made; for
  * sectioned*.c.
  *
  * Space:  object space. Corners are numbered as in slice.h. */

@@ -1,4 +1,4 @@
-/* sectioned_wires.h - mesh: the lines and points of a mesh that is cut open.
+/* sectioned_wires.h - sections: the lines and points of a mesh that is cut open.
  *
  * Space:  object space; planes in double (slice.h). What lies on a plane counts as cut away. */
 #ifndef ZR_SECTIONED_WIRES_H

@@ -1,4 +1,4 @@
-/* sections.h - mesh: a scene cut open by planes, as a scene that is drawn instead of it.
+/* sections.h - sections: a scene cut open by planes, as a scene that is drawn instead of it.
  *
  * Space:  planes in world space.
  * What:   instances that a plane crosses get sectioned meshes (sectioned.h), which follow the meshes of the scene.

@@ -1,4 +1,4 @@
-/* slice.h - mesh: splits the rings of a mesh by planes, and closes closed parts again by caps.
+/* slice.h - sections: splits the rings of a mesh by planes, and closes closed parts again by caps.
  *
  * Space:  object space; distances from a plane in double, in the units of the plane.
  * Why:    a sectioned mesh is drawn as any other mesh, so every channel, algorithm and effect shows the section.

@@ -134,7 +134,7 @@ static inline void make_some(const struct zr_source_instance *instance, const st
     zr_vd_store(fronts[1], least(eye_w));
 }
 
-/* Makes the depth of one triangle from corners divided by their w, which changes no depth. */
+/* Computes the depth of one triangle. Corners are divided by their w first, which leaves depths unchanged. */
 static void make_one_scaled(const struct zr_source_instance *instance, const zr_vec4 *const corners[3], double width,
                             double height, double each[DEPTH_DOUBLES], double fronts[2])
 {

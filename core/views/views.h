@@ -1,4 +1,4 @@
-/* views.h - core: several views of a scene that is read once.
+/* views.h - views: several views of a scene that is read once.
  *
  *     zr_views_read   bytes  -> scene, and the views it asks for
  *     zr_views_plan   views  -> their cost, before any is drawn

@@ -9,7 +9,7 @@
 
 enum { PLACE_SIZE = CONFIG_TEXT_SIZE + 16, QUOTED = 40 };
 
-/* Reads at most FILE_BYTES_MAX bytes and a 0 behind them. NULL: that is a fault. */
+/* Reads at most FILE_BYTES_MAX bytes and a 0 after them. NULL: that is a fault. */
 static char *read_whole(const char *path, size_t *size, struct faults *faults)
 {
     FILE *in = fopen(path, "re");
@@ -64,7 +64,7 @@ static char *unquote(char *value)
     return value;
 }
 
-/* Reads a value behind its =. */
+/* Reads a value after its =. */
 static char *read_value(char *at)
 {
     char *value = skip_spaces(at);

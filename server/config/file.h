@@ -1,6 +1,6 @@
 /* file.h - the file of settings: lines KEY = VALUE, whose keys are the flags' names, and comments.
  *
- * A # at the beginning of a line or behind a space begins a comment. A value with such a # in it, or with a space at
+ * A # at the beginning of a line or after a space begins a comment. A value with such a # in it, or with a space at
  * one of its ends, stands in double quotes, where \" and \\ mean " and \.
  */
 #ifndef ZRASTERD_FILE_H

@@ -33,7 +33,7 @@ struct setting {
     const char *help;
 };
 
-/* NULL behind the last. */
+/* NULL after the last. */
 const struct setting *setting_at(size_t index);
 
 /* Finds a setting by the name of its flag without --. NULL: there is none. */

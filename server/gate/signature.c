@@ -24,7 +24,7 @@ struct piece {
     size_t length;
 };
 
-/* A parameter and the one behind it; next.at NULL: it was the last. */
+/* A parameter and the one after it; next.at NULL: it was the last. */
 struct pair {
     struct piece whole, name, value;
     const char *next;

@@ -38,7 +38,7 @@ static const char *find_semicolon(const char *text, const char *end)
     return text;
 }
 
-/* Returns the length of a token without the blanks behind it. */
+/* Returns the length of a token without the blanks after it. */
 static size_t token_length(const char *text, const char *end)
 {
     while (end > text && (end[-1] == ' ' || end[-1] == '\t'))

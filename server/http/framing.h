@@ -29,7 +29,7 @@ enum {
     FRAMING_VALUES_MAX = 4096,   /* bytes of all values that pass */
     FRAMING_METHOD_MAX = 23,
     FRAMING_EMPTY_MAX = 16,      /* empty lines before a request */
-    FRAMING_EXTENSION_MAX = 1024 /* bytes behind the ';' of a chunk line */
+    FRAMING_EXTENSION_MAX = 1024 /* bytes after the ';' of a chunk line */
 };
 
 /* Part of a request that the next byte belongs to. */
@@ -39,7 +39,7 @@ enum framing_state {
     FRAMING_METHOD,
     FRAMING_TARGET,
     FRAMING_VERSION,
-    FRAMING_LINE_LF, /* behind the CR of the request line */
+    FRAMING_LINE_LF, /* after the CR of the request line */
     FRAMING_FIELD,   /* first byte of a header line */
     FRAMING_NAME,
     FRAMING_VALUE,

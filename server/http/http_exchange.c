@@ -385,7 +385,7 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
         return reply_early(exchange, is_chunked, expects_continue);
     }
     exchange->step = STEP_BODY;
-    http_refuse_framing(http, exchange->connection); /* bytes behind the header may be refused already */
+    http_refuse_framing(http, exchange->connection); /* bytes after the header may be refused already */
     return MHD_YES;
 }
 

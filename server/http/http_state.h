@@ -77,7 +77,7 @@ struct exchange {
     bool is_whole;     /* the client has the whole answer */
     uint64_t bytes_out;
     int64_t suspended_ms;
-    bool is_last; /* the client ends the connection after this request: bytes behind it are no request */
+    bool is_last; /* the client ends the connection after this request: bytes after it are no request */
     char *target; /* path and query, split by a zero once the header is complete */
     char method[METHOD_SIZE];
     int64_t began_us;

@@ -9,7 +9,7 @@ struct kept_answer {
     int status;
     size_t warnings;
     size_t size, header_count;
-    struct answer_header headers[ANSWER_HEADERS_MAX]; /* values are behind the bytes */
+    struct answer_header headers[ANSWER_HEADERS_MAX]; /* values are after the bytes */
     char bytes[];
 };
 

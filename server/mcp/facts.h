@@ -32,7 +32,7 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content);
 /* Writes what a picture shows, from the items of `views` that have its number. */
 void mcp_facts_describe_shot(struct mcp_text *text, const cJSON *content, const struct mcp_shot *shot, unsigned number);
 
-/* Returns the name of a unit as it is written behind numbers: "mm", "units". */
+/* Returns the name of a unit as it is written after numbers: "mm", "units". */
 const char *mcp_facts_unit(const cJSON *content);
 
 #endif

@@ -151,7 +151,7 @@ void mcp_tools_list(struct mcp_text *text, const struct mcp_host *host)
                        "\"object\",\"properties\":{",
                        i ? "," : "", mcp_tool_names[i], tool->title, tool->description);
         mcp_text_put(text, host->reads_files ? model_of_files : model_of_assets);
-        if (text->size > 0) text->size -= 1; /* the comma behind the last property */
+        if (text->size > 0) text->size -= 1; /* the comma after the last property */
         mcp_text_print(text, "},\"additionalProperties\":false},%s", scene);
         if (tool->more) mcp_text_print(text, "%s%s", pictures, tool->more);
         mcp_text_print(text,

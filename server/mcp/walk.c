@@ -162,7 +162,7 @@ static bool pass_scalar(struct mcp_walk *walk, char first)
 
 /* ---- lists and objects ---- */
 
-/* Goes behind a comma, or behind the bracket that closes. */
+/* Moves past a comma, or past the closing bracket. */
 static bool next(struct mcp_walk *walk, char closing)
 {
     const char byte = has_time(walk) ? mcp_walk_peek(walk) : '\0';

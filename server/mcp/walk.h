@@ -23,7 +23,7 @@ struct mcp_walk {
     const char *look; /* place of the next look at cancellation */
     const struct mcp_host *host;
     unsigned depth;
-    bool is_first; /* behind the bracket of a list or object */
+    bool is_first; /* after the bracket of a list or object */
     bool has_nul;  /* a string has \u0000, which would end names and paths */
     enum mcp_walk_fault fault;
 };

@@ -9,7 +9,7 @@
 
 enum gunzip_status {
     GUNZIP_OK,
-    GUNZIP_BROKEN,    /* not gzip, cut short, a wrong checksum, or other bytes behind it */
+    GUNZIP_BROKEN,    /* not gzip, cut short, a wrong checksum, or other bytes after it */
     GUNZIP_TOO_LARGE, /* the output exceeds `max` bytes */
     GUNZIP_NO_MEMORY,
     GUNZIP_CANCELLED

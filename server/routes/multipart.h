@@ -1,7 +1,7 @@
 /* multipart.h - finds the parts of a multipart/form-data body.
  *
  * Copies only names; parts point into the body. Input that two readers could read differently is refused: bare line
- * feeds, folded headers, a backslash in a name, two parts with one name, bytes behind a boundary, transfer encodings
+ * feeds, folded headers, a backslash in a name, two parts with one name, bytes after a boundary, transfer encodings
  * that change bytes (binary, 8bit and 7bit do not).
  * Source: RFC 7578 (form-data), RFC 2046 section 5.1 (multipart), RFC 9110 section 5.6.
  */

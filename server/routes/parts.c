@@ -23,7 +23,7 @@ static const char *type_of(bool is_form)
     return is_form ? ACCEPT_FORM_TYPE : ACCEPT_MIXED_TYPE;
 }
 
-/* Writes the header of a part, with the line end behind the delimiter before it. Returns its length. */
+/* Writes the header of a part, with the line end after the delimiter before it. Returns its length. */
 static size_t print_head(char head[HEAD_SIZE], bool is_form, const struct part *part)
 {
     int used = snprintf(head, HEAD_SIZE, "\r\nContent-Type: %s\r\nContent-Length: %zu\r\n", part->type, part->size);

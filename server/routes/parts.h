@@ -1,7 +1,7 @@
 /* parts.h - writes files as the parts of an answer: multipart/mixed (RFC 2046, 5.1.3), or multipart/form-data (RFC
  * 7578), which browsers read by Response.formData().
  *
- * A stream: the delimiter behind a part follows at once, so that a reader which looks for it has the part without
+ * A stream: the delimiter after a part follows at once, so that a reader which looks for it has the part without
  * delay. An answer in one piece: all files are there.
  */
 #ifndef ZRASTERD_PARTS_H
@@ -25,7 +25,7 @@ void parts_begin(struct stream *stream, enum accept_parts parts, struct answer *
 /* False: the stream is closed. */
 bool parts_add(struct stream *stream, const struct part *part);
 
-/* Ends the body. `problem`, if its status is not 0, becomes a last part without a final delimiter behind it. */
+/* Ends the body. `problem`, if its status is not 0, becomes a last part without a final delimiter after it. */
 void parts_end(struct stream *stream, const struct answer *problem);
 
 /* Sets status 200 and a body with a part for each file. */

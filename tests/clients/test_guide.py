@@ -99,7 +99,7 @@ def pages():
 
 
 FOLDERS = ("core", "server", "clients", "tests", ".packages")
-ELSEWHERE = {"jpeglib.h", "microhttpd.h", "cmocka.h", "lp_bld_arit.c", "a.b.c"}    # of libraries, and a name in an address
+ELSEWHERE = {"jpeglib.h", "microhttpd.h", "curl.h", "cmocka.h", "lp_bld_arit.c", "a.b.c"}    # of libraries, and a name in an address
 
 
 def ends(paths):
@@ -151,6 +151,14 @@ class Guide(unittest.TestCase):
         findings = [f"{path}: there is no {name}" for path, names in texts for name in missing(names(read(path)), found)]
         if findings:
             self.fail("\n" + "\n".join(findings))
+
+    def test_first_lines(self):
+        """the first line of a header of core has its name and its room: "clip.h - geometry: ..."; the public header is no room's"""
+        for path in sorted(sources()):
+            room = re.fullmatch(r"core/(\w+)/.*?([^/]+\.h)", path)
+            if room and room[2] != "zraster.h":
+                with self.subTest(header=path):
+                    self.assertRegex(read(path).split("\n")[0], rf"/\* {re.escape(room[2])} - {room[1]}[:,] ")
 
     def test_finds_names_of_files(self):
         """a name of no file is found, and no other word"""

@@ -14,7 +14,7 @@
  *   zr_vf_ramp(), zr_vi_ramp()         0, 1, 2 ...
  *   zr_vf_load(p), zr_vi_load(p)       ZR_LANES values from p on
  *   zr_vf_store(p, v), zr_vi_store(p, v)
- *   zr_vi_store_first(p, v, n)         lanes 0 .. n - 1 only, n <= ZR_LANES; no byte behind them is written
+ *   zr_vi_store_first(p, v, n)         lanes 0 .. n - 1 only, n <= ZR_LANES; no byte after them is written
  *   zr_vi_store_where(p, m, v)         lanes of m only; the others may be rewritten with their old value
  *   zr_vi_stream(p, v)                 non-temporal store, where there is one; p is a multiple of the vector's size;
  *                                      base/team.h says when other threads see it

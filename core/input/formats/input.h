@@ -2,7 +2,7 @@
  *
  * All hostile input is checked here. Each reader checks syntax, types, finite values, magnitudes and index ranges,
  * since only it has the place of a fault. scene/validate.h then checks the scene as a whole. Readers never write to the
- * input and never read at or behind bytes + size; no terminating zero is needed.
+ * input and never read at or after bytes + size; no terminating zero is needed.
  */
 #ifndef ZR_INPUT_H
 #define ZR_INPUT_H

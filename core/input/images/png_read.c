@@ -14,7 +14,7 @@ enum { SIGNATURE = 8, IHDR_NAME = 12, WIDTH = 16, HEIGHT = 20, BITS = 24, HEAD =
 enum { CHUNK_BYTES_MAX = 4096, PUSHED = 4096 };
 
 /* Context of libpng's callbacks. The file is pushed through libpng, so that reading stops at the last row. Its pull
- * interface would inflate all data behind it. */
+ * interface would inflate all data after it. */
 struct reading {
     struct zr_arena *arena; /* for libpng's memory */
     struct zr_reason *reason;
@@ -126,7 +126,7 @@ static void take_end(png_structp png, png_infop info)
     reading->done = true;
 }
 
-/* Pushes blocks of bytes until the last row is complete; the bytes behind it are neither read nor inflated. */
+/* Pushes blocks of bytes until the last row is complete; the bytes after it are neither read nor inflated. */
 static void push(png_structp png, png_infop info, const unsigned char *bytes, size_t size,
                  const struct reading *reading)
 {

@@ -23,7 +23,7 @@ struct zr_png_head {
 bool zr_png_head_read(const void *bytes, size_t size, struct zr_png_head *head);
 
 /* Decodes an image of the given size, up to 8 bits per channel, to 4 bytes per pixel, row 0 on top. Ignores all bytes
- * behind the last row. ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED, or ZR_BAD_SCENE with the reason. */
+ * after the last row. ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED, or ZR_BAD_SCENE with the reason. */
 enum zr_status zr_png_read(struct zr_arena *arena, const void *bytes, size_t size, uint32_t width, uint32_t height,
                            uint8_t **rgba, struct zr_reason *reason);
 

@@ -95,7 +95,7 @@ static bool may_be_special(uint64_t word)
     return ((word | (word - ones * 0x20) | (quote - ones) | (backslash - ones)) & tops) != 0;
 }
 
-/* Returns the byte behind the escape at `at`, or NULL. */
+/* Returns the byte after the escape at `at`, or NULL. */
 static const char *pass_escape(struct zr_json *json, const char *at)
 {
     size_t length;
@@ -117,7 +117,7 @@ static const char *pass_escape(struct zr_json *json, const char *at)
     return NULL;
 }
 
-/* Returns the byte behind the closing quote, or NULL; `at` is behind the opening one. */
+/* Returns the byte after the closing quote, or NULL; `at` is after the opening one. */
 static const char *pass_bytes(struct zr_json *json, const char *at, bool *has_escapes)
 {
     const char *end = json->end;
@@ -216,7 +216,7 @@ static const char *pass_digits(const char *at, const char *end, struct lack *lac
     return NULL;
 }
 
-/* Returns the byte behind the number at `at`, or NULL and the part that it lacks. Source: RFC 8259, section 6. */
+/* Returns the byte after the number at `at`, or NULL and the part that it lacks. Source: RFC 8259, section 6. */
 static const char *pass_number(const char *at, const char *end, struct lack *lack)
 {
     if (at < end && *at == '-') at++;

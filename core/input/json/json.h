@@ -9,7 +9,7 @@
  * Places:  a skipped value is well-formed and can be read later from its first byte (zr_json_at), any number of times.
  *          So there is no tree, and the order of keys does not matter.
  * Ending:  when reading has ended, `at` and `look` equal `end`, so that all loops stop.
- * Bytes:   nothing is read at `end` or behind it.
+ * Bytes:   nothing is read at `end` or after it.
  */
 #ifndef ZR_JSON_H
 #define ZR_JSON_H
@@ -62,7 +62,7 @@ void zr_json_open(struct zr_json *json, const char *bytes, size_t size);
 
 /* Returns the result of reading, once the root is read or reading has stopped: ZR_OK; ZR_BAD_SYNTAX, with the syntax
  * error alone in *json->error; the status of *json->error; ZR_NO_MEMORY; or ZR_CANCELLED. Excessive depth and U+0000 in
- * a string are ZR_BAD_SCENE; the text behind them is not parsed. */
+ * a string are ZR_BAD_SCENE; the text after them is not parsed. */
 enum zr_status zr_json_close(struct zr_json *json);
 
 /* Returns a reader of the same text at the place of a value that was skipped before. */

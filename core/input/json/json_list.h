@@ -28,10 +28,10 @@ struct zr_growing {
     const char *start; /* the text's place at the first item */
 };
 
-/* Makes room for `more` items behind the last. False if memory runs out; the arena has then failed. */
+/* Makes room for `more` items after the last. False if memory runs out; the arena has then failed. */
 bool zr_growing_reserve(struct zr_growing *array, struct zr_json *json, size_t more);
 
-/* Returns the slot behind the last item; the caller increments count. NULL if memory runs out. */
+/* Returns the slot after the last item; the caller increments count. NULL if memory runs out. */
 static inline void *zr_growing_next(struct zr_growing *array, struct zr_json *json)
 {
     if (array->count == array->room && !zr_growing_reserve(array, json, 1)) return NULL;
@@ -56,7 +56,7 @@ void zr_growing_trim(struct zr_growing *array, struct zr_arena *arena);
 
 struct zr_json_list {
     char opening; /* first byte of each item: '[' or '{' */
-    /* Reads items from json->at into *state, until the first item that begins at `until` or behind it, or the list's
+    /* Reads items from json->at into *state, until the first item that begins at `until` or after it, or the list's
      * end. */
     void (*read)(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until);
     /* Makes *part the state of a list without items, otherwise equal to *state, with room for `share` times the items

@@ -1,6 +1,6 @@
 /* json_rows.h - input: reads rows of numbers from the text straight into the scene's arrays.
  *
- * Each function reads the value at `at` and returns the byte behind it. NULL if its form or range is wrong, or its form
+ * Each function reads the value at `at` and returns the byte after it. NULL if its form or range is wrong, or its form
  * is unusual; the caller then uses the reader of json_value.h, which reports faults. They accept only valid JSON. All
  * are inlined into the loops over lists: a call per row costs a tenth.
  */
@@ -21,7 +21,7 @@ static inline const char *zr_row_skip_space(const char *at, const char *end)
 }
 
 #ifdef __SSE2__
-/* Reads the number behind `at` in its usual form and returns the byte behind it, or NULL. May read ZR_QUICKER_BYTES + 2
+/* Reads the number after `at` in its usual form and returns the byte after it, or NULL. May read ZR_QUICKER_BYTES + 2
  * bytes. */
 ZR_INLINED const char *zr_row_quicker(const char *at, double low, double high, float *out)
 {
@@ -35,7 +35,7 @@ ZR_INLINED const char *zr_row_quicker(const char *at, double low, double high, f
 }
 #endif
 
-/* Reads the number behind `at`, a '[' or ',', in any form. Returns the ',' or ']' that follows it. */
+/* Reads the number after `at`, a '[' or ',', in any form. Returns the ',' or ']' that follows it. */
 const char *zr_row_any_next(const char *at, const char *end, double low, double high, float *out);
 
 /* zr_row_any_next, with the usual form inlined. */
@@ -50,7 +50,7 @@ ZR_INLINED const char *zr_row_next(const char *at, const char *end, double low, 
     return zr_row_any_next(at, end, low, high, out);
 }
 
-/* Reads three numbers in any form behind `at`, a '['. Returns the ',' or ']' that follows. */
+/* Reads three numbers in any form after `at`, a '['. Returns the ',' or ']' that follows. */
 const char *zr_row_any_three(const char *at, const char *end, double low, double high, zr_vec3 *out);
 
 /* zr_row_any_three, with the usual form inlined. Three variables instead of an array: a vector load behind three float
@@ -129,7 +129,7 @@ ZR_INLINED const char *zr_row_indices(const char *at, const char *end, uint32_t 
 
 /* ---- lists of rows ---- */
 
-/* Appends items of a list to the array, from json->at until the first item that begins at `until` or behind it, or the
+/* Appends items of a list to the array, from json->at until the first item that begins at `until` or after it, or the
  * list's end. The path numbers them from the array's item `first` on. Unusual and wrong items go through the readers of
  * json_value.h. */
 typedef void zr_rows_read_fn(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,

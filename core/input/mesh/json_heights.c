@@ -18,7 +18,7 @@ enum { VALUES_A_LOOK = 1 << 16 };
 
 /* ---- reading ---- */
 
-/* Reads a number or null, a hole, in usual form. Returns the ',' or ']' behind it, or NULL. */
+/* Reads a number or null, a hole, in usual form. Returns the ',' or ']' after it, or NULL. */
 static const char *read_plain(const char *at, const char *end, double limit, float *out)
 {
     const char *behind = zr_row_next(at, end, -limit, limit, out);

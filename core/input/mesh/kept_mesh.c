@@ -89,7 +89,7 @@ static void make_hashes(struct zr_mesh_file *file)
 
 /* ---- which files are kept ---- */
 
-/* True if reading is a part of the arena, whether files are kept or not. */
+/* True if the file is read into a part of the arena of its own, whether it is kept or not. */
 static bool is_large(const struct zr_mesh_file *file)
 {
     return file->request->size >= SIZE_MIN;

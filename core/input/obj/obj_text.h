@@ -53,7 +53,7 @@ enum zr_obj_keyword {
     ZR_OBJ_UNKNOWN
 };
 
-/* Returns the word up to the next blank and moves behind it. */
+/* Returns the word up to the next blank and moves past it. */
 struct zr_obj_statement zr_obj_word(struct zr_obj_statement *statement);
 
 /* True if the statement that begins at `at` ends with its line, even after a backslash: its last word is a name, or
@@ -74,7 +74,7 @@ bool zr_obj_is_bad_color(struct zr_obj_statement vertex, const char *end);
 /* Returns the keyword of a word other than v and f. */
 enum zr_obj_keyword zr_obj_rare_keyword(const struct zr_obj_statement *word);
 
-/* For zr_parts_cut: returns the end of a statement at least `size` bytes behind `at`, or `end`. There are more than
+/* For zr_parts_cut: returns the end of a statement at least `size` bytes after `at`, or `end`. There are more than
  * `size` bytes. */
 const char *zr_obj_cut(const char *at, size_t size, const char *end);
 
@@ -83,7 +83,7 @@ ZR_INLINED bool zr_obj_is_blank(char byte)
     return byte == ' ' || byte == '\t' || byte == '\r' || byte == '\v' || byte == '\f';
 }
 
-/* Returns the length of a backslash and the line end behind it, or 0. */
+/* Returns the length of a backslash and the line end after it, or 0. */
 ZR_INLINED size_t zr_obj_continuation(const char *at, const char *end)
 {
     if (*at != '\\' || end - at < 2) return 0;
@@ -101,7 +101,7 @@ ZR_INLINED void zr_obj_skip_blanks(struct zr_obj_statement *statement)
     statement->at = at;
 }
 
-/* True at the end or a comment; `statement` is behind blanks. */
+/* True at the end or a comment; `statement` is after blanks. */
 ZR_INLINED bool zr_obj_at_end(const struct zr_obj_statement *statement)
 {
     return statement->at == statement->end || *statement->at == '#';
@@ -141,7 +141,7 @@ ZR_INLINED bool zr_obj_next(struct zr_obj_text *text, struct zr_obj_statement *s
     return true;
 }
 
-/* Moves behind the keyword. Sets *word unless it is v or f. */
+/* Moves past the keyword. Sets *word unless it is v or f. */
 ZR_INLINED enum zr_obj_keyword zr_obj_next_keyword(struct zr_obj_statement *statement, struct zr_obj_statement *word)
 {
     const char *at = statement->at;

@@ -54,7 +54,7 @@ struct zr_ply_element {
     size_t count;
     size_t property_count, list_count;
     struct zr_ply_property *properties;
-    size_t least_bytes; /* of a record: all of them in binary without lists */
+    size_t least_bytes; /* minimum of a record; its exact size in binary without lists */
 };
 
 struct zr_ply_header {

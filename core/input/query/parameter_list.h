@@ -7,7 +7,7 @@
 #include "core.h"
 #include "input/query/parameter_values.h"
 
-/* Bodies for which a parameter is. */
+/* Bodies that a parameter applies to. */
 enum zr_parameter_whose { ZR_PARAMETER_OF_ANY, ZR_PARAMETER_OF_MESH };
 
 struct zr_parameter_row {

@@ -1,4 +1,4 @@
-/* point_spacing.h - scene: the distance of neighbouring points, and the point size at which they touch. */
+/* point_spacing.h - input: the distance of neighbouring points, and the point size at which they touch. */
 #ifndef ZR_POINT_SPACING_H
 #define ZR_POINT_SPACING_H
 

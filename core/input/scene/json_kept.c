@@ -5,7 +5,7 @@
 #include "input/scene/kept.h"
 #include "render_request.h"
 
-/* Returns the byte behind the value of a list that was read before; NULL: another key. */
+/* Returns the byte after the value of a list that was read before; NULL: another key. */
 static const char *end_of_list(const struct zr_parsed_scene *root, const char *name)
 {
     if (strcmp(name, zr_scene_fields[ZR_SCENE_MESHES].key) == 0) return root->meshes_end;

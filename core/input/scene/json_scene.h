@@ -229,7 +229,7 @@ struct zr_parsed_scene {
     struct zr_parsed_material *materials;  /* sorted by name */
     struct zr_growing meshes;              /* struct zr_parsed_mesh */
     struct zr_soup *soup;                  /* or NULL */
-    const char *meshes_end, *polygons_end; /* places in the text behind both lists; NULL: not there */
+    const char *meshes_end, *polygons_end; /* places in the text after both lists; NULL: not there */
 
     struct zr_oddity_note oddities[ZR_ODDITIES];
     uint32_t shadings;      /* bit i: a filled face has the shading i */

@@ -32,14 +32,14 @@ struct zr_json_uris {
     struct zr_json_uri *items; /* in the order of the text */
 };
 
-/* Returns the URI whose text begins at `text`, the byte behind the opening quote. NULL: it is not noted. */
+/* Returns the URI whose text begins at `text`, the byte after the opening quote. NULL: it is not noted. */
 const struct zr_json_uri *zr_json_uri_at(const struct zr_json_uris *uris, const char *text);
 
 /* Looks among the kept texts for the string that begins at `text`, of a document up to `end`. Sets its size and its
  * hash, or size 0 if it is short. True if it is kept; it is then noted. */
 bool zr_json_uri_find(struct zr_json_uris *uris, const char *text, const char *end, struct zr_json_uri *uri);
 
-/* Notes a URI behind all others. Drops it if there is no room. */
+/* Notes a URI after all others. Drops it if there is no room. */
 void zr_json_uri_note(struct zr_json_uris *uris, const struct zr_json_uri *uri);
 
 /* Decodes a noted URI, or another one of `size` bytes at `text`, into the arena. Takes the bytes that the caller keeps,

@@ -18,7 +18,7 @@ enum {
     HEADER_BYTES = 80,
     COUNT_END = HEADER_BYTES + 4,
     TRIANGLE_BYTES = 50,     /* normal, three vertices, two bytes of attributes */
-    VERTICES_AT = 12,        /* offset in a triangle, behind its normal */
+    VERTICES_AT = 12,        /* offset in a triangle, after its normal */
     ATTRIBUTES_AT = 48,      /* after its vertices */
     PART_TRIANGLES = 1 << 13 /* read in a tenth of a millisecond */
 };

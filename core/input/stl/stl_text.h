@@ -22,7 +22,7 @@ struct zr_stl {
 /* True if the first word is "solid", which many binary files begin with, too. */
 bool zr_stl_is_text(const char *bytes, size_t size);
 
-/* For zr_parts_cut: returns the end of a line that is only "endfacet", at least `size` bytes behind `at`, or `end`.
+/* For zr_parts_cut: returns the end of a line that is only "endfacet", at least `size` bytes after `at`, or `end`.
  * Such a line nearly always ends a facet, but a normal may be any words. There are more than `size` bytes, and at least
  * as many as the word has. */
 const char *zr_stl_cut(const char *at, size_t size, const char *end);

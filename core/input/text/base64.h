@@ -1,6 +1,6 @@
 /* base64.h - input: decodes base64, strictly.
  *
- * Source: RFC 4648, section 4: the alphabet with + and /, padded, no white space. The bits behind the last byte are 0
+ * Source: RFC 4648, section 4: the alphabet with + and /, padded, no white space. The bits after the last byte are 0
  *         (section 3.5), so that each sequence of bytes has one spelling.
  */
 #ifndef ZR_BASE64_H

@@ -11,7 +11,7 @@ enum { ZR_COLOR_NAME_MAX = 20 }; /* letters: lightgoldenrodyellow */
 /* Finds one of the 148 names of CSS Color Module Level 4, section 6.1, in any case; *rgb: 0xRRGGBB. */
 bool zr_color_of_name(const char *name, size_t length, uint32_t *rgb);
 
-/* Returns name i in alphabetical order; NULL behind the last. */
+/* Returns name i in alphabetical order; NULL after the last. */
 const char *zr_color_name(size_t i);
 
 #endif

@@ -35,7 +35,7 @@ struct zr_names_text zr_names_join(const struct zr_names *names);
 /* Lists the words whose bits are in `set`. */
 struct zr_names_text zr_names_join_set(const struct zr_names *names, uint32_t set);
 
-/* Appends a word, behind ", " unless it is the first. */
+/* Appends a word, after ", " unless it is the first. */
 void zr_names_text_add(struct zr_names_text *text, const char *word);
 
 /* Explains why a word is refused. */

@@ -110,7 +110,7 @@ bool zr_number_round(uint64_t w, int q, double *value)
     const uint64_t *t = powers[q - FIRST];
     uint128 product = (uint128)(w << l) * t[0];
     uint64_t high = (uint64_t)(product >> 64), low = (uint64_t)product;
-    /* The lower half of the power matters only if all bits behind the kept ones are 1: then it can carry into them. */
+    /* The lower half of the power matters only if all bits after the kept ones are 1: then it can carry into them. */
     if ((high & 0x1FF) == 0x1FF) {
         uint64_t more = (uint64_t)((uint128)(w << l) * t[1] >> 64);
         low += more;
@@ -152,7 +152,7 @@ static bool convert_signed(uint64_t mantissa, int exponent, bool negative, doubl
     return true;
 }
 
-/* Adds an exponent of up to three digits, from behind the 'e'. */
+/* Adds an exponent of up to three digits, from after the 'e'. */
 static const char *add_exponent(const char *at, const char *end, int *exponent)
 {
     uint64_t word = zr_eight_bytes(at, end);

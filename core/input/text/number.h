@@ -14,7 +14,7 @@
 #include "base/inlined.h"
 
 /* Reads [+-] digits [. digits] [e [+-] digits] at the start of at..end, with at least one digit before or after the
- * point. Returns the byte behind it, which the caller checks; NULL if there is no number. Overflow gives an
+ * point. Returns the byte after it, which the caller checks; NULL if there is no number. Overflow gives an
  * infinity. */
 const char *zr_number_read(const char *at, const char *end, double *value);
 
@@ -70,7 +70,7 @@ static inline uint32_t zr_digits_value(uint64_t word, unsigned count)
     return (uint32_t)(((word & UINT64_C(0x0000FFFF0000FFFF)) * (1 + (UINT64_C(10000) << 32))) >> 32);
 }
 
-/* Returns the byte behind the first `count` of eight, count < 8. */
+/* Returns the byte after the first `count` of eight, count < 8. */
 static inline char zr_byte_behind(uint64_t word, unsigned count)
 {
     return (char)(word >> (8 * count));
@@ -82,8 +82,8 @@ static inline uint32_t zr_quick_scale(unsigned digits)
     return scales[digits];
 }
 
-/* Reads a JSON number with at most 7 digits before the point, 23 behind it, and 3 of an exponent; all digits must fit
- * 64 bits. Returns the byte behind it, or NULL for any other text, which zr_number_read reads. */
+/* Reads a JSON number with at most 7 digits before the point, 23 after it, and 3 of an exponent; all digits must fit
+ * 64 bits. Returns the byte after it, or NULL for any other text, which zr_number_read reads. */
 const char *zr_number_quick(const char *at, const char *end, double *value);
 
 #ifdef __SSE2__
@@ -139,10 +139,10 @@ ZR_INLINED const char *zr_number_quicker(const char *at, double *value)
 
 enum { ZR_QUICK_ROW_BYTES = 32 + 8 };
 
-/* Reads integers of at most 7 digits without leading zeros, the first behind `at`. One `separator`, and perhaps a
- * blank, is between two. There are at most `most`, within 32 bytes; ZR_QUICK_ROW_BYTES must be readable. out[i] is the
- * i-th minus `from`, and less than `count`. Returns the byte behind the last, and *used of them; NULL for any other
- * text. All ends are found at once, so that no number waits for the one before. */
+/* Reads integers of at most 7 digits without leading zeros, from the byte after `at` on. They are separated by
+ * one `separator` and perhaps a blank. Reads at most `most`, within 32 bytes; ZR_QUICK_ROW_BYTES must be readable.
+ * out[i] is the i-th minus `from`, and less than `count`. Returns the byte after the last, and their number in *used;
+ * NULL for any other text. All ends are found at once, so that no number waits for the one before. */
 ZR_INLINED const char *zr_number_quick_row(const char *at, char separator, uint32_t from, uint32_t count, size_t most,
                                            uint32_t *out, size_t *used)
 {
@@ -169,7 +169,7 @@ ZR_INLINED const char *zr_number_quick_row(const char *at, char separator, uint3
 }
 #endif
 
-/* Equal to zr_number_read, inlined for the usual form with a blank or a line end behind it. */
+/* Equal to zr_number_read, inlined for the usual form with a blank or a line end after it. */
 static inline const char *zr_number_next(const char *at, const char *end, double *value)
 {
     const char *behind;

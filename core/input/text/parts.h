@@ -27,7 +27,7 @@ struct zr_part *zr_parts_cut(struct zr_arena *arena, const char *bytes, const ch
 typedef bool zr_part_fn(void *context, size_t part);
 
 /* Reads the parts first..count - 1. Returns the number of the first that failed, or `count`. All parts before it were
- * read; those behind it may have been. `team` may be NULL, and so may `cancel`, which is polled before each part. */
+ * read; those after it may have been. `team` may be NULL, and so may `cancel`, which is polled before each part. */
 size_t zr_parts_read(struct zr_team *team, const struct zr_cancel *cancel, size_t first, size_t count, zr_part_fn *read,
                      void *context);
 

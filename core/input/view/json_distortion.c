@@ -71,7 +71,7 @@ static bool read_object(struct zr_json *json, const struct zr_json_path *path, s
     return true;
 }
 
-/* Coefficients behind k6 are of a thin prism and a tilted sensor, which are not drawn; calibrations without them have
+/* Coefficients after k6 are of a thin prism and a tilted sensor, which are not drawn; calibrations without them have
  * zeros. */
 static bool read_list(struct zr_json *json, const struct zr_json_path *path, struct zr_lens *lens)
 {

@@ -4,7 +4,7 @@
 
 enum { SHORT = 3, LONG = 4, RATIONAL = 5, FLOAT_SAMPLES = 3, HEADER = 8, ENTRY = 12 };
 
-/* An entry of the directory. Values that do not fit four bytes lie behind the directory, from `behind` on. */
+/* An entry of the directory. Values that do not fit four bytes lie after the directory, from `behind` on. */
 struct directory {
     struct zr_buffer *out;
     uint32_t behind;

@@ -17,8 +17,8 @@ struct zr_normal_matrix {
     zr_vec3 rows[3];
 };
 
-/* Converts the scene's lights, in its order. Directions are rotated with Mesa's order of sums. Points into the arena,
- * and fails only with it. */
+/* Converts the scene's lights, in its order. Directions are rotated with Mesa's order of sums. The result points
+ * into the arena. Fails only if the arena does. */
 struct zr_lights zr_lights_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera);
 
 /* Returns the inverse transpose of the upper 3x3, up to a positive factor. */
