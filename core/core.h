@@ -92,7 +92,7 @@ struct zr_kept_texts {
     void *context;
 };
 
-struct zr_kept_mesh; /* input/mesh/kept_mesh.h */
+struct zr_kept_mesh; /* input/model/kept_mesh.h */
 
 /* Model files that the caller keeps between requests, as read: meshes, materials and images. No answer depends on them,
  * and each request is charged for the memory of reading. Only the thread that reads the scene calls these functions. */

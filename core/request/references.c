@@ -5,7 +5,7 @@
 #include "core.h"
 #include "input/formats/formats.h"
 #include "input/json/json_text.h"
-#include "input/text/sniff.h"
+#include "input/formats/sniff.h"
 #include "input/text/text.h"
 
 enum { LINE_MAX = 64 << 10 }; /* bytes of a line with names; the rest of a longer one is not read */

@@ -22,7 +22,7 @@ struct zr_request;
 struct zr_scene_builder;
 struct zr_team;
 struct zr_keeping;    /* input/scene/kept.h */
-struct zr_file_scene; /* input/model/file_scene.h */
+struct zr_file_scene; /* input/model/model_scene.h */
 
 /* Reads a model file in any format of bare meshes, without a query, into a builder. */
 typedef enum zr_status zr_model_read_fn(struct zr_scene_builder *builder, const struct zr_request *request,

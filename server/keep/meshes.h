@@ -1,4 +1,4 @@
-/* meshes.h - model files as read, kept between requests (kept.h, core/input/mesh/kept_mesh.h).
+/* meshes.h - model files as read, kept between requests (kept.h, core/input/model/kept_mesh.h).
  *
  * A file is kept when it is read for the second time, into an arena of its own. So files that are sent once displace
  * nothing and are not copied. The hashes of files that were read are noted in a small table; some may be forgotten.

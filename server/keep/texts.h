@@ -1,4 +1,4 @@
-/* texts.h - long data: URIs, decoded, kept between requests (kept.h, core/input/scene/json_uris.h).
+/* texts.h - long data: URIs, decoded, kept between requests (kept.h, core/input/json/json_uris.h).
  *
  * A text is found by a hash of its size and some samples, and all of it is compared with a copy. One that differs from
  * the kept text of its hash has a next hash, made of the first difference. A text is kept when it is decoded for the

@@ -1,4 +1,4 @@
-# floors.awk - finds #include lines of core/, server/ and clients/ that lead to a higher floor or close a circle.
+# floors.awk - finds #include lines of core/, server/ and clients/ that lead to a higher floor or room, or close a circle.
 #
 #   awk -v known=FILE -f floors.awk core/vec.c server/main.c ...     in the folder above, with all of their *.c and *.h
 #
@@ -11,11 +11,27 @@
 # is none.
 
 BEGIN {
-    # The lowest first. The two public headers need base only, and all above it may include them.
-    floors = split("base|core.h render_request.h version.h format_rows.h parameter_rows.h parameter_kinds.h|scene|input geometry|mesh|sections|raster|shade|lines effects overlay|render|output|cost|request views schema|api", folders, "|")
+    # Floors, the lowest first, are separated by "|". A floor has folders that do not include each other, separated by
+    # ";". The rooms of a folder, the lowest first, are separated by ","; those beside each other by a blank. The two
+    # public headers need base only, and all above it may include them.
+    floors = split("base/simd, base | core.h render_request.h version.h format_rows.h parameter_rows.h parameter_kinds.h | scene, scene/parts, scene/camera |" \
+        "input/text, input/formats, input/zip, input/files, input/json, input/images input/codecs, input/model," \
+        "input/gltf input/obj input/ply input/stl input/threemf, input/scene, input/mesh, input/view, input/root, input/query;" \
+        "geometry | mesh | sections | raster, raster/textbook | shade/lights, shade/models, shade, shade/channels |" \
+        "lines; effects; overlay | render | output/bytes, output/images output/json, output | cost | request | views; schema | api", storeys, "|")
     for (i = 1; i <= floors; i++) {
-        n = split(folders[i], names, " ")
-        for (k = 1; k <= n; k++) floor_of[names[k]] = i
+        n = split(storeys[i], folders, ";")
+        for (k = 1; k <= n; k++) {
+            m = split(folders[k], ranks, ",")
+            for (r = 1; r <= m; r++) {
+                p = split(ranks[r], names, " ")
+                for (q = 1; q <= p; q++) {
+                    floor_of[names[q]] = i
+                    folder_of[names[q]] = k
+                    rank_of[names[q]] = r
+                }
+            }
+        }
     }
     for (i = 1; i < ARGC; i++) exists[below_core(ARGV[i])] = 1
     while ((getline line < known) > 0)
@@ -43,7 +59,7 @@ END {
         split(line, ends, " ")
         if (reason[line] == "") fault(line " is known, without a reason")
         if (!(line in seen)) fault(line " is known, and is not there")
-        else if (!is_higher(ends[1], ends[2]) && !is_on_circle("all", ends[1], ends[2]))
+        else if (misplaced(ends[1], ends[2]) == "" && !is_on_circle("all", ends[1], ends[2]))
             fault(line " is known, and is no fault")
     }
     exit faults > 0
@@ -68,12 +84,19 @@ function learn(line,    words)
     reason[words[1] " " words[2]] = line
 }
 
-# Returns the floor of a file. From the top: clients/, server/, the folders of core/.
-# 0: a folder that has no floor yet.
-function floor(file,    name)
+# Returns the room of a file: its folder below core/, the file itself if it lies in core/, "server" or "clients".
+function room(file,    name)
 {
     name = file
-    sub(/\/.*/, "", name)
+    if (name ~ /^(server|clients)\//) sub(/\/.*/, "", name)
+    else sub(/\/[^\/]*$/, "", name)
+    return name
+}
+
+# Returns the floor of a file. From the top: clients/, server/, the rooms of core/. 0: a room that has no floor yet.
+function floor(file,    name)
+{
+    name = room(file)
     if (name in floor_of) return floor_of[name]
     if (name == "server") return floors + 1
     if (name == "clients") return floors + 2
@@ -98,9 +121,16 @@ function add(from, to)
     if (!((from " " to) in reason)) follow["unknown", module(from)] = follow["unknown", module(from)] " " module(to)
 }
 
-function is_higher(from, to)
+# Returns what is wrong about the floors and rooms of a line, or "".
+function misplaced(from, to,    a, b)
 {
-    return floor(from) > 0 && floor(to) > floor(from)
+    a = room(from)
+    b = room(to)
+    if (floor(from) == 0 || floor(to) == 0 || a == b) return ""
+    if (floor(to) != floor(from)) return floor(to) > floor(from) ? "of a higher floor" : ""
+    if (a !~ /\//  && a ~ /\./) return "" # the public headers
+    if (folder_of[a] != folder_of[b] || rank_of[a] == rank_of[b]) return "of a room beside it"
+    return rank_of[b] > rank_of[a] ? "of a higher room" : ""
 }
 
 function is_on_circle(graph, from, to)
@@ -128,6 +158,6 @@ function judge(from, to)
 {
     if (floor(from) == 0) fault(from " is in a folder that has no floor")
     if ((from " " to) in reason) return
-    if (is_higher(from, to)) fault(from " includes " to " of a higher floor")
+    if (misplaced(from, to) != "") fault(from " includes " to " " misplaced(from, to))
     if (is_on_circle("unknown", from, to)) fault(from " includes " to " in a circle")
 }

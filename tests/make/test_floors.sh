@@ -1,6 +1,7 @@
 #!/bin/sh
-# The floors of core/, with server/ and clients/ above them: a file includes only its own floor and lower ones, and no
-# includes go in a circle. So the pipeline can be read from top to bottom, and a step can be tested without later ones.
+# The floors of core/, with server/ and clients/ above them, and the rooms of its folders: a file includes only its own
+# room and lower ones, so that no includes of rooms go in a circle; nor do those of files. So the pipeline can be read
+# from top to bottom, and a step can be tested without later ones.
 # Prints TAP.
 set -u
 work=$(mktemp -d)
@@ -26,6 +27,8 @@ finds() { # LINE...: these, and no others
 
 floors . "$work/known"
 verdict "no higher floor is included" lacks "of a higher floor"
+verdict "nor a higher room" lacks "of a higher room"
+verdict "nor a room beside" lacks "of a room beside it"
 verdict "there is no circle" lacks "in a circle"
 verdict "each fault that is known is there" lacks "is known"
 verdict "and nothing else is wrong" [ "$status" = 0 ]
@@ -45,7 +48,10 @@ tree() { # one without a fault
     file scene/scene.h base/vec.h core.h
     file scene/nodes.h scene/scene.h
     file scene/nodes.c scene/nodes.h
-    file raster/bins.h scene/nodes.h
+    file scene/camera/pose.h scene/scene.h
+    file input/json/json.h scene/scene.h
+    file input/ply/ply.c input/json/json.h
+    file raster/bins.h scene/nodes.h scene/camera/pose.h
     file raster/bins_kernel.c raster/bins.h base/vec.h
     file shade/paint.h raster/bins.h
     file render/render.c shade/paint.h core.h
@@ -71,6 +77,26 @@ verdict "and passed over where it is known" [ "$status" = 0 ]
 echo "raster/bins.c shade/paint.h" >"$work/one"
 made_up "$work/one"
 verdict "but not without a reason" finds "raster/bins.c shade/paint.h is known, without a reason"
+
+tree
+file scene/nodes.h scene/scene.h scene/camera/pose.h
+made_up
+verdict "a higher room of a folder is found" finds "scene/nodes.h includes scene/camera/pose.h of a higher room"
+echo "scene/nodes.h scene/camera/pose.h poses of nodes" >"$work/one"
+made_up "$work/one"
+verdict "and passed over where it is known" [ "$status" = 0 ]
+
+tree
+file input/ply/ply.h
+file input/stl/stl.c input/ply/ply.h
+made_up
+verdict "a room beside is found" finds "input/stl/stl.c includes input/ply/ply.h of a room beside it"
+
+tree
+file overlay/bar.h
+file effects/ground.c overlay/bar.h
+made_up
+verdict "and a folder beside" finds "effects/ground.c includes overlay/bar.h of a room beside it"
 
 tree
 file base/vec.h core.h

@@ -33,6 +33,4 @@ bool zr_stl_is_cut(const char *bytes, size_t size);
 /* True if JSON text has the key of a scene's geometry at its root, near its beginning. */
 bool zr_has_geometry_key(const char *bytes, size_t size);
 
-void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset);
-
 #endif

@@ -29,16 +29,16 @@ static void check_version(struct zr_gltf *file)
     struct given_asset given = {NULL, NULL};
     uint64_t keys;
     if (!file->places[ZR_GLTF_ASSET]) {
-        zr_json_fault(&file->root.json, NULL, "asset is missing: it gives the version of glTF");
+        zr_json_fault(&file->json, NULL, "asset is missing: it gives the version of glTF");
         return;
     }
-    struct zr_json there = zr_json_at(&file->root.json, file->places[ZR_GLTF_ASSET]);
+    struct zr_json there = zr_json_at(&file->json, file->places[ZR_GLTF_ASSET]);
     zr_gltf_fields(file, &there, path, &asset_object, &given, &keys);
     if (given.version && strncmp(given.version, "2.", 2) != 0)
-        zr_json_fault(&file->root.json, ZR_JSON_KEY(path, asset_fields[VERSION].key), "glTF of version %s; 2.0 is read",
+        zr_json_fault(&file->json, ZR_JSON_KEY(path, asset_fields[VERSION].key), "glTF of version %s; 2.0 is read",
                       zr_quote(given.version, strlen(given.version)).text);
     if (given.minimum && strcmp(given.minimum, "2.0") != 0)
-        zr_json_fault(&file->root.json, ZR_JSON_KEY(path, asset_fields[MINIMUM].key),
+        zr_json_fault(&file->json, ZR_JSON_KEY(path, asset_fields[MINIMUM].key),
                       "the file needs a reader of version %s; this one reads 2.0",
                       zr_quote(given.minimum, strlen(given.minimum)).text);
 }
@@ -50,16 +50,16 @@ static bool count_lists(struct zr_gltf *file)
     for (int key = ZR_GLTF_ACCESSORS; key < ZR_GLTF_KEYS; key++) {
         size_t count = 0;
         if (!file->places[key] || key == ZR_GLTF_SCENE) continue;
-        struct zr_json there = zr_json_at(&file->root.json, file->places[key]);
+        struct zr_json there = zr_json_at(&file->json, file->places[key]);
         if (zr_json_count(&there, ZR_JSON_KEY(NULL, zr_gltf_word((enum zr_gltf_key)key)), &count))
             file->counts[key] = (uint32_t)count;
     }
-    return file->root.json.error->count == 0;
+    return file->json.error->count == 0;
 }
 
 static bool is_good(const struct zr_gltf *file)
 {
-    return file->root.json.error->count == 0 && zr_arena_ok(file->root.json.arena);
+    return file->json.error->count == 0 && zr_arena_ok(file->json.arena);
 }
 
 static void build(struct zr_gltf *file, const struct zr_request *request)
@@ -73,7 +73,7 @@ static void build(struct zr_gltf *file, const struct zr_request *request)
         return;
     zr_gltf_keep_cameras(file);
     if (file->counts[ZR_GLTF_MESHES] > 0 && zr_gltf_count_unplaced(file) == file->counts[ZR_GLTF_MESHES])
-        zr_json_fault(&file->root.json, NULL, "no geometry: no node of the scene has a mesh");
+        zr_json_fault(&file->json, NULL, "no geometry: no node of the scene has a mesh");
     if (!is_good(file) || !zr_gltf_read_meshes(file) || !is_good(file)) return;
     zr_gltf_place(file);
     if (is_good(file)) zr_gltf_warn(file);
@@ -101,22 +101,18 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
     file->made = made;
     file->size = request->size;
     file->bytes = count_bytes(request);
-    file->root = (struct zr_parsed_scene){.json = {.arena = builder->arena,
-                                                   .team = builder->team,
-                                                   .cancel = request->cancel,
-                                                   .limits = &used,
-                                                   .error = error},
-                                          .builder = builder,
-                                          .scene = builder->scene,
-                                          .assets = zr_parsed_assets_of(builder, request)};
-    struct zr_json *json = &file->root.json;
-    json->assets = &file->root.assets;
+    file->json = (struct zr_json){
+        .arena = builder->arena, .team = builder->team, .cancel = request->cancel, .limits = &used, .error = error};
+    file->builder = builder;
+    file->assets = zr_parsed_assets_of(builder, request);
+    file->decoded = zr_image_list_of(builder, request, limits);
+    struct zr_json *json = &file->json;
+    json->assets = &file->assets;
     json->uris = &file->uris;
     file->uris = (struct zr_json_uris){.arena = json->arena, .cancel = json->cancel, .kept = request->texts};
     zr_json_open(json, text.bytes, text.size);
     uint64_t keys;
-    if (file->root.assets.uses && zr_gltf_fields(file, json, NULL, &zr_gltf_root, file->places, &keys) &&
-        zr_json_end(json))
+    if (file->assets.uses && zr_gltf_fields(file, json, NULL, &zr_gltf_root, file->places, &keys) && zr_json_end(json))
         build(file, request);
     builder->file = made;
     builder->scene->file.unit = "metre";

@@ -9,10 +9,11 @@
 #ifndef ZR_GLTF_H
 #define ZR_GLTF_H
 
+#include "input/images/image_list.h"
+#include "input/json/json_bytes.h"
+#include "input/json/json_uris.h"
 #include "input/model/far_scene.h"
-#include "input/model/file_scene.h"
-#include "input/scene/json_scene.h"
-#include "input/scene/json_uris.h"
+#include "input/model/model_scene.h"
 
 #define ZR_GLTF_NONE UINT32_MAX
 
@@ -161,7 +162,10 @@ struct zr_gltf_note {
 };
 
 struct zr_gltf {
-    struct zr_parsed_scene root; /* reader, builder, images and assets */
+    struct zr_json json;
+    struct zr_scene_builder *builder;
+    struct zr_parsed_assets assets;
+    struct zr_image_list decoded; /* images of the file */
     const char *places[ZR_GLTF_KEYS];
     uint32_t counts[ZR_GLTF_KEYS]; /* items per list */
     struct zr_json_uris uris;

@@ -67,14 +67,14 @@ static const struct zr_json_object sparse_object = ZR_JSON_OBJECT_OF("sparse", s
 static void read_sparse(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                         struct zr_gltf_sparse *sparse)
 {
-    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct zr_json there = zr_json_at(&file->json, place);
     struct given_sparse given = {0, NULL, NULL};
     uint64_t keys;
     zr_gltf_fields(file, &there, path, &sparse_object, &given, &keys);
     if (!given.indices || !given.values) return;
-    there = zr_json_at(&file->root.json, given.indices);
+    there = zr_json_at(&file->json, given.indices);
     zr_gltf_fields(file, &there, ZR_JSON_KEY(path, "indices"), &indices_object, sparse, &keys);
-    there = zr_json_at(&file->root.json, given.values);
+    there = zr_json_at(&file->json, given.values);
     zr_gltf_fields(file, &there, ZR_JSON_KEY(path, "values"), &values_object, sparse, &keys);
     sparse->count = given.count;
 }
@@ -115,7 +115,7 @@ static void read_accessor(struct zr_gltf *file, struct zr_json *json, const stru
 
 bool zr_gltf_read_accessors(struct zr_gltf *file)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     file->accessors = zr_arena_zero(arena, file->counts[ZR_GLTF_ACCESSORS], sizeof *file->accessors);
     return zr_arena_ok(arena) && zr_gltf_read_list(file, ZR_GLTF_ACCESSORS, read_accessor);
 }
@@ -128,7 +128,7 @@ static bool fits(struct zr_gltf *file, const struct zr_json_path *path, const st
 {
     const uint64_t end = count == 0 ? offset : offset + (uint64_t)(count - 1) * stride + size;
     if (end <= view->size) return true;
-    return zr_json_fault(&file->root.json, path, "%u elements end at byte %llu of a view of %zu", count,
+    return zr_json_fault(&file->json, path, "%u elements end at byte %llu of a view of %zu", count,
                          (unsigned long long)end, view->size);
 }
 
@@ -140,8 +140,7 @@ static bool open_sparse(struct zr_gltf *file, const struct zr_json_path *path, s
     const size_t index_size = zr_gltf_type_bytes(sparse->indices_type);
     struct zr_parsed_bytes view;
     if (sparse->count > out->count)
-        return zr_json_fault(&file->root.json, ZR_JSON_KEY(at, "count"), "%u of %u elements", sparse->count,
-                             out->count);
+        return zr_json_fault(&file->json, ZR_JSON_KEY(at, "count"), "%u of %u elements", sparse->count, out->count);
     if (!zr_gltf_find_view(file, ZR_JSON_KEY(indices, fields[VIEW].key), sparse->indices_view, &view) ||
         !fits(file, indices, &view, sparse->indices_offset, sparse->count, index_size, index_size))
         return false;
@@ -156,9 +155,9 @@ static bool open_sparse(struct zr_gltf *file, const struct zr_json_path *path, s
 /* Limits the number of elements without a view, which use no bytes, by the size of the request. */
 static bool zeros_are_few(struct zr_gltf *file, const struct zr_json_path *path, uint32_t count)
 {
-    if (count > file->size && file->root.assets.looked) *file->root.assets.looked = true; /* the sizes of other files */
+    if (count > file->size && file->assets.looked) *file->assets.looked = true; /* the sizes of other files */
     return count <= file->bytes ||
-           zr_json_fault(&file->root.json, ZR_JSON_KEY(path, fields[COUNT].key),
+           zr_json_fault(&file->json, ZR_JSON_KEY(path, fields[COUNT].key),
                          "%u elements without a bufferView, more than the request has bytes", count);
 }
 
@@ -187,7 +186,7 @@ bool zr_gltf_open(struct zr_gltf *file, const struct zr_json_path *path, uint32_
         const uint32_t stride = file->views[accessor->view].stride;
         if (stride > 0) out->stride = stride;
         if (out->stride < size)
-            return zr_json_fault(&file->root.json, at, "elements of %zu bytes, %u apart in their view", size, stride);
+            return zr_json_fault(&file->json, at, "elements of %zu bytes, %u apart in their view", size, stride);
         if (!fits(file, at, &view, accessor->offset, accessor->count, size, out->stride)) return false;
         out->bytes = (const unsigned char *)view.bytes + accessor->offset;
     }

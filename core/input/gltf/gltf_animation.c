@@ -44,7 +44,7 @@ static void read_name(struct zr_gltf *file, struct zr_json *json, const struct z
 
 bool zr_gltf_choose_animation(struct zr_gltf *file, const struct zr_request *request)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     const uint32_t count = file->counts[ZR_GLTF_ANIMATIONS];
     struct zr_gltf_animation *all;
     if (!request->animation && !request->time && !request->frames) return true;
@@ -114,8 +114,8 @@ static bool find_key(struct zr_gltf *file, const struct zr_json_path *path, cons
         for (uint32_t i = 0; i < count; i++) {
             const double at = (double)run[i];
             if (at < before)
-                return zr_json_fault(&file->root.json, path, "key %u is at %.9g seconds, before the key at %.9g",
-                                     first + i, at, before);
+                return zr_json_fault(&file->json, path, "key %u is at %.9g seconds, before the key at %.9g", first + i,
+                                     at, before);
             if (at <= time) {
                 out->key = first + i;
                 start = at;
@@ -146,8 +146,7 @@ static const struct moment *find_moment(const struct reading *r, const struct zr
     if (out->is_found) return out;
     out->is_refused = true;
     if (times.width != 1 || times.accessor->type != ZR_GLTF_FLOAT32 || times.count == 0) {
-        zr_json_fault(&file->root.json, path, "accessor %u has no times: floats of the type SCALAR, at least one",
-                      number);
+        zr_json_fault(&file->json, path, "accessor %u has no times: floats of the type SCALAR, at least one", number);
         return NULL;
     }
     if (!find_key(file, path, &times, out)) return NULL;
@@ -179,7 +178,7 @@ static float *find_value(const struct reading *r, const struct zr_json_path *pat
                          int shape, bool is_rotation, uint32_t *width)
 {
     struct zr_gltf *file = r->file;
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     const struct zr_json_path *output = ZR_JSON_KEY(path, sampler_fields[OUTPUT].key);
     const struct moment *at = find_moment(r, ZR_JSON_KEY(path, sampler_fields[INPUT].key), sampler->input);
     struct zr_gltf_values values;
@@ -307,7 +306,7 @@ static bool read_channel(const struct reading *r, struct zr_json *json, const st
 
 static bool read_samplers(struct reading *r, const struct zr_json_path *path, const char *place)
 {
-    struct zr_json there = zr_json_at(&r->file->root.json, place);
+    struct zr_json there = zr_json_at(&r->file->json, place);
     size_t count = 0;
     if (!zr_json_count(&there, path, &count)) return false;
     r->samplers = zr_arena_zero(there.arena, count, sizeof *r->samplers);
@@ -325,7 +324,7 @@ bool zr_gltf_animate(struct zr_gltf *file)
     const uint32_t number = file->animation->number;
     const struct zr_json_path *path = ZR_GLTF_ITEM(ZR_GLTF_ANIMATIONS, number),
                               *channels = ZR_JSON_KEY(path, fields[CHANNELS].key);
-    struct zr_json there = zr_json_at(&file->root.json, file->animation->places[number]);
+    struct zr_json there = zr_json_at(&file->json, file->animation->places[number]);
     struct given_animation given = {.name = ""};
     const struct zr_gltf_note before = file->unknown; /* read_name has counted the unknown keys */
     struct reading r = {.file = file};
@@ -334,7 +333,7 @@ bool zr_gltf_animate(struct zr_gltf *file)
     file->unknown = before;
     if (!given.channels || !given.samplers) return true; /* moves no node */
     if (!read_samplers(&r, ZR_JSON_KEY(path, fields[SAMPLERS].key), given.samplers)) return false;
-    there = zr_json_at(&file->root.json, given.channels);
+    there = zr_json_at(&file->json, given.channels);
     if (!zr_json_list(&there, channels)) return false;
     zr_json_enter(&there, '[');
     for (size_t i = 0; zr_json_any_item(&there); i++)

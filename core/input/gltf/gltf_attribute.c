@@ -18,7 +18,7 @@ static const struct zr_json_object object = ZR_JSON_OBJECT_OF("attributes", fiel
 void zr_gltf_read_attributes(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                              struct zr_gltf_attributes *out)
 {
-    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct zr_json there = zr_json_at(&file->json, place);
     const struct zr_gltf_note before = file->unknown;
     uint64_t keys;
     zr_gltf_fields(file, &there, path, &object, out, &keys);
@@ -40,8 +40,7 @@ bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_json_path *pat
     if (!zr_gltf_open(file, at, number, out)) return false;
     const int found = out->accessor->shape;
     if (found != shape && found != other)
-        return zr_json_fault(&file->root.json, at, "accessor %u is %s; %s is needed", number, words[found],
-                             words[shape]);
-    return out->count >= vertices || zr_json_fault(&file->root.json, at, "accessor %u has %u elements for %u vertices",
-                                                   number, out->count, vertices);
+        return zr_json_fault(&file->json, at, "accessor %u is %s; %s is needed", number, words[found], words[shape]);
+    return out->count >= vertices ||
+           zr_json_fault(&file->json, at, "accessor %u has %u elements for %u vertices", number, out->count, vertices);
 }

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "input/scene/file_parts.h"
+#include "input/files/file_parts.h"
 #include "input/text/text.h"
 
 /* ---- lists ---- */
@@ -61,7 +61,7 @@ static void read_view(struct zr_gltf *file, struct zr_json *json, const struct z
 
 bool zr_gltf_read_buffers(struct zr_gltf *file)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     file->buffers = zr_arena_zero(arena, file->counts[ZR_GLTF_BUFFERS], sizeof *file->buffers);
     file->views = zr_arena_zero(arena, file->counts[ZR_GLTF_BUFFER_VIEWS], sizeof *file->views);
     return zr_arena_ok(arena) && zr_gltf_read_list(file, ZR_GLTF_BUFFERS, read_buffer) &&
@@ -102,14 +102,14 @@ static bool is_data(const struct zr_gltf_uri *uri)
 bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_uri *uri,
                       struct zr_parsed_bytes *out)
 {
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     if (is_data(uri)) {
         struct zr_reason reason;
         const enum zr_status status =
             zr_json_uri_decode(&file->uris, uri->text, uri->size, &out->bytes, &out->size, &reason);
         return status == ZR_OK || (status == ZR_BAD_SCENE && zr_json_fault(json, path, "%s", reason.text));
     }
-    const struct zr_asset *part = zr_file_part_find(&file->root.assets, json->arena, uri->text);
+    const struct zr_asset *part = zr_file_part_find(&file->assets, json->arena, uri->text);
     if (!part && !zr_arena_ok(json->arena)) return false;
     if (!part) return refuse_missing(json, path, uri->text);
     if (part->array.type != ZR_BYTES)
@@ -125,7 +125,7 @@ bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, con
 static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number)
 {
     struct zr_gltf_buffer *buffer = &file->buffers[number];
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     if (buffer->uri.text) {
         if (!zr_gltf_find_uri(file, ZR_JSON_KEY(path, buffer_fields[BUFFER_URI].key), &buffer->uri, &buffer->bytes))
             return false;
@@ -154,7 +154,7 @@ static bool find_range(struct zr_gltf *file, const struct zr_json_path *path, ui
             find_bytes(file, ZR_GLTF_ITEM(ZR_GLTF_BUFFERS, number), number) ? ZR_GLTF_READ : ZR_GLTF_REFUSED;
     if (buffer->state == ZR_GLTF_REFUSED) return false;
     if ((uint64_t)offset + length > buffer->length)
-        return zr_json_fault(&file->root.json, path, "bytes %u to %llu of buffer %u, which has %u", offset,
+        return zr_json_fault(&file->json, path, "bytes %u to %llu of buffer %u, which has %u", offset,
                              (unsigned long long)offset + length, number, buffer->length);
     *out = (struct zr_parsed_bytes){(const char *)buffer->bytes.bytes + offset, length};
     return true;
@@ -191,5 +191,5 @@ bool zr_gltf_has_view(struct zr_gltf *file, uint32_t number)
     if (buffer >= file->counts[ZR_GLTF_BUFFERS]) return false;
     const struct zr_gltf_uri *uri = &file->buffers[buffer].uri;
     if (!uri->text) return buffer == 0 && file->chunk.bytes;
-    return is_data(uri) || zr_file_part_find(&file->root.assets, file->root.json.arena, uri->text);
+    return is_data(uri) || zr_file_part_find(&file->assets, file->json.arena, uri->text);
 }

@@ -93,7 +93,7 @@ static void read_camera(struct zr_gltf *file, struct zr_json *json, const struct
 
 bool zr_gltf_read_cameras(struct zr_gltf *file)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     const uint32_t count = file->counts[ZR_GLTF_CAMERAS];
     file->cameras = zr_arena_zero(arena, count, sizeof *file->cameras);
     file->placed_cameras = zr_arena_zero(arena, count, sizeof *file->placed_cameras);

@@ -27,7 +27,7 @@ static const struct zr_json_object object = ZR_JSON_OBJECT_OF(ZR_GLTF_DRACO, fie
 static bool read_extension(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                            struct given_mesh *out, struct zr_gltf_attributes *ids)
 {
-    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct zr_json there = zr_json_at(&file->json, place);
     const size_t faults = there.error->count;
     uint64_t keys;
     if (!zr_gltf_fields(file, &there, path, &object, out, &keys) || !out->attributes) return false;
@@ -40,7 +40,7 @@ static bool read_extension(struct zr_gltf *file, const struct zr_json_path *path
 static struct zr_draco_mesh *decode(struct zr_gltf *file, const struct zr_json_path *path,
                                     const struct zr_parsed_bytes *packed)
 {
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     struct zr_reason reason;
     /* A quick reading decodes only few bytes, since each may stand for many faces. */
     if (!zr_gltf_note_bytes(file, packed->size * ZR_DRACO_PER_BYTE)) return NULL;
@@ -107,9 +107,9 @@ static bool check_type(struct zr_gltf *file, const struct zr_json_path *path, co
     const uint32_t found = component_type(of->type);
     if (of->type != ZR_DRACO_FLOAT32 && !of->is_normalized) return true;
     if (found == 0)
-        return zr_json_fault(&file->root.json, path, "%u; the compressed attribute has normalized integers of 32 bits",
+        return zr_json_fault(&file->json, path, "%u; the compressed attribute has normalized integers of 32 bits",
                              type);
-    return zr_json_fault(&file->root.json, path, "%u; the compressed attribute has %snumbers of the type %u", type,
+    return zr_json_fault(&file->json, path, "%u; the compressed attribute has %snumbers of the type %u", type,
                          of->is_normalized ? "normalized " : "", found);
 }
 
@@ -119,7 +119,7 @@ static const unsigned char *convert(struct zr_gltf *file, const struct zr_json_p
 {
     const size_t count = (size_t)points * of->width, from = zr_draco_type_bytes(of->type),
                  to = zr_gltf_type_bytes(type);
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     if (!check_type(file, path, of, type)) return NULL;
     unsigned char *out = zr_gltf_note_bytes(file, count * to) ? zr_arena_alloc(json->arena, count, to) : NULL;
     for (size_t i = 0; out && i < count; i++) {
@@ -145,7 +145,7 @@ static bool check_count(struct zr_gltf *file, uint32_t number, uint32_t count)
 {
     const uint32_t given = file->accessors[number].count;
     return given == count || (!file->requires_draco && file->accessors[number].view != ZR_GLTF_NONE) ||
-           zr_json_fault(&file->root.json, ZR_JSON_KEY(ZR_GLTF_ITEM(ZR_GLTF_ACCESSORS, number), "count"),
+           zr_json_fault(&file->json, ZR_JSON_KEY(ZR_GLTF_ITEM(ZR_GLTF_ACCESSORS, number), "count"),
                          "%u elements; the compressed data have %u", given, count);
 }
 
@@ -155,12 +155,12 @@ static bool open_attribute(struct zr_gltf *file, const struct zr_json_path *path
 {
     static const uint32_t widths[ZR_GLTF_SHAPES] = {1, 2, 3, 4, 4, 9, 16};
     const struct zr_draco_attribute *of = find_attribute(mesh, id);
-    if (!of) return zr_json_fault(&file->root.json, path, "the compressed data have no attribute %u", id);
+    if (!of) return zr_json_fault(&file->json, path, "the compressed data have no attribute %u", id);
     struct zr_gltf_accessor *accessor = &file->accessors[number];
     const struct zr_json_path *at = ZR_GLTF_ITEM(ZR_GLTF_ACCESSORS, number);
     if (!check_count(file, number, mesh->point_count)) return false;
     if (widths[accessor->shape] != of->width)
-        return zr_json_fault(&file->root.json, ZR_JSON_KEY(at, "type"),
+        return zr_json_fault(&file->json, ZR_JSON_KEY(at, "type"),
                              "elements of %u numbers; the compressed attribute has %u", widths[accessor->shape],
                              of->width);
     if (accessor->view != ZR_GLTF_NONE) file->has_fallbacks = true;
@@ -190,7 +190,7 @@ static bool check_alone(struct zr_gltf *file, const struct zr_json_path *path, c
     for (uint32_t i = 0; i < at && zr_gltf_attribute_of(i, &other); i++) {
         const uint32_t other_id = number_at(ids, other);
         if (number_at(numbers, other) == number && other_id != id && other_id != ZR_GLTF_NONE)
-            return zr_json_fault(&file->root.json, path, "%u; accessor %u already has the compressed attribute %u", id,
+            return zr_json_fault(&file->json, path, "%u; accessor %u already has the compressed attribute %u", id,
                                  number, other_id);
     }
     return true;
@@ -231,8 +231,8 @@ static bool open_attributes(struct zr_gltf *file, const struct zr_json_path *pat
 static bool check_faces(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given)
 {
     if (given->mode != ZR_GLTF_TRIANGLES && given->mode != ZR_GLTF_TRIANGLE_STRIP)
-        return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, "mode"),
-                             "%u; compressed primitives have the modes 4 and 5", given->mode);
+        return zr_json_fault(&file->json, ZR_JSON_KEY(path, "mode"), "%u; compressed primitives have the modes 4 and 5",
+                             given->mode);
     return given->indices == ZR_GLTF_NONE || given->mode != ZR_GLTF_TRIANGLES ||
            (zr_gltf_check_index(file, ZR_JSON_KEY(path, "indices"), given->indices, ZR_GLTF_ACCESSORS) &&
             check_count(file, given->indices, 3 * given->draco->face_count));
@@ -244,7 +244,7 @@ static bool falls_back(struct zr_gltf *file, const struct zr_gltf_primitive *giv
     const uint32_t number = given->attributes.position;
     return !file->requires_draco && number < file->counts[ZR_GLTF_ACCESSORS] &&
            file->accessors[number].view != ZR_GLTF_NONE && view < file->counts[ZR_GLTF_BUFFER_VIEWS] &&
-           !zr_gltf_has_view(file, view) && zr_arena_ok(file->root.json.arena);
+           !zr_gltf_has_view(file, view) && zr_arena_ok(file->json.arena);
 }
 
 bool zr_gltf_open_draco(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,

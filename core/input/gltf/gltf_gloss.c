@@ -122,14 +122,14 @@ static void bake_rows(void *context, size_t begin, size_t end)
 static uint32_t add_image(struct zr_gltf *file, const struct baking *b, const uint8_t *texels)
 {
     const struct zr_image image = {b->width, b->height, 8, texels, NULL};
-    return zr_scene_builder_image(file->root.builder, &image);
+    return zr_scene_builder_image(file->builder, &image);
 }
 
 /* Makes both images. False beyond the limit of texels, without memory, or if cancelled. */
 static bool make(struct zr_gltf *file, struct zr_gltf_baked *made)
 {
-    const struct zr_json *json = &file->root.json;
-    const struct zr_image *images = file->root.scene->images;
+    const struct zr_json *json = &file->json;
+    const struct zr_image *images = file->builder->scene->images;
     struct baking b = {.factors = &made->factors,
                        .diffuse = made->has_diffuse ? &images[made->diffuse] : NULL,
                        .specular = &images[made->specular],
@@ -141,7 +141,9 @@ static bool make(struct zr_gltf *file, struct zr_gltf_baked *made)
     b.width = size->width;
     b.height = size->height;
     const uint64_t pixels = (uint64_t)b.width * b.height;
-    if (!zr_parsed_count_pixels(&file->root, 2 * pixels)) return false;
+    const enum zr_status status = zr_image_list_count(&file->decoded, 2 * pixels);
+    if (status == ZR_CANCELLED) zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");
+    if (status != ZR_OK) return false;
     b.color = zr_arena_alloc(json->arena, (size_t)pixels, 4);
     b.rough = zr_arena_alloc(json->arena, (size_t)pixels, 4);
     if (!zr_arena_ok(json->arena)) return false;
@@ -163,7 +165,7 @@ const struct zr_gltf_baked *zr_gltf_bake_glossiness(struct zr_gltf *file, const 
 {
     struct zr_gltf_baked made = {
         .factors = *factors, .has_diffuse = diffuse != NULL, .diffuse = diffuse ? *diffuse : 0, .specular = specular};
-    if (!file->baked) file->baked = zr_arena_alloc(file->root.json.arena, MADE_MAX, sizeof *file->baked);
+    if (!file->baked) file->baked = zr_arena_alloc(file->json.arena, MADE_MAX, sizeof *file->baked);
     if (!file->baked) return NULL;
     for (uint32_t i = 0; i < file->baked_count; i++)
         if (is_same(&file->baked[i], &made)) return &file->baked[i];

@@ -50,17 +50,17 @@ static void forget_refusals(struct zr_gltf *file)
 
 void zr_gltf_read_images_ahead(struct zr_gltf *file)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     struct zr_error faults = {.count = 0};
     if (file->counts[ZR_GLTF_IMAGES] < 2 || file->counts[ZR_GLTF_MATERIALS] == 0) return;
     struct zr_gltf *rehearsal = zr_arena_copy(arena, file, sizeof *file);
     struct zr_gltf_listing listing = {
-        &file->root, zr_arena_zero(arena, file->counts[ZR_GLTF_MATERIALS], sizeof *listing.has_material)};
+        &file->decoded, zr_arena_zero(arena, file->counts[ZR_GLTF_MATERIALS], sizeof *listing.has_material)};
     if (!rehearsal || !listing.has_material) return;
-    rehearsal->root.json.error = &faults;
+    rehearsal->json.error = &faults;
     rehearsal->listing = &listing;
     zr_gltf_read_list(rehearsal, ZR_GLTF_MESHES, list_mesh);
-    file->root.assets = rehearsal->root.assets; /* keeps the names that the rehearsal sorted */
+    file->assets = rehearsal->assets; /* keeps the names that the rehearsal sorted */
     forget_refusals(file);
-    if (!zr_gltf_stops(file)) zr_parsed_ahead_decode(&file->root);
+    if (!zr_gltf_stops(file)) zr_image_list_decode(&file->decoded);
 }

@@ -7,11 +7,10 @@
 #define ZR_GLTF_IMAGE_AHEAD_H
 
 #include "input/gltf/gltf.h"
-#include "input/mesh/json_image_ahead.h"
 
-/* State of a rehearsal. Textures add their images to root->ahead, and are not made. */
+/* State of a rehearsal. Textures list their images for decoding ahead, and are not made. */
 struct zr_gltf_listing {
-    struct zr_parsed_scene *root;
+    struct zr_image_list *images;
     bool *has_material; /* one per material: true if it is listed */
 };
 

@@ -32,13 +32,13 @@ static const struct zr_json_object attribute_object = ZR_JSON_OBJECT_OF("attribu
 static zr_vec4 *read_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
                                int shape, zr_vec4 otherwise, uint32_t *count)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     struct zr_gltf_values values = {.count = *count};
     if (number != ZR_GLTF_NONE && !zr_gltf_open_attribute(file, path, name, number, shape, shape, *count, &values))
         return NULL;
-    if (values.count > file->root.json.limits->instances_max) {
-        zr_json_fault(&file->root.json, ZR_JSON_KEY(path, name), "%u instances; %u are allowed", values.count,
-                      file->root.json.limits->instances_max);
+    if (values.count > file->json.limits->instances_max) {
+        zr_json_fault(&file->json, ZR_JSON_KEY(path, name), "%u instances; %u are allowed", values.count,
+                      file->json.limits->instances_max);
         return NULL;
     }
     if (*count == 0) *count = values.count;
@@ -46,7 +46,7 @@ static zr_vec4 *read_attribute(struct zr_gltf *file, const struct zr_json_path *
     for (uint32_t i = 0; out && i < *count; i++)
         out[i] = otherwise;
     if (!out || number == ZR_GLTF_NONE) return out;
-    return zr_gltf_read_floats(file, &values, 0, *count, (double)file->root.json.limits->coordinate_max, &out[0].x, 4)
+    return zr_gltf_read_floats(file, &values, 0, *count, (double)file->json.limits->coordinate_max, &out[0].x, 4)
                ? out
                : NULL;
 }
@@ -68,11 +68,11 @@ static bool make_poses(struct zr_gltf *file, const struct zr_json_path *path, co
         const zr_vec4 *s = q ? read_attribute(file, path, "SCALE", of->scale, ZR_GLTF_VEC3, one, &count) : NULL;
         if (!s) return false;
         if (pass == 0 && of->translation == ZR_GLTF_NONE) continue;
-        zr_mat4 *poses = zr_arena_alloc(file->root.json.arena, count, sizeof *poses);
+        zr_mat4 *poses = zr_arena_alloc(file->json.arena, count, sizeof *poses);
         if (!poses) return false;
         for (uint32_t i = 0; i < count; i++) {
             if (q[i].x == 0.0f && q[i].y == 0.0f && q[i].z == 0.0f && q[i].w == 0.0f)
-                return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, "ROTATION"),
+                return zr_json_fault(&file->json, ZR_JSON_KEY(path, "ROTATION"),
                                      "instance %u: the quaternion has the length 0", i);
             poses[i] = zr_mat4_of_pose(xyz(t[i]), q[i], xyz(s[i]));
         }
@@ -91,11 +91,11 @@ bool zr_gltf_read_poses(struct zr_gltf *file, struct zr_gltf_use *use)
                               *at = ZR_JSON_KEY(path, fields[0].key);
     struct attributes attributes = {ZR_GLTF_NONE, ZR_GLTF_NONE, ZR_GLTF_NONE};
     struct given_instancing given = {NULL};
-    struct zr_json there = zr_json_at(&file->root.json, use->instancing);
+    struct zr_json there = zr_json_at(&file->json, use->instancing);
     uint64_t keys;
     zr_gltf_fields(file, &there, path, &object, &given, &keys);
     if (!given.attributes) return false;
-    there = zr_json_at(&file->root.json, given.attributes);
+    there = zr_json_at(&file->json, given.attributes);
     return zr_gltf_extensions(file, &there, at, &attribute_object, &attributes, &keys) &&
            make_poses(file, at, &attributes, use);
 }

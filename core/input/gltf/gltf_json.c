@@ -9,14 +9,14 @@
 
 bool zr_gltf_stops(struct zr_gltf *file)
 {
-    return zr_json_stops(&file->root.json);
+    return zr_json_stops(&file->json);
 }
 
 /* ---- counts of problems ---- */
 
 bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes)
 {
-    return zr_json_has_time(&file->root.json, bytes);
+    return zr_json_has_time(&file->json, bytes);
 }
 
 void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path)
@@ -122,7 +122,7 @@ bool zr_gltf_fields(struct zr_gltf *file, struct zr_json *json, const struct zr_
 
 bool zr_gltf_read_items(struct zr_gltf *file, const char *place, const struct zr_json_path *path, zr_gltf_item_fn *read)
 {
-    struct zr_json there = zr_json_at(&file->root.json, place), *json = &there;
+    struct zr_json there = zr_json_at(&file->json, place), *json = &there;
     uint32_t number = 0;
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_any_item(json); number++)

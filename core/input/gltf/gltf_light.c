@@ -108,7 +108,7 @@ static const struct zr_json_object list_object = ZR_JSON_OBJECT_OF(NAME, list_fi
 
 bool zr_gltf_read_lights(struct zr_gltf *file)
 {
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     const struct zr_json_path *extensions = ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_EXTENSIONS)),
                               *path = ZR_JSON_KEY(extensions, NAME), *list = ZR_JSON_KEY(path, "lights");
     const char *found = NULL, *lights = NULL;
@@ -141,17 +141,16 @@ uint32_t zr_gltf_find_light(struct zr_gltf *file, const struct zr_json_path *pat
     uint64_t keys;
     const struct zr_json_path *at = ZR_JSON_KEY(path, NAME);
     if (!zr_gltf_find_extension(file, path, extensions, NAME, &found) || !found) return light;
-    struct zr_json there = zr_json_at(&file->root.json, found);
+    struct zr_json there = zr_json_at(&file->json, found);
     zr_gltf_fields(file, &there, at, &node_object, &light, &keys);
     if (light != ZR_GLTF_NONE && light >= file->light_count)
-        zr_json_bad_index(&file->root.json, ZR_JSON_KEY(at, node_fields[0].key), (double)light, file->light_count,
-                          "lights");
+        zr_json_bad_index(&file->json, ZR_JSON_KEY(at, node_fields[0].key), (double)light, file->light_count, "lights");
     return light < file->light_count ? light : ZR_GLTF_NONE;
 }
 
 static bool is_near(const struct zr_gltf *file, const float *position)
 {
-    const float limit = file->root.json.limits->coordinate_max;
+    const float limit = file->json.limits->coordinate_max;
     return fabsf(position[0]) <= limit && fabsf(position[1]) <= limit && fabsf(position[2]) <= limit;
 }
 

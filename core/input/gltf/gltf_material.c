@@ -18,7 +18,7 @@ static float clamp(struct zr_gltf *file, const struct zr_json_path *path, double
 static void put_color(struct zr_gltf *file, const float linear[4], struct zr_parsed_material *material)
 {
     float in[4 + ZR_SRGB_EXCESS] = {linear[0], linear[1], linear[2]}, out[4 + ZR_SRGB_EXCESS];
-    zr_srgb_encode_of(zr_team_isa(file->root.json.team))(in, 4, out);
+    zr_srgb_encode_of(zr_team_isa(file->json.team))(in, 4, out);
     material->base_color = (zr_vec4){out[0], out[1], out[2], linear[3]};
     material->linear_color = (zr_vec3){linear[0], linear[1], linear[2]};
     material->has_linear_color = true;
@@ -59,7 +59,7 @@ static void read_pbr(struct zr_gltf *file, const struct zr_json_path *path, cons
     float color[4];
     uint64_t keys;
     if (place) {
-        struct zr_json there = zr_json_at(&file->root.json, place);
+        struct zr_json there = zr_json_at(&file->json, place);
         zr_gltf_fields(file, &there, path, &pbr_object, &given, &keys);
     }
     for (int k = 0; k < 4; k++)
@@ -118,7 +118,7 @@ static void read_glossy(struct zr_gltf *file, const struct zr_json_path *path, c
 static bool read_extensions(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                             struct zr_parsed_material *out, double *strength)
 {
-    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct zr_json there = zr_json_at(&file->json, place);
     struct given_extensions given = {NULL, NULL, NULL, NULL, NULL};
     struct given_strength emissive = {1};
     uint64_t keys;
@@ -129,7 +129,7 @@ static bool read_extensions(struct zr_gltf *file, const struct zr_json_path *pat
         zr_gltf_read_reflectance(file, path, given.ior, given.specular, out);
     if (given.glossiness) read_glossy(file, ZR_JSON_KEY(path, extension_fields[GLOSSINESS].key), given.glossiness, out);
     if (!given.strength) return given.glossiness != NULL;
-    there = zr_json_at(&file->root.json, given.strength);
+    there = zr_json_at(&file->json, given.strength);
     zr_gltf_fields(file, &there, ZR_JSON_KEY(path, extension_fields[STRENGTH].key), &strength_object, &emissive, &keys);
     *strength = emissive.strength;
     return given.glossiness != NULL;
@@ -178,9 +178,9 @@ static void put_emission(struct zr_gltf *file, const struct zr_json_path *path, 
 static bool read_material(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
                           struct zr_parsed_material *out)
 {
-    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct zr_json there = zr_json_at(&file->json, place);
     struct given_material given = {.name = "", .alpha_cutoff = 0.5};
-    const size_t faults = file->root.json.error->count;
+    const size_t faults = file->json.error->count;
     double strength = 1;
     uint64_t keys;
     if (!zr_gltf_fields(file, &there, path, &object, &given, &keys)) return false;
@@ -198,7 +198,7 @@ static bool read_material(struct zr_gltf *file, const char *place, const struct 
     read_texture(file, path, given.normal, ZR_TEXTURE_NORMAL, out);
     read_texture(file, path, given.occlusion, ZR_TEXTURE_OCCLUSION, out);
     put_emission(file, path, &given, strength, out);
-    return file->root.json.error->count == faults;
+    return file->json.error->count == faults;
 }
 
 static void note_place(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
@@ -208,7 +208,7 @@ static void note_place(struct zr_gltf *file, struct zr_json *json, const struct 
 
 bool zr_gltf_read_materials(struct zr_gltf *file)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     const uint32_t count = file->counts[ZR_GLTF_MATERIALS];
     file->made->material_count = count;
     file->made->materials = zr_arena_zero(arena, count, sizeof *file->made->materials);

@@ -29,7 +29,7 @@ static void read_primitive(struct zr_gltf *file, struct zr_json *json, const str
         .primitive = {
             .attributes = ZR_GLTF_NO_ATTRIBUTES, .indices = none, .material = none, .mode = ZR_GLTF_TRIANGLES}};
     struct zr_gltf_use *of = &file->uses[file->use];
-    struct zr_mesh *mesh = &file->root.builder->meshes[of->first + of->count];
+    struct zr_mesh *mesh = &file->builder->meshes[of->first + of->count];
     uint64_t keys;
     (void)number;
     if (zr_gltf_stops(file)) return;
@@ -85,13 +85,13 @@ static void read_use(struct zr_gltf *file, const struct zr_json_path *path, cons
                      uint32_t number)
 {
     struct zr_gltf_use *use = &file->uses[number];
-    struct zr_json there = zr_json_at(&file->root.json, given->primitives);
+    struct zr_json there = zr_json_at(&file->json, given->primitives);
     file->use = number;
     file->weights = use->weights ? use->weights : given->weights;
     use->first = file->next_mesh;
     zr_json_enter(&there, '[');
     for (uint32_t k = 0; zr_json_any_item(&there); k++) {
-        file->root.builder->meshes[use->first + use->count].name = given->name;
+        file->builder->meshes[use->first + use->count].name = given->name;
         read_primitive(file, &there, ZR_JSON_ITEM(path, k), k);
     }
     file->next_mesh = use->first + use->count;
@@ -114,7 +114,7 @@ static void read_mesh(struct zr_gltf *file, struct zr_json *json, const struct z
 
 bool zr_gltf_read_meshes(struct zr_gltf *file)
 {
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     if (!zr_gltf_read_list(file, ZR_GLTF_MESHES, count_mesh) || json->error->count > 0) return false;
     if (file->primitives > json->limits->instances_max)
         return zr_json_fault(json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_MESHES)),
@@ -122,12 +122,11 @@ bool zr_gltf_read_meshes(struct zr_gltf *file)
                              json->limits->instances_max);
     file->mesh_materials = zr_arena_alloc(json->arena, (size_t)file->primitives, sizeof *file->mesh_materials);
     file->moves = zr_arena_zero(json->arena, (size_t)file->primitives + 1, sizeof *file->moves);
-    if (!zr_scene_builder_meshes(file->root.builder, (size_t)file->primitives + 1) || !file->mesh_materials ||
-        !file->moves)
+    if (!zr_scene_builder_meshes(file->builder, (size_t)file->primitives + 1) || !file->mesh_materials || !file->moves)
         return false;
     file->made->mesh_materials = file->mesh_materials;
     zr_gltf_read_images_ahead(file);
     zr_gltf_read_list(file, ZR_GLTF_MESHES, read_mesh);
-    file->root.scene->mesh_count = file->next_mesh;
+    file->builder->scene->mesh_count = file->next_mesh;
     return json->error->count == 0 && !zr_gltf_stops(file);
 }

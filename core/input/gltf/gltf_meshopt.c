@@ -23,20 +23,20 @@ static const struct zr_json_object object = ZR_JSON_OBJECT_OF(ZR_GLTF_MESHOPT, f
 bool zr_gltf_read_compressed(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_view *view,
                              struct zr_gltf_compressed *out)
 {
-    struct zr_json there = zr_json_at(&file->root.json, view->compressed);
+    struct zr_json there = zr_json_at(&file->json, view->compressed);
     const size_t faults = there.error->count;
     uint64_t keys;
     *out = (struct zr_gltf_compressed){.length = 0};
     if (!zr_gltf_fields(file, &there, path, &object, out, &keys) || there.error->count > faults) return false;
     return (uint64_t)out->layout.count * out->layout.stride == view->length ||
-           zr_json_fault(&file->root.json, path, "%u elements of %u bytes, but the view has %u bytes",
-                         out->layout.count, out->layout.stride, view->length);
+           zr_json_fault(&file->json, path, "%u elements of %u bytes, but the view has %u bytes", out->layout.count,
+                         out->layout.stride, view->length);
 }
 
 bool zr_gltf_decompress(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_compressed *given,
                         const struct zr_parsed_bytes *packed, struct zr_parsed_bytes *out)
 {
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     const struct zr_meshopt *of = &given->layout;
     const size_t size = (size_t)of->count * of->stride;
     struct zr_reason reason = {""};

@@ -26,7 +26,7 @@ static bool add(struct zr_gltf *file, const struct zr_json_path *path, const cha
     if (!zr_gltf_open_attribute(file, path, name, number, ZR_GLTF_VEC3, ZR_GLTF_VEC3, range->all, &values))
         return false;
     zr_vec3 *moves = zr_gltf_note_bytes(file, range->count * sizeof *moves)
-                         ? zr_arena_alloc(file->root.json.arena, range->count, sizeof *moves)
+                         ? zr_arena_alloc(file->json.arena, range->count, sizeof *moves)
                          : NULL;
     if (!moves || !zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &moves[0].x, 3))
         return false;
@@ -35,7 +35,7 @@ static bool add(struct zr_gltf *file, const struct zr_json_path *path, const cha
         vectors[1] += (float)weight * moves[i].y;
         vectors[2] += (float)weight * moves[i].z;
     }
-    zr_arena_trim(file->root.json.arena, moves, range->count, 0, sizeof *moves);
+    zr_arena_trim(file->json.arena, moves, range->count, 0, sizeof *moves);
     return true;
 }
 
@@ -62,8 +62,8 @@ bool zr_gltf_morph(struct zr_gltf *file, const struct zr_json_path *path, const 
     const struct zr_json_path *targets = ZR_JSON_KEY(path, "targets"), *weights = ZR_JSON_KEY(path->parent, "weights");
     const struct zr_gltf_pose *pose = file->uses[file->use].pose;
     if (!given->targets || (!file->weights && !pose)) return true;
-    struct zr_json target = zr_json_at(&file->root.json, given->targets), weight = target;
-    if (!pose) weight = zr_json_at(&file->root.json, file->weights);
+    struct zr_json target = zr_json_at(&file->json, given->targets), weight = target;
+    if (!pose) weight = zr_json_at(&file->json, file->weights);
     if (!zr_json_list(&target, targets) || (!pose && !zr_json_list(&weight, weights))) return false;
     if (!pose) zr_json_enter(&weight, '[');
     zr_json_enter(&target, '[');

@@ -143,7 +143,7 @@ static void read_child(struct zr_gltf *file, struct zr_json *json, const struct 
 static bool read_children(struct zr_gltf *file)
 {
     struct zr_gltf_nodes *all = file->nodes;
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     for (uint32_t i = 0; i < all->count; i++) {
         all->nodes[i].first_child = all->child_count;
         all->child_count += all->nodes[i].child_count; /* no overflow: each is a value of the text */
@@ -154,12 +154,12 @@ static bool read_children(struct zr_gltf *file)
         if (!all->places[i]) continue;
         const struct zr_json_path *node = ZR_GLTF_ITEM(ZR_GLTF_NODES, i),
                                   *path = ZR_JSON_KEY(node, fields[CHILDREN].key);
-        struct zr_json there = zr_json_at(&file->root.json, all->places[i]);
+        struct zr_json there = zr_json_at(&file->json, all->places[i]);
         zr_json_enter(&there, '[');
         for (size_t k = 0; zr_json_any_item(&there); k++)
             read_child(file, &there, ZR_JSON_ITEM(path, k), i, next++);
     }
-    return file->root.json.error->count == 0;
+    return file->json.error->count == 0;
 }
 
 /* ---- the scene ---- */
@@ -208,7 +208,7 @@ static void read_scene(struct zr_gltf *file, struct zr_json *json, const struct 
 static bool find_roots(struct zr_gltf *file)
 {
     struct zr_gltf_nodes *all = file->nodes;
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     file->scene = 0;
     if (file->places[ZR_GLTF_SCENE]) {
         struct zr_json there = zr_json_at(json, file->places[ZR_GLTF_SCENE]);
@@ -243,7 +243,7 @@ static bool animate(struct zr_gltf *file)
         const zr_vec4 q = pose->rotation;
         if (!pose->is_moved) continue;
         if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f)
-            return zr_json_fault(&file->root.json, ZR_GLTF_ITEM(ZR_GLTF_NODES, i),
+            return zr_json_fault(&file->json, ZR_GLTF_ITEM(ZR_GLTF_NODES, i),
                                  "the animation gives it a quaternion of length 0");
         file->nodes->nodes[i].local = zr_mat4_of_pose(pose->translation, q, pose->scale);
     }
@@ -313,7 +313,7 @@ static void find_uses(struct zr_gltf *file)
 
 bool zr_gltf_read_nodes(struct zr_gltf *file)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     const uint32_t count = file->counts[ZR_GLTF_NODES];
     struct zr_gltf_nodes *all = file->nodes = zr_arena_zero(arena, 1, sizeof *all);
     file->first_uses = zr_arena_alloc(arena, file->counts[ZR_GLTF_MESHES], sizeof *file->first_uses);

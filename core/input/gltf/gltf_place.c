@@ -3,8 +3,8 @@
 #include "input/gltf/gltf_nodes.h"
 
 #include "base/cancel.h"
-#include "input/mesh/json_placement.h"
 #include "input/formats/quick.h"
+#include "input/json/json_placement.h"
 
 /* ---- instances ---- */
 
@@ -31,7 +31,7 @@ static void put_instances(const struct zr_gltf_use *use, const struct zr_instanc
 static bool expand(struct zr_gltf *file, const struct zr_placement *placement, struct zr_matrix **exact)
 {
     struct zr_file_scene *made = file->made;
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     uint64_t count = 0;
     for (uint32_t i = 0; i < placement->count; i++) {
         struct zr_gltf_use *use = &file->uses[placement->instances[i].mesh];
@@ -60,7 +60,7 @@ static bool expand(struct zr_gltf *file, const struct zr_placement *placement, s
 static struct zr_matrix *find_exact(struct zr_gltf *file)
 {
     const struct zr_gltf_nodes *all = file->nodes;
-    struct zr_matrix *exact = zr_arena_alloc(file->root.json.arena, all->count, sizeof *exact);
+    struct zr_matrix *exact = zr_arena_alloc(file->json.arena, all->count, sizeof *exact);
     for (uint32_t i = 0; exact && i < all->count; i++) {
         exact[i] = zr_matrix_of(&all->nodes[i].local);
         for (int axis = 0; axis < 3; axis++)
@@ -101,9 +101,9 @@ static void move_lights(struct zr_file_scene *made, const double *origin)
 /* Places the meshes again with matrices in double if they are far from the origin, and subtracts their middle. */
 static void place_far(struct zr_gltf *file, struct zr_nodes *hierarchy)
 {
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     struct zr_file_scene *made = file->made;
-    struct zr_scene *scene = file->root.scene;
+    struct zr_scene *scene = file->builder->scene;
     struct zr_matrix *exact;
     struct zr_far_scene far = {
         .count = made->instance_count, .instances = made->instances, .meshes = scene->meshes, .moves = file->moves};
@@ -124,20 +124,20 @@ static void place_far(struct zr_gltf *file, struct zr_nodes *hierarchy)
 
 void zr_gltf_place(struct zr_gltf *file)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     const struct zr_gltf_nodes *all = file->nodes;
     struct zr_nodes hierarchy = {
         .count = all->count, .child_count = all->child_count, .nodes = all->nodes, .children = all->children};
-    struct zr_quick *quick = file->root.assets.quick;
+    struct zr_quick *quick = file->assets.quick;
     if (quick && all->count > quick->node_visits_max) {
-        zr_quick_exceed(quick, file->root.json.error);
+        zr_quick_exceed(quick, file->json.error);
         return;
     }
     const struct zr_placement placement =
-        zr_nodes_place(arena, &hierarchy, file->root.json.limits->instances_max, UINT64_MAX);
+        zr_nodes_place(arena, &hierarchy, file->json.limits->instances_max, UINT64_MAX);
     if (!zr_arena_ok(arena) || zr_is_cancelled(arena->cancel) ||
-        !zr_json_check_placement(&file->root.json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_NODES)), all->count,
-                                 "children", &placement))
+        !zr_json_check_placement(&file->json, ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_NODES)), all->count, "children",
+                                 &placement))
         return;
     struct zr_matrix *exact;
     if (expand(file, &placement, &exact)) place_far(file, &hierarchy);

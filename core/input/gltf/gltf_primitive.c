@@ -15,7 +15,7 @@ enum { AT_ONCE = 256 };
 
 static void *allocate(struct zr_gltf *file, size_t count, size_t size)
 {
-    return zr_gltf_note_bytes(file, count * size) ? zr_arena_alloc(file->root.json.arena, count, size) : NULL;
+    return zr_gltf_note_bytes(file, count * size) ? zr_arena_alloc(file->json.arena, count, size) : NULL;
 }
 
 /* ---- attributes ---- */
@@ -24,7 +24,7 @@ static zr_vec4 *read_positions(struct zr_gltf *file, const struct zr_gltf_values
                                const struct zr_gltf_range *range, uint32_t mesh)
 {
     zr_vec4 *positions = allocate(file, range->count, sizeof *positions);
-    struct zr_json *json = &file->root.json;
+    struct zr_json *json = &file->json;
     const bool is_bent = file->uses[file->use].skin != ZR_GLTF_NONE;
     const double limit = is_bent ? (double)json->limits->coordinate_max : zr_far_limit(json->limits);
     if (!positions || !zr_gltf_read_floats(file, values, range->first, range->count, limit, &positions[0].x, 4))
@@ -60,7 +60,7 @@ static bool read_normals(struct zr_gltf *file, const struct zr_json_path *path, 
 {
     zr_vec3 *normals = (zr_vec3 *)(void *)read_vectors(file, path, "NORMAL", number, 3, vertices, range);
     if (!normals) return false;
-    zr_scene_builder_note_normals(file->root.builder, mesh_number, normals, range->count);
+    zr_scene_builder_note_normals(file->builder, mesh_number, normals, range->count);
     mesh->normals = normals;
     mesh->normal_count = range->count;
     return true;
@@ -82,7 +82,7 @@ static bool read_texcoords(struct zr_gltf *file, const struct zr_json_path *path
 {
     static const char *const names[2] = {"TEXCOORD_0", "TEXCOORD_1"};
     zr_vec4 *texcoords = zr_gltf_note_bytes(file, range->count * sizeof *texcoords)
-                             ? zr_arena_zero(file->root.json.arena, range->count, sizeof *texcoords)
+                             ? zr_arena_zero(file->json.arena, range->count, sizeof *texcoords)
                              : NULL;
     if (!texcoords) return false;
     for (int set = 0; set < 2; set++) {
@@ -102,10 +102,10 @@ static bool read_texcoords(struct zr_gltf *file, const struct zr_json_path *path
 static bool encode(struct zr_gltf *file, zr_vec4 *colors, uint32_t count)
 {
     float linear[4 * AT_ONCE + ZR_SRGB_EXCESS] = {0}, encoded[4 * AT_ONCE + ZR_SRGB_EXCESS];
-    zr_srgb_encode_fn *encode_all = zr_srgb_encode_of(zr_team_isa(file->root.json.team));
+    zr_srgb_encode_fn *encode_all = zr_srgb_encode_of(zr_team_isa(file->json.team));
     for (uint32_t at = 0; at < count; at += AT_ONCE) {
         const uint32_t run = count - at < AT_ONCE ? count - at : AT_ONCE;
-        if (zr_is_cancelled(file->root.json.cancel)) return false;
+        if (zr_is_cancelled(file->json.cancel)) return false;
         memcpy(linear, colors + at, run * sizeof *colors);
         encode_all(linear, 4 * (size_t)run, encoded);
         for (uint32_t i = 0; i < run; i++) {
@@ -188,7 +188,7 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
     struct zr_gltf_range range;
     uint32_t *corners = NULL, count;
     if (given->mode > ZR_GLTF_TRIANGLE_FAN)
-        return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, "mode"), "%u; glTF has the modes 0 to 6", given->mode);
+        return zr_json_fault(&file->json, ZR_JSON_KEY(path, "mode"), "%u; glTF has the modes 0 to 6", given->mode);
     if (given->attributes.position == ZR_GLTF_NONE) {
         zr_gltf_note(&file->no_positions, path);
         return false;
@@ -209,5 +209,5 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
     mesh->point_size = mesh->point_count > 0 ? 0.0f : 1.0f; /* 0: by the density of the points */
     return mesh->positions && read_attributes(file, attributes, given, positions.count, &range, mesh, number) &&
            zr_gltf_morph(file, path, given, &range, mesh) && zr_gltf_bend(file, attributes, given, &range, mesh) &&
-           zr_arena_ok(file->root.json.arena);
+           zr_arena_ok(file->json.arena);
 }

@@ -39,5 +39,5 @@ bool zr_gltf_read_list(struct zr_gltf *file, enum zr_gltf_key key, zr_gltf_item_
 bool zr_gltf_check_index(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, enum zr_gltf_key of)
 {
     if (number < file->counts[of]) return true;
-    return zr_json_bad_index(&file->root.json, path, (double)number, file->counts[of], zr_gltf_word(of));
+    return zr_json_bad_index(&file->json, path, (double)number, file->counts[of], zr_gltf_word(of));
 }

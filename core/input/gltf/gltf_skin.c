@@ -38,7 +38,7 @@ static void read_skin(struct zr_gltf *file, struct zr_json *json, const struct z
 
 bool zr_gltf_read_skins(struct zr_gltf *file)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     file->skins = zr_arena_zero(arena, file->counts[ZR_GLTF_SKINS], sizeof *file->skins);
     return zr_arena_ok(arena) && zr_gltf_read_list(file, ZR_GLTF_SKINS, read_skin);
 }
@@ -55,7 +55,7 @@ static bool read_inverses(struct zr_gltf *file, const struct zr_json_path *path,
     const struct zr_json_path *at = ZR_JSON_KEY(path, fields[INVERSE].key);
     return zr_gltf_open_attribute(file, path, fields[INVERSE].key, skin->inverse, ZR_GLTF_MAT4, ZR_GLTF_MAT4,
                                   skin->count, &values) &&
-           (values.accessor->type == ZR_GLTF_FLOAT32 || zr_json_fault(&file->root.json, at, "floats are needed")) &&
+           (values.accessor->type == ZR_GLTF_FLOAT32 || zr_json_fault(&file->json, at, "floats are needed")) &&
            zr_gltf_read_floats(file, &values, 0, skin->count, (double)ZR_MATRIX_MAX, skin->matrices[0].m, 16);
 }
 
@@ -63,7 +63,7 @@ static bool make_matrices(struct zr_gltf *file, uint32_t number, struct zr_gltf_
 {
     const struct zr_json_path *path = ZR_GLTF_ITEM(ZR_GLTF_SKINS, number),
                               *list = ZR_JSON_KEY(path, fields[JOINTS].key);
-    struct zr_json there = zr_json_at(&file->root.json, skin->joints), *json = &there;
+    struct zr_json there = zr_json_at(&file->json, skin->joints), *json = &there;
     size_t count;
     if (!zr_json_count(json, list, &count)) return false;
     skin->count = (uint32_t)count;
@@ -99,8 +99,8 @@ static bool read_influences(struct zr_gltf *file, const struct zr_json_path *pat
     of_joints.is_normalized = false;
     of_weights.is_normalized = true;
     if (!zr_gltf_note_bytes(file, 2 * range->count * sizeof(zr_vec4))) return false;
-    out->joints = zr_arena_alloc(file->root.json.arena, range->count, sizeof(zr_vec4));
-    out->weights = zr_arena_alloc(file->root.json.arena, range->count, sizeof(zr_vec4));
+    out->joints = zr_arena_alloc(file->json.arena, range->count, sizeof(zr_vec4));
+    out->weights = zr_arena_alloc(file->json.arena, range->count, sizeof(zr_vec4));
     return out->joints && out->weights &&
            zr_gltf_read_floats(file, &of_joints, range->first, range->count, (double)FLT_MAX, out->joints, 4) &&
            zr_gltf_read_floats(file, &of_weights, range->first, range->count, (double)FLT_MAX, out->weights, 4);
@@ -164,9 +164,9 @@ bool zr_gltf_bend(struct zr_gltf *file, const struct zr_json_path *path, const s
         if (!read_influences(file, path, attributes->joints[sets], attributes->weights[sets], sets, range, &of[sets]))
             return false;
     for (uint32_t i = 0; i < range->count; i++) {
-        if (i % AT_ONCE == 0 && zr_is_cancelled(file->root.json.cancel)) return false;
+        if (i % AT_ONCE == 0 && zr_is_cancelled(file->json.cancel)) return false;
         if (!move(skin, of, sets, i, mesh))
-            return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, "JOINTS_0"),
+            return zr_json_fault(&file->json, ZR_JSON_KEY(path, "JOINTS_0"),
                                  "vertex %u has a joint beyond the %u joints of skin %u", range->first + i, skin->count,
                                  number);
     }
@@ -176,18 +176,17 @@ bool zr_gltf_bend(struct zr_gltf *file, const struct zr_json_path *path, const s
 bool zr_gltf_check_moved(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_mesh *mesh,
                          const char *by)
 {
-    const float limit = file->root.json.limits->coordinate_max;
+    const float limit = file->json.limits->coordinate_max;
     for (uint32_t i = 0; i < mesh->position_count; i++) {
         const zr_vec4 p = mesh->positions[i];
         if (!(fabsf(p.x) <= limit && fabsf(p.y) <= limit && fabsf(p.z) <= limit))
-            return zr_json_fault(&file->root.json, path, "%s moves a vertex beyond the limit of %.9g", by,
-                                 (double)limit);
+            return zr_json_fault(&file->json, path, "%s moves a vertex beyond the limit of %.9g", by, (double)limit);
     }
     for (uint32_t i = 0; i < mesh->normal_count; i++)
         if (!isfinite(mesh->normals[i].x + mesh->normals[i].y + mesh->normals[i].z))
-            return zr_json_fault(&file->root.json, path, "%s makes a normal that is not finite", by);
+            return zr_json_fault(&file->json, path, "%s makes a normal that is not finite", by);
     for (uint32_t i = 0; mesh->tangents && i < mesh->position_count; i++)
         if (!isfinite(mesh->tangents[i].x + mesh->tangents[i].y + mesh->tangents[i].z))
-            return zr_json_fault(&file->root.json, path, "%s makes a tangent that is not finite", by);
+            return zr_json_fault(&file->json, path, "%s makes a tangent that is not finite", by);
     return true;
 }

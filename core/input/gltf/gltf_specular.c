@@ -33,7 +33,7 @@ enum { TEXTURES = 1 << 2 | 1 << 3 };
 static void read_ior(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                      struct zr_parsed_material *out)
 {
-    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct zr_json there = zr_json_at(&file->json, place);
     struct given_reflectance given = {.ior = 1.5};
     uint64_t keys;
     zr_gltf_fields(file, &there, path, &ior_object, &given, &keys);
@@ -50,7 +50,7 @@ void zr_gltf_read_reflectance(struct zr_gltf *file, const struct zr_json_path *p
     if (ior) read_ior(file, ZR_JSON_KEY(path, ior_object.name), ior, out);
     if (!specular) return;
     const struct zr_json_path *at = ZR_JSON_KEY(path, specular_object.name);
-    struct zr_json there = zr_json_at(&file->root.json, specular);
+    struct zr_json there = zr_json_at(&file->json, specular);
     zr_gltf_fields(file, &there, at, &specular_object, &given, &keys);
     if (keys & TEXTURES) zr_gltf_note(&file->specular_textures, at);
     out->specular_factor = (float)zr_gltf_clamp(file, ZR_JSON_KEY(at, "specularFactor"), given.factor, 0.0, 1.0);
@@ -138,7 +138,7 @@ static void read_textures(struct zr_gltf *file, const struct zr_json_path *path,
 void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                              struct zr_gltf_glossiness *out)
 {
-    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct zr_json there = zr_json_at(&file->json, place);
     struct given_glossiness given = {{1, 1, 1, 1}, {1, 1, 1}, 1, NULL, NULL};
     struct zr_gltf_gloss factors;
     uint64_t keys;

@@ -78,7 +78,7 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, st
     struct zr_parsed_bytes found;
     if (image->bytes.bytes) return true;
     if (!image->uri.text == (image->view == ZR_GLTF_NONE))
-        return zr_json_fault(&file->root.json, path, "%s of uri and bufferView is needed",
+        return zr_json_fault(&file->json, path, "%s of uri and bufferView is needed",
                              image->uri.text ? "only one" : "one");
     if (!(image->uri.text
               ? zr_gltf_find_uri(file, ZR_JSON_KEY(path, image_fields[IMAGE_URI].key), &image->uri, &found)
@@ -91,7 +91,10 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, st
 static bool decode(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_image *image)
 {
     const struct zr_json_path *at = ZR_JSON_KEY(path, image_fields[image->uri.text ? IMAGE_URI : IMAGE_VIEW].key);
-    return find_bytes(file, path, image) && zr_parsed_add_image(&file->root, at, &image->bytes, &image->number);
+    struct zr_reason reason;
+    if (!find_bytes(file, path, image) || zr_gltf_stops(file)) return false;
+    const enum zr_status status = zr_image_list_add(&file->decoded, &image->bytes, &image->number, &reason);
+    return zr_json_check_read(&file->json, at, status, &reason);
 }
 
 /* Adds the file of an image to those that are decoded ahead. */
@@ -100,7 +103,7 @@ static void list_image(struct zr_gltf *file, const struct zr_json_path *path, ui
     if (!zr_gltf_check_index(file, path, number, ZR_GLTF_IMAGES)) return;
     struct zr_gltf_image *image = &file->images[number];
     if (image->state == ZR_GLTF_UNREAD && find_bytes(file, ZR_GLTF_ITEM(ZR_GLTF_IMAGES, number), image))
-        zr_parsed_ahead_add(file->listing->root, &image->bytes);
+        zr_image_list_expect(file->listing->images, &image->bytes);
 }
 
 static bool find_image(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t *out)
@@ -143,7 +146,7 @@ static void read_webp(struct zr_gltf *file, const struct zr_json_path *path, con
     uint64_t keys;
     zr_gltf_find_extension(file, path, extensions, webp_object.name, &webp);
     if (!webp) return;
-    struct zr_json there = zr_json_at(&file->root.json, webp);
+    struct zr_json there = zr_json_at(&file->json, webp);
     zr_gltf_fields(file, &there, ZR_JSON_KEY(path, webp_object.name), &webp_object, &source, &keys);
     if (source == ZR_GLTF_NONE) return;
     texture->source = source;
@@ -164,7 +167,7 @@ static void read_texture(struct zr_gltf *file, struct zr_json *json, const struc
 
 bool zr_gltf_read_textures(struct zr_gltf *file)
 {
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     file->samplers = zr_arena_alloc(arena, file->counts[ZR_GLTF_SAMPLERS], sizeof *file->samplers);
     file->images = zr_arena_zero(arena, file->counts[ZR_GLTF_IMAGES], sizeof *file->images);
     file->textures = zr_arena_alloc(arena, file->counts[ZR_GLTF_TEXTURES], sizeof *file->textures);
@@ -205,7 +208,7 @@ static void read_transform(struct zr_gltf *file, const struct zr_json_path *path
     uint64_t keys;
     zr_gltf_find_extension(file, path, extensions, transform_object.name, &transform);
     if (!transform) return;
-    struct zr_json there = zr_json_at(&file->root.json, transform);
+    struct zr_json there = zr_json_at(&file->json, transform);
     zr_gltf_fields(file, &there, ZR_JSON_KEY(path, transform_object.name), &transform_object, &given, &keys);
     memcpy(out->offset, given.offset, sizeof out->offset);
     memcpy(out->scale, given.scale, sizeof out->scale);
@@ -259,16 +262,16 @@ static bool find(struct zr_gltf *file, enum zr_texture_slot slot, uint32_t numbe
 bool zr_gltf_add_texture(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_texture *texture,
                          struct zr_parsed_texture *out)
 {
-    if (file->root.scene->texture_count >= ZR_TEXTURES_MAX)
-        return zr_json_fault(&file->root.json, path, "more than the %d textures that are allowed", ZR_TEXTURES_MAX);
-    out->number = 1 + zr_scene_builder_texture(file->root.builder, texture);
-    return zr_arena_ok(file->root.json.arena);
+    if (file->builder->scene->texture_count >= ZR_TEXTURES_MAX)
+        return zr_json_fault(&file->json, path, "more than the %d textures that are allowed", ZR_TEXTURES_MAX);
+    out->number = 1 + zr_scene_builder_texture(file->builder, texture);
+    return zr_arena_ok(file->json.arena);
 }
 
 bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
                           enum zr_texture_slot slot, struct zr_parsed_texture *out, struct zr_texture *texture)
 {
-    struct zr_json there = zr_json_at(&file->root.json, place);
+    struct zr_json there = zr_json_at(&file->json, place);
     struct given_texture given = {.scale = 1, .strength = 1};
     uint64_t keys;
     if (!zr_gltf_fields(file, &there, path, &info_object, &given, &keys)) return false;
@@ -278,7 +281,7 @@ bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct 
                                       .strength = slot == ZR_TEXTURE_NORMAL ? given.scale : given.strength};
     if (given.extensions) read_transform(file, ZR_JSON_KEY(path, "extensions"), given.extensions, out);
     if (out->texcoord > 1)
-        return zr_json_fault(&file->root.json, ZR_JSON_KEY(path, info_fields[SET].key),
+        return zr_json_fault(&file->json, ZR_JSON_KEY(path, info_fields[SET].key),
                              "%u; texture coordinates 0 and 1 are read", out->texcoord);
     return zr_gltf_check_index(file, ZR_JSON_KEY(path, info_fields[INDEX].key), given.index, ZR_GLTF_TEXTURES) &&
            find(file, slot, given.index, out, texture);

@@ -9,7 +9,7 @@ static inline uint32_t corner(const uint32_t *corners, uint32_t i)
 
 static uint32_t *allocate(struct zr_gltf *file, size_t count)
 {
-    return zr_arena_alloc(file->root.json.arena, count, sizeof(uint32_t));
+    return zr_arena_alloc(file->json.arena, count, sizeof(uint32_t));
 }
 
 /* Makes triangles of a strip or a fan. Leaves out those with two equal corners, which join strips. */

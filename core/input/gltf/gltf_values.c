@@ -117,7 +117,7 @@ static bool refuse(struct zr_gltf *file, const struct zr_gltf_values *values, ui
     struct zr_json_path room[2];
     for (uint32_t k = 0; k < values->width; k++)
         if (!((double)at[k] >= -limit && (double)at[k] <= limit))
-            return zr_json_fault(&file->root.json, path_of(values, room),
+            return zr_json_fault(&file->json, path_of(values, room),
                                  "element %u of %u has %.9g; magnitudes up to %.9g are allowed", element, values->count,
                                  (double)at[k], limit);
     return false;
@@ -127,7 +127,7 @@ static bool refuse(struct zr_gltf *file, const struct zr_gltf_values *values, ui
 static bool refuse_sparse(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t k, uint32_t index)
 {
     struct zr_json_path room[2];
-    return zr_json_fault(&file->root.json, ZR_JSON_KEY(path_of(values, room), "sparse"),
+    return zr_json_fault(&file->json, ZR_JSON_KEY(path_of(values, room), "sparse"),
                          "index %u is %u, of %u elements; indices must rise", k, index, values->count);
 }
 
@@ -146,7 +146,7 @@ static bool put_sparse(struct zr_gltf *file, const struct zr_gltf_values *values
         if (index >= first && index - first < count)
             read_elements(values->sparse_values + k * size, size, accessor->type, values->is_normalized, values->width,
                           1, out + (index - first) * step, step);
-        if (k % AT_ONCE == AT_ONCE - 1 && zr_is_cancelled(file->root.json.cancel)) return false;
+        if (k % AT_ONCE == AT_ONCE - 1 && zr_is_cancelled(file->json.cancel)) return false;
     }
     return true;
 }
@@ -156,7 +156,7 @@ bool zr_gltf_read_floats(struct zr_gltf *file, const struct zr_gltf_values *valu
 {
     for (uint32_t at = 0; at < count; at += AT_ONCE) {
         const uint32_t run = count - at < AT_ONCE ? count - at : AT_ONCE;
-        if (zr_is_cancelled(file->root.json.cancel)) return false;
+        if (zr_is_cancelled(file->json.cancel)) return false;
         if (values->bytes)
             read_run(values, values->bytes + (size_t)(first + at) * values->stride, run, out + at * step, step);
         else
@@ -167,7 +167,7 @@ bool zr_gltf_read_floats(struct zr_gltf *file, const struct zr_gltf_values *valu
         const uint32_t run = count - at < AT_ONCE ? count - at : AT_ONCE;
         const uint32_t bad = find_bad(out + at * step, step, values->width, run, (float)limit);
         if (bad < run) return refuse(file, values, first + at + bad, out + (at + bad) * step, limit);
-        if (zr_is_cancelled(file->root.json.cancel)) return false;
+        if (zr_is_cancelled(file->json.cancel)) return false;
     }
     return true;
 }
@@ -211,11 +211,11 @@ bool zr_gltf_read_indices(struct zr_gltf *file, const struct zr_gltf_values *val
     *low = UINT32_MAX;
     *high = 0;
     if (values->width != 1 || (type != ZR_GLTF_UINT8 && type != ZR_GLTF_UINT16 && type != ZR_GLTF_UINT32))
-        return zr_json_fault(&file->root.json, path_of(values, room),
+        return zr_json_fault(&file->json, path_of(values, room),
                              "indices are SCALAR with the componentType 5121, 5123 or 5125");
     for (uint32_t at = 0; at < values->count; at += AT_ONCE) {
         const uint32_t run = values->count - at < AT_ONCE ? values->count - at : AT_ONCE;
-        if (zr_is_cancelled(file->root.json.cancel)) return false;
+        if (zr_is_cancelled(file->json.cancel)) return false;
         if (values->bytes)
             copy_indices(values, at, run, out + at);
         else
@@ -230,5 +230,5 @@ bool zr_gltf_read_indices(struct zr_gltf *file, const struct zr_gltf_values *val
     uint32_t bad = 0;
     while (out[bad] < end)
         bad++;
-    return zr_json_fault(&file->root.json, path_of(values, room), "index %u is %u, of %u vertices", bad, out[bad], end);
+    return zr_json_fault(&file->json, path_of(values, room), "index %u is %u, of %u vertices", bad, out[bad], end);
 }

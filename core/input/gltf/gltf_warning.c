@@ -5,9 +5,9 @@ static void warn_of(struct zr_gltf *file, struct zr_warning_list *list, const st
                     const char *one, const char *many)
 {
     if (note->count == 1)
-        zr_warning_list_add(file->root.json.arena, list, "%s: %s", note->first, one);
+        zr_warning_list_add(file->json.arena, list, "%s: %s", note->first, one);
     else if (note->count > 1)
-        zr_warning_list_add(file->root.json.arena, list, "%u %s, the first is %s", note->count, many, note->first);
+        zr_warning_list_add(file->json.arena, list, "%u %s, the first is %s", note->count, many, note->first);
 }
 
 uint32_t zr_gltf_count_unplaced(const struct zr_gltf *file)
@@ -20,9 +20,9 @@ uint32_t zr_gltf_count_unplaced(const struct zr_gltf *file)
 
 void zr_gltf_warn(struct zr_gltf *file)
 {
-    struct zr_scene_builder *builder = file->root.builder;
+    struct zr_scene_builder *builder = file->builder;
     struct zr_warning_list *all = &builder->warnings, *colors = &builder->color_warnings;
-    struct zr_arena *arena = file->root.json.arena;
+    struct zr_arena *arena = file->json.arena;
     const uint32_t unplaced = zr_gltf_count_unplaced(file);
     if (file->counts[ZR_GLTF_ANIMATIONS] > 0 && !file->animation)
         zr_warning_list_add(arena, all, "left out: animations of the file");
@@ -57,5 +57,5 @@ void zr_gltf_warn(struct zr_gltf *file)
     warn_of(file, &file->made->light_warnings, &file->clamped_spots,
             "its cone angles are beyond their ranges, and clamped",
             "spot lights have cone angles beyond their ranges, which are clamped");
-    if (!file->has_fallbacks) zr_parsed_warn_of_unused_assets(&file->root.assets, builder);
+    if (!file->has_fallbacks) zr_parsed_warn_of_unused_assets(&file->assets, builder);
 }

@@ -5,8 +5,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/formats/input.h"
-#include "input/scene/json_uris.h"
+#include "input/json/json_uris.h"
 #include "input/text/number.h"
 #include "input/text/text.h"
 

@@ -3,11 +3,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "input/text/color_text.h"
-#include "input/scene/json_scene.h"
-#include "input/json/npy_read.h"
-#include "input/text/parts.h"
 #include "input/formats/quick.h"
+#include "input/json/json_bytes.h"
+#include "input/json/npy_read.h"
+#include "input/text/color_text.h"
+#include "input/text/parts.h"
 
 /* PART_NUMBERS: numbers between two checks for cancellation, whole rows of three, some 20 us of work. TEAM_NUMBERS:
  * smaller arrays are read by one thread. ROWS_MAX: kernels gather rows by 32-bit offsets. */

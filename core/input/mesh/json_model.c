@@ -4,10 +4,10 @@
 #include <string.h>
 
 #include "core.h"
-#include "input/model/file_scene.h"
 #include "input/json/json_array.h"
 #include "input/json/json_matrix.h"
-#include "input/mesh/kept_mesh.h"
+#include "input/model/kept_mesh.h"
+#include "input/scene/json_model_scene.h"
 #include "input/text/text.h"
 #include "render_request.h"
 
@@ -37,7 +37,7 @@ static bool report(struct zr_json *json, const struct zr_json_path *path, const 
 static void count_pixels(struct zr_parsed_scene *root, const struct zr_scene *scene)
 {
     for (uint32_t i = 0; i < scene->image_count; i++)
-        root->image_pixels += (uint64_t)scene->images[i].width * scene->images[i].height;
+        root->images.pixels += (uint64_t)scene->images[i].width * scene->images[i].height;
 }
 
 /* Returns the folder of a name, with a final slash; NULL if it has none. */
@@ -79,7 +79,7 @@ static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *p
                                  .assets = root->assets.items,
                                  .asset_count = root->assets.count,
                                  .stored = root->assets.stored,
-                                 .images = root->assets.images,
+                                 .images = root->images.kept,
                                  .texts = root->assets.texts,
                                  .meshes = root->assets.meshes,
                                  .cancel = json->cancel,
@@ -89,7 +89,7 @@ static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *p
         .builder = &model->builder, .request = &request, .limits = &limits, .assets = &root->assets.hash};
     struct zr_parsed_bytes bytes;
     struct zr_error faults = {0};
-    limits.image_pixels_max -= root->image_pixels;
+    limits.image_pixels_max -= root->images.pixels;
     bool is_kept = find_stored(root, name, &file, &request);
     if (!is_kept) {
         if (!zr_parsed_read_named(json, path, name, &bytes)) return false;
@@ -304,7 +304,7 @@ void zr_parsed_use_model_camera(struct zr_parsed_scene *root, const struct zr_js
         const struct zr_model *model = model_of(root, &instances[i]);
         if (!model || !model->builder.file) continue;
         if (!file || file->camera_count == 0) file = model->builder.file; /* for the message */
-        if (!zr_file_scene_has_camera(model->builder.file, root->camera)) continue;
+        if (!zr_file_scene_find_camera(model->builder.file, root->camera)) continue;
         zr_file_scene_use_camera(root, path, model->builder.file, root->camera, &instances[i].object_to_world);
         return;
     }

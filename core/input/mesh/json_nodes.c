@@ -1,6 +1,6 @@
 /* Reads the hierarchy of nodes and makes the instances that it places. */
 #include "input/json/json_matrix.h"
-#include "input/mesh/json_placement.h"
+#include "input/json/json_placement.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/scene/kept.h"

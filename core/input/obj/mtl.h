@@ -24,8 +24,8 @@
 #ifndef ZR_MTL_H
 #define ZR_MTL_H
 
-#include "input/model/file_scene.h"
-#include "input/scene/json_scene.h"
+#include "input/images/image_list.h"
+#include "input/model/model_scene.h"
 #include "input/text/text.h"
 
 /* Maps of a material. */
@@ -108,13 +108,17 @@ struct zr_mtl_made_image {
 };
 
 struct zr_mtl {
-    struct zr_parsed_scene root; /* for images and assets; its errors go to `faults` */
+    struct zr_arena *arena;
+    const struct zr_cancel *cancel;
+    struct zr_scene_builder *builder;
+    struct zr_parsed_assets assets;
+    struct zr_image_list decoded; /* images of maps */
     struct zr_file_scene *made;
     struct zr_mtl_entry *entries; /* sorted by name at the first search */
     uint32_t count, room, material_room, file_count, sought_count;
     bool is_sorted, has_maps;
     enum zr_status status; /* other than OK: reading stopped */
-    struct zr_error *error, faults;
+    struct zr_error *error;
     struct zr_mtl_made_image *images;
     uint32_t image_count, image_room;
     struct zr_mtl_noted notes[ZR_MTL_NOTES];

@@ -14,20 +14,18 @@ enum {
 /* ---- images of maps ---- */
 
 /* Counts a fault of an image for a warning. Other failures stop reading. */
-static void note_bad(struct zr_mtl *mtl, const struct zr_mtl_text *whole)
+static void note_bad(struct zr_mtl *mtl, const struct zr_mtl_text *whole, enum zr_status status,
+                     const struct zr_reason *reason)
 {
-    struct zr_error *faults = &mtl->faults;
     struct zr_mtl_noted *noted = &mtl->notes[ZR_MTL_NOTE_BAD_IMAGE];
-    if (!zr_arena_ok(mtl->root.json.arena)) {
+    if (!zr_arena_ok(mtl->arena)) {
         mtl->status = ZR_NO_MEMORY;
-    } else if (faults->status == ZR_CANCELLED || zr_is_cancelled(mtl->root.json.cancel)) {
+    } else if (status == ZR_CANCELLED || zr_is_cancelled(mtl->cancel)) {
         mtl->status = zr_error_add(mtl->error, ZR_CANCELLED, NULL, "reading was stopped");
     } else {
-        if (noted->count == 0 && faults->count > 0) zr_reason_give(&noted->reason, "%s", faults->items[0].detail);
+        if (noted->count == 0 && *reason->text) noted->reason = *reason;
         zr_mtl_note(mtl, ZR_MTL_NOTE_BAD_IMAGE, whole);
     }
-    faults->count = 0;
-    faults->status = ZR_OK;
 }
 
 bool zr_mtl_find_image(struct zr_mtl *mtl, const struct zr_mtl_given_map *map, uint32_t *number)
@@ -39,8 +37,10 @@ bool zr_mtl_find_image(struct zr_mtl *mtl, const struct zr_mtl_given_map *map, u
         return false;
     }
     const struct zr_parsed_bytes bytes = {asset->bytes, asset->size};
-    if (zr_parsed_add_image(&mtl->root, NULL, &bytes, number)) return true;
-    note_bad(mtl, &map->whole);
+    struct zr_reason reason = {""};
+    const enum zr_status status = zr_image_list_add(&mtl->decoded, &bytes, number, &reason);
+    if (status == ZR_OK) return true;
+    note_bad(mtl, &map->whole, status, &reason);
     return false;
 }
 
@@ -53,8 +53,8 @@ static uint32_t distance(uint32_t a, uint32_t b)
 
 bool zr_mtl_is_grey(const struct zr_mtl *mtl, uint32_t number)
 {
-    const struct zr_image *image = &mtl->root.scene->images[number];
-    for (uint32_t y = 0; y < image->height && !zr_is_cancelled(mtl->root.json.cancel); y++)
+    const struct zr_image *image = &mtl->builder->scene->images[number];
+    for (uint32_t y = 0; y < image->height && !zr_is_cancelled(mtl->cancel); y++)
         for (uint32_t x = 0; x < image->width; x++) {
             const uint32_t green = zr_image_texel(image, x, y, 1);
             if (distance(zr_image_texel(image, x, y, 0), green) > GREY_TOLERANCE ||
@@ -77,7 +77,7 @@ static bool is_same(const struct zr_mtl_made_image *made, const struct zr_mtl_ch
 /* Returns the image of a channel, or NULL. */
 static const struct zr_image *image_of(const struct zr_mtl *mtl, const struct zr_mtl_channel *channel)
 {
-    return channel->image ? &mtl->root.scene->images[channel->image - 1] : NULL;
+    return channel->image ? &mtl->builder->scene->images[channel->image - 1] : NULL;
 }
 
 /* Sets the size of the largest image. */
@@ -102,7 +102,7 @@ static bool put_channel(const struct zr_mtl *mtl, const struct zr_image *out, vo
     const struct zr_image *from = image_of(mtl, of);
     for (uint32_t y = 0; y < out->height; y++) {
         const size_t row = from ? (size_t)((uint64_t)y * from->height / out->height) : 0;
-        if (zr_is_cancelled(mtl->root.json.cancel)) return false;
+        if (zr_is_cancelled(mtl->cancel)) return false;
         for (uint32_t x = 0; x < out->width; x++) {
             const size_t column = from ? (size_t)((uint64_t)x * from->width / out->width) : 0,
                          at = 4 * ((size_t)y * out->width + x) + (size_t)k;
@@ -116,30 +116,28 @@ static bool put_channel(const struct zr_mtl *mtl, const struct zr_image *out, vo
     return true;
 }
 
-static bool fill(struct zr_mtl *mtl, const struct zr_mtl_channel channels[4], uint32_t *number)
+static enum zr_status fill(struct zr_mtl *mtl, const struct zr_mtl_channel channels[4], uint32_t *number,
+                           struct zr_reason *reason)
 {
     struct zr_image out = size_of(mtl, channels);
     const uint64_t pixels = (uint64_t)out.width * out.height;
-    if (!zr_parsed_count_pixels(&mtl->root, pixels)) {
-        if (mtl->faults.count == 0)
-            zr_error_add(&mtl->faults, ZR_BAD_SCENE, NULL, "the images have more pixels than are allowed");
-        return false;
-    }
-    void *texels = zr_arena_alloc(mtl->root.json.arena, (size_t)pixels, 4 * (out.bits / 8));
-    if (!texels) return false;
+    const enum zr_status status = zr_image_list_count(&mtl->decoded, pixels);
+    if (status == ZR_BAD_SCENE) zr_reason_give(reason, "the images have more pixels than are allowed");
+    if (status != ZR_OK) return status;
+    void *texels = zr_arena_alloc(mtl->arena, (size_t)pixels, 4 * (out.bits / 8));
+    if (!texels) return ZR_NO_MEMORY;
     for (int k = 0; k < 4; k++)
-        if (!put_channel(mtl, &out, texels, k, &channels[k])) return false;
+        if (!put_channel(mtl, &out, texels, k, &channels[k])) return ZR_CANCELLED;
     out.texels = texels;
-    *number = zr_scene_builder_image(mtl->root.builder, &out);
-    return zr_arena_ok(mtl->root.json.arena);
+    *number = zr_scene_builder_image(mtl->builder, &out);
+    return zr_arena_ok(mtl->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 static struct zr_mtl_made_image *next_made(struct zr_mtl *mtl)
 {
     if (mtl->image_count == mtl->image_room) {
         const uint32_t room = mtl->image_room ? 2 * mtl->image_room : MADE_AT_FIRST;
-        struct zr_mtl_made_image *more =
-            zr_arena_grow(mtl->root.json.arena, mtl->images, mtl->image_count, room, sizeof *more);
+        struct zr_mtl_made_image *more = zr_arena_grow(mtl->arena, mtl->images, mtl->image_count, room, sizeof *more);
         if (!more) return NULL;
         mtl->images = more;
         mtl->image_room = room;
@@ -156,8 +154,10 @@ bool zr_mtl_make_image(struct zr_mtl *mtl, const struct zr_mtl_text *whole, cons
             return true;
         }
     struct zr_mtl_made_image *made = mtl->image_count < MADE_MAX ? next_made(mtl) : NULL;
-    if (!made || !fill(mtl, channels, number)) {
-        note_bad(mtl, whole);
+    struct zr_reason reason = {""};
+    const enum zr_status status = made ? fill(mtl, channels, number, &reason) : ZR_BAD_SCENE;
+    if (status != ZR_OK) {
+        note_bad(mtl, whole, status, &reason);
         return false;
     }
     memcpy(made->channels, channels, sizeof made->channels);

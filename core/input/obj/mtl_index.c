@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "input/formats/sniff.h"
 #include "input/obj/mtl.h"
-#include "input/text/sniff.h"
 #include "input/text/text.h"
 #include "render_request.h"
 
@@ -14,22 +14,16 @@ struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_req
                            const struct zr_limits *limits, struct zr_error *error)
 {
     struct zr_mtl *mtl = zr_arena_zero(builder->arena, 1, sizeof *mtl);
-    struct zr_limits *kept = zr_arena_copy(builder->arena, limits, sizeof *limits);
     struct zr_file_scene *made = zr_arena_zero(builder->arena, 1, sizeof *made);
-    if (!mtl || !kept || !made) return NULL;
+    if (!mtl || !made) return NULL;
     mtl->made = made;
     mtl->error = error;
-    mtl->root = (struct zr_parsed_scene){.json = {.arena = builder->arena,
-                                                  .team = builder->team,
-                                                  .cancel = request->cancel,
-                                                  .limits = kept,
-                                                  .error = &mtl->faults},
-                                         .builder = builder,
-                                         .scene = builder->scene,
-                                         .assets = zr_parsed_assets_of(builder, request)};
-    if (!mtl->root.assets.uses) return NULL;
-    mtl->root.json.assets = &mtl->root.assets;
-    zr_json_open(&mtl->root.json, "", 0);
+    mtl->arena = builder->arena;
+    mtl->cancel = request->cancel;
+    mtl->builder = builder;
+    mtl->assets = zr_parsed_assets_of(builder, request);
+    mtl->decoded = zr_image_list_of(builder, request, limits);
+    if (!mtl->assets.uses) return NULL;
     return mtl;
 }
 
@@ -40,7 +34,7 @@ static struct zr_mtl_entry *add_entry(struct zr_mtl *mtl)
     if (mtl->count == mtl->room) {
         const uint32_t room = mtl->room ? 2 * mtl->room : ENTRIES_AT_FIRST;
         struct zr_mtl_entry *more =
-            room > mtl->room ? zr_arena_grow(mtl->root.json.arena, mtl->entries, mtl->count, room, sizeof *more) : NULL;
+            room > mtl->room ? zr_arena_grow(mtl->arena, mtl->entries, mtl->count, room, sizeof *more) : NULL;
         if (!more) {
             mtl->status = ZR_NO_MEMORY;
             return NULL;
@@ -68,7 +62,7 @@ static void index_lines(struct zr_mtl *mtl, struct zr_mtl_text rest)
     struct zr_mtl_text line;
     for (size_t i = 1; mtl->status == ZR_OK && zr_mtl_next(&rest, &line); i++) {
         const struct zr_mtl_text whole = line, key = zr_mtl_word(&line);
-        if (i % LINES_A_POLL == 0 && zr_is_cancelled(mtl->root.json.cancel)) mtl->status = ZR_CANCELLED;
+        if (i % LINES_A_POLL == 0 && zr_is_cancelled(mtl->cancel)) mtl->status = ZR_CANCELLED;
         if (zr_mtl_is_word(&key, "newmtl")) {
             if (last) last->lines.end = whole.at;
             if ((last = add_entry(mtl)) == NULL) return;
@@ -101,9 +95,9 @@ const char *zr_mtl_add_only(struct zr_mtl *mtl)
 {
     enum { LENGTH = sizeof ".mtl" - 1 };
     const char *only = NULL;
-    if (mtl->root.assets.looked) *mtl->root.assets.looked = true;
-    for (size_t i = 0; i < mtl->root.assets.count; i++) {
-        const char *name = mtl->root.assets.items[i].name, *end = name + strlen(name);
+    if (mtl->assets.looked) *mtl->assets.looked = true;
+    for (size_t i = 0; i < mtl->assets.count; i++) {
+        const char *name = mtl->assets.items[i].name, *end = name + strlen(name);
         if (end - name < LENGTH || !zr_mtl_is_word(&(const struct zr_mtl_text){end - LENGTH, end, 0}, ".mtl")) continue;
         if (only) return NULL;
         only = name;
@@ -163,7 +157,7 @@ static struct zr_parsed_material *add_material(struct zr_mtl *mtl)
     if (made->material_count == mtl->material_room) {
         const uint32_t room = mtl->material_room ? 2 * mtl->material_room : ENTRIES_AT_FIRST;
         struct zr_parsed_material *more =
-            zr_arena_grow(mtl->root.json.arena, made->materials, made->material_count, room, sizeof *more);
+            zr_arena_grow(mtl->arena, made->materials, made->material_count, room, sizeof *more);
         if (!more) {
             mtl->status = ZR_NO_MEMORY;
             return NULL;
@@ -178,7 +172,7 @@ static char *copy_name(struct zr_mtl *mtl, const struct zr_mtl_text *name)
 {
     size_t length = (size_t)(name->end - name->at);
     if (length > REPORT_MAX) length = REPORT_MAX;
-    char *copy = zr_arena_alloc(mtl->root.json.arena, length + 1, 1);
+    char *copy = zr_arena_alloc(mtl->arena, length + 1, 1);
     if (!copy) return NULL;
     memcpy(copy, name->at, length);
     copy[length] = '\0';
@@ -208,7 +202,7 @@ uint32_t zr_mtl_use(struct zr_mtl *mtl, const char *name, size_t length)
 static void use_files(struct zr_mtl *mtl, const struct zr_mtl_entry *entry)
 {
     struct zr_mtl_text rest = entry->lines, line;
-    while (zr_mtl_next(&rest, &line) && !zr_is_cancelled(mtl->root.json.cancel)) {
+    while (zr_mtl_next(&rest, &line) && !zr_is_cancelled(mtl->cancel)) {
         const struct zr_mtl_text whole = line, key = zr_mtl_word(&line);
         struct zr_mtl_given_map map = {.is_given = false};
         if (is_map(&key)) zr_mtl_read_map(mtl, &whole, line, &map);
@@ -219,10 +213,10 @@ static void use_files(struct zr_mtl *mtl, const struct zr_mtl_entry *entry)
 /* Marks files of materials that no face uses as used, so that no warning follows. */
 static void use_all_files(struct zr_mtl *mtl)
 {
-    struct zr_mtl_noted *kept = zr_arena_copy(mtl->root.json.arena, mtl->notes, sizeof mtl->notes);
+    struct zr_mtl_noted *kept = zr_arena_copy(mtl->arena, mtl->notes, sizeof mtl->notes);
     size_t unused = 0;
-    for (size_t i = 0; i < mtl->root.assets.count; i++)
-        unused += !mtl->root.assets.uses[i];
+    for (size_t i = 0; i < mtl->assets.count; i++)
+        unused += !mtl->assets.uses[i];
     if (!kept || unused == 0) return;
     for (uint32_t i = 0; i < mtl->count; i++)
         if (mtl->entries[i].number == ZR_FILE_MATERIAL_NONE) use_files(mtl, &mtl->entries[i]);
@@ -233,5 +227,5 @@ void zr_mtl_close(struct zr_mtl *mtl)
 {
     use_all_files(mtl);
     zr_mtl_warn(mtl);
-    zr_parsed_warn_of_unused_assets(&mtl->root.assets, mtl->root.builder);
+    zr_parsed_warn_of_unused_assets(&mtl->assets, mtl->builder);
 }

@@ -1,7 +1,7 @@
 /* Reads the options and the name of a map: map_Kd -s 2 2 1 -o 0.5 0 0 oak planks.png */
 #include <string.h>
 
-#include "input/scene/file_parts.h"
+#include "input/files/file_parts.h"
 #include "input/obj/mtl.h"
 #include "input/text/number.h"
 #include "scene/texture.h"
@@ -98,7 +98,7 @@ const struct zr_asset *zr_mtl_find_file(struct zr_mtl *mtl, const struct zr_mtl_
     if (length == 0 || length > NAME_MAX_BYTES || memchr(name->at, '\0', length)) return NULL;
     memcpy(text, name->at, length);
     text[length] = '\0';
-    const struct zr_asset *asset = zr_file_part_find(&mtl->root.assets, mtl->root.json.arena, text);
+    const struct zr_asset *asset = zr_file_part_find(&mtl->assets, mtl->arena, text);
     return asset && asset->array.type == ZR_BYTES ? asset : NULL;
 }
 

@@ -26,12 +26,12 @@ static void put_texture(struct zr_mtl *mtl, const struct zr_mtl_given_map *map, 
                                       .scale = {map->scale[0], map->scale[1]},
                                       .offset = {map->offset[0], 1.0f - map->scale[1] - map->offset[1]},
                                       .strength = map->strength};
-    if (mtl->root.scene->texture_count >= ZR_TEXTURES_MAX) {
+    if (mtl->builder->scene->texture_count >= ZR_TEXTURES_MAX) {
         zr_mtl_note(mtl, ZR_MTL_NOTE_BAD_IMAGE, &map->whole);
         return;
     }
     zr_parsed_put_transform(&given, &texture);
-    given.number = 1 + zr_scene_builder_texture(mtl->root.builder, &texture);
+    given.number = 1 + zr_scene_builder_texture(mtl->builder, &texture);
     out->textures[slot] = given;
 }
 
@@ -75,12 +75,12 @@ static struct base_map put_base(struct zr_mtl *mtl, const struct zr_mtl_values *
     const struct base_map made_of = {has_color, has_alpha};
     if (mtl->status != ZR_OK || !(has_color || has_alpha)) return (struct base_map){false, false};
     if (!has_alpha) {
-        if (given_alpha(given) >= 1.0f && !zr_parsed_image_is_opaque(&mtl->root, of_color))
+        if (given_alpha(given) >= 1.0f && !zr_image_list_is_opaque(&mtl->decoded, of_color))
             zr_mtl_note(mtl, ZR_MTL_NOTE_OPAQUE, &color->whole);
         put_texture(mtl, color, ZR_TEXTURE_BASE_COLOR, of_color, out);
         return made_of;
     }
-    const bool is_channel = !zr_parsed_image_is_opaque(&mtl->root, of_alpha);
+    const bool is_channel = !zr_image_list_is_opaque(&mtl->decoded, of_alpha);
     if (is_channel && has_color && of_color == of_alpha) {
         put_texture(mtl, color, ZR_TEXTURE_BASE_COLOR, of_color, out);
         return made_of;

@@ -40,7 +40,7 @@ void zr_mtl_note(struct zr_mtl *mtl, enum zr_mtl_note note, const struct zr_mtl_
 
 void zr_mtl_warn(struct zr_mtl *mtl)
 {
-    struct zr_scene_builder *builder = mtl->root.builder;
+    struct zr_scene_builder *builder = mtl->builder;
     for (int note = 0; note < ZR_MTL_NOTES; note++) {
         const struct zr_mtl_noted *all = &mtl->notes[note];
         if (all->count == 0) continue;

@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/mesh/json_image_ahead.h"
 #include "input/obj/mtl.h"
 
 enum { MATERIALS_A_POLL = 64 };
@@ -10,7 +9,7 @@ enum { MATERIALS_A_POLL = 64 };
 /* Returns the entries of the used materials, in the order of their numbers, or NULL without memory. */
 static const struct zr_mtl_entry **list_used(struct zr_mtl *mtl)
 {
-    const struct zr_mtl_entry **used = zr_arena_alloc(mtl->root.json.arena, mtl->made->material_count, sizeof *used);
+    const struct zr_mtl_entry **used = zr_arena_alloc(mtl->arena, mtl->made->material_count, sizeof *used);
     for (uint32_t i = 0; used && i < mtl->count; i++)
         if (mtl->entries[i].number != ZR_FILE_MATERIAL_NONE) used[mtl->entries[i].number] = &mtl->entries[i];
     return used;
@@ -18,7 +17,7 @@ static const struct zr_mtl_entry **list_used(struct zr_mtl *mtl)
 
 static bool goes_on(struct zr_mtl *mtl, uint32_t number)
 {
-    if (number % MATERIALS_A_POLL == 0 && mtl->status == ZR_OK && zr_is_cancelled(mtl->root.json.cancel))
+    if (number % MATERIALS_A_POLL == 0 && mtl->status == ZR_OK && zr_is_cancelled(mtl->cancel))
         mtl->status = ZR_CANCELLED;
     return mtl->status == ZR_OK;
 }
@@ -34,23 +33,23 @@ static void list_images(struct zr_mtl *mtl, const struct zr_mtl_values *values)
         const struct zr_mtl_given_map *given = &values->maps[order[i]];
         if (!given->is_given || (order[i] == ZR_MTL_MAP_BUMP && values->maps[ZR_MTL_MAP_NORMAL].is_given)) continue;
         const struct zr_asset *asset = zr_mtl_find_file(mtl, &given->name);
-        if (asset) zr_parsed_ahead_add(&mtl->root, &(const struct zr_parsed_bytes){asset->bytes, asset->size});
+        if (asset) zr_image_list_expect(&mtl->decoded, &(const struct zr_parsed_bytes){asset->bytes, asset->size});
     }
 }
 
 /* Decodes the images of all used materials. Reads the materials to find them, and drops the notes of this reading. */
 static void read_ahead(struct zr_mtl *mtl, const struct zr_mtl_entry *const *used)
 {
-    struct zr_mtl_noted *kept = zr_arena_copy(mtl->root.json.arena, mtl->notes, sizeof mtl->notes);
+    struct zr_mtl_noted *kept = zr_arena_copy(mtl->arena, mtl->notes, sizeof mtl->notes);
     struct zr_mtl_values values;
-    for (uint32_t i = 0; kept && i < mtl->made->material_count && mtl->root.ahead.count < ZR_AHEAD_MAX; i++) {
+    for (uint32_t i = 0; kept && i < mtl->made->material_count && mtl->decoded.ahead_count < ZR_AHEAD_MAX; i++) {
         if (!goes_on(mtl, i)) return;
         zr_mtl_read_values(mtl, used[i], &values);
         list_images(mtl, &values);
     }
     if (!kept) return;
     memcpy(mtl->notes, kept, sizeof mtl->notes);
-    zr_parsed_ahead_decode(&mtl->root);
+    zr_image_list_decode(&mtl->decoded);
 }
 
 void zr_mtl_make_used(struct zr_mtl *mtl)
@@ -58,7 +57,7 @@ void zr_mtl_make_used(struct zr_mtl *mtl)
     const struct zr_mtl_entry **used = list_used(mtl);
     struct zr_mtl_values values;
     if (used && mtl->has_maps) read_ahead(mtl, used);
-    if (!zr_arena_ok(mtl->root.json.arena) && mtl->status == ZR_OK) mtl->status = ZR_NO_MEMORY;
+    if (!zr_arena_ok(mtl->arena) && mtl->status == ZR_OK) mtl->status = ZR_NO_MEMORY;
     for (uint32_t i = 0; i < mtl->made->material_count && goes_on(mtl, i); i++) {
         zr_mtl_read_values(mtl, used[i], &values);
         zr_mtl_convert(mtl, &values, &mtl->made->materials[i]);

@@ -195,6 +195,6 @@ void zr_mtl_read_values(struct zr_mtl *mtl, const struct zr_mtl_entry *entry, st
     memset(out, 0, sizeof *out);
     while (mtl->status == ZR_OK && zr_mtl_next(&rest, &line)) {
         read_line(mtl, line, out);
-        if (zr_is_cancelled(mtl->root.json.cancel)) mtl->status = ZR_CANCELLED;
+        if (zr_is_cancelled(mtl->cancel)) mtl->status = ZR_CANCELLED;
     }
 }

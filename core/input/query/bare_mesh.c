@@ -1,9 +1,9 @@
 /* Makes a scene of a bare mesh: {"meshes": [the body]}, with the keys of the query and the look studio by default. */
 #include "input/formats/formats.h"
 #include "input/formats/input.h"
-#include "input/model/file_scene.h"
 #include "input/query/cloud.h"
 #include "input/query/parameters.h"
+#include "input/scene/json_model_scene.h"
 #include "input/scene/kept.h"
 #include "scene/camera/view_set.h"
 #include "scene/defaults.h"

@@ -8,7 +8,7 @@
 #include "input/json/json_writer.h"
 #include "input/scene/kept.h"
 #include "input/query/parameter_list.h"
-#include "input/query/parameter_names.h"
+#include "input/text/parameter_names.h"
 #include "input/query/parameter_values.h"
 #include "scene/defaults.h"
 #include "scene/camera/mesh_up.h"

@@ -7,7 +7,7 @@
 #include "input/formats/formats.h"
 #include "input/formats/input.h"
 #include "input/text/names.h"
-#include "input/text/sniff.h"
+#include "input/formats/sniff.h"
 #include "input/text/text.h"
 
 /* UPS_MAX: maximum number of ".." in a relative name. Members further away are found only by their full path. */

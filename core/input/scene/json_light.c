@@ -277,9 +277,6 @@ bool zr_read_lights(struct zr_json *json, const struct zr_json_path *path, void 
  * Numbers are linear light. A text, such as "#808080", is sRGB-encoded and is decoded if light is
  * linear. That depends on all materials, so a text's components are stored negated until then. */
 
-/* Components of a text are bytes. */
-enum { LAST = 255, RAMP_ROOM = 16 };
-
 bool zr_read_light_color(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const bool is_text = zr_json_type(json) == ZR_JSON_STRING;
@@ -287,20 +284,6 @@ bool zr_read_light_color(struct zr_json *json, const struct zr_json_path *path, 
     if (!zr_json_color(json, path, out)) return false;
     if (is_text) *color = (zr_vec4){-color->x, -color->y, -color->z, color->w};
     return true;
-}
-
-static float linear_part(const float *ramp, float part)
-{
-    return part < 0.0f ? ramp[lrintf(-part * (float)LAST)] : part;
-}
-
-zr_vec3 zr_light_color(zr_vec3 given, bool is_linear)
-{
-    float ramp[LAST + RAMP_ROOM];
-    if (!is_linear || !(given.x < 0.0f || given.y < 0.0f || given.z < 0.0f))
-        return (zr_vec3){fabsf(given.x), fabsf(given.y), fabsf(given.z)};
-    zr_srgb_ramp_of(zr_team_isa(NULL))(LAST, ramp);
-    return (zr_vec3){linear_part(ramp, given.x), linear_part(ramp, given.y), linear_part(ramp, given.z)};
 }
 
 void zr_parsed_decode_light(struct zr_parsed_scene *root)

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "base/rgba.h"
-#include "input/query/parameter_names.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/text/names.h"
 #include "input/text/nearest.h"
+#include "input/text/parameter_names.h"
 #include "input/text/text.h"
 #include "scene/defaults.h"
 
@@ -268,7 +268,7 @@ static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *s
                              zr_shading_is_in(material->shading, shadings_of(ZR_MATERIAL_BASE_COLOR_TEXTURE));
     const uint32_t texture = is_textured ? material->textures[ZR_TEXTURE_BASE_COLOR] : 0;
     if (!has_mode && texture && least >= 1.0f &&
-        !zr_parsed_image_is_opaque(root, root->scene->textures[texture - 1].image))
+        !zr_image_list_is_opaque(&root->images, root->scene->textures[texture - 1].image))
         note(root, style, ZR_ODD_TEXTURE_ALPHA);
     if (!has_mode && (least < 1.0f || (has_outline && material->outline_color.w < 1.0f)))
         note(root, style, ZR_ODD_ALPHA);

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "input/text/names.h"
-#include "input/query/parameter_names.h"
+#include "input/text/parameter_names.h"
 #include "scene/mesh_label.h"
 
 void zr_parsed_note_oddity(struct zr_parsed_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon)

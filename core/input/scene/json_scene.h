@@ -2,73 +2,17 @@
  *
  * Order:  the text is read once, and lists of numbers go into arrays directly. A key that refers to another part of the
  *         scene (a material's name, nodes, the base) is resolved once the root is read. So keys may come in any order.
- * Materials: a parsed material holds the keys that the scene gives. A drawn mesh needs all values (base colour,
- *            shading, sidedness): a key of the mesh overrides the material's, which overrides the scene's.
  */
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
 
+#include "input/images/image_list.h"
+#include "input/json/json_bytes.h"
 #include "input/json/json_list.h"
 #include "input/json/json_value.h"
-#include "input/mesh/kept_mesh.h"
-#include "input/scene/named_bytes.h"
-#include "scene/face_style.h"
+#include "input/model/parsed_material.h"
 #include "scene/parsed_picture.h"
 #include "scene/scene_builder.h"
-
-/* Sampling of a texture: indices of enum zr_filter and enum zr_wrap. */
-struct zr_parsed_sampler {
-    int magnify, minify, wrap_s, wrap_t;
-};
-
-/* A texture of a material, as read. */
-struct zr_parsed_texture {
-    bool is_given;
-    struct zr_bytes_name name;
-    uint32_t texcoord;
-    struct zr_parsed_sampler sampler;
-    float offset[2], scale[2];
-    double rotation; /* radians */
-    float strength;  /* factor: normalScale or strength */
-    uint32_t number; /* 1 + its index in the scene, set once the root is read; 0: none or refused */
-};
-
-/* Keys of a material. */
-enum zr_material_key {
-    ZR_MATERIAL_NAME,
-    ZR_MATERIAL_BASE_COLOR,
-    ZR_MATERIAL_SPECULAR,
-    ZR_MATERIAL_SHININESS,
-    ZR_MATERIAL_METALLIC,
-    ZR_MATERIAL_ROUGHNESS,
-    ZR_MATERIAL_IOR,
-    ZR_MATERIAL_SPECULAR_FACTOR,
-    ZR_MATERIAL_SPECULAR_COLOR,
-    ZR_MATERIAL_EMISSIVE,
-    ZR_MATERIAL_COOL,
-    ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE,
-    ZR_MATERIAL_NORMAL_TEXTURE,
-    ZR_MATERIAL_OCCLUSION_TEXTURE,
-    ZR_MATERIAL_EMISSIVE_TEXTURE,
-    ZR_MATERIAL_BASE_COLOR_TEXTURE
-};
-
-/* A material of the scene, as read. */
-struct zr_parsed_material {
-    const char *name;
-    size_t number; /* index in the text's list */
-    uint64_t keys; /* bit i: key i is given; the look has the others */
-    zr_vec4 base_color, specular, cool;
-    float shininess, metallic, roughness, ior, specular_factor;
-    zr_vec3 emissive, specular_color;
-    struct zr_parsed_texture textures[ZR_TEXTURE_SLOTS];
-    struct zr_face_style face_style;
-    bool blends;           /* of a file: blended, unless an alphaMode applies */
-    bool has_linear_color; /* of a file that gives linear_color; base_color is its encoding as sRGB */
-    zr_vec3 linear_color;
-    bool is_used, is_masked, is_blended; /* used by a mesh; by one with the alphaMode MASK; by one with BLEND */
-    uint32_t shadings;                   /* bit i: a mesh with filled faces and shading i uses it */
-};
 
 /* Oddities of meshes: keys or opacities without the effect that they suggest. Each kind is one warning, which names the
  * first mesh and counts the others. */
@@ -149,45 +93,6 @@ enum zr_scene_key {
 
 enum { ZR_SCENE_KEYS_MAX = 64 };
 
-/* The assets of a request. A kept scene also notes which of them its meshes and polygons use. */
-enum { ZR_USED = 1, ZR_USED_BY_GEOMETRY = 2 };
-
-struct zr_file_names; /* private to file_parts.c */
-
-struct zr_parsed_assets {
-    size_t count;
-    const struct zr_asset *items;
-    struct zr_file_names *names; /* NULL before the first search */
-    const char *folder;          /* folder of the file that is read, with a final slash; NULL: the body is read */
-    bool *looked;                /* the builder's */
-    uint8_t *uses;               /* one per asset: a sum of ZR_USED and ZR_USED_BY_GEOMETRY */
-    uint8_t use;                 /* sum for the part of the scene that is read now */
-    struct zr_stored stored;
-    struct zr_kept_images images;
-    struct zr_kept_texts texts;
-    struct zr_kept_meshes meshes;
-    struct zr_assets_hash hash; /* for model files of the scene */
-    struct zr_quick *quick;     /* the request's; may be NULL */
-    size_t array_bytes;         /* counted by zr_json_has_time */
-};
-
-/* json_bytes.c. Returns the assets of a request for its body, or for a file in a scene, which shares the scene's uses.
- * `uses` is NULL without memory. */
-struct zr_parsed_assets zr_parsed_assets_of(const struct zr_scene_builder *builder, const struct zr_request *request);
-
-/* Warns of assets that nothing uses. A file in a scene leaves that to the scene. */
-void zr_parsed_warn_of_unused_assets(const struct zr_parsed_assets *assets, struct zr_scene_builder *builder);
-
-struct zr_image_file; /* image_ahead.h */
-
-/* Files of images that were found, and perhaps decoded, before the textures that use them are read. */
-enum { ZR_AHEAD_MAX = 128 };
-struct zr_parsed_ahead {
-    size_t count;
-    const struct zr_bytes_name *names; /* NULL: without names */
-    struct zr_image_file *files;
-};
-
 /* The target of the channel flow: places in the text, or NULL. */
 struct zr_parsed_flow {
     const char *view, *poses;
@@ -218,12 +123,12 @@ struct zr_parsed_scene {
     struct zr_parsed_light_colors *light_colors; /* one per light */
     bool view_has_up;
     bool fog_has_color;
-    const char *fit_mesh;       /* name of the mesh that the view is fitted to, or NULL */
-    const char *camera;         /* name or number of the model file's camera that is the view, or NULL */
-    uint64_t camera_keys;       /* keys of the view that override the camera's projection and planes (json_view.h) */
-    const char *color_bar_mesh; /* name of the mesh whose scale the colour bar shows, or NULL */
-    const char *nodes, *base;   /* places in the text, or NULL */
-    struct zr_parsed_flow flow; /* of the output flow */
+    const char *fit_mesh; /* name of the mesh that the view is fitted to, or NULL */
+    const char *camera;   /* name or number of the model file's camera that is the view, or NULL */
+    bool gives_projection, gives_znear, gives_zfar; /* keys of the view that override the camera's */
+    const char *color_bar_mesh;                     /* name of the mesh whose scale the colour bar shows, or NULL */
+    const char *nodes, *base;                       /* places in the text, or NULL */
+    struct zr_parsed_flow flow;                     /* of the output flow */
 
     size_t material_count;
     struct zr_parsed_material *materials;  /* sorted by name */
@@ -236,9 +141,7 @@ struct zr_parsed_scene {
     const char *linear_key; /* the name of a key, anywhere in the scene, that needs linear light; or NULL */
 
     struct zr_parsed_assets assets;
-    struct zr_growing images; /* decoded images, private to json_image.c */
-    struct zr_parsed_ahead ahead;
-    uint64_t image_pixels; /* decoded pixels, all images */
+    struct zr_image_list images;
 
     uint32_t unplaced_meshes;     /* meshes that no node places */
     const uint32_t *model_firsts; /* per mesh of the list: number of its file's second mesh; or NULL (json_model.c) */
@@ -349,9 +252,6 @@ void zr_parsed_use_model_camera(struct zr_parsed_scene *root, const struct zr_js
 struct zr_instance *zr_parsed_place_models(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                            struct zr_instance *instances, uint32_t *count);
 
-/* file_scene.c: removes the maps that need linear light if the picture is made without it. */
-void zr_parsed_drop_maps(struct zr_parsed_scene *root);
-
 /* json_kept.c: keeps the parsed root before references are resolved, or gives the kept meshes to the root (kept.h).
  * False without memory. */
 bool zr_kept_save(struct zr_kept *kept, struct zr_parsed_scene *root);
@@ -404,9 +304,8 @@ struct zr_view_set *zr_view_set_add(struct zr_json *json, const struct zr_json_p
 bool zr_view_count_check(struct zr_json *json, const struct zr_json_path *path, size_t count);
 
 /* json_light.c: zr_vec4, a colour of light. Numbers are linear light. A text is sRGB-encoded and is stored
- * negated until zr_light_color decodes it: to linear light, or to the values as written if light is not linear. */
+ * negated until zr_light_color (model/parsed_material.h) decodes it: to linear light, or to the values as written if light is not linear. */
 zr_json_read_fn zr_read_light_color;
-zr_vec3 zr_light_color(zr_vec3 given, bool is_linear);
 
 /* Decodes the colours of lamps, of `ambient` and of materials' specular, once scene->picture.is_linear is known. */
 void zr_parsed_decode_light(struct zr_parsed_scene *root);
@@ -431,16 +330,8 @@ void zr_parsed_check_light(struct zr_parsed_scene *root);
 bool zr_parsed_find_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
                           const struct zr_bytes_name *name, uint32_t *number);
 
-/* The same for bytes, which stay where they are. Faults are at `path`. */
-bool zr_parsed_add_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                         const struct zr_parsed_bytes *bytes, uint32_t *number);
-
-/* Counts the texels of an image that the reader makes, like those of decoded images. False beyond the limit, or beyond
- * the limit of a quick reading, which is reported. */
-bool zr_parsed_count_pixels(struct zr_parsed_scene *root, uint64_t pixels);
-
-/* True if all alphas of the image are 1. Scans its texels once. */
-bool zr_parsed_image_is_opaque(const struct zr_parsed_scene *root, uint32_t number);
+/* Decodes the images of all materials by several threads. Faults are reported when the textures are read. */
+void zr_parsed_read_ahead(struct zr_parsed_scene *root);
 
 /* json_texture.c: struct zr_parsed_texture. A normal map has the key normalScale, and occlusion has the key
  * strength. */
@@ -448,16 +339,6 @@ zr_json_read_fn zr_read_texture, zr_read_normal_texture, zr_read_occlusion_textu
 
 /* Adds the textures of all materials to the scene. `path`: of the list of materials. */
 void zr_parsed_find_textures(struct zr_parsed_scene *root, const struct zr_json_path *path);
-
-/* Sets the rows of a texture: scales, then rotates, then translates coordinates. */
-void zr_parsed_put_transform(const struct zr_parsed_texture *given, struct zr_texture *texture);
-
-/* The index of glTF's number for a filter or a wrap mode in its words; -1: there is none. */
-int zr_filter_of_number(uint32_t number);
-int zr_wrap_of_number(uint32_t number);
-
-/* Keys of a material's textures, by enum zr_texture_slot. */
-extern const char *const zr_texture_keys[ZR_TEXTURE_SLOTS];
 
 /* True if a material, by its index in root->materials, has a texture; false for material_count. */
 bool zr_parsed_has_textures(const struct zr_parsed_scene *root, size_t material);

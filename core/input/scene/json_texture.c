@@ -1,12 +1,7 @@
 #include <float.h>
 
-#include "base/trig.h"
-#include "input/mesh/json_image_ahead.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
-
-const char *const zr_texture_keys[ZR_TEXTURE_SLOTS] = {"baseColorTexture", "metallicRoughnessTexture", "normalTexture",
-                                                       "occlusionTexture", "emissiveTexture"};
 
 /* ---- samplers ---- */
 
@@ -18,13 +13,11 @@ struct numbered {
 
 static const char *const filter_words[] = {
     "nearest", "linear", "nearestMipmapNearest", "linearMipmapNearest", "nearestMipmapLinear", "linearMipmapLinear"};
-static const uint32_t filter_numbers[] = {9728, 9729, 9984, 9985, 9986, 9987};
 static const char *const wrap_words[] = {"repeat", "mirror", "clamp"};
-static const uint32_t wrap_numbers[] = {10497, 33648, 33071};
 static const struct numbered magnify = {{2, ZR_FILTER_COUNT, filter_words, "for minFilter; only minFilter has mipmaps"},
-                                        filter_numbers};
-static const struct numbered minify = {ZR_NAMES(ZR_FILTER_COUNT, filter_words), filter_numbers};
-static const struct numbered wraps = {ZR_NAMES(ZR_WRAP_COUNT, wrap_words), wrap_numbers};
+                                        zr_filter_numbers};
+static const struct numbered minify = {ZR_NAMES(ZR_FILTER_COUNT, filter_words), zr_filter_numbers};
+static const struct numbered wraps = {ZR_NAMES(ZR_WRAP_COUNT, wrap_words), zr_wrap_numbers};
 
 /* int: the index of the word. field->words is the first member of a struct numbered. */
 static bool read_numbered(struct zr_json *json, const struct zr_json_path *path, void *out)
@@ -43,23 +36,6 @@ static bool read_numbered(struct zr_json *json, const struct zr_json_path *path,
             return zr_json_fault(json, path, "%u, %s", number, zr_names_refuse(&of->names, of->names.words[i]).text);
     return zr_json_fault(json, path, "%u is none of the numbers that glTF has for %s", number,
                          zr_names_join(&of->names).text);
-}
-
-static int find_number(const uint32_t *numbers, int count, uint32_t number)
-{
-    for (int i = 0; i < count; i++)
-        if (numbers[i] == number) return i;
-    return -1;
-}
-
-int zr_filter_of_number(uint32_t number)
-{
-    return find_number(filter_numbers, ZR_FILTER_COUNT, number);
-}
-
-int zr_wrap_of_number(uint32_t number)
-{
-    return find_number(wrap_numbers, ZR_WRAP_COUNT, number);
 }
 
 #define WRAP            ZR_SCHEMA({"enum" : [ "repeat", "mirror", "clamp", 10497, 33648, 33071 ]})
@@ -186,20 +162,6 @@ bool zr_read_occlusion_texture(struct zr_json *json, const struct zr_json_path *
 }
 
 /* ---- in the scene ---- */
-
-/* Scales, then rotates, then translates the coordinates. Source: KHR_texture_transform. */
-void zr_parsed_put_transform(const struct zr_parsed_texture *given, struct zr_texture *texture)
-{
-    const double to_degrees = 57.295779513082321;
-    double sine, cosine;
-    zr_sine_cosine(given->rotation * to_degrees, &sine, &cosine);
-    const double x = (double)given->scale[0], y = (double)given->scale[1];
-    const double rows[2][3] = {{cosine * x, sine * y, (double)given->offset[0]},
-                               {-sine * x, cosine * y, (double)given->offset[1]}};
-    for (int row = 0; row < 2; row++)
-        for (int k = 0; k < 3; k++)
-            texture->rows[row][k] = (float)rows[row][k];
-}
 
 static bool find_texture(struct zr_parsed_scene *root, const struct zr_json_path *path, enum zr_texture_slot slot,
                          struct zr_parsed_texture *given)

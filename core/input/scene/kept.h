@@ -10,20 +10,11 @@
 
 #include "core.h"
 #include "input/json/json_list.h"
+#include "input/model/read_model.h"
 #include "scene/parts/animation.h"
-#include "scene/scene_builder.h"
 
 struct zr_image_record;
 struct zr_soup;
-
-/* A bare mesh or a model file, as the reader of its format leaves it. */
-struct zr_read_model {
-    struct zr_scene_builder builder; /* meshes and warnings */
-    uint32_t mesh_count, image_count, texture_count;
-    struct zr_read_counts counts;
-    const double *origin; /* or NULL */
-    struct zr_file_facts file;
-};
 
 /* A key of the root and its value, as written. */
 struct zr_kept_key {
@@ -67,11 +58,6 @@ struct zr_keeping {
     const struct zr_animation *animation; /* moves nodes; or NULL */
     struct zr_moment moment;              /* of `animation` */
 };
-
-/* Saves what the reader of a format has left in a builder, or gives it to another builder. Arrays are shared, except
- * the list of meshes. False without memory. */
-void zr_read_model_save(struct zr_read_model *model, const struct zr_scene_builder *builder);
-bool zr_read_model_load(const struct zr_read_model *model, struct zr_scene_builder *builder);
 
 /* json_soup.c: a copy in the arena that making a mesh may change. `texts`: copies the names of materials, too. NULL
  * without memory. */

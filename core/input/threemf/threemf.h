@@ -9,7 +9,7 @@
 #define ZR_MF3_H
 
 #include "input/model/far_scene.h"
-#include "input/model/file_scene.h"
+#include "input/model/model_scene.h"
 #include "input/text/xml.h"
 #include "input/zip/zip_read.h"
 

@@ -1,9 +1,9 @@
 /* Places the meshes of 3MF: build items and components become nodes. */
 #include <inttypes.h>
 
-#include "input/model/file_scene.h"
-#include "input/threemf/threemf.h"
 #include "input/formats/quick.h"
+#include "input/model/model_scene.h"
+#include "input/threemf/threemf.h"
 #include "render_request.h"
 #include "scene/parts/nodes.h"
 

@@ -1,13 +1,12 @@
 /* Materials of 3MF: one per texture that a placed mesh uses. */
-#include "input/mesh/json_image_ahead.h"
+#include "input/images/image_list.h"
 #include "input/threemf/threemf.h"
 #include "render_request.h"
 #include "scene/texture.h"
 
 struct making {
     struct zr_mf3 *file;
-    struct zr_parsed_scene *root; /* decodes images */
-    struct zr_error faults;
+    struct zr_image_list images;
     struct zr_mf3_list materials; /* struct zr_parsed_material */
 };
 
@@ -39,9 +38,9 @@ static bool read_image(struct making *making, struct zr_mf3_resource *texture, u
     if (status == ZR_BAD_SYNTAX) zr_error_add(file->error, status, NULL, "%s", reason.text);
     if (status != ZR_OK) return false;
     const struct zr_parsed_bytes bytes = bytes_of(texture);
-    if (zr_parsed_add_image(making->root, NULL, &bytes, number)) return true;
-    if (making->faults.count > 0)
-        zr_mf3_fault(file, texture->at, "texture %u: %s", texture->id, making->faults.items[0].detail);
+    if (zr_is_cancelled(file->cancel) || !zr_arena_ok(file->arena)) return false;
+    if (zr_image_list_add(&making->images, &bytes, number, &reason) == ZR_OK) return true;
+    if (*reason.text) zr_mf3_fault(file, texture->at, "texture %u: %s", texture->id, reason.text);
     return false;
 }
 
@@ -57,7 +56,7 @@ static void make_material(struct making *making, struct zr_mf3_resource *texture
                             .rows = {{1, 0, 0}, {0, -1, 1}}}; /* v points up */
     texture->has_material = true;
     if (!read_image(making, texture, &of.image)) return;
-    if (making->root->scene->texture_count >= ZR_TEXTURES_MAX) {
+    if (making->images.builder->scene->texture_count >= ZR_TEXTURES_MAX) {
         zr_mf3_fault(file, texture->at, "more than %d textures", ZR_TEXTURES_MAX);
         return;
     }
@@ -71,8 +70,8 @@ static void make_material(struct making *making, struct zr_mf3_resource *texture
         (struct zr_parsed_texture){.is_given = true,
                                    .scale = {1, 1},
                                    .strength = 1,
-                                   .number = 1 + zr_scene_builder_texture(making->root->builder, &of)};
-    if (!zr_parsed_image_is_opaque(making->root, of.image)) {
+                                   .number = 1 + zr_scene_builder_texture(making->images.builder, &of)};
+    if (!zr_image_list_is_opaque(&making->images, of.image)) {
         material->blends = true;
         if (texture->is_over) zr_mf3_note(file, ZR_MF3_NOTE_OVER, texture->at, (struct zr_xml_text){"", 0});
     }
@@ -89,11 +88,11 @@ static void list_images(struct making *making, const uint32_t *textures, uint32_
         if (i % FACES_AT_ONCE == 0 && zr_is_cancelled(making->file->cancel)) return;
         if (textures[i] == ZR_MF3_NONE) continue;
         struct zr_mf3_resource *texture = &zr_mf3_resources(making->file)[textures[i]];
-        if (texture->is_listed || making->root->ahead.count == ZR_AHEAD_MAX) continue;
+        if (texture->is_listed || making->images.ahead_count == ZR_AHEAD_MAX) continue;
         texture->is_listed = true;
         if (!texture->image || unpack(making, texture, &dropped) != ZR_OK) continue;
         const struct zr_parsed_bytes bytes = bytes_of(texture);
-        zr_parsed_ahead_add(making->root, &bytes);
+        zr_image_list_expect(&making->images, &bytes);
     }
 }
 
@@ -115,25 +114,6 @@ static bool number_faces(struct making *making, uint32_t *textures, uint32_t fac
     return is_one;
 }
 
-static struct zr_parsed_scene *open_root(struct making *making, struct zr_scene_builder *builder,
-                                         const struct zr_request *request)
-{
-    struct zr_mf3 *file = making->file;
-    struct zr_parsed_scene *root = zr_arena_zero(file->arena, 1, sizeof *root);
-    if (!root) return NULL;
-    root->json = (struct zr_json){.arena = file->arena,
-                                  .team = builder->team,
-                                  .cancel = file->cancel,
-                                  .limits = file->limits,
-                                  .error = &making->faults};
-    zr_json_open(&root->json, "", 0);
-    root->builder = builder;
-    root->scene = builder->scene;
-    root->assets.quick = request->quick;
-    root->assets.images = request->images;
-    return root;
-}
-
 bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder, const struct zr_request *request,
                            struct zr_file_scene *scene, uint32_t count, uint32_t **textures)
 {
@@ -142,12 +122,12 @@ bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder
     for (uint32_t i = 0; i < count; i++)
         is_any = is_any || textures[i];
     if (!is_any) return true;
-    making.root = open_root(&making, builder, request);
+    making.images = zr_image_list_of(builder, request, file->limits);
     uint32_t *of_meshes = zr_arena_alloc(file->arena, count, sizeof *of_meshes);
-    if (!making.root || !of_meshes) return false;
+    if (!of_meshes) return false;
     for (uint32_t i = 0; i < count; i++)
         if (textures[i]) list_images(&making, textures[i], builder->meshes[i].face_count);
-    zr_parsed_ahead_decode(making.root);
+    zr_image_list_decode(&making.images);
     for (uint32_t i = 0; i < count; i++) {
         of_meshes[i] = ZR_FILE_MATERIAL_NONE;
         if (textures[i] && number_faces(&making, textures[i], builder->meshes[i].face_count, &of_meshes[i]))
@@ -158,5 +138,5 @@ bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder
     scene->mesh_materials = of_meshes;
     scene->face_materials = (const uint32_t *const *)textures;
     scene->blends_colors = true;
-    return file->error->count == 0 && making.faults.count == 0 && !zr_is_cancelled(file->cancel);
+    return file->error->count == 0 && !zr_is_cancelled(file->cancel);
 }

@@ -141,7 +141,9 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, void *o
     root->scene->views[0] = given.view;
     if (zr_view_gives(&given, ZR_VIEW_CAMERA)) {
         root->camera = given.camera;
-        root->camera_keys = given.keys;
+        root->gives_projection = given.keys & ZR_VIEW_PROJECTIONS;
+        root->gives_znear = zr_view_gives(&given, ZR_VIEW_ZNEAR);
+        root->gives_zfar = zr_view_gives(&given, ZR_VIEW_ZFAR);
         return true;
     }
     root->fit_mesh = given.fit_mesh;

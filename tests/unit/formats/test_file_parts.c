@@ -1,7 +1,7 @@
-/* input/scene/file_parts.h and zr_references_list: files that a file refers to. */
+/* input/files/file_parts.h and zr_references_list: files that a file refers to. */
 #include "core.h"
 #include "unit/common/guarded.h"
-#include "input/scene/file_parts.h"
+#include "input/files/file_parts.h"
 #include "input/scene/json_scene.h"
 #include "support/tests.h"
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "input/formats/formats.h"
-#include "input/text/sniff.h"
+#include "input/formats/sniff.h"
 #include "unit/common/input_check.h"
 #include "support/tests.h"
 

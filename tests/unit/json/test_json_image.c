@@ -81,7 +81,8 @@ static struct fixture *open_fixture(void)
                                                  .items = f.parts,
                                                  .uses = f.uses,
                                                  .use = ZR_USED,
-                                                 .stored = {.read = read_stored, .context = &f.times_read}}};
+                                                 .stored = {.read = read_stored, .context = &f.times_read}},
+                                      .images = {.builder = &f.builder, .pixels_max = f.limits.image_pixels_max}};
     f.root.json.assets = &f.root.assets;
     zr_json_open(&f.root.json, "{}", 2);
     return &f;
@@ -123,7 +124,7 @@ TEST(the_same_bytes_are_one_image_by_whatever_name)
     assert_int_equal(f->times_read, 1);
     assert_int_equal(f->scene.image_count, 2);
     assert_ptr_equal(f->scene.images[0].texels, texels);
-    assert_int_equal(f->root.image_pixels, 12);
+    assert_int_equal(f->root.images.pixels, 12);
     assert_true(f->uses[RED] && f->uses[BLUE] && !f->uses[BROKEN]);
     free(plain);
 }
@@ -152,18 +153,18 @@ TEST(what_is_no_image_is_refused_where_it_is_named)
     refuse(f, "http://example.org/a.png", NULL, "/t/uri", "is not a data: URI; nothing is fetched from elsewhere");
     refuse(f, NULL, "sha256:12", "/t/asset", "64 lower-case hexadecimal digits");
     assert_int_equal(f->scene.image_count, 0);
-    assert_int_equal(f->root.image_pixels, 0);
+    assert_int_equal(f->root.images.pixels, 0);
     assert_int_equal(find(f, NULL, "blue"), 0); /* and what is good is still found */
 }
 
 TEST(pixels_of_all_images_are_counted_together)
 {
     struct fixture *f = open_fixture();
-    f->limits.image_pixels_max = 11;
+    f->root.images.pixels_max = 11;
     assert_int_equal(find(f, NULL, "red"), 0);
     refuse(f, NULL, "blue", "/t/asset", "an image of 3 x 2 texels; 5 are left of what all images");
     assert_int_equal(find(f, red_uri, NULL), 0); /* decoded before */
-    f->limits.image_pixels_max = 12;
+    f->root.images.pixels_max = 12;
     assert_int_equal(find(f, NULL, "blue"), 1);
 }
 

@@ -1,4 +1,4 @@
-/* server/keep/meshes.c, core/input/mesh/kept_mesh.c: model files kept between requests. No answer depends on them. */
+/* server/keep/meshes.c, core/input/model/kept_mesh.c: model files kept between requests. No answer depends on them. */
 #include "base/team.h"
 #include "keep/images.h"
 #include "keep/meshes.h"

@@ -1,15 +1,11 @@
-/* named_bytes.h - input: bytes that a key of a scene names: a data: URI, a part of the request, or a stored asset
+/* json_bytes.h - input: bytes that a key of a scene names: a data: URI, a part of the request, or a stored asset
  * (json_bytes.c). */
-#ifndef ZR_NAMED_BYTES_H
-#define ZR_NAMED_BYTES_H
+#ifndef ZR_JSON_BYTES_H
+#define ZR_JSON_BYTES_H
 
-#include "core.h"
+#include "input/files/assets.h"
 #include "input/json/json_value.h"
-
-/* A name of bytes: one of two keys. */
-struct zr_bytes_name {
-    const char *uri, *asset; /* NULL: not given */
-};
+#include "input/text/text.h"
 
 /* Rows for the table of an object that fills a `type`, whose member `name` is a struct zr_bytes_name. */
 #define ZR_BYTES_URI   "uri"
@@ -25,20 +21,19 @@ struct zr_bytes_name {
         .text = "name of a file beside the scene (HTTP: of a part), or sha256: and the hash of an asset"               \
     }
 
-/* The bytes of a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."}. They stay in the
- * arena or in the request. */
-struct zr_parsed_bytes {
-    const void *bytes;
-    size_t size;
-};
+/* Find the bytes of a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."}. They stay in the arena or
+ * in the request. */
 bool zr_parsed_read_named(struct zr_json *json, const struct zr_json_path *path, const struct zr_bytes_name *name,
                           struct zr_parsed_bytes *out);
-/* Returns the 64 digits of the name of a stored asset, "sha256:..."; NULL: another name. */
-const char *zr_stored_name(const char *asset);
-
 bool zr_parsed_read_bytes(struct zr_json *json, const struct zr_json_path *path, struct zr_parsed_bytes *out);
 
 /* The same for an object that may also name an array of numbers. */
 bool zr_parsed_read_asset(struct zr_json *json, const struct zr_json_path *path, struct zr_asset *out);
+
+/* Reports a failed reading of bytes: at `path` with its reason, or as cancelled. Returns true if the status is OK. */
+bool zr_json_check_read(struct zr_json *json, const struct zr_json_path *path, enum zr_status status,
+                        const struct zr_reason *reason);
+
+extern const struct zr_json_object zr_json_object_bytes;
 
 #endif

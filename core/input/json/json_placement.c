@@ -1,4 +1,4 @@
-#include "input/mesh/json_placement.h"
+#include "input/json/json_placement.h"
 
 #include <inttypes.h>
 

@@ -1,11 +1,9 @@
-#include "input/model/file_scene.h"
+#include "input/scene/json_model_scene.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "base/matrix.h"
-#include "input/scene/json_scene.h"
-#include "input/view/json_view.h"
 #include "input/text/text.h"
 #include "scene/camera/camera.h"
 
@@ -116,44 +114,6 @@ void zr_parsed_drop_maps(struct zr_parsed_scene *root)
 
 /* ---- cameras ---- */
 
-/* Adds the name of an item of the file to a list for a message, or its number if it has no name. */
-static void list(struct zr_names_text *names, const char *name, uint32_t number)
-{
-    char digits[16];
-    snprintf(digits, sizeof digits, "%u", number);
-    zr_names_text_add(names, *name ? zr_quote(name, strlen(name)).text : digits);
-}
-
-static struct zr_names_text list_cameras(const struct zr_file_scene *file)
-{
-    struct zr_names_text names = {""};
-    for (uint32_t i = 0; i < file->camera_count; i++)
-        list(&names, file->cameras[i].name, file->cameras[i].number);
-    return names;
-}
-
-static bool is_number(const char *text, uint32_t number)
-{
-    char digits[16];
-    snprintf(digits, sizeof digits, "%u", number);
-    return strcmp(text, digits) == 0;
-}
-
-/* Returns the camera of this name, else the one of this number, else NULL. */
-static const struct zr_file_camera *find_camera(const struct zr_file_scene *file, const char *wanted)
-{
-    for (uint32_t i = 0; i < file->camera_count; i++)
-        if (strcmp(file->cameras[i].name, wanted) == 0) return &file->cameras[i];
-    for (uint32_t i = 0; i < file->camera_count; i++)
-        if (is_number(wanted, file->cameras[i].number)) return &file->cameras[i];
-    return NULL;
-}
-
-bool zr_file_scene_has_camera(const struct zr_file_scene *file, const char *camera)
-{
-    return find_camera(file, camera) != NULL;
-}
-
 /* Removes the scale: makes the axes unit vectors. */
 static zr_mat4 unscale(const zr_mat4 *matrix)
 {
@@ -202,13 +162,13 @@ static void set_projection(struct zr_view *view, const struct zr_file_camera *ca
 }
 
 /* Keeps the planes that the view gives. */
-static void set_planes(struct zr_view *view, const struct zr_file_camera *camera, uint64_t view_keys)
+static void set_planes(const struct zr_parsed_scene *root, struct zr_view *view, const struct zr_file_camera *camera)
 {
-    if (!(view_keys & ZR_VIEW_BIT(ZR_VIEW_ZNEAR))) {
+    if (!root->gives_znear) {
         view->has_znear = true;
         view->znear = camera->znear;
     }
-    if (!(view_keys & ZR_VIEW_BIT(ZR_VIEW_ZFAR))) {
+    if (!root->gives_zfar) {
         view->has_zfar = camera->has_zfar;
         view->zfar = camera->zfar;
     }
@@ -218,16 +178,16 @@ bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json
                               const struct zr_file_scene *file, const char *camera, const zr_mat4 *up)
 {
     struct zr_view *view = &root->scene->views[0];
-    const struct zr_file_camera *found = file ? find_camera(file, camera) : NULL;
+    const struct zr_file_camera *found = file ? zr_file_scene_find_camera(file, camera) : NULL;
     const struct zr_quote quote = zr_quote(camera, strlen(camera));
     if (!file || file->camera_count == 0) return zr_json_fault(&root->json, path, "the file has no cameras");
     if (!found)
         return zr_json_fault(&root->json, path, "the file has no camera %s; its cameras: %s", quote.text,
-                             list_cameras(file).text);
-    if (!set_pose(view, found, up, root->camera_keys & ZR_VIEW_PROJECTIONS))
+                             zr_file_scene_cameras(file).text);
+    if (!set_pose(view, found, up, root->gives_projection))
         return zr_json_fault(&root->json, path, "the camera %s has no axes", quote.text);
-    if (!(root->camera_keys & ZR_VIEW_PROJECTIONS)) set_projection(view, found);
-    if (view->projection != ZR_PROJECTION_MATRIX) set_planes(view, found, root->camera_keys);
+    if (!root->gives_projection) set_projection(view, found);
+    if (view->projection != ZR_PROJECTION_MATRIX) set_planes(root, view, found);
     return !(view->has_znear && view->has_zfar && !(view->znear < view->zfar)) ||
            zr_json_fault(&root->json, path, "the camera %s then has zfar %.9g and znear %.9g", quote.text,
                          (double)view->zfar, (double)view->znear);
@@ -266,24 +226,12 @@ void zr_file_scene_use_lights(struct zr_parsed_scene *root, const struct zr_file
 
 /* ---- animations ---- */
 
-bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *wanted, uint32_t *number)
-{
-    for (*number = 0; *number < file->animation_count; ++*number)
-        if (!wanted || strcmp(file->animation_names[*number], wanted) == 0) return true;
-    for (*number = 0; *number < file->animation_count; ++*number)
-        if (is_number(wanted, *number)) return true;
-    return false;
-}
-
 void zr_file_scene_refuse_animation(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                     const struct zr_file_scene *file, const char *wanted)
 {
-    struct zr_names_text names = {""};
-    for (uint32_t i = 0; file && i < file->animation_count; i++)
-        list(&names, file->animation_names[i], i);
-    if (!*names.text)
+    if (!file || file->animation_count == 0)
         zr_json_fault(&root->json, path, "the file has no animations");
     else
         zr_json_fault(&root->json, path, "the file has no animation %s; its animations: %s",
-                      zr_quote(wanted, strlen(wanted)).text, names.text);
+                      zr_quote(wanted, strlen(wanted)).text, zr_file_scene_animations(file).text);
 }

@@ -1,4 +1,4 @@
-#include "input/scene/json_uris.h"
+#include "input/json/json_uris.h"
 
 #include <string.h>
 

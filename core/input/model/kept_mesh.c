@@ -1,9 +1,9 @@
-#include "input/mesh/kept_mesh.h"
+#include "input/model/kept_mesh.h"
 
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/scene/kept.h"
+#include "input/model/read_model.h"
 #include "render_request.h"
 
 /* A copy of bytes that a file was made of. */

@@ -2,6 +2,7 @@
 #include "input/scene/json_scene.h"
 
 #include "input/formats/input.h"
+#include "input/scene/json_model_scene.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/kept.h"
 #include "render_request.h"
@@ -100,7 +101,8 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
                                    .scene = scene,
                                    .algorithm = (int)scene->algorithm,
                                    .face_style = zr_face_style_unset,
-                                   .assets = zr_parsed_assets_of(builder, request)};
+                                   .assets = zr_parsed_assets_of(builder, request),
+                                   .images = zr_image_list_of(builder, request, limits)};
     struct zr_json *json = &root.json;
     json->assets = &root.assets;
     zr_json_open(json, request->bytes, request->size);

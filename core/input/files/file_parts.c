@@ -1,10 +1,10 @@
-#include "input/scene/file_parts.h"
+#include "input/files/file_parts.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "input/scene/json_scene.h"
+#include "input/files/assets.h"
 #include "input/text/text.h"
 #include "input/zip/zip_part.h"
 

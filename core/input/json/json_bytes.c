@@ -1,10 +1,8 @@
 /* Bytes of a scene: in a data: URI, in a named part of the request, or stored under their hash. */
 #include <string.h>
 
-#include "input/formats/input.h"
-#include "input/scene/file_parts.h"
-#include "input/scene/json_objects.h"
-#include "input/scene/json_scene.h"
+#include "input/files/file_parts.h"
+#include "input/json/json_bytes.h"
 #include "input/text/base64.h"
 #include "render_request.h"
 
@@ -20,22 +18,20 @@ const struct zr_json_object zr_json_object_bytes = ZR_JSON_RULED_OBJECT("bytes",
     });
 /* clang-format on */
 
+bool zr_json_check_read(struct zr_json *json, const struct zr_json_path *path, enum zr_status status,
+                        const struct zr_reason *reason)
+{
+    if (status == ZR_BAD_SCENE) zr_json_fault(json, path, "%s", reason->text);
+    if (status == ZR_CANCELLED) zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");
+    return status == ZR_OK;
+}
+
 static bool read_uri(struct zr_json *json, const struct zr_json_path *path, const char *text, struct zr_asset *out)
 {
     struct zr_reason reason;
     enum zr_status status = zr_data_uri_read(json->arena, text, strlen(text), &out->bytes, &out->size, &reason);
     if (status == ZR_BAD_SCENE) zr_json_fault(json, path, "%s", reason.text);
     return status == ZR_OK;
-}
-
-static const char STORED[] = "sha256:";
-
-const char *zr_stored_name(const char *asset)
-{
-    enum { DIGITS = 64 };
-    const char *sha256 = asset + sizeof STORED - 1;
-    if (strncmp(asset, STORED, sizeof STORED - 1) != 0) return NULL;
-    return strspn(sha256, "0123456789abcdef") == DIGITS && sha256[DIGITS] == '\0' ? sha256 : NULL;
 }
 
 static bool read_stored(struct zr_json *json, const struct zr_json_path *path, const char *asset, struct zr_asset *out)
@@ -63,42 +59,12 @@ static bool read_stored(struct zr_json *json, const struct zr_json_path *path, c
 
 static bool read_asset(struct zr_json *json, const struct zr_json_path *path, const char *name, struct zr_asset *out)
 {
-    if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(json, path, name, out);
+    if (strncmp(name, ZR_STORED, sizeof ZR_STORED - 1) == 0) return read_stored(json, path, name, out);
     struct zr_parsed_assets *assets = json->assets;
     const struct zr_asset *asset = zr_file_part_named(assets, json->arena, name, assets->use);
     if (asset) *out = *asset;
     if (asset || !zr_arena_ok(json->arena)) return asset != NULL;
     return zr_json_fault(json, path, "no part of the request has the name %s", zr_quote(name, strlen(name)).text);
-}
-
-void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset)
-{
-    if (asset->packed || asset->is_optional) return; /* zr_zip_body_warn */
-    zr_warning_list_add(builder->arena, &builder->warnings, "the asset %s is not used by the scene",
-                        zr_quote(asset->name, strlen(asset->name)).text);
-}
-
-struct zr_parsed_assets zr_parsed_assets_of(const struct zr_scene_builder *builder, const struct zr_request *request)
-{
-    uint8_t *uses = builder->asset_uses;
-    if (!uses) uses = zr_arena_zero(builder->arena, request->asset_count, sizeof *uses);
-    return (struct zr_parsed_assets){.count = request->asset_count,
-                                     .items = request->assets,
-                                     .folder = builder->asset_folder,
-                                     .looked = builder->looked,
-                                     .uses = uses,
-                                     .use = ZR_USED,
-                                     .stored = request->stored,
-                                     .images = request->images,
-                                     .texts = request->texts,
-                                     .meshes = request->meshes,
-                                     .quick = request->quick};
-}
-
-void zr_parsed_warn_of_unused_assets(const struct zr_parsed_assets *assets, struct zr_scene_builder *builder)
-{
-    for (size_t i = 0; !builder->asset_uses && i < assets->count; i++)
-        if (!assets->uses[i]) zr_warn_of_unused_asset(builder, &assets->items[i]);
 }
 
 /* Finds a file or an array. */

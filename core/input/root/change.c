@@ -1,4 +1,4 @@
-#include "input/scene/change.h"
+#include "input/root/change.h"
 
 #include <string.h>
 

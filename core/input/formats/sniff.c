@@ -1,4 +1,4 @@
-#include "input/text/sniff.h"
+#include "input/formats/sniff.h"
 
 #include <string.h>
 

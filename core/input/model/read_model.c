@@ -1,4 +1,4 @@
-#include "input/scene/kept.h"
+#include "input/model/read_model.h"
 
 #include <string.h>
 

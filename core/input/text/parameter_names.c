@@ -1,4 +1,4 @@
-#include "input/query/parameter_names.h"
+#include "input/text/parameter_names.h"
 
 #include <limits.h>
 #include <stdio.h>

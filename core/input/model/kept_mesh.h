@@ -18,15 +18,7 @@
 #ifndef ZR_KEPT_MESH_H
 #define ZR_KEPT_MESH_H
 
-#include "base/hash.h"
-#include "core.h"
-#include "scene/scene_builder.h"
-
-/* Hash of the names and sizes of all assets of a request, made at its first use. Initially all zero. */
-struct zr_assets_hash {
-    bool is_made;
-    struct zr_file_hash hash;
-};
+#include "input/files/assets.h"
 
 /* A model file that is to be read. */
 struct zr_mesh_file {

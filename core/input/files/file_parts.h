@@ -16,7 +16,7 @@
 #include "base/arena.h"
 
 struct zr_asset;         /* core.h */
-struct zr_parsed_assets; /* json_scene.h */
+struct zr_parsed_assets; /* assets.h */
 
 /* Returns the asset that a file refers to by `name`, or NULL. Marks it as used. Members of a ZIP body are unpacked at
  * their first use. NULL also after a fault there, which zr_zip_body_check reports, and without memory. */
