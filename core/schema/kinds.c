@@ -3,12 +3,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "input/text/color_names.h"
-#include "input/mesh/json_heights.h"
 #include "input/json/json_matrix.h"
-#include "input/mesh/json_mesh.h"
+#include "input/mesh/json_heights.h"
 #include "input/mesh/json_scalars.h"
+#include "input/mesh/parsed_mesh.h"
 #include "input/scene/json_scene.h"
+#include "input/text/color_names.h"
 #include "scene/looks.h"
 
 /* The limit that replaces LIMIT in a text. */

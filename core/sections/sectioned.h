@@ -1,6 +1,6 @@
 /* sectioned.h - sections: one mesh, cut open by the planes of a section.
  *
- * Space:  object space; planes in double (slice.h).
+ * Space:  object space; planes in double (slices.h).
  * What:   kept faces stay as they are. Faces that a plane crosses become pieces; their corners get interpolated
  *         texture coordinates, colours, tangents and normals. Closed parts get caps, one face per part and plane, as
  * the last faces of the mesh. Lines are clipped, and points are kept or dropped. Planes: without `is_corner`, what all
@@ -9,7 +9,7 @@
 #ifndef ZR_SECTIONED_H
 #define ZR_SECTIONED_H
 
-#include "sections/slice.h"
+#include "sections/slices.h"
 
 struct zr_sectioned {
     struct zr_mesh mesh;

@@ -1,7 +1,7 @@
 /* sectioned_attributes.h - sections: corners, positions and their attributes while a sectioned mesh is made; for
  * sectioned*.c.
  *
- * Space:  object space. Corners are numbered as in slice.h. */
+ * Space:  object space. Corners are numbered as in slices.h. */
 #ifndef ZR_SECTIONED_ATTRIBUTES_H
 #define ZR_SECTIONED_ATTRIBUTES_H
 

@@ -1,10 +1,10 @@
 /* sectioned_wires.h - sections: the lines and points of a mesh that is cut open.
  *
- * Space:  object space; planes in double (slice.h). What lies on a plane counts as cut away. */
+ * Space:  object space; planes in double (slices.h). What lies on a plane counts as cut away. */
 #ifndef ZR_SECTIONED_WIRES_H
 #define ZR_SECTIONED_WIRES_H
 
-#include "sections/slice.h"
+#include "sections/slices.h"
 
 struct zr_wires {
     uint32_t line_count, point_count, end_count;

@@ -1,4 +1,4 @@
-#include "sections/slice.h"
+#include "sections/slices.h"
 
 #include "mesh/closed_parts.h"
 #include "mesh/weld.h"

@@ -1,4 +1,4 @@
-#include "sections/slice.h"
+#include "sections/slices.h"
 
 /* Segments in the order of their begins. */
 struct joining {

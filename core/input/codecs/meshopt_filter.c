@@ -1,8 +1,7 @@
-/* Filters of EXT_meshopt_compression. Source: its appendix B. */
+#include "input/codecs/meshopt_filter.h"
+
 #include <math.h>
 #include <string.h>
-
-#include "input/codecs/meshopt.h"
 
 static int read16(const unsigned char *at)
 {

@@ -1,6 +1,6 @@
 /* Reads glTF 2.0, binary (GLB) or JSON.
  * The body, data: URIs or parts of the request hold the bytes of buffers and images. */
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* Reads accessors of glTF, and checks that their elements are within their bytes. */
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 
 #include <string.h>
 

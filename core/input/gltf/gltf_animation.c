@@ -1,5 +1,5 @@
 /* Poses the nodes of glTF by one animation at one time. Source: glTF 2.0, section 3.11 and appendix C. */
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 
 #include <float.h>
 #include <math.h>

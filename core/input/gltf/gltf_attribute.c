@@ -1,5 +1,5 @@
 /* Reads the lists of attributes of primitives, and opens attributes. */
-#include "input/gltf/gltf_primitive.h"
+#include "input/gltf/gltf_parts.h"
 
 #define AT(member) offsetof(struct zr_gltf_attributes, member)
 static const struct zr_json_field fields[] = {{.key = "POSITION", .read = zr_gltf_index, .offset = AT(position)},

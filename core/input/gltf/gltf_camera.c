@@ -1,5 +1,5 @@
 /* Reads cameras of glTF. Source: glTF 2.0, section 3.10. */
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 
 #include <math.h>
 #include <string.h>

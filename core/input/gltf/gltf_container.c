@@ -1,5 +1,5 @@
 /* Finds the chunks of a binary glTF. Source: glTF 2.0, section 4 "GLB File Format Specification". */
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
 #include "base/cancel.h"
 #include "input/codecs/draco.h"
 #include "input/gltf/gltf_extensions.h"
-#include "input/gltf/gltf_primitive.h"
+#include "input/gltf/gltf_parts.h"
 
 /* Numbers between checks for cancellation. */
 enum { AT_ONCE = 4096 };

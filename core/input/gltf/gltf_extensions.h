@@ -2,8 +2,8 @@
 #ifndef ZR_GLTF_EXTENSIONS_H
 #define ZR_GLTF_EXTENSIONS_H
 
-#include "input/gltf/gltf.h"
 #include "input/codecs/meshopt.h"
+#include "input/gltf/gltf_file.h"
 
 /* ---- gltf_meshopt.c: EXT_meshopt_compression ---- */
 
@@ -21,7 +21,7 @@ bool zr_gltf_read_compressed(struct zr_gltf *file, const struct zr_json_path *pa
 bool zr_gltf_decompress(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_compressed *given,
                         const struct zr_parsed_bytes *packed, struct zr_parsed_bytes *out);
 
-#define ZR_GLTF_DRACO "KHR_draco_mesh_compression" /* gltf_primitive.h reads it */
+#define ZR_GLTF_DRACO "KHR_draco_mesh_compression" /* gltf_parts.h reads it */
 
 /* ---- gltf_instancing.c: EXT_mesh_gpu_instancing ---- */
 

@@ -6,18 +6,9 @@
 #ifndef ZR_GLTF_IMAGE_AHEAD_H
 #define ZR_GLTF_IMAGE_AHEAD_H
 
-#include "input/gltf/gltf.h"
-
-/* State of a rehearsal. Textures list their images for decoding ahead, and are not made. */
-struct zr_gltf_listing {
-    struct zr_image_list *images;
-    bool *has_material; /* one per material: true if it is listed */
-};
+#include "input/gltf/gltf_file.h"
 
 /* Decodes the images of all drawn materials before the first material is read. */
 void zr_gltf_read_images_ahead(struct zr_gltf *file);
-
-/* gltf_material.c: lists the images of a material in a rehearsal. */
-void zr_gltf_list_images_of(struct zr_gltf *file, uint32_t material);
 
 #endif

@@ -1,6 +1,6 @@
 /* Reads EXT_mesh_gpu_instancing: a node that places its mesh in many poses. */
 #include "input/gltf/gltf_extensions.h"
-#include "input/gltf/gltf_primitive.h"
+#include "input/gltf/gltf_parts.h"
 
 #include "input/json/json_matrix.h"
 

@@ -1,5 +1,5 @@
 /* Reads objects and lists of glTF, and skips unknown keys. */
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 
 #include <float.h>
 #include <stdio.h>

@@ -1,6 +1,5 @@
 /* Converts materials of glTF to materials of a scene. Reads a material at its first use by a drawn primitive. */
 #include "input/gltf/gltf_extensions.h"
-#include "input/gltf/gltf_image_ahead.h"
 
 #include <float.h>
 

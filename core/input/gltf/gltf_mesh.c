@@ -1,6 +1,6 @@
 /* Reads meshes of glTF: each primitive becomes a mesh of the scene. */
 #include "input/gltf/gltf_image_ahead.h"
-#include "input/gltf/gltf_primitive.h"
+#include "input/gltf/gltf_parts.h"
 
 /* ---- primitives ---- */
 

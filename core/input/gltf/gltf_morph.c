@@ -1,6 +1,6 @@
 /* Adds morph targets of glTF to a mesh. Source: glTF 2.0, section 3.7.2.2. */
 #include "input/gltf/gltf_extensions.h"
-#include "input/gltf/gltf_primitive.h"
+#include "input/gltf/gltf_parts.h"
 
 #include <float.h>
 #include <math.h>

@@ -2,7 +2,7 @@
 #ifndef ZR_GLTF_NODES_H
 #define ZR_GLTF_NODES_H
 
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 #include "scene/parts/nodes.h"
 
 struct zr_gltf_nodes {

@@ -1,6 +1,6 @@
 /* Makes a mesh of one primitive of glTF. Reads only the vertices from the smallest to the largest index, since many
  * primitives often share one accessor. */
-#include "input/gltf/gltf_primitive.h"
+#include "input/gltf/gltf_parts.h"
 
 #include <float.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* The keys of the root of glTF. */
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 
 static const struct zr_json_field fields[] = {
 #define PLACE(ID, name) [ID] = {.key = name, .read = zr_json_place, .offset = sizeof(const char *) * (ID)}

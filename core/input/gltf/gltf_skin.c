@@ -1,5 +1,5 @@
 /* Moves vertices by the joints of a skin of glTF, in the pose of the nodes. Source: glTF 2.0, section 3.7.3. */
-#include "input/gltf/gltf_primitive.h"
+#include "input/gltf/gltf_parts.h"
 
 #include <float.h>
 #include <math.h>

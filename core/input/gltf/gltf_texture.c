@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "input/gltf/gltf_image_ahead.h"
 #include "scene/texture.h"
 
 /* ---- samplers ---- */

@@ -1,5 +1,5 @@
 /* Makes faces, lines and points of the modes of glTF. Source: glTF 2.0, section 3.7.2.1. */
-#include "input/gltf/gltf_primitive.h"
+#include "input/gltf/gltf_parts.h"
 
 /* Returns corner `i`: an index, or vertex `i` if there are no indices. */
 static inline uint32_t corner(const uint32_t *corners, uint32_t i)

@@ -1,5 +1,5 @@
 /* Converts elements of accessors of glTF to floats and indices. Source: glTF 2.0, sections 3.6.2 and 3.11. */
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 
 #include <string.h>
 

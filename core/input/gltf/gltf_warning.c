@@ -1,5 +1,5 @@
 /* Warns of contents of a glTF file that the picture lacks or changes. */
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 
 static void warn_of(struct zr_gltf *file, struct zr_warning_list *list, const struct zr_gltf_note *note,
                     const char *one, const char *many)

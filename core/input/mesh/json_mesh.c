@@ -1,6 +1,6 @@
 #include <string.h>
 
-#include "input/mesh/json_mesh.h"
+#include "input/mesh/parsed_mesh.h"
 #include "input/scene/json_objects.h"
 #include "input/text/nearest.h"
 #include "input/text/text.h"

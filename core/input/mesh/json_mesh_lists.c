@@ -1,7 +1,7 @@
 #include "input/json/json_array.h"
 #include "input/json/json_list.h"
 #include "input/json/json_rows.h"
-#include "input/mesh/json_mesh.h"
+#include "input/mesh/parsed_mesh.h"
 #include "scene/texture.h"
 
 /* Free slots of the index array before each face. A face with more corners than free slots goes through read_face. */

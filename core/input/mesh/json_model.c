@@ -1,4 +1,4 @@
-#include "input/mesh/json_mesh.h"
+#include "input/mesh/parsed_mesh.h"
 
 #include <stdio.h>
 #include <string.h>

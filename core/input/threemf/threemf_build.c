@@ -3,76 +3,77 @@
 
 #include "input/formats/quick.h"
 #include "input/model/model_scene.h"
-#include "input/threemf/threemf.h"
+#include "input/threemf/threemf_file.h"
 #include "render_request.h"
 #include "scene/parts/nodes.h"
 
 /* Nodes: first the build items, then one range per used object: its components. */
 struct build {
-    struct zr_mf3 *file;
-    struct zr_mf3_list nodes;   /* struct zr_node */
-    struct zr_mf3_list targets; /* uint32_t: per node, the resource that it names, or ZR_MF3_NONE */
-    struct zr_mf3_list sources; /* const struct zr_mf3_link *: per node */
+    struct zr_threemf *file;
+    struct zr_threemf_list nodes;   /* struct zr_node */
+    struct zr_threemf_list targets; /* uint32_t: per node, the resource that it names, or ZR_THREEMF_NONE */
+    struct zr_threemf_list sources; /* const struct zr_threemf_link *: per node */
 };
 
-/* Finds the object of a link. ZR_MF3_NONE if it is left out, or after a fault. */
-static uint32_t find_object(struct zr_mf3 *file, const struct zr_mf3_link *link)
+/* Finds the object of a link. ZR_THREEMF_NONE if it is left out, or after a fault. */
+static uint32_t find_object(struct zr_threemf *file, const struct zr_threemf_link *link)
 {
-    const struct zr_mf3_resource *object = zr_mf3_find(file, link->target_part, link->id);
+    const struct zr_threemf_resource *object = zr_threemf_find(file, link->target_part, link->id);
     file->part = link->part;
-    if (!object || object->kind != ZR_MF3_OBJECT) {
-        zr_mf3_fault(file, link->at, "objectid %u names no object", link->id);
-        return ZR_MF3_NONE;
+    if (!object || object->kind != ZR_THREEMF_OBJECT) {
+        zr_threemf_fault(file, link->at, "objectid %u names no object", link->id);
+        return ZR_THREEMF_NONE;
     }
     if (object->is_left_out || link->is_left_out) {
-        zr_mf3_note(file, object->is_left_out ? ZR_MF3_NOTE_OTHER : ZR_MF3_NOTE_MODIFIER, link->at,
-                    (struct zr_xml_text){"", 0});
-        return ZR_MF3_NONE;
+        zr_threemf_note(file, object->is_left_out ? ZR_THREEMF_NOTE_OTHER : ZR_THREEMF_NOTE_MODIFIER, link->at,
+                        (struct zr_xml_text){"", 0});
+        return ZR_THREEMF_NONE;
     }
-    return (uint32_t)(object - zr_mf3_resources(file));
+    return (uint32_t)(object - zr_threemf_resources(file));
 }
 
 /* Scales the coordinates of an object to the unit of the part that places it. */
-static void convert_unit(const struct zr_mf3 *file, const struct zr_mf3_link *link, zr_mat4 *local)
+static void convert_unit(const struct zr_threemf *file, const struct zr_threemf_link *link, zr_mat4 *local)
 {
-    const double from = zr_mf3_parts(file)[link->target_part].microns, to = zr_mf3_parts(file)[link->part].microns;
+    const double from = zr_threemf_parts(file)[link->target_part].microns,
+                 to = zr_threemf_parts(file)[link->part].microns;
     if (!(from > 0.0 && to > 0.0) || from == to) return;
     for (int i = 0; i < 12; i++)
         local->m[i] = (float)((double)local->m[i] * (from / to));
 }
 
-static void add_node(struct build *build, const struct zr_mf3_link *link)
+static void add_node(struct build *build, const struct zr_threemf_link *link)
 {
     struct zr_arena *arena = build->file->arena;
     const uint32_t target = find_object(build->file, link);
-    struct zr_mf3_resource *object = target == ZR_MF3_NONE ? NULL : &zr_mf3_resources(build->file)[target];
+    struct zr_threemf_resource *object = target == ZR_THREEMF_NONE ? NULL : &zr_threemf_resources(build->file)[target];
     if (object && object->extruder == 0) object->extruder = link->extruder;
-    struct zr_node *node = zr_mf3_list_add(arena, &build->nodes, sizeof *node);
-    uint32_t *to = zr_mf3_list_add(arena, &build->targets, sizeof *to);
-    const struct zr_mf3_link **from = zr_mf3_list_add(arena, &build->sources, sizeof *from);
+    struct zr_node *node = zr_threemf_list_add(arena, &build->nodes, sizeof *node);
+    uint32_t *to = zr_threemf_list_add(arena, &build->targets, sizeof *to);
+    const struct zr_threemf_link **from = zr_threemf_list_add(arena, &build->sources, sizeof *from);
     zr_mat4 local = link->transform;
     if (!node || !to || !from) return;
     convert_unit(build->file, link, &local);
     *to = target;
     *from = link;
     *node = (struct zr_node){.local = local,
-                             .mesh = object && object->mesh != ZR_MF3_NONE ? object->mesh : ZR_NODE_NO_MESH,
+                             .mesh = object && object->mesh != ZR_THREEMF_NONE ? object->mesh : ZR_NODE_NO_MESH,
                              .name = object && *object->name ? object->name : NULL};
 }
 
 /* Adds the nodes of the build, then those of each used object, once, in the order of first use. */
 static void add_nodes(struct build *build)
 {
-    struct zr_mf3 *file = build->file;
-    const struct zr_mf3_link *items = file->items.items, *links = file->links.items;
-    for (uint32_t i = 0; i < file->items.count && !zr_mf3_stops(file); i++)
+    struct zr_threemf *file = build->file;
+    const struct zr_threemf_link *items = file->items.items, *links = file->links.items;
+    for (uint32_t i = 0; i < file->items.count && !zr_threemf_stops(file); i++)
         add_node(build, &items[i]);
-    for (uint32_t next = 0; next < build->nodes.count && !zr_mf3_stops(file); next++) {
+    for (uint32_t next = 0; next < build->nodes.count && !zr_threemf_stops(file); next++) {
         const uint32_t target = ((const uint32_t *)build->targets.items)[next];
         if (zr_is_cancelled(file->cancel)) return;
-        if (target == ZR_MF3_NONE) continue;
-        struct zr_mf3_resource *object = &zr_mf3_resources(file)[target];
-        if (object->link_count == 0 || object->first_node != ZR_MF3_NONE) continue;
+        if (target == ZR_THREEMF_NONE) continue;
+        struct zr_threemf_resource *object = &zr_threemf_resources(file)[target];
+        if (object->link_count == 0 || object->first_node != ZR_THREEMF_NONE) continue;
         object->first_node = build->nodes.count;
         for (uint32_t i = 0; i < object->link_count; i++)
             add_node(build, &links[object->first_link + i]);
@@ -82,7 +83,7 @@ static void add_nodes(struct build *build)
 /* Sets each node's children: the range of its object's components. Entry i of all children is node items + i. */
 static struct zr_nodes join(struct build *build)
 {
-    struct zr_mf3 *file = build->file;
+    struct zr_threemf *file = build->file;
     const uint32_t items = file->items.count, count = build->nodes.count;
     struct zr_node *nodes = build->nodes.items;
     uint32_t *children = zr_arena_alloc(file->arena, count - items, sizeof *children);
@@ -90,26 +91,26 @@ static struct zr_nodes join(struct build *build)
     for (uint32_t i = 0; children && i < count; i++) {
         const uint32_t target = ((const uint32_t *)build->targets.items)[i];
         if (i >= items) children[i - items] = i;
-        if (target == ZR_MF3_NONE || zr_mf3_resources(file)[target].link_count == 0) continue;
-        nodes[i].first_child = zr_mf3_resources(file)[target].first_node - items;
-        nodes[i].child_count = zr_mf3_resources(file)[target].link_count;
+        if (target == ZR_THREEMF_NONE || zr_threemf_resources(file)[target].link_count == 0) continue;
+        nodes[i].first_child = zr_threemf_resources(file)[target].first_node - items;
+        nodes[i].child_count = zr_threemf_resources(file)[target].link_count;
     }
     return all;
 }
 
 static void report(struct build *build, const struct zr_placement *placement, uint64_t visits_max)
 {
-    struct zr_mf3 *file = build->file;
-    const struct zr_mf3_link *link = ((const struct zr_mf3_link *const *)build->sources.items)[placement->node];
+    struct zr_threemf *file = build->file;
+    const struct zr_threemf_link *link = ((const struct zr_threemf_link *const *)build->sources.items)[placement->node];
     file->part = link->part;
     switch (placement->fault) {
     case ZR_NODES_GOOD:
         break;
     case ZR_NODES_CYCLE:
-        zr_mf3_fault(file, link->at, "a cycle: object %u has itself among its components", link->id);
+        zr_threemf_fault(file, link->at, "a cycle: object %u has itself among its components", link->id);
         break;
     case ZR_NODES_TOO_DEEP:
-        zr_mf3_fault(file, link->at, "components nested more than %d deep", ZR_NODES_DEPTH_MAX - 1);
+        zr_threemf_fault(file, link->at, "components nested more than %d deep", ZR_NODES_DEPTH_MAX - 1);
         break;
     case ZR_NODES_TOO_MANY:
         zr_error_add(file->error, ZR_BAD_SCENE, NULL, "the build places more than the limit of %u meshes",
@@ -121,14 +122,14 @@ static void report(struct build *build, const struct zr_placement *placement, ui
                      visits_max);
         break;
     case ZR_NODES_OUT_OF_RANGE:
-        zr_mf3_fault(file, link->at, "the transform to the build's space has an entry beyond %g",
-                     (double)ZR_MATRIX_MAX);
+        zr_threemf_fault(file, link->at, "the transform to the build's space has an entry beyond %g",
+                         (double)ZR_MATRIX_MAX);
         break;
     }
 }
 
 /* Moves the placed meshes to the builder, in the order of the file. */
-static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, const struct zr_request *request,
+static bool keep_placed(struct zr_threemf *file, struct zr_scene_builder *builder, const struct zr_request *request,
                         struct zr_file_scene *scene)
 {
     const struct zr_mesh *all = file->meshes.items;
@@ -136,36 +137,36 @@ static bool keep_placed(struct zr_mf3 *file, struct zr_scene_builder *builder, c
     for (uint32_t i = 0; numbers && i < scene->instance_count; i++)
         numbers[scene->instances[i].mesh] = 1;
     for (uint32_t i = 0; numbers && i < file->meshes.count; i++)
-        numbers[i] = numbers[i] ? kept++ : ZR_MF3_NONE;
+        numbers[i] = numbers[i] ? kept++ : ZR_THREEMF_NONE;
     struct zr_mesh *meshes = numbers ? zr_scene_builder_meshes(builder, kept) : NULL;
     uint32_t **textures = zr_arena_alloc(file->arena, kept, sizeof *textures);
     if (!meshes || !textures) return false;
     for (uint32_t i = 0; i < file->resources.count; i++) {
-        const struct zr_mf3_resource *object = &zr_mf3_resources(file)[i];
-        if (object->mesh == ZR_MF3_NONE || numbers[object->mesh] == ZR_MF3_NONE) continue;
+        const struct zr_threemf_resource *object = &zr_threemf_resources(file)[i];
+        if (object->mesh == ZR_THREEMF_NONE || numbers[object->mesh] == ZR_THREEMF_NONE) continue;
         meshes[numbers[object->mesh]] = all[object->mesh];
         meshes[numbers[object->mesh]].name = object->name;
-        zr_mf3_color_by_extruders(file, &meshes[numbers[object->mesh]],
-                                  ((uint8_t **)file->extruders.items)[object->mesh], object);
+        zr_threemf_color_by_extruders(file, &meshes[numbers[object->mesh]],
+                                      ((uint8_t **)file->extruders.items)[object->mesh], object);
         textures[numbers[object->mesh]] = ((uint32_t **)file->textures.items)[object->mesh];
     }
     for (uint32_t i = 0; i < scene->instance_count; i++)
         scene->instances[i].mesh = numbers[scene->instances[i].mesh];
     builder->file = scene;
-    return zr_mf3_make_materials(file, builder, request, scene, kept, textures);
+    return zr_threemf_make_materials(file, builder, request, scene, kept, textures);
 }
 
-static enum zr_status refuse_empty(struct zr_mf3 *file)
+static enum zr_status refuse_empty(struct zr_threemf *file)
 {
-    const struct zr_xml_text word = file->notes[ZR_MF3_NOTE_REQUIRED].word;
-    const bool is_required = file->notes[ZR_MF3_NOTE_REQUIRED].count > 0;
+    const struct zr_xml_text word = file->notes[ZR_THREEMF_NOTE_REQUIRED].word;
+    const bool is_required = file->notes[ZR_THREEMF_NOTE_REQUIRED].count > 0;
     return zr_error_add(file->error, ZR_BAD_SCENE, NULL, "no geometry: the build places no triangle%s%.*s%s",
                         is_required ? "; the required extension of " : "", is_required ? (int)word.length : 0,
                         is_required ? word.at : "", is_required ? " is not read" : "");
 }
 
 /* Moves the instances of meshes with triangles to the front; returns their number. */
-static uint32_t drop_empty(const struct zr_mf3 *file, struct zr_instance *instances, uint32_t count)
+static uint32_t drop_empty(const struct zr_threemf *file, struct zr_instance *instances, uint32_t count)
 {
     const struct zr_mesh *meshes = file->meshes.items;
     uint32_t kept = 0;
@@ -178,7 +179,7 @@ static uint32_t drop_empty(const struct zr_mf3 *file, struct zr_instance *instan
 static struct zr_matrix *find_exact(const struct build *build)
 {
     const struct zr_node *nodes = build->nodes.items;
-    const struct zr_mf3_link *const *links = build->sources.items;
+    const struct zr_threemf_link *const *links = build->sources.items;
     struct zr_matrix *exact = zr_arena_alloc(build->file->arena, build->nodes.count, sizeof *exact);
     for (uint32_t i = 0; exact && i < build->nodes.count; i++) {
         exact[i] = zr_matrix_of(&nodes[i].local);
@@ -192,7 +193,7 @@ static struct zr_matrix *find_exact(const struct build *build)
 static enum zr_status place_far(const struct build *build, struct zr_scene_builder *builder, struct zr_nodes *nodes,
                                 uint64_t allowed, struct zr_placement *placement)
 {
-    const struct zr_mf3 *file = build->file;
+    const struct zr_threemf *file = build->file;
     struct zr_far_scene scene = {.count = placement->count,
                                  .instances = placement->instances,
                                  .meshes = file->meshes.items,
@@ -208,7 +209,8 @@ static enum zr_status place_far(const struct build *build, struct zr_scene_build
     return zr_far_instances(file->arena, file->cancel, file->limits, &scene, &builder->scene->origin, file->error);
 }
 
-enum zr_status zr_mf3_place(struct zr_mf3 *file, struct zr_scene_builder *builder, const struct zr_request *request)
+enum zr_status zr_threemf_place(struct zr_threemf *file, struct zr_scene_builder *builder,
+                                const struct zr_request *request)
 {
     struct build build = {.file = file};
     struct zr_quick *quick = request->quick;

@@ -1,7 +1,7 @@
 /* Properties of the triangles of 3MF: colours and texture coordinates of their corners. */
 #include <string.h>
 
-#include "input/threemf/threemf.h"
+#include "input/threemf/threemf_file.h"
 
 enum { EXPANDED_AT_ONCE = 1 << 14 };
 
@@ -9,7 +9,7 @@ enum { EXPANDED_AT_ONCE = 1 << 14 };
 
 /* ---- arrays ---- */
 
-void zr_mf3_corners_grow(struct zr_mf3_corners *corners, uint32_t count, uint32_t room)
+void zr_threemf_corners_grow(struct zr_threemf_corners *corners, uint32_t count, uint32_t room)
 {
     struct zr_arena *arena = corners->file->arena;
     corners->room = room;
@@ -23,7 +23,7 @@ void zr_mf3_corners_grow(struct zr_mf3_corners *corners, uint32_t count, uint32_
 }
 
 /* Allocates colours at the first triangle with a colour; earlier triangles are white. */
-static bool begin_colors(struct zr_mf3_corners *corners, uint32_t count)
+static bool begin_colors(struct zr_threemf_corners *corners, uint32_t count)
 {
     if (corners->colors) return true;
     corners->colors = zr_arena_alloc(corners->file->arena, corners->room, 3 * sizeof *corners->colors);
@@ -32,7 +32,7 @@ static bool begin_colors(struct zr_mf3_corners *corners, uint32_t count)
 }
 
 /* Allocates textures at the first triangle with one. */
-static bool begin_textures(struct zr_mf3_corners *corners, uint32_t count)
+static bool begin_textures(struct zr_threemf_corners *corners, uint32_t count)
 {
     struct zr_arena *arena = corners->file->arena;
     if (corners->textures) return corners->coords != NULL;
@@ -47,45 +47,45 @@ static bool begin_textures(struct zr_mf3_corners *corners, uint32_t count)
 /* ---- triangles ---- */
 
 /* Finds the group of a property. NULL after a fault. */
-static const struct zr_mf3_resource *find_group(struct zr_mf3_corners *corners, uint32_t triangle, uint32_t pid)
+static const struct zr_threemf_resource *find_group(struct zr_threemf_corners *corners, uint32_t triangle, uint32_t pid)
 {
-    struct zr_mf3 *file = corners->file;
+    struct zr_threemf *file = corners->file;
     if (corners->last && pid == corners->last_pid) return corners->last;
-    const struct zr_mf3_resource *group = zr_mf3_find(file, file->part, pid);
-    const bool is_group = group && group->kind != ZR_MF3_OBJECT && group->kind != ZR_MF3_TEXTURE;
+    const struct zr_threemf_resource *group = zr_threemf_find(file, file->part, pid);
+    const bool is_group = group && group->kind != ZR_THREEMF_OBJECT && group->kind != ZR_THREEMF_TEXTURE;
     corners->last_pid = pid;
     corners->last = is_group ? group : NULL;
     if (!is_group)
-        zr_mf3_fault(file, file->tag.at, "triangle %u: pid %u names no preceding property group", triangle, pid);
+        zr_threemf_fault(file, file->tag.at, "triangle %u: pid %u names no preceding property group", triangle, pid);
     return corners->last;
 }
 
-static bool check_index(struct zr_mf3_corners *corners, uint32_t triangle, const struct zr_mf3_resource *group,
+static bool check_index(struct zr_threemf_corners *corners, uint32_t triangle, const struct zr_threemf_resource *group,
                         uint32_t index)
 {
-    const bool has_colors = group->kind == ZR_MF3_COLORS;
+    const bool has_colors = group->kind == ZR_THREEMF_COLORS;
     const uint32_t count = has_colors ? group->color_count : group->value_count;
-    return index < count ||
-           zr_mf3_fault(corners->file, corners->file->tag.at, "triangle %u names %s %u of group %u, but there are %u",
-                        triangle, has_colors ? "colour" : "property", index, group->id, count);
+    return index < count || zr_threemf_fault(corners->file, corners->file->tag.at,
+                                             "triangle %u names %s %u of group %u, but there are %u", triangle,
+                                             has_colors ? "colour" : "property", index, group->id, count);
 }
 
 /* Sets the colours and the texture of a triangle from its values. The first corner decides the texture. */
-static void set_values(struct zr_mf3_corners *corners, uint32_t triangle, const struct zr_mf3_resource *group,
+static void set_values(struct zr_threemf_corners *corners, uint32_t triangle, const struct zr_threemf_resource *group,
                        const uint32_t p[3])
 {
-    struct zr_mf3 *file = corners->file;
-    struct zr_mf3_value values[3];
+    struct zr_threemf *file = corners->file;
+    struct zr_threemf_value values[3];
     bool is_white = true;
     for (int i = 0; i < 3; i++) {
-        const uint32_t index = p[i] == ZR_MF3_NONE || group->is_base ? p[0] : p[i];
+        const uint32_t index = p[i] == ZR_THREEMF_NONE || group->is_base ? p[0] : p[i];
         if (!check_index(corners, triangle, group, index)) return;
         values[i] = group->values[index];
         is_white = is_white && values[i].color == WHITE;
     }
     const uint32_t texture = values[0].texture;
-    if (texture != ZR_MF3_NONE && !begin_textures(corners, triangle)) return;
-    if ((!is_white || (texture == ZR_MF3_NONE && !corners->textures)) && !begin_colors(corners, triangle)) return;
+    if (texture != ZR_THREEMF_NONE && !begin_textures(corners, triangle)) return;
+    if ((!is_white || (texture == ZR_THREEMF_NONE && !corners->textures)) && !begin_colors(corners, triangle)) return;
     for (int i = 0; i < 3; i++) {
         if (corners->textures) {
             float *at = corners->coords[3 * (size_t)triangle + (size_t)i];
@@ -98,17 +98,17 @@ static void set_values(struct zr_mf3_corners *corners, uint32_t triangle, const 
     }
     if (corners->textures) corners->textures[triangle] = texture;
     corners->given++;
-    if (texture != ZR_MF3_NONE && group->is_outside && zr_mf3_resources(file)[texture].ends)
-        zr_mf3_note(file, ZR_MF3_NOTE_TILES, file->tag.at, file->tag.name);
+    if (texture != ZR_THREEMF_NONE && group->is_outside && zr_threemf_resources(file)[texture].ends)
+        zr_threemf_note(file, ZR_THREEMF_NOTE_TILES, file->tag.at, file->tag.name);
 }
 
-static void set_colors(struct zr_mf3_corners *corners, uint32_t triangle, const struct zr_mf3_resource *group,
+static void set_colors(struct zr_threemf_corners *corners, uint32_t triangle, const struct zr_threemf_resource *group,
                        const uint32_t p[3])
 {
     if (!begin_colors(corners, triangle)) return;
     uint32_t *colors = corners->colors + (size_t)triangle * 3;
     for (int i = 0; i < 3; i++) {
-        const uint32_t index = p[i] == ZR_MF3_NONE || group->is_base ? p[0] : p[i];
+        const uint32_t index = p[i] == ZR_THREEMF_NONE || group->is_base ? p[0] : p[i];
         if (!check_index(corners, triangle, group, index)) return;
         colors[i] = group->colors[index];
         const bool is_clear = colors[i] >> 24 == 0;
@@ -120,19 +120,19 @@ static void set_colors(struct zr_mf3_corners *corners, uint32_t triangle, const 
     corners->given++;
 }
 
-void zr_mf3_corners_set(struct zr_mf3_corners *corners, uint32_t triangle, uint32_t pid, const uint32_t p[3])
+void zr_threemf_corners_set(struct zr_threemf_corners *corners, uint32_t triangle, uint32_t pid, const uint32_t p[3])
 {
-    const struct zr_mf3_resource *group = pid == ZR_MF3_NONE ? NULL : find_group(corners, triangle, pid);
+    const struct zr_threemf_resource *group = pid == ZR_THREEMF_NONE ? NULL : find_group(corners, triangle, pid);
     const size_t first = (size_t)triangle * 3;
-    if (corners->textures && (!group || group->kind == ZR_MF3_COLORS)) {
-        corners->textures[triangle] = ZR_MF3_NONE;
+    if (corners->textures && (!group || group->kind == ZR_THREEMF_COLORS)) {
+        corners->textures[triangle] = ZR_THREEMF_NONE;
         memset(corners->coords + first, 0, 3 * sizeof *corners->coords);
     }
     if (!group) {
         if (corners->colors) memset(corners->colors + first, 0xFF, 3 * sizeof *corners->colors);
         return;
     }
-    if (group->kind == ZR_MF3_COLORS)
+    if (group->kind == ZR_THREEMF_COLORS)
         set_colors(corners, triangle, group, p);
     else
         set_values(corners, triangle, group, p);
@@ -141,22 +141,22 @@ void zr_mf3_corners_set(struct zr_mf3_corners *corners, uint32_t triangle, uint3
 /* ---- the mesh ---- */
 
 /* Sets one colour per face. */
-static void color_faces(const struct zr_mf3_corners *corners, struct zr_mesh *mesh)
+static void color_faces(const struct zr_threemf_corners *corners, struct zr_mesh *mesh)
 {
     zr_vec4 *colors = zr_arena_alloc(corners->file->arena, mesh->face_count, sizeof *colors);
     for (size_t i = 0; colors && i < mesh->face_count; i++) {
         if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(corners->file->cancel)) return;
-        colors[i] = zr_mf3_color_of(corners->colors[3 * i]);
+        colors[i] = zr_threemf_color_of(corners->colors[3 * i]);
     }
     mesh->face_colors = colors;
 }
 
 /* Makes one position per corner, with its colour and its texture coordinates. */
-static void expand(const struct zr_mf3_corners *corners, struct zr_mesh *mesh)
+static void expand(const struct zr_threemf_corners *corners, struct zr_mesh *mesh)
 {
     struct zr_arena *arena = corners->file->arena;
     const size_t count = (size_t)mesh->face_count * 3;
-    if (count > ZR_MF3_NONE / 2) {
+    if (count > ZR_THREEMF_NONE / 2) {
         zr_arena_charge(arena, SIZE_MAX); /* fails */
         return;
     }
@@ -167,7 +167,7 @@ static void expand(const struct zr_mf3_corners *corners, struct zr_mesh *mesh)
     for (size_t i = 0; i < count; i++) {
         if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(corners->file->cancel)) return;
         positions[i] = mesh->positions[mesh->indices[i]];
-        if (colors) colors[i] = zr_mf3_color_of(corners->colors[i]);
+        if (colors) colors[i] = zr_threemf_color_of(corners->colors[i]);
         if (texcoords) texcoords[i] = (zr_vec4){corners->coords[i][0], corners->coords[i][1], 0, 0};
     }
     mesh->colors = colors;
@@ -178,7 +178,7 @@ static void expand(const struct zr_mf3_corners *corners, struct zr_mesh *mesh)
 }
 
 /* Makes base materials opaque if all base materials of the mesh have alpha 0, as slicers write them. */
-static void show_bases(struct zr_mf3_corners *corners, uint32_t triangles)
+static void show_bases(struct zr_threemf_corners *corners, uint32_t triangles)
 {
     const size_t count = (size_t)triangles * 3;
     if (!corners->has_clear_base || corners->has_clear || corners->has_base) return;
@@ -186,22 +186,22 @@ static void show_bases(struct zr_mf3_corners *corners, uint32_t triangles)
         if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(corners->file->cancel)) return;
         if (corners->colors[i] >> 24 == 0) corners->colors[i] |= 0xFF000000u;
     }
-    zr_mf3_note(corners->file, ZR_MF3_NOTE_CLEAR, corners->file->xml.at, corners->file->tag.name);
+    zr_threemf_note(corners->file, ZR_THREEMF_NOTE_CLEAR, corners->file->xml.at, corners->file->tag.name);
 }
 
-bool zr_mf3_corners_finish(struct zr_mf3_corners *corners, struct zr_mesh *mesh)
+bool zr_threemf_corners_finish(struct zr_threemf_corners *corners, struct zr_mesh *mesh)
 {
-    struct zr_mf3 *file = corners->file;
-    uint32_t **textures = zr_mf3_list_add(file->arena, &file->textures, sizeof *textures);
+    struct zr_threemf *file = corners->file;
+    uint32_t **textures = zr_threemf_list_add(file->arena, &file->textures, sizeof *textures);
     if (!textures) return false;
     *textures = corners->textures;
     show_bases(corners, mesh->face_count);
-    if (!zr_mf3_paint_mesh(corners, mesh)) return false;
+    if (!zr_threemf_paint_mesh(corners, mesh)) return false;
     if (corners->textures || (corners->colors && corners->has_gradients))
         expand(corners, mesh);
     else if (corners->colors && corners->given > 0)
         color_faces(corners, mesh);
     if (corners->colors && corners->given > 0 && corners->given < mesh->face_count)
-        zr_mf3_note(file, ZR_MF3_NOTE_PLAIN, file->xml.at, file->tag.name);
+        zr_threemf_note(file, ZR_THREEMF_NOTE_PLAIN, file->xml.at, file->tag.name);
     return true;
 }

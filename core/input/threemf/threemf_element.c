@@ -2,15 +2,15 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "input/threemf/threemf.h"
 #include "input/text/text.h"
+#include "input/threemf/threemf_file.h"
 
 enum { ROOM_AT_FIRST = 16 };
 
 /* ---- faults and warnings ---- */
 
 /* Returns the line of a place. If places ascend, as they mostly do, each byte is scanned once. */
-static size_t line_of(struct zr_mf3_part *part, const char *at)
+static size_t line_of(struct zr_threemf_part *part, const char *at)
 {
     if (!part->bytes || at < part->bytes || at > part->bytes + part->size) return 0;
     if (at < part->counted_to) {
@@ -23,9 +23,9 @@ static size_t line_of(struct zr_mf3_part *part, const char *at)
     return part->line;
 }
 
-bool zr_mf3_fault_in(struct zr_mf3 *file, uint32_t number, const char *at, const char *format, ...)
+bool zr_threemf_fault_in(struct zr_threemf *file, uint32_t number, const char *at, const char *format, ...)
 {
-    struct zr_mf3_part *part = &zr_mf3_parts(file)[number];
+    struct zr_threemf_part *part = &zr_threemf_parts(file)[number];
     char text[ZR_DETAIL_SIZE];
     va_list arguments;
     va_start(arguments, format);
@@ -37,25 +37,25 @@ bool zr_mf3_fault_in(struct zr_mf3 *file, uint32_t number, const char *at, const
     return false;
 }
 
-void zr_mf3_note(struct zr_mf3 *file, int note, const char *at, struct zr_xml_text word)
+void zr_threemf_note(struct zr_threemf *file, int note, const char *at, struct zr_xml_text word)
 {
     if (file->notes[note].count++ > 0) return;
     file->notes[note].part = file->part;
-    file->notes[note].line = line_of(&zr_mf3_parts(file)[file->part], at);
+    file->notes[note].line = line_of(&zr_threemf_parts(file)[file->part], at);
     file->notes[note].word = word;
 }
 
 /* ---- elements ---- */
 
-bool zr_mf3_stops(const struct zr_mf3 *file)
+bool zr_threemf_stops(const struct zr_threemf *file)
 {
     return file->is_stopped || file->error->count >= ZR_ERROR_ITEMS || !zr_arena_ok(file->arena);
 }
 
-bool zr_mf3_child(struct zr_mf3 *file, size_t depth)
+bool zr_threemf_child(struct zr_threemf *file, size_t depth)
 {
     struct zr_xml *xml = &file->xml;
-    while (!zr_mf3_stops(file)) {
+    while (!zr_threemf_stops(file)) {
         switch (zr_xml_next(xml, &file->tag)) {
         case ZR_XML_BEGIN:
             if (xml->depth == depth + 1) return true;
@@ -64,7 +64,7 @@ bool zr_mf3_child(struct zr_mf3 *file, size_t depth)
             if (xml->depth < depth) return false;
             break;
         case ZR_XML_FAULT:
-            zr_mf3_fault(file, xml->at, "%s", xml->reason.text);
+            zr_threemf_fault(file, xml->at, "%s", xml->reason.text);
             file->error->status = file->error->count == 1 ? ZR_BAD_SYNTAX : file->error->status;
             file->is_stopped = true;
             break;
@@ -77,15 +77,16 @@ bool zr_mf3_child(struct zr_mf3 *file, size_t depth)
     return false;
 }
 
-bool zr_mf3_is(const struct zr_mf3 *file, enum zr_mf3_space space, const char *name)
+bool zr_threemf_is(const struct zr_threemf *file, enum zr_threemf_space space, const char *name)
 {
-    const bool is_here = space == ZR_MF3_SPACE_CORE ? zr_mf3_is_core(file->tag.space) : file->tag.space == (int)space;
+    const bool is_here =
+        space == ZR_THREEMF_SPACE_CORE ? zr_threemf_is_core(file->tag.space) : file->tag.space == (int)space;
     return is_here && zr_xml_text_is(file->tag.name, name);
 }
 
 /* ---- lists ---- */
 
-void *zr_mf3_list_add(struct zr_arena *arena, struct zr_mf3_list *list, size_t size)
+void *zr_threemf_list_add(struct zr_arena *arena, struct zr_threemf_list *list, size_t size)
 {
     if (list->count == list->room) {
         const uint32_t room = list->room ? 2 * list->room : ROOM_AT_FIRST;

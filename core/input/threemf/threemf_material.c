@@ -1,16 +1,16 @@
 /* Materials of 3MF: one per texture that a placed mesh uses. */
 #include "input/images/image_list.h"
-#include "input/threemf/threemf.h"
+#include "input/threemf/threemf_file.h"
 #include "render_request.h"
 #include "scene/texture.h"
 
 struct making {
-    struct zr_mf3 *file;
+    struct zr_threemf *file;
     struct zr_image_list images;
-    struct zr_mf3_list materials; /* struct zr_parsed_material */
+    struct zr_threemf_list materials; /* struct zr_parsed_material */
 };
 
-static enum zr_status unpack(struct making *making, struct zr_mf3_resource *texture, struct zr_reason *reason)
+static enum zr_status unpack(struct making *making, struct zr_threemf_resource *texture, struct zr_reason *reason)
 {
     const char *bytes;
     if (texture->unpacked) return ZR_OK;
@@ -19,19 +19,19 @@ static enum zr_status unpack(struct making *making, struct zr_mf3_resource *text
     return status;
 }
 
-static struct zr_parsed_bytes bytes_of(const struct zr_mf3_resource *texture)
+static struct zr_parsed_bytes bytes_of(const struct zr_threemf_resource *texture)
 {
     return (struct zr_parsed_bytes){.bytes = texture->unpacked, .size = (size_t)texture->image->size};
 }
 
 /* Reads the image of a texture. False without one, or after a fault. */
-static bool read_image(struct making *making, struct zr_mf3_resource *texture, uint32_t *number)
+static bool read_image(struct making *making, struct zr_threemf_resource *texture, uint32_t *number)
 {
-    struct zr_mf3 *file = making->file;
+    struct zr_threemf *file = making->file;
     struct zr_reason reason = {""};
     file->part = texture->part;
     if (!texture->image) {
-        zr_mf3_note(file, ZR_MF3_NOTE_IMAGE, texture->at, (struct zr_xml_text){"", 0});
+        zr_threemf_note(file, ZR_THREEMF_NOTE_IMAGE, texture->at, (struct zr_xml_text){"", 0});
         return false;
     }
     const enum zr_status status = unpack(making, texture, &reason);
@@ -40,13 +40,13 @@ static bool read_image(struct making *making, struct zr_mf3_resource *texture, u
     const struct zr_parsed_bytes bytes = bytes_of(texture);
     if (zr_is_cancelled(file->cancel) || !zr_arena_ok(file->arena)) return false;
     if (zr_image_list_add(&making->images, &bytes, number, &reason) == ZR_OK) return true;
-    if (*reason.text) zr_mf3_fault(file, texture->at, "texture %u: %s", texture->id, reason.text);
+    if (*reason.text) zr_threemf_fault(file, texture->at, "texture %u: %s", texture->id, reason.text);
     return false;
 }
 
-static void make_material(struct making *making, struct zr_mf3_resource *texture)
+static void make_material(struct making *making, struct zr_threemf_resource *texture)
 {
-    struct zr_mf3 *file = making->file;
+    struct zr_threemf *file = making->file;
     struct zr_texture of = {.wrap_s = (enum zr_wrap)texture->wrap_s,
                             .wrap_t = (enum zr_wrap)texture->wrap_t,
                             .magnify = (enum zr_filter)texture->filter,
@@ -57,10 +57,10 @@ static void make_material(struct making *making, struct zr_mf3_resource *texture
     texture->has_material = true;
     if (!read_image(making, texture, &of.image)) return;
     if (making->images.builder->scene->texture_count >= ZR_TEXTURES_MAX) {
-        zr_mf3_fault(file, texture->at, "more than %d textures", ZR_TEXTURES_MAX);
+        zr_threemf_fault(file, texture->at, "more than %d textures", ZR_TEXTURES_MAX);
         return;
     }
-    struct zr_parsed_material *material = zr_mf3_list_add(file->arena, &making->materials, sizeof *material);
+    struct zr_parsed_material *material = zr_threemf_list_add(file->arena, &making->materials, sizeof *material);
     if (!material) return;
     *material = (struct zr_parsed_material){.name = "",
                                             .keys = UINT64_C(1) << ZR_MATERIAL_BASE_COLOR,
@@ -73,7 +73,7 @@ static void make_material(struct making *making, struct zr_mf3_resource *texture
                                    .number = 1 + zr_scene_builder_texture(making->images.builder, &of)};
     if (!zr_image_list_is_opaque(&making->images, of.image)) {
         material->blends = true;
-        if (texture->is_over) zr_mf3_note(file, ZR_MF3_NOTE_OVER, texture->at, (struct zr_xml_text){"", 0});
+        if (texture->is_over) zr_threemf_note(file, ZR_THREEMF_NOTE_OVER, texture->at, (struct zr_xml_text){"", 0});
     }
     texture->material = making->materials.count - 1;
 }
@@ -86,8 +86,8 @@ static void list_images(struct making *making, const uint32_t *textures, uint32_
     struct zr_reason dropped;
     for (uint32_t i = 0; i < faces; i++) {
         if (i % FACES_AT_ONCE == 0 && zr_is_cancelled(making->file->cancel)) return;
-        if (textures[i] == ZR_MF3_NONE) continue;
-        struct zr_mf3_resource *texture = &zr_mf3_resources(making->file)[textures[i]];
+        if (textures[i] == ZR_THREEMF_NONE) continue;
+        struct zr_threemf_resource *texture = &zr_threemf_resources(making->file)[textures[i]];
         if (texture->is_listed || making->images.ahead_count == ZR_AHEAD_MAX) continue;
         texture->is_listed = true;
         if (!texture->image || unpack(making, texture, &dropped) != ZR_OK) continue;
@@ -103,8 +103,8 @@ static bool number_faces(struct making *making, uint32_t *textures, uint32_t fac
     *first = ZR_FILE_MATERIAL_NONE;
     for (uint32_t i = 0; i < faces; i++) {
         if (i % FACES_AT_ONCE == 0 && zr_is_cancelled(making->file->cancel)) return false;
-        if (textures[i] != ZR_MF3_NONE) {
-            struct zr_mf3_resource *texture = &zr_mf3_resources(making->file)[textures[i]];
+        if (textures[i] != ZR_THREEMF_NONE) {
+            struct zr_threemf_resource *texture = &zr_threemf_resources(making->file)[textures[i]];
             if (!texture->has_material) make_material(making, texture);
             textures[i] = texture->material;
         }
@@ -114,8 +114,9 @@ static bool number_faces(struct making *making, uint32_t *textures, uint32_t fac
     return is_one;
 }
 
-bool zr_mf3_make_materials(struct zr_mf3 *file, struct zr_scene_builder *builder, const struct zr_request *request,
-                           struct zr_file_scene *scene, uint32_t count, uint32_t **textures)
+bool zr_threemf_make_materials(struct zr_threemf *file, struct zr_scene_builder *builder,
+                               const struct zr_request *request, struct zr_file_scene *scene, uint32_t count,
+                               uint32_t **textures)
 {
     struct making making = {.file = file};
     bool is_any = false;

@@ -1,16 +1,16 @@
 /* Reads the mesh of an object of 3MF: vertices, triangles and their colours. */
 #include <string.h>
 
-#include "input/threemf/threemf.h"
+#include "input/threemf/threemf_file.h"
 
 enum { COUNTED_AT_ONCE = 1 << 18, EXPANDED_AT_ONCE = 1 << 14 };
 
 struct mesh {
-    struct zr_mf3 *file;
+    struct zr_threemf *file;
     uint32_t vertex_count, vertex_room, triangle_count, triangle_room;
     zr_vec4 *positions;
     uint32_t *corners;
-    struct zr_mf3_corners properties;
+    struct zr_threemf_corners properties;
     bool is_far;          /* a coordinate is beyond the limit (far.h) */
     struct zr_xml *again; /* if is_far: state at the begin of the vertices */
     bool finds_box;       /* vertices are read to find the bounds of used ones */
@@ -23,7 +23,7 @@ struct mesh {
 /* ---- capacity ---- */
 
 /* Estimates the number of elements up to the next end tag with this name. Too low only if a comment has that tag. */
-static uint32_t count_children(const struct zr_mf3 *file, const char *name)
+static uint32_t count_children(const struct zr_threemf *file, const char *name)
 {
     const char *at = file->xml.at, *const end = file->xml.end;
     const size_t length = strlen(name);
@@ -35,7 +35,7 @@ static uint32_t count_children(const struct zr_mf3 *file, const char *name)
             const char *word = ++at;
             if (word == end) return count;
             if (*word != '/') {
-                if (*word != '!' && *word != '?' && count < ZR_MF3_NONE - 1) count++;
+                if (*word != '!' && *word != '?' && count < ZR_THREEMF_NONE - 1) count++;
                 continue;
             }
             while (word < end && *word != '>' && (size_t)(end - word) > length)
@@ -49,7 +49,7 @@ static uint32_t count_children(const struct zr_mf3 *file, const char *name)
 /* Returns a larger room, for a list that an end tag in a comment made too small. */
 static uint32_t larger(uint32_t room)
 {
-    return room < ZR_MF3_NONE / 2 ? room * 2 + 16 : ZR_MF3_NONE;
+    return room < ZR_THREEMF_NONE / 2 ? room * 2 + 16 : ZR_THREEMF_NONE;
 }
 
 static bool has_vertex_room(struct mesh *mesh)
@@ -68,7 +68,7 @@ static bool has_triangle_room(struct mesh *mesh)
     if (mesh->triangle_count < mesh->triangle_room) return mesh->corners != NULL;
     mesh->triangle_room = larger(mesh->triangle_room);
     mesh->corners = zr_arena_grow(arena, mesh->corners, mesh->triangle_count, mesh->triangle_room, size);
-    zr_mf3_corners_grow(&mesh->properties, mesh->triangle_count, mesh->triangle_room);
+    zr_threemf_corners_grow(&mesh->properties, mesh->triangle_count, mesh->triangle_room);
     return zr_arena_ok(arena);
 }
 
@@ -76,7 +76,7 @@ static bool has_triangle_room(struct mesh *mesh)
 
 static void read_vertex(struct mesh *mesh)
 {
-    struct zr_mf3 *file = mesh->file;
+    struct zr_threemf *file = mesh->file;
     const struct zr_xml_tag *tag = &file->tag;
     const double near = (double)file->limits->coordinate_max, limit = zr_far_limit(file->limits);
     double v[3] = {0};
@@ -85,24 +85,24 @@ static void read_vertex(struct mesh *mesh)
         const struct zr_xml_attribute *attribute = &tag->attributes[i];
         const unsigned axis = (unsigned)((unsigned char)*attribute->name.at - 'x');
         if (attribute->name.length != 1 || axis > 2 || attribute->prefix.length != 0) continue;
-        if (!zr_mf3_number(&file->xml, attribute->value, &v[axis]))
-            zr_mf3_fault(file, tag->at, "vertex %u: %c is %s, which is no number", mesh->vertex_count,
-                         *attribute->name.at, zr_quote(attribute->value.at, attribute->value.length).text);
+        if (!zr_threemf_number(&file->xml, attribute->value, &v[axis]))
+            zr_threemf_fault(file, tag->at, "vertex %u: %c is %s, which is no number", mesh->vertex_count,
+                             *attribute->name.at, zr_quote(attribute->value.at, attribute->value.length).text);
         else if (!(v[axis] >= -limit && v[axis] <= limit))
-            zr_mf3_fault(file, tag->at, "vertex %u: %c is beyond the limit of %.9g", mesh->vertex_count,
-                         *attribute->name.at, limit);
+            zr_threemf_fault(file, tag->at, "vertex %u: %c is beyond the limit of %.9g", mesh->vertex_count,
+                             *attribute->name.at, limit);
         given |= 1u << axis;
         mesh->is_far |= !(v[axis] >= -near && v[axis] <= near);
     }
     if (given != 7)
-        zr_mf3_fault(file, tag->at, "vertex %u: %c is missing", mesh->vertex_count, "xyz"[__builtin_ctz(~given)]);
+        zr_threemf_fault(file, tag->at, "vertex %u: %c is missing", mesh->vertex_count, "xyz"[__builtin_ctz(~given)]);
     if (mesh->finds_box && mesh->used[mesh->vertex_count]) zr_box_include(&mesh->move->box, v);
     if (has_vertex_room(mesh)) mesh->positions[mesh->vertex_count++] = zr_far_position(v, mesh->origin);
 }
 
 static void read_vertices(struct mesh *mesh)
 {
-    struct zr_mf3 *file = mesh->file;
+    struct zr_threemf *file = mesh->file;
     const size_t depth = file->xml.depth, bindings = file->xml.binding_count;
     const char *at = file->xml.at;
     const bool is_first = !mesh->positions && !file->xml.ends_next;
@@ -110,12 +110,12 @@ static void read_vertices(struct mesh *mesh)
         mesh->vertex_room = count_children(file, "vertices");
         mesh->positions = zr_arena_alloc(file->arena, mesh->vertex_room, sizeof *mesh->positions);
     }
-    while (zr_mf3_child(file, depth))
-        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "vertex")) read_vertex(mesh);
-    if (!mesh->is_far || zr_mf3_stops(file)) return;
+    while (zr_threemf_child(file, depth))
+        if (zr_threemf_is(file, ZR_THREEMF_SPACE_CORE, "vertex")) read_vertex(mesh);
+    if (!mesh->is_far || zr_threemf_stops(file)) return;
     if (!is_first || mesh->again) {
-        zr_mf3_fault(file, file->xml.at, "a mesh with coordinates beyond %.9g has one list of vertices",
-                     (double)file->limits->coordinate_max);
+        zr_threemf_fault(file, file->xml.at, "a mesh with coordinates beyond %.9g has one list of vertices",
+                         (double)file->limits->coordinate_max);
         return;
     }
     mesh->again = zr_arena_alloc(file->arena, 1, sizeof *mesh->again);
@@ -128,17 +128,17 @@ static void read_vertices(struct mesh *mesh)
 
 static void read_again(struct mesh *mesh)
 {
-    struct zr_mf3 *file = mesh->file;
+    struct zr_threemf *file = mesh->file;
     file->xml = *mesh->again;
     mesh->vertex_count = 0;
-    while (zr_mf3_child(file, mesh->again->depth))
-        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "vertex")) read_vertex(mesh);
+    while (zr_threemf_child(file, mesh->again->depth))
+        if (zr_threemf_is(file, ZR_THREEMF_SPACE_CORE, "vertex")) read_vertex(mesh);
 }
 
 /* Finds the middle of the vertices that triangles use, and reads all again to subtract it. */
 static void move_to_middle(struct mesh *mesh)
 {
-    struct zr_mf3 *file = mesh->file;
+    struct zr_threemf *file = mesh->file;
     struct zr_xml *after = zr_arena_alloc(file->arena, 1, sizeof *after);
     uint8_t *used = zr_arena_zero(file->arena, mesh->vertex_count, sizeof *used);
     mesh->move = zr_arena_zero(file->arena, 1, sizeof *mesh->move);
@@ -153,7 +153,7 @@ static void move_to_middle(struct mesh *mesh)
     mesh->finds_box = true;
     read_again(mesh);
     mesh->finds_box = false;
-    if (!zr_mf3_stops(file) &&
+    if (!zr_threemf_stops(file) &&
         zr_far_origin(file->arena, &mesh->move->box, file->limits, &mesh->origin, file->error) == ZR_OK)
         read_again(mesh);
     mesh->move->by = mesh->origin;
@@ -172,7 +172,7 @@ struct triangle {
 /* Reads the attributes. False after a fault. */
 static bool read_attributes(struct mesh *mesh, struct triangle *t)
 {
-    struct zr_mf3 *file = mesh->file;
+    struct zr_threemf *file = mesh->file;
     const struct zr_xml_tag *tag = &file->tag;
     for (size_t i = 0; i < tag->count; i++) {
         const struct zr_xml_attribute *attribute = &tag->attributes[i];
@@ -191,82 +191,85 @@ static bool read_attributes(struct mesh *mesh, struct triangle *t)
         } else if (zr_xml_text_is(attribute->name, "paint_color") ||
                    zr_xml_text_is(attribute->name, "mmu_segmentation")) {
             t->paint = attribute->value;
-            if (file->filament_count == 0) zr_mf3_note(file, ZR_MF3_NOTE_PAINTED, tag->at, attribute->name);
+            if (file->filament_count == 0) zr_threemf_note(file, ZR_THREEMF_NOTE_PAINTED, tag->at, attribute->name);
         }
-        if (!out || zr_mf3_digits(attribute->value, out)) continue;
-        return zr_mf3_fault(file, tag->at, "triangle %u: %.*s is %s, which is no whole number", mesh->triangle_count,
-                            (int)length, name, zr_quote(attribute->value.at, attribute->value.length).text);
+        if (!out || zr_threemf_digits(attribute->value, out)) continue;
+        return zr_threemf_fault(file, tag->at, "triangle %u: %.*s is %s, which is no whole number",
+                                mesh->triangle_count, (int)length, name,
+                                zr_quote(attribute->value.at, attribute->value.length).text);
     }
     if (t->given == 7) return true;
     const char missing = t->given & 1 ? t->given & 2 ? '3' : '2' : '1';
-    return zr_mf3_fault(file, tag->at, "triangle %u: v%c is missing", mesh->triangle_count, missing);
+    return zr_threemf_fault(file, tag->at, "triangle %u: v%c is missing", mesh->triangle_count, missing);
 }
 
 /* The caller ensures room. */
 static void read_triangle(struct mesh *mesh)
 {
-    struct zr_mf3 *file = mesh->file;
-    struct triangle t = {.p = {ZR_MF3_NONE, ZR_MF3_NONE, ZR_MF3_NONE}, .pid = ZR_MF3_NONE};
+    struct zr_threemf *file = mesh->file;
+    struct triangle t = {.p = {ZR_THREEMF_NONE, ZR_THREEMF_NONE, ZR_THREEMF_NONE}, .pid = ZR_THREEMF_NONE};
     if (!read_attributes(mesh, &t)) return;
     uint32_t *corners = mesh->corners + (size_t)mesh->triangle_count * 3;
     for (int i = 0; i < 3; i++) {
         corners[i] = t.v[i];
         if (t.v[i] < mesh->vertex_count) continue;
-        zr_mf3_fault(file, file->tag.at, "triangle %u names vertex %u, but there are %u", mesh->triangle_count, t.v[i],
-                     mesh->vertex_count);
+        zr_threemf_fault(file, file->tag.at, "triangle %u names vertex %u, but there are %u", mesh->triangle_count,
+                         t.v[i], mesh->vertex_count);
         return;
     }
-    if (t.p[0] == ZR_MF3_NONE) {
+    if (t.p[0] == ZR_THREEMF_NONE) {
         const uint32_t p[3] = {mesh->pindex, mesh->pindex, mesh->pindex};
-        zr_mf3_corners_set(&mesh->properties, mesh->triangle_count, mesh->pid, p);
+        zr_threemf_corners_set(&mesh->properties, mesh->triangle_count, mesh->pid, p);
     } else {
-        zr_mf3_corners_set(&mesh->properties, mesh->triangle_count, t.pid == ZR_MF3_NONE ? mesh->pid : t.pid, t.p);
+        zr_threemf_corners_set(&mesh->properties, mesh->triangle_count, t.pid == ZR_THREEMF_NONE ? mesh->pid : t.pid,
+                               t.p);
     }
-    zr_mf3_corners_paint(&mesh->properties, mesh->triangle_count, t.paint);
+    zr_threemf_corners_paint(&mesh->properties, mesh->triangle_count, t.paint);
     mesh->triangle_count++;
 }
 
 static void read_triangles(struct mesh *mesh)
 {
-    struct zr_mf3 *file = mesh->file;
+    struct zr_threemf *file = mesh->file;
     const size_t depth = file->xml.depth;
     if (mesh->corners || file->xml.ends_next) {
-        if (mesh->corners) zr_mf3_fault(file, file->tag.at, "a mesh has one list of triangles");
+        if (mesh->corners) zr_threemf_fault(file, file->tag.at, "a mesh has one list of triangles");
         return;
     }
     mesh->triangle_room = count_children(file, "triangles");
     mesh->corners = zr_arena_alloc(file->arena, mesh->triangle_room, 3 * sizeof *mesh->corners);
     mesh->properties.room = mesh->triangle_room;
-    while (zr_mf3_child(file, depth))
-        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "triangle") && has_triangle_room(mesh)) read_triangle(mesh);
+    while (zr_threemf_child(file, depth))
+        if (zr_threemf_is(file, ZR_THREEMF_SPACE_CORE, "triangle") && has_triangle_room(mesh)) read_triangle(mesh);
 }
 
 /* ---- the mesh ---- */
 
-uint32_t zr_mf3_read_mesh(struct zr_mf3 *file, uint32_t object, uint32_t pid, uint32_t pindex)
+uint32_t zr_threemf_read_mesh(struct zr_threemf *file, uint32_t object, uint32_t pid, uint32_t pindex)
 {
     struct mesh mesh = {.file = file, .pid = pid, .pindex = pindex, .properties = {.file = file}};
     const size_t depth = file->xml.depth;
     if (file->part == 0)
-        mesh.properties.volumes = zr_mf3_find_settings(file, object, ZR_MF3_NONE, &mesh.properties.volume_count);
-    while (zr_mf3_child(file, depth)) {
-        if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "vertices"))
+        mesh.properties.volumes =
+            zr_threemf_find_settings(file, object, ZR_THREEMF_NONE, &mesh.properties.volume_count);
+    while (zr_threemf_child(file, depth)) {
+        if (zr_threemf_is(file, ZR_THREEMF_SPACE_CORE, "vertices"))
             read_vertices(&mesh);
-        else if (zr_mf3_is(file, ZR_MF3_SPACE_CORE, "triangles"))
+        else if (zr_threemf_is(file, ZR_THREEMF_SPACE_CORE, "triangles"))
             read_triangles(&mesh);
-        else if (file->tag.space >= ZR_MF3_SPACE_SLICE)
-            zr_mf3_note(file, ZR_MF3_NOTE_SPACES + file->tag.space, file->tag.at, file->tag.name);
+        else if (file->tag.space >= ZR_THREEMF_SPACE_SLICE)
+            zr_threemf_note(file, ZR_THREEMF_NOTE_SPACES + file->tag.space, file->tag.at, file->tag.name);
     }
-    if (mesh.again && !zr_mf3_stops(file)) move_to_middle(&mesh);
-    struct zr_mesh *out = zr_mf3_list_add(file->arena, &file->meshes, sizeof *out);
-    const struct zr_far_move **move = zr_mf3_list_add(file->arena, &file->moves, sizeof *move);
-    if (!out || !move) return ZR_MF3_NONE;
+    if (mesh.again && !zr_threemf_stops(file)) move_to_middle(&mesh);
+    struct zr_mesh *out = zr_threemf_list_add(file->arena, &file->meshes, sizeof *out);
+    const struct zr_far_move **move = zr_threemf_list_add(file->arena, &file->moves, sizeof *move);
+    if (!out || !move) return ZR_THREEMF_NONE;
     *move = mesh.move;
     *out = (struct zr_mesh){.name = "",
                             .position_count = mesh.vertex_count,
                             .positions = mesh.positions,
                             .face_count = mesh.triangle_count,
                             .indices = mesh.corners};
-    if (!zr_mf3_corners_finish(&mesh.properties, out)) return ZR_MF3_NONE;
+    if (!zr_threemf_corners_finish(&mesh.properties, out)) return ZR_THREEMF_NONE;
     return file->meshes.count - 1;
 }

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "input/formats/input.h"
-#include "input/threemf/threemf.h"
+#include "input/threemf/threemf_file.h"
 
 #define RELATIONSHIPS "_rels/.rels"
 #define MODEL_TYPE    "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
@@ -38,7 +38,7 @@ static const struct zr_zip_member *find_in(const struct zr_zip *zip, struct zr_a
     return name ? zr_zip_find(zip, name, strlen(name)) : NULL;
 }
 
-const struct zr_zip_member *zr_mf3_find_member(const struct zr_mf3 *file, struct zr_xml_text path)
+const struct zr_zip_member *zr_threemf_find_member(const struct zr_threemf *file, struct zr_xml_text path)
 {
     return find_in(&file->zip, file->arena, path);
 }
@@ -56,13 +56,13 @@ static struct zr_xml_text find_target(struct zr_xml *xml, struct zr_xml_tag *tag
     return (struct zr_xml_text){NULL, 0};
 }
 
-static bool refuse(struct zr_mf3 *file, enum zr_status status, const char *text)
+static bool refuse(struct zr_threemf *file, enum zr_status status, const char *text)
 {
     zr_error_add(file->error, status, NULL, "%s", text);
     return false;
 }
 
-bool zr_mf3_find_root(struct zr_mf3 *file)
+bool zr_threemf_find_root(struct zr_threemf *file)
 {
     struct zr_reason reason = {""};
     const char *bytes;
@@ -79,30 +79,30 @@ bool zr_mf3_find_root(struct zr_mf3 *file)
         return false;
     }
     if (!target.at) return refuse(file, ZR_BAD_SYNTAX, RELATIONSHIPS ": no relationship to a 3D model");
-    const struct zr_zip_member *root = zr_mf3_find_member(file, target);
+    const struct zr_zip_member *root = zr_threemf_find_member(file, target);
     if (!root) {
         zr_error_add(file->error, ZR_BAD_SCENE, NULL, "%s names the 3D model %s, which the archive does not have",
                      RELATIONSHIPS, zr_quote(target.at, target.length).text);
         return false;
     }
-    struct zr_mf3_part *part = zr_mf3_list_add(file->arena, &file->parts, sizeof *part);
-    if (part) *part = (struct zr_mf3_part){.member = root};
+    struct zr_threemf_part *part = zr_threemf_list_add(file->arena, &file->parts, sizeof *part);
+    if (part) *part = (struct zr_threemf_part){.member = root};
     return part != NULL;
 }
 
-uint32_t zr_mf3_find_part(struct zr_mf3 *file, const char *at, struct zr_xml_text path)
+uint32_t zr_threemf_find_part(struct zr_threemf *file, const char *at, struct zr_xml_text path)
 {
     if (file->last_path.length > 0 && zr_xml_texts_equal(path, file->last_path)) return file->last_part;
-    const struct zr_zip_member *member = zr_mf3_find_member(file, path);
+    const struct zr_zip_member *member = zr_threemf_find_member(file, path);
     if (!member) {
-        zr_mf3_fault(file, at, "the archive does not have the part %s", zr_quote(path.at, path.length).text);
-        return ZR_MF3_NONE;
+        zr_threemf_fault(file, at, "the archive does not have the part %s", zr_quote(path.at, path.length).text);
+        return ZR_THREEMF_NONE;
     }
     uint32_t *number = &file->part_of_member[member - file->zip.members];
-    if (*number == ZR_MF3_NONE) {
-        struct zr_mf3_part *part = zr_mf3_list_add(file->arena, &file->parts, sizeof *part);
-        if (!part) return ZR_MF3_NONE;
-        *part = (struct zr_mf3_part){.member = member};
+    if (*number == ZR_THREEMF_NONE) {
+        struct zr_threemf_part *part = zr_threemf_list_add(file->arena, &file->parts, sizeof *part);
+        if (!part) return ZR_THREEMF_NONE;
+        *part = (struct zr_threemf_part){.member = member};
         *number = file->parts.count - 1;
     }
     file->last_path = path;

@@ -5,8 +5,8 @@
  *         If they are 3, the extruder is the next digit plus 3. The upper bits of an inner node are the corner from
  *         which its sides are counted. A node with n split sides has n + 1 children, the last one first.
  * Source: PrusaSlicer 2.9, TriangleSelector::serialize and perform_split. */
-#include "input/threemf/threemf.h"
 #include "input/text/text.h"
+#include "input/threemf/threemf_file.h"
 
 enum { DEPTH_MAX = 64, EXTENDED = 3 };
 
@@ -70,7 +70,8 @@ static int read_leaf(struct reader *reader, int digit)
     }
 }
 
-uint32_t zr_mf3_paint_read(struct zr_xml_text text, const zr_vec4 corners[3], zr_vec4 *positions, uint8_t *extruders)
+uint32_t zr_threemf_paint_read(struct zr_xml_text text, const zr_vec4 corners[3], zr_vec4 *positions,
+                               uint8_t *extruders)
 {
     struct reader reader = {.at = text.at + text.length, .begin = text.at, .depth = 1};
     uint32_t count = 0;

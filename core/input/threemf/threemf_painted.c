@@ -1,13 +1,13 @@
 /* Colours of slicers on meshes of 3MF: by paint, and by the extruders of parts. */
 #include <string.h>
 
-#include "input/threemf/threemf.h"
+#include "input/threemf/threemf_file.h"
 
 enum { TRIANGLES_AT_ONCE = 1 << 12 };
 
 /* ---- triangles ---- */
 
-static bool begin_paints(struct zr_mf3_corners *corners, uint32_t count)
+static bool begin_paints(struct zr_threemf_corners *corners, uint32_t count)
 {
     if (corners->paints) return true;
     corners->paints = zr_arena_alloc(corners->file->arena, corners->room, sizeof *corners->paints);
@@ -16,19 +16,19 @@ static bool begin_paints(struct zr_mf3_corners *corners, uint32_t count)
 }
 
 /* Returns the slicer's setting of a triangle, or NULL. Triangles ascend. */
-static const struct zr_mf3_setting *find_volume(struct zr_mf3_corners *corners, uint32_t triangle)
+static const struct zr_threemf_setting *find_volume(struct zr_threemf_corners *corners, uint32_t triangle)
 {
     while (corners->volume < corners->volume_count && corners->volumes[corners->volume].last < triangle)
         corners->volume++;
-    const struct zr_mf3_setting *at = corners->volumes + corners->volume;
+    const struct zr_threemf_setting *at = corners->volumes + corners->volume;
     return corners->volume < corners->volume_count && at->first <= triangle && at->first <= at->last ? at : NULL;
 }
 
-void zr_mf3_corners_paint(struct zr_mf3_corners *corners, uint32_t triangle, struct zr_xml_text paint)
+void zr_threemf_corners_paint(struct zr_threemf_corners *corners, uint32_t triangle, struct zr_xml_text paint)
 {
-    const struct zr_mf3_setting *volume = corners->volume_count > 0 ? find_volume(corners, triangle) : NULL;
+    const struct zr_threemf_setting *volume = corners->volume_count > 0 ? find_volume(corners, triangle) : NULL;
     const bool is_painted = paint.length > 0 && corners->file->filament_count > 0;
-    struct zr_mf3_paint of = {.at = paint.at, .length = is_painted ? (uint32_t)paint.length : 0};
+    struct zr_threemf_paint of = {.at = paint.at, .length = is_painted ? (uint32_t)paint.length : 0};
     if (volume) {
         of.extruder = volume->extruder < UINT8_MAX ? (uint8_t)volume->extruder : 0;
         of.is_left_out = volume->is_left_out;
@@ -37,7 +37,7 @@ void zr_mf3_corners_paint(struct zr_mf3_corners *corners, uint32_t triangle, str
     if (!begin_paints(corners, triangle)) return;
     corners->paints[triangle] = of;
     if (of.is_left_out)
-        zr_mf3_note(corners->file, ZR_MF3_NOTE_MODIFIER, corners->file->tag.at, corners->file->tag.name);
+        zr_threemf_note(corners->file, ZR_THREEMF_NOTE_MODIFIER, corners->file->tag.at, corners->file->tag.name);
 }
 
 /* ---- meshes ---- */
@@ -49,30 +49,30 @@ static void find_corners(const struct zr_mesh *mesh, uint32_t triangle, zr_vec4 
 }
 
 /* Counts the pieces of all triangles. Removes invalid paint. */
-static uint64_t count_pieces(struct zr_mf3_corners *corners, const struct zr_mesh *mesh)
+static uint64_t count_pieces(struct zr_threemf_corners *corners, const struct zr_mesh *mesh)
 {
     uint64_t sum = 0;
     zr_vec4 at[3] = {{0}};
     for (uint32_t i = 0; i < mesh->face_count; i++) {
-        struct zr_mf3_paint *paint = &corners->paints[i];
+        struct zr_threemf_paint *paint = &corners->paints[i];
         if (i % TRIANGLES_AT_ONCE == 0 && zr_is_cancelled(corners->file->cancel)) return 0;
         if (paint->is_left_out) continue;
         const uint32_t pieces =
-            paint->length ? zr_mf3_paint_read((struct zr_xml_text){paint->at, paint->length}, at, NULL, NULL) : 0;
+            paint->length ? zr_threemf_paint_read((struct zr_xml_text){paint->at, paint->length}, at, NULL, NULL) : 0;
         if (pieces == 0 && paint->length > 0)
-            zr_mf3_note(corners->file, ZR_MF3_NOTE_PAINT, paint->at, (struct zr_xml_text){"", 0});
+            zr_threemf_note(corners->file, ZR_THREEMF_NOTE_PAINT, paint->at, (struct zr_xml_text){"", 0});
         if (pieces == 0) paint->length = 0;
         sum += pieces ? pieces : 1;
     }
     return sum;
 }
 
-static uint32_t put_pieces(const struct zr_mf3_corners *corners, const struct zr_mesh *mesh, zr_vec4 *positions,
+static uint32_t put_pieces(const struct zr_threemf_corners *corners, const struct zr_mesh *mesh, zr_vec4 *positions,
                            uint8_t *extruders)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < mesh->face_count; i++) {
-        const struct zr_mf3_paint *paint = &corners->paints[i];
+        const struct zr_threemf_paint *paint = &corners->paints[i];
         zr_vec4 at[3];
         if (i % TRIANGLES_AT_ONCE == 0 && zr_is_cancelled(corners->file->cancel)) return count;
         if (paint->is_left_out) continue;
@@ -83,23 +83,23 @@ static uint32_t put_pieces(const struct zr_mf3_corners *corners, const struct zr
             continue;
         }
         const uint32_t first = count;
-        count += zr_mf3_paint_read((struct zr_xml_text){paint->at, paint->length}, at, positions + 3 * (size_t)first,
-                                   extruders + first);
+        count += zr_threemf_paint_read((struct zr_xml_text){paint->at, paint->length}, at,
+                                       positions + 3 * (size_t)first, extruders + first);
         for (uint32_t k = first; k < count; k++)
             if (extruders[k] == 0) extruders[k] = paint->extruder;
     }
     return count;
 }
 
-bool zr_mf3_paint_mesh(struct zr_mf3_corners *corners, struct zr_mesh *mesh)
+bool zr_threemf_paint_mesh(struct zr_threemf_corners *corners, struct zr_mesh *mesh)
 {
     struct zr_arena *arena = corners->file->arena;
-    uint8_t **entry = zr_mf3_list_add(arena, &corners->file->extruders, sizeof *entry);
+    uint8_t **entry = zr_threemf_list_add(arena, &corners->file->extruders, sizeof *entry);
     if (!entry) return false;
     *entry = NULL;
     if (!corners->paints || corners->colors || corners->textures) return true;
     const uint64_t pieces = count_pieces(corners, mesh);
-    if (3 * pieces > ZR_MF3_NONE / 2) {
+    if (3 * pieces > ZR_THREEMF_NONE / 2) {
         zr_arena_charge(arena, SIZE_MAX); /* fails */
         return false;
     }
@@ -114,13 +114,13 @@ bool zr_mf3_paint_mesh(struct zr_mf3_corners *corners, struct zr_mesh *mesh)
     return true;
 }
 
-static zr_vec4 color_of(const struct zr_mf3 *file, uint32_t extruder)
+static zr_vec4 color_of(const struct zr_threemf *file, uint32_t extruder)
 {
-    return zr_mf3_color_of(file->filaments[extruder > 0 && extruder <= file->filament_count ? extruder - 1 : 0]);
+    return zr_threemf_color_of(file->filaments[extruder > 0 && extruder <= file->filament_count ? extruder - 1 : 0]);
 }
 
-void zr_mf3_color_by_extruders(struct zr_mf3 *file, struct zr_mesh *mesh, const uint8_t *extruders,
-                               const struct zr_mf3_resource *object)
+void zr_threemf_color_by_extruders(struct zr_threemf *file, struct zr_mesh *mesh, const uint8_t *extruders,
+                                   const struct zr_threemf_resource *object)
 {
     uint32_t most = 0;
     if (file->filament_count == 0 || mesh->colors || mesh->face_colors || mesh->texcoords) return;
@@ -132,6 +132,7 @@ void zr_mf3_color_by_extruders(struct zr_mf3 *file, struct zr_mesh *mesh, const 
         colors[i] = color_of(file, extruder);
     }
     file->part = object->part;
-    if (most > file->filament_count) zr_mf3_note(file, ZR_MF3_NOTE_EXTRUDER, object->at, (struct zr_xml_text){"", 0});
+    if (most > file->filament_count)
+        zr_threemf_note(file, ZR_THREEMF_NOTE_EXTRUDER, object->at, (struct zr_xml_text){"", 0});
     mesh->face_colors = colors;
 }

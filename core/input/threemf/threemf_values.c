@@ -1,8 +1,8 @@
 /* Reads attributes of 3MF: numbers, transforms, colours. */
 #include <string.h>
 
-#include "input/threemf/threemf.h"
 #include "input/text/number.h"
+#include "input/threemf/threemf_file.h"
 
 static bool is_blank(char c)
 {
@@ -18,7 +18,7 @@ static struct zr_xml_text trimmed(struct zr_xml_text text)
     return text;
 }
 
-bool zr_mf3_number(const struct zr_xml *xml, struct zr_xml_text text, double *out)
+bool zr_threemf_number(const struct zr_xml *xml, struct zr_xml_text text, double *out)
 {
     const char *end = text.at + text.length;
 #ifdef __SSE2__
@@ -33,7 +33,7 @@ bool zr_mf3_number(const struct zr_xml *xml, struct zr_xml_text text, double *ou
     return behind == end || zr_number_read(word.at, end, out) == end;
 }
 
-bool zr_mf3_digits(struct zr_xml_text text, uint32_t *out)
+bool zr_threemf_digits(struct zr_xml_text text, uint32_t *out)
 {
     uint64_t value = 0;
     if (text.length == 0) return false;
@@ -47,17 +47,17 @@ bool zr_mf3_digits(struct zr_xml_text text, uint32_t *out)
     return text.length > 0 && at == end && (unsigned char)(*text.at - '0') < 10;
 }
 
-bool zr_mf3_count(struct zr_mf3 *file, const char *name, bool is_needed, uint32_t *out)
+bool zr_threemf_count(struct zr_threemf *file, const char *name, bool is_needed, uint32_t *out)
 {
     const struct zr_xml_text value = zr_xml_value(&file->tag, name);
-    if (!value.at) return !is_needed || zr_mf3_fault(file, file->tag.at, "the attribute %s is missing", name);
-    if (zr_mf3_digits(value, out)) return true;
-    return zr_mf3_fault(file, file->tag.at, "%s: a whole number is needed, not %s", name,
-                        zr_quote(value.at, value.length).text);
+    if (!value.at) return !is_needed || zr_threemf_fault(file, file->tag.at, "the attribute %s is missing", name);
+    if (zr_threemf_digits(value, out)) return true;
+    return zr_threemf_fault(file, file->tag.at, "%s: a whole number is needed, not %s", name,
+                            zr_quote(value.at, value.length).text);
 }
 
 /* Twelve numbers: a matrix of four rows and three columns, for row vectors. */
-bool zr_mf3_transform(struct zr_mf3 *file, zr_mat4 *out, double offset[3])
+bool zr_threemf_transform(struct zr_threemf *file, zr_mat4 *out, double offset[3])
 {
     const struct zr_xml_text value = zr_xml_value(&file->tag, "transform");
     *out = zr_mat4_identity();
@@ -70,25 +70,25 @@ bool zr_mf3_transform(struct zr_mf3 *file, zr_mat4 *out, double offset[3])
             at++;
         const char *behind = zr_number_read(at, end, &number);
         if (!behind || (behind < end && !is_blank(*behind)))
-            return zr_mf3_fault(file, file->tag.at, "transform: 12 numbers are needed, not %s",
-                                zr_quote(value.at, value.length).text);
+            return zr_threemf_fault(file, file->tag.at, "transform: 12 numbers are needed, not %s",
+                                    zr_quote(value.at, value.length).text);
         if (!(number >= -(double)ZR_MATRIX_MAX && number <= (double)ZR_MATRIX_MAX))
-            return zr_mf3_fault(file, file->tag.at, "transform: %s is beyond %g",
-                                zr_quote(at, (size_t)(behind - at)).text, (double)ZR_MATRIX_MAX);
+            return zr_threemf_fault(file, file->tag.at, "transform: %s is beyond %g",
+                                    zr_quote(at, (size_t)(behind - at)).text, (double)ZR_MATRIX_MAX);
         out->m[i / 3 * 4 + i % 3] = (float)number;
         if (i >= 9) offset[i - 9] = number;
         at = behind;
     }
     while (at < end && is_blank(*at))
         at++;
-    return at == end || zr_mf3_fault(file, file->tag.at, "transform: more than 12 numbers");
+    return at == end || zr_threemf_fault(file, file->tag.at, "transform: more than 12 numbers");
 }
 
 /* #RRGGBB or #RRGGBBAA. */
-bool zr_mf3_color(struct zr_mf3 *file, const char *name, uint32_t *out)
+bool zr_threemf_color(struct zr_threemf *file, const char *name, uint32_t *out)
 {
     const struct zr_xml_text value = zr_xml_value(&file->tag, name);
-    if (!value.at) return zr_mf3_fault(file, file->tag.at, "the attribute %s is missing", name);
+    if (!value.at) return zr_threemf_fault(file, file->tag.at, "the attribute %s is missing", name);
     const struct zr_xml_text word = trimmed(value);
     bool good = (word.length == 7 || word.length == 9) && *word.at == '#';
     *out = 0xFF000000u;
@@ -98,6 +98,6 @@ bool zr_mf3_color(struct zr_mf3 *file, const char *name, uint32_t *out)
         good = high >= 0 && low >= 0;
         if (good) *out = (*out & ~(0xFFu << shift)) | (uint32_t)(high * 16 + low) << shift;
     }
-    return good || zr_mf3_fault(file, file->tag.at, "%s: #RRGGBB or #RRGGBBAA is needed, not %s", name,
-                                zr_quote(value.at, value.length).text);
+    return good || zr_threemf_fault(file, file->tag.at, "%s: #RRGGBB or #RRGGBBAA is needed, not %s", name,
+                                    zr_quote(value.at, value.length).text);
 }

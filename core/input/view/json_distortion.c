@@ -1,6 +1,6 @@
 /* Reads the distortion of a lens: an object that names its model, or OpenCV's list of coefficients. */
 #include "input/scene/json_objects.h"
-#include "input/view/json_view.h"
+#include "input/view/view_keys.h"
 
 /* Far beyond any lens; squares and products of them with the powers of a radius stay finite. */
 #define COEFFICIENT_MAX 1e6

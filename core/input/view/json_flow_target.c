@@ -1,11 +1,11 @@
 /* Reads the view and the poses of the target of the channel flow, as those of the scene. */
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
-#include "input/view/json_view.h"
 #include "input/scene/kept.h"
-#include "scene/defaults.h"
+#include "input/view/view_keys.h"
 #include "scene/camera/flow.h"
 #include "scene/camera/upright.h"
+#include "scene/defaults.h"
 
 static void find_view(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_flow *flow)
 {

@@ -1,5 +1,5 @@
 /* The pose of a view: the position and the orientation of the camera. */
-#include "input/view/json_view.h"
+#include "input/view/view_keys.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* Readers of a view's projections. */
 #include "input/scene/json_objects.h"
-#include "input/view/json_view.h"
+#include "input/view/view_keys.h"
 
 #define PI 3.14159265358979323846
 

@@ -1,8 +1,8 @@
 /* A view is one pose and one projection. Two of either are refused by name: to ignore one would draw a wrong picture
  * without a message. */
-#include "input/view/json_view.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "input/view/view_keys.h"
 #include "scene/defaults.h"
 
 /* ---- the projection ---- */

@@ -5,7 +5,7 @@
 #include "input/json/json_matrix.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
-#include "input/view/json_view.h"
+#include "input/view/view_keys.h"
 
 #define ANGLE_MAX    1e6 /* degrees: larger angles are taken for mistakes */
 #define ROTATION_MAX 1e3 /* entries of R */

@@ -12,11 +12,9 @@
 #define ZR_PART_EDIT_H
 
 #include "scene/parts/part_list.h"
+#include "scene/parts/part_mesh.h"
 #include "scene/parts/part_offsets.h"
 #include "scene/scene_builder.h"
-
-/* The style of a part: two flags, and above them 1 + the number of its colour, or 0 if the part keeps its colours. */
-enum { ZR_PART_HIDDEN = 1, ZR_PART_GHOST = 2, ZR_PART_COLOR_SHIFT = 2 };
 
 struct zr_part_edit {
     const struct zr_part_list *list;      /* all parts of the scene */
@@ -35,17 +33,5 @@ enum zr_part_edit_result {
 /* Edits the scene of a closed builder. Sets *instance to the refused instance for ZR_PART_EDIT_FLAT. */
 enum zr_part_edit_result zr_part_edit(struct zr_scene_builder *builder, const struct zr_part_edit *edit,
                                       uint32_t *instance);
-
-/* The edit of one mesh. */
-struct zr_part_mesh_edit {
-    const uint32_t *styles; /* one per part of the mesh */
-    const zr_vec4 *colors;
-    bool hides_rest;
-    const struct zr_part_offset *offsets; /* one per part of the mesh, in object space; or NULL */
-};
-
-/* part_mesh.c: makes *out from the mesh. False without memory, or if arena->cancel is raised. */
-bool zr_part_mesh_make(struct zr_scene_builder *builder, const struct zr_mesh *mesh,
-                       const struct zr_part_mesh_edit *edit, struct zr_mesh *out);
 
 #endif

@@ -1,5 +1,5 @@
+#include "scene/parts/part_mesh.h"
 #include "base/cancel.h"
-#include "scene/parts/part_edit.h"
 
 enum { ITEMS_A_CANCEL_CHECK = 1 << 12 };
 

@@ -1,9 +1,9 @@
-/* json_mesh.h - input: a mesh of a JSON scene. Its lists of numbers go into arrays while the text is read.
+/* parsed_mesh.h - input: a mesh of a JSON scene. Its lists of numbers go into arrays while the text is read.
  *
  * json_mesh_lists.c reads the lists. json_mesh.c checks that they agree, once all are read.
  */
-#ifndef ZR_JSON_MESH_H
-#define ZR_JSON_MESH_H
+#ifndef ZR_PARSED_MESH_H
+#define ZR_PARSED_MESH_H
 
 #include "input/mesh/json_heights.h"
 #include "input/mesh/json_scalars.h"

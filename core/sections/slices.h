@@ -1,4 +1,4 @@
-/* slice.h - sections: splits the rings of a mesh by planes, and closes closed parts again by caps.
+/* slices.h - sections: splits the rings of a mesh by planes, and closes closed parts again by caps.
  *
  * Space:  object space; distances from a plane in double, in the units of the plane.
  * Why:    a sectioned mesh is drawn as any other mesh, so every channel, algorithm and effect shows the section.
@@ -12,8 +12,8 @@
  * Ties:   a vertex within ZR_SLICE_ON of the plane lies on it and counts as cut away. A face in the plane is thus
  *         replaced by a cap if the solid continues on the kept side, and disappears otherwise.
  */
-#ifndef ZR_SLICE_H
-#define ZR_SLICE_H
+#ifndef ZR_SLICES_H
+#define ZR_SLICES_H
 
 #include "base/arena.h"
 #include "base/cancel.h"

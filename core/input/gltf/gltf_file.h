@@ -1,4 +1,4 @@
-/* gltf.h - input: types and functions that the readers of glTF share; private to them.
+/* gltf_file.h - input: types and functions that the readers of glTF share; private to them.
  *
  * Source: glTF 2.0 (Khronos, ISO/IEC 12113:2022).
  * Order:  the first pass stores the positions of the lists. Later passes read accessors, materials, nodes and meshes.
@@ -6,8 +6,8 @@
  * Keys:   unknown keys are skipped, as the format demands, and counted for one warning.
  * Lazy:   a buffer, accessor or image is checked at its first use by a drawn mesh or material.
  */
-#ifndef ZR_GLTF_H
-#define ZR_GLTF_H
+#ifndef ZR_GLTF_FILE_H
+#define ZR_GLTF_FILE_H
 
 #include "input/images/image_list.h"
 #include "input/json/json_bytes.h"
@@ -161,6 +161,12 @@ struct zr_gltf_note {
     char first[ZR_POINTER_SIZE];
 };
 
+/* State of a rehearsal. Textures list their images for decoding ahead, and are not made. */
+struct zr_gltf_listing {
+    struct zr_image_list *images;
+    bool *has_material; /* one per material: true if it is listed */
+};
+
 struct zr_gltf {
     struct zr_json json;
     struct zr_scene_builder *builder;
@@ -178,7 +184,7 @@ struct zr_gltf {
     struct zr_gltf_texture *textures;
     struct zr_parsed_sampler *samplers;
     struct zr_gltf_image *images;
-    struct zr_gltf_listing *listing; /* gltf_image_ahead.h; NULL: images are decoded */
+    struct zr_gltf_listing *listing; /* NULL: images are decoded */
     const char **material_places;    /* NULL after the material is read */
     uint32_t *first_uses;            /* one per mesh; NONE if no node of the scene places it */
     uint32_t use_count;
@@ -324,7 +330,7 @@ bool zr_gltf_choose_animation(struct zr_gltf *file, const struct zr_request *req
 /* Moves file->poses to the time of the request. False after a fault. */
 bool zr_gltf_animate(struct zr_gltf *file);
 
-/* ---- gltf_mesh.c, gltf_skin.c; gltf_primitive.h has the parts of a mesh ---- */
+/* ---- gltf_mesh.c, gltf_skin.c; gltf_parts.h has the parts of a mesh ---- */
 
 /* Makes the meshes of the scene from the file's meshes that nodes place. */
 bool zr_gltf_read_meshes(struct zr_gltf *file);
@@ -339,6 +345,9 @@ bool zr_gltf_read_materials(struct zr_gltf *file);
 /* Returns a material, and reads it at its first use. NULL after a fault. `path` leads to the key with its number. */
 const struct zr_parsed_material *zr_gltf_find_material(struct zr_gltf *file, const struct zr_json_path *path,
                                                        uint32_t number);
+
+/* Lists the images of a material in a rehearsal. */
+void zr_gltf_list_images_of(struct zr_gltf *file, uint32_t material);
 
 /* Returns the sets of texture coordinates that a material uses, one bit each. */
 uint32_t zr_gltf_texcoords_of(const struct zr_parsed_material *material);

@@ -1,9 +1,9 @@
-/* gltf_primitive.h - input: the parts of a primitive of glTF: attributes, faces, targets, skins, compressed data;
+/* gltf_parts.h - input: the parts of a primitive of glTF: attributes, faces, targets, skins, compressed data;
  * private to its readers. */
-#ifndef ZR_GLTF_PRIMITIVE_H
-#define ZR_GLTF_PRIMITIVE_H
+#ifndef ZR_GLTF_PARTS_H
+#define ZR_GLTF_PARTS_H
 
-#include "input/gltf/gltf.h"
+#include "input/gltf/gltf_file.h"
 
 struct zr_draco_mesh; /* draco.h */
 

@@ -1,10 +1,10 @@
-/* json_view.h - input: shared by the readers of a view's parts, private to them.
+/* view_keys.h - input: shared by the readers of a view's parts, private to them.
  *
  * json_view_fields.c has the table of keys, json_projection.c the readers of projections. Once all keys are read,
  * json_pose.c finds the pose, and json_view.c the projection and the planes.
  */
-#ifndef ZR_JSON_VIEW_H
-#define ZR_JSON_VIEW_H
+#ifndef ZR_VIEW_KEYS_H
+#define ZR_VIEW_KEYS_H
 
 #include "input/json/json_value.h"
 #include "scene/scene.h"
