@@ -3,7 +3,7 @@
 
 #include "base/cancel.h"
 #include "input/images/image_read.h"
-#include "input/obj/mtl.h"
+#include "input/obj/mtl_file.h"
 
 enum {
     MADE_MAX = 1024, /* each is compared with all others */

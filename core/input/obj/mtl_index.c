@@ -4,7 +4,7 @@
 
 #include "base/cancel.h"
 #include "input/formats/sniff.h"
-#include "input/obj/mtl.h"
+#include "input/obj/mtl_file.h"
 #include "input/text/text.h"
 #include "render_request.h"
 
@@ -25,6 +25,26 @@ struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_req
     mtl->decoded = zr_image_list_of(builder, request, limits);
     if (!mtl->assets.uses) return NULL;
     return mtl;
+}
+
+enum zr_status zr_mtl_status(const struct zr_mtl *mtl)
+{
+    return mtl->status;
+}
+
+struct zr_file_scene *zr_mtl_made(const struct zr_mtl *mtl)
+{
+    return mtl->made;
+}
+
+uint32_t zr_mtl_file_count(const struct zr_mtl *mtl)
+{
+    return mtl->file_count;
+}
+
+bool zr_mtl_has_maps(const struct zr_mtl *mtl)
+{
+    return mtl->has_maps;
 }
 
 /* ---- the index ---- */
@@ -91,14 +111,19 @@ bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length)
     return mtl->status == ZR_OK;
 }
 
-const char *zr_mtl_add_only(struct zr_mtl *mtl)
+bool zr_mtl_is_file_name(const char *name, const char *end)
 {
     enum { LENGTH = sizeof ".mtl" - 1 };
+    return end - name >= LENGTH && zr_mtl_is_word(&(const struct zr_mtl_text){end - LENGTH, end, 0}, ".mtl");
+}
+
+const char *zr_mtl_add_only(struct zr_mtl *mtl)
+{
     const char *only = NULL;
     if (mtl->assets.looked) *mtl->assets.looked = true;
     for (size_t i = 0; i < mtl->assets.count; i++) {
-        const char *name = mtl->assets.items[i].name, *end = name + strlen(name);
-        if (end - name < LENGTH || !zr_mtl_is_word(&(const struct zr_mtl_text){end - LENGTH, end, 0}, ".mtl")) continue;
+        const char *name = mtl->assets.items[i].name;
+        if (!zr_mtl_is_file_name(name, name + strlen(name))) continue;
         if (only) return NULL;
         only = name;
     }

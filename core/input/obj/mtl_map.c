@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "input/files/file_parts.h"
-#include "input/obj/mtl.h"
+#include "input/obj/mtl_file.h"
 #include "input/text/number.h"
 #include "scene/texture.h"
 

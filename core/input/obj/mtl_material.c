@@ -1,7 +1,7 @@
 /* Converts a material of MTL to a material of a scene. The rules are in mtl.h. */
 #include <math.h>
 
-#include "input/obj/mtl.h"
+#include "input/obj/mtl_file.h"
 #include "scene/texture.h"
 
 #define SHININESS_MOST   1000.0f

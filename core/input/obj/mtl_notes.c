@@ -1,4 +1,4 @@
-#include "input/obj/mtl.h"
+#include "input/obj/mtl_file.h"
 #include "input/text/text.h"
 
 static const struct {

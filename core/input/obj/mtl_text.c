@@ -1,6 +1,6 @@
 #include <string.h>
 
-#include "input/obj/mtl.h"
+#include "input/obj/mtl_file.h"
 
 static bool is_blank(char byte)
 {

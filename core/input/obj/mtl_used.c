@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/obj/mtl.h"
+#include "input/obj/mtl_file.h"
 
 enum { MATERIALS_A_POLL = 64 };
 

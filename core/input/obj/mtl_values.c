@@ -2,7 +2,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "input/obj/mtl.h"
+#include "input/obj/mtl_file.h"
 #include "input/text/number.h"
 
 enum kind {

@@ -101,7 +101,7 @@ static bool allocate(struct zr_obj_file *file, struct zr_arena *arena)
     if (total->normals > 0) file->normal_indices = zr_arena_alloc(arena, total->corners, sizeof *file->normal_indices);
     if (file->has_groups) file->groups = allocate_some(arena, total->faces, sizeof *file->groups);
     file->names = zr_arena_alloc(arena, total->names, sizeof *file->names);
-    if (file->mtl && file->mtl->has_maps && total->texcoords > 0) {
+    if (file->mtl && zr_mtl_has_maps(file->mtl) && total->texcoords > 0) {
         file->texcoords = zr_arena_alloc(arena, total->texcoords, sizeof *file->texcoords);
         file->texcoord_indices = zr_arena_alloc(arena, total->corners, sizeof *file->texcoord_indices);
     }

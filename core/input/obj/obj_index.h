@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-#include "input/text/number.h"
 #include "input/obj/obj_text.h"
+#include "input/text/number.h"
 
 /* Reads an integer with an optional sign; saturates far above any count. */
 ZR_INLINED const char *zr_obj_read_integer(const char *at, const char *end, int64_t *value)

@@ -32,21 +32,13 @@ static bool add_library(struct zr_mtl *mtl, const struct zr_obj_statement *name)
     return zr_mtl_add(mtl, name->at, (size_t)(name->end - name->at));
 }
 
-static bool ends_in_mtl(const struct zr_obj_statement *word)
-{
-    enum { LENGTH = sizeof ".mtl" - 1 };
-    if (word->end - word->at < LENGTH) return false;
-    const struct zr_mtl_text end = {word->end - LENGTH, word->end, word->line};
-    return zr_mtl_is_word(&end, ".mtl");
-}
-
 static size_t count_names(struct zr_obj_statement name)
 {
     size_t count = 0;
     while (name.at < name.end) {
         const struct zr_obj_statement word = zr_obj_word(&name);
         if (word.at == word.end) break;
-        count += ends_in_mtl(&word);
+        count += zr_mtl_is_file_name(word.at, word.end);
         zr_obj_skip_blanks(&name);
     }
     return count;
@@ -59,7 +51,7 @@ static void add_libraries(struct zr_obj_file *file, const struct zr_obj_statemen
     struct zr_obj_statement name = name_of(*statement);
     size_t found = 0, missing = 0;
     if (count_names(name) < 2 && add_library(file->mtl, &name)) return;
-    for (; name.at < name.end && file->mtl->status == ZR_OK; zr_obj_skip_blanks(&name)) {
+    for (; name.at < name.end && zr_mtl_status(file->mtl) == ZR_OK; zr_obj_skip_blanks(&name)) {
         const struct zr_obj_statement word = zr_obj_word(&name);
         if (word.at == word.end) break;
         if (add_library(file->mtl, &word))
@@ -77,7 +69,7 @@ static void read_libraries(struct zr_obj_file *file, size_t index)
 {
     struct zr_obj_text text = {file->texts[index].at, file->texts[index].end, file->parts[index].before.lines + 1};
     struct zr_obj_statement statement, word;
-    while (file->mtl->status == ZR_OK && zr_obj_next(&text, &statement)) {
+    while (zr_mtl_status(file->mtl) == ZR_OK && zr_obj_next(&text, &statement)) {
         struct zr_obj_statement rest = statement;
         if (zr_obj_at_end(&rest)) continue;
         if (zr_obj_next_keyword(&rest, &word) == ZR_OBJ_LIBRARY) add_libraries(file, &statement);
@@ -90,13 +82,14 @@ enum zr_status zr_obj_open_materials(struct zr_obj_file *file, struct zr_scene_b
     if (file->total.libraries == 0) return ZR_OK;
     file->mtl = zr_mtl_open(builder, request, file->limits, error);
     if (!file->mtl) return ZR_NO_MEMORY;
-    for (size_t i = 0; i < file->part_count && file->mtl->status == ZR_OK; i++) {
+    for (size_t i = 0; i < file->part_count && zr_mtl_status(file->mtl) == ZR_OK; i++) {
         if (zr_is_cancelled(request->cancel)) return ZR_CANCELLED;
         if (file->parts[i].holds.libraries > 0) read_libraries(file, i);
     }
-    if (file->mtl->status == ZR_OK && file->mtl->file_count == 0) file->only_library = zr_mtl_add_only(file->mtl);
-    const enum zr_status status = file->mtl->status;
-    if (status == ZR_OK && file->mtl->file_count == 0) file->mtl = NULL;
+    if (zr_mtl_status(file->mtl) == ZR_OK && zr_mtl_file_count(file->mtl) == 0)
+        file->only_library = zr_mtl_add_only(file->mtl);
+    const enum zr_status status = zr_mtl_status(file->mtl);
+    if (status == ZR_OK && zr_mtl_file_count(file->mtl) == 0) file->mtl = NULL;
     return status;
 }
 
@@ -274,13 +267,13 @@ static enum zr_status name_all(struct naming *naming)
     for (size_t i = 0; i < file->total.names; i++) {
         if (i % NAMES_A_POLL == 0 && zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
         if (!name_run(naming, begin, file->names[i].face, &state)) return ZR_NO_MEMORY;
-        if (file->mtl && file->mtl->status != ZR_OK) return file->mtl->status;
+        if (file->mtl && zr_mtl_status(file->mtl) != ZR_OK) return zr_mtl_status(file->mtl);
         begin = file->names[i].face;
         take(&file->names[i], &state);
     }
     if (!name_run(naming, begin, file->total.faces, &state)) return ZR_NO_MEMORY;
-    if (file->mtl && file->mtl->status == ZR_OK) zr_mtl_make_used(file->mtl);
-    return file->mtl ? file->mtl->status : ZR_OK;
+    if (file->mtl && zr_mtl_status(file->mtl) == ZR_OK) zr_mtl_make_used(file->mtl);
+    return file->mtl ? zr_mtl_status(file->mtl) : ZR_OK;
 }
 
 /* ---- names of parts ---- */
@@ -335,7 +328,7 @@ static bool put_parts(struct naming *naming, struct zr_mesh *mesh)
 
 static bool put_materials(struct naming *naming, struct zr_scene_builder *builder)
 {
-    struct zr_file_scene *made = naming->file->mtl->made;
+    struct zr_file_scene *made = zr_mtl_made(naming->file->mtl);
     uint32_t *material = zr_arena_alloc(naming->arena, 1, sizeof *material);
     const uint32_t **faces = zr_arena_alloc(naming->arena, 1, sizeof *faces);
     struct zr_instance *instance = zr_arena_zero(naming->arena, 1, sizeof *instance);

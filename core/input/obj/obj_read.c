@@ -1,9 +1,9 @@
 /* The second pass over a file of OBJ: reads its statements. */
 #include <math.h>
 
-#include "input/text/number.h"
 #include "input/obj/obj_file.h"
 #include "input/obj/obj_index.h"
+#include "input/text/number.h"
 #include "input/text/text.h"
 
 enum { VERTEX_NUMBERS_MAX = 6 };

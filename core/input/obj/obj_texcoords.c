@@ -110,7 +110,7 @@ enum zr_status zr_obj_put_texcoords(struct zr_obj_file *file, struct zr_arena *a
                                     const uint32_t *materials, uint32_t material)
 {
     struct placing placing = {.file = file,
-                              .all = file->mtl->made->materials,
+                              .all = zr_mtl_made(file->mtl)->materials,
                               .materials = materials,
                               .material = material,
                               .positions = (uint32_t)file->total.positions};
