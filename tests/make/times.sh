@@ -24,9 +24,11 @@ cat "$1"/* | awk -v elapsed="$2" '
         time = seconds($1) + seconds($2)
         kind = kind_of(target)
         sum[kind] += time
-        count[kind]++
         total += time
-        if (target ~ /\.o$/ && target !~ /libzraster\.o$/) units++
+        if (!(target in of)) {
+            count[kind]++
+            if (target ~ /\.o$/ && target !~ /libzraster\.o$/) units++
+        }
         of[target] += time
     }
     END {
