@@ -132,10 +132,6 @@ renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_roo
 	$(kernel_objects) $(BUILD)/isas.o
 mcp := $(call objects,server/mcp/*.c)
 server := $(call objects,server/*.c server/*/*.c) $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o
-# For `make walk`: counts from and up to a signal.
-ifdef WALK
-server += $(BUILD)/tests/make/gcov_signals.o
-endif
 client := $(call objects,$(foreach room,commands options files engine,clients/$(room)/*.c))
 reference_pages := $(call objects,clients/reference/*.c) $(BUILD)/clients/options/values.o
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c tests/support/*/*_kernel.c)))
@@ -419,6 +415,13 @@ walk: ## counts the functions, files and lines of core/ and server/ that a reque
 	@.ci/need $(NEED_BUILD) curl=curl $(PYTHON)=python3
 	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/walk SAN= WALK=1 CFLAGS="-O0 --coverage" isas=scalar $(BUILD)/walk/zrasterd
 	@PYTHON="$(PYTHON)" NAMES="$(NAMES)" tests/make/walk.sh $(BUILD)/walk $(SCENE)
+
+# The map of tests: in the folder of make walk, with its flags.
+.PHONY: test-map
+test-map: ## the three test programs that run most of each source of core/ and server/ (gcov): build/test-map.md
+	@.ci/need $(NEED_BUILD) $(NEED_TEST)
+	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/walk SAN= WALK=1 CFLAGS="-O0 --coverage" isas=scalar unit-tests
+	@ZRASTER_DATA="$(DATA)" tests/make/map.sh $(BUILD)/walk $(BUILD)/test-map.md $(unit_tests:$(BUILD)/%=%)
 
 .PHONY: systems
 systems: ## make demo and make test in bare roots of Debian 12, 13 and testing (root); SYSTEMS=13, KEEP=1: tests/systems/run.sh
@@ -728,6 +731,11 @@ $(BUILD)/tests/unit/server/test_meshes: $(addprefix $(BUILD)/server/keep/,images
 $(BUILD)/tests/unit/server/test_meshes: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/server/test_rendering: $(filter-out %/main.o,$(server)) $(server_support)
 $(BUILD)/tests/unit/server/test_rendering: TEST_LIBS += $(SERVER_LIBS)
+
+# For `make walk` and `make test-map`: counts from and up to a signal.
+ifdef WALK
+$(BUILD)/zrasterd $(unit_tests): $(BUILD)/tests/make/gcov_signals.o
+endif
 
 # Preloaded into a daemon by a test.
 $(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/support/failing_malloc.h
