@@ -20,6 +20,15 @@ verdict "once, in two lines at most" [ "$(wc -l <"$work/complained")" -le 2 ]
 PATH=$work/bin make CC=no-such-gcc BUILD="$work/build" >"$work/said" 2>"$work/complained"
 verdict "a compiler that was asked for is named" grep -q "no C compiler (no-such-gcc) here" "$work/complained"
 
+# What `make demo` compiles for one instruction set, a later `make` takes.
+compilations() { make -n BUILD="$work/none" "$@" "$work/none/zraster" 2>"$complained" | grep -e ' -c -o ' | sort >"$said"; }
+compilations isas=scalar
+mv "$said" "$work/one"
+compilations
+comm -23 "$work/one" "$said" >"$work/twice"
+verdict "an instruction set alone is compiled" [ -s "$work/one" ]
+verdict "as it is among all" [ ! -s "$work/twice" ]
+
 # Parts, of programs that speak TAP.
 program() { # NAME LINE...: one that prints the lines
     path=$work/fake/tests/$1
