@@ -63,7 +63,7 @@ struct options {
     const struct command *command;
     const char *own[OPTION_COUNT];
     const char *parameters[PARAMETERS_MAX]; /* by enum parameter (parameters.h) */
-    const char **files; /* in the arguments */
+    const char **files;                     /* in the arguments */
     size_t file_count;
     const char *parts[PARTS_MAX]; /* NAME=FILE */
     size_t part_count;

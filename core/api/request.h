@@ -2,8 +2,8 @@
 #ifndef ZR_LIBRARY_REQUEST_H
 #define ZR_LIBRARY_REQUEST_H
 
-#include "render_request.h"
 #include "api/zraster.h"
+#include "render_request.h"
 
 /* A request and its cancel, which may be NULL. */
 struct zr_taken_request {

@@ -27,9 +27,9 @@ struct zr_pixel_rows {
 /* Output of the shading of a tile. */
 struct zr_tile_targets {
     struct zr_pixel_rows channels[ZR_CHANNELS_MAX]; /* `first` NULL: not wanted */
-    uint32_t clear_value;                            /* colour of uncovered pixels if `behind` has none */
-    struct zr_pixel_rows behind;                     /* supplies uncovered pixels; `first` NULL: none */
-    float normals_to_space[3][3];                    /* rows of the matrix from eye space to the channel's */
+    uint32_t clear_value;                           /* colour of uncovered pixels if `behind` has none */
+    struct zr_pixel_rows behind;                    /* supplies uncovered pixels; `first` NULL: none */
+    float normals_to_space[3][3];                   /* rows of the matrix from eye space to the channel's */
 };
 
 struct zr_paint {
