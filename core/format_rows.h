@@ -20,4 +20,12 @@
     ROW(GLB, "glb", "model/gltf-binary", false, true, false, false, "glTF 2.0 in one binary file")                     \
     ROW(GLTF, "gltf", "model/gltf+json", false, false, false, false, "glTF 2.0 as JSON")
 
+enum zr_format {
+#define ZR_FORMAT_ENUM(ID, ...) ZR_FORMAT_##ID,
+    ZR_FORMAT_ROWS(ZR_FORMAT_ENUM)
+#undef ZR_FORMAT_ENUM
+        ZR_FORMAT_COUNT,
+    ZR_FORMAT_UNKNOWN = ZR_FORMAT_COUNT /* detected from the bytes */
+};
+
 #endif

@@ -9,14 +9,6 @@
 #include "format_rows.h"
 #include "parameter_rows.h"
 
-enum zr_format {
-#define ZR_FORMAT_ENUM(ID, ...) ZR_FORMAT_##ID,
-    ZR_FORMAT_ROWS(ZR_FORMAT_ENUM)
-#undef ZR_FORMAT_ENUM
-        ZR_FORMAT_COUNT,
-    ZR_FORMAT_UNKNOWN = ZR_FORMAT_COUNT /* detected from the bytes */
-};
-
 struct zr_request {
     enum zr_format format;
     const char *bytes;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "parameter_rows.h"
 #include "schema/schema.h"
 #include "input/formats/formats.h"
 #include "input/scene/json_objects.h"

@@ -7,6 +7,7 @@
 #include "input/formats/formats.h"
 #include "multipart.h"
 #include "problem.h"
+#include "render_request.h"
 
 /* all known media types are shorter */
 enum { TYPE_SIZE = 128 };

@@ -14,6 +14,7 @@
 #include "input/query/query_text.h"
 #include "parts.h"
 #include "problem.h"
+#include "render_request.h"
 #include "scene/looks.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/scene.h"

@@ -14,6 +14,7 @@
 #include "reference/page/page.h"
 #include "render/lens.h"
 #include "render/section_pass.h"
+#include "render_request.h"
 #include "support/files.h"
 
 enum { PATH_SIZE = 1000, LABEL_SIZE = 100 };

@@ -5,8 +5,8 @@
 #ifndef ZR_FORMATS_H
 #define ZR_FORMATS_H
 
+#include "format_rows.h"
 #include "input/formats/input.h"
-#include "render_request.h"
 
 struct zr_format_row {
     const char *name;        /* for messages */

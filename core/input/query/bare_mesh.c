@@ -5,6 +5,7 @@
 #include "input/query/parameters.h"
 #include "input/scene/json_model_scene.h"
 #include "input/scene/kept.h"
+#include "render_request.h"
 #include "scene/camera/view_set.h"
 #include "scene/defaults.h"
 

@@ -1,9 +1,10 @@
 /* Turns a bare mesh upright, and views it face on if it is flat. */
-#include "input/query/cloud.h"
 #include "input/formats/formats.h"
+#include "input/query/cloud.h"
+#include "input/query/parameters.h"
 #include "input/scene/kept.h"
 #include "input/text/names.h"
-#include "input/query/parameters.h"
+#include "render_request.h"
 #include "scene/camera/face_on.h"
 #include "scene/camera/mesh_up.h"
 

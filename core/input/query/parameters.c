@@ -10,6 +10,7 @@
 #include "input/query/parameter_list.h"
 #include "input/text/parameter_names.h"
 #include "input/query/parameter_values.h"
+#include "render_request.h"
 #include "scene/defaults.h"
 #include "scene/camera/mesh_up.h"
 

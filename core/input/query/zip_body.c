@@ -9,6 +9,7 @@
 #include "input/text/names.h"
 #include "input/formats/sniff.h"
 #include "input/text/text.h"
+#include "render_request.h"
 
 /* UPS_MAX: maximum number of ".." in a relative name. Members further away are found only by their full path. */
 enum { NAMED_MAX = 8, UPS_MAX = 16 };

@@ -4,6 +4,7 @@
 
 #include "input/formats/formats.h"
 #include "input/scene/json_scene.h"
+#include "render_request.h"
 
 /* The keys of a change, as written. */
 struct keys {
