@@ -112,7 +112,7 @@ kernel_avx2 := -mavx2 -mbmi2 -mno-avx512f
 kernel_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl -mbmi2 -mprefer-vector-width=512
 # gcc spends a quarter of its time in kernels on the places of variables, for debuggers.
 kernel_flags := -fwrapv $(if $(findstring __clang__,$(macros)),,-fno-var-tracking-assignments)
-# For `make emulated`: what has AVX2 is told to have AVX-512.
+# For `make emulated`: AVX-512 kernels are compiled for AVX2.
 ifdef EMULATED
 kernel_avx512 := $(kernel_avx2) -Itests/emulated -Wno-psabi
 $(BUILD)/core/base/isa.o: OURS += '-D__builtin_cpu_supports(name)=(__builtin_cpu_supports("avx2") \
@@ -746,7 +746,7 @@ $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 $(BUILD)/tests/server/test_streams: $(BUILD)/server/mcp/unzip.o
 
-# Where there is no compiler, it is said so once, and what brings one.
+# Without a compiler, one message says so and names the package.
 missing_compiler := $(if $(macros),,compiler)
 .PHONY: compiler
 compiler:

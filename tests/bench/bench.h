@@ -41,8 +41,8 @@ bool bench_in_child(struct bench *bench,
                     bool (*work)(const struct bench *bench, void *context, const struct sink *sink), void *context,
                     struct results *rows);
 
-/* The same for a child that only compares: rows are told as TAP where they are wrong, or where that is all that was
- * asked for. *wrong, which may be NULL, gets which of them are. */
+/* The same for a child that only compares. Rows are printed as TAP if they are wrong, or if the bench only compares.
+ * *wrong, which may be NULL, receives the wrong ones. */
 enum { BENCH_CHECKS_MAX = 16 };
 bool bench_check_in_child(struct bench *bench,
                           bool (*work)(const struct bench *bench, void *context, const struct sink *sink),

@@ -1,5 +1,5 @@
-/* growth.h - bench: our times as the work grows, as threads do, with other channels and with light. Nobody else's: a
- * row holds a time against what the smaller work, one thread or simpler channels let expect.
+/* growth.h - bench: our times as the work grows, as threads do, with other channels and with light. No other
+ * renderer runs: a row compares a time with that expected from the smaller work, one thread or simpler channels.
  */
 #ifndef ZR_BENCH_GROWTH_H
 #define ZR_BENCH_GROWTH_H

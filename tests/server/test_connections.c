@@ -83,7 +83,7 @@ TEST(silent_connections_make_room)
     }
 }
 
-/* Others' work is in every place: this machine's own health checks still get through, and others are told. */
+/* Other clients hold all places: health checks of this machine still get through, and other requests are refused. */
 TEST(places_for_loopback_are_kept_free)
 {
     enum { BUSY = 8 };
@@ -302,7 +302,7 @@ TEST(a_log_that_nobody_reads_holds_no_answer_up)
     struct daemon server = start_with_pipe(log);
     for (int i = 0; i < REQUESTS; i++) /* each gives a line of 700 bytes or more: the pipe has 64 KiB, and we one MiB */
         assert_int_equal(client_get_status(&server, path), 404);
-    /* It is read at last: what was lost is told. */
+    /* The log is read at last, and reports the lost lines. */
     bool is_told = false;
     for (size_t read_bytes = 0; read_bytes < (size_t)3 << 20 && !is_told;) {
         struct pollfd polled = {.fd = log[0], .events = POLLIN};

@@ -312,8 +312,8 @@ TEST(a_refusal_of_head_has_no_body)
     free(text);
 }
 
-/* Nobody asked for an answer to what comes behind the last request. */
-TEST(bytes_behind_the_last_request_get_no_answer)
+/* Bytes after the last request are no request. */
+TEST(bytes_after_the_last_request_get_no_answer)
 {
     static const char *const LAST[] = {"GET /healthz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\nBAD\r\n\r\n",
                                        "GET /healthz HTTP/1.0\r\n\r\nBAD\r\n\r\n"};

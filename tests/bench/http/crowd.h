@@ -1,6 +1,6 @@
-/* crowd.h - bench: several pictures at once, each on a thread of its own. Nothing is written in common and nobody waits
- * for anybody, so this is a measure of what threads can come to on a machine: they share its memory and caches, and
- * whoever else is at work takes from them, as from one picture on as many threads.
+/* crowd.h - bench: several pictures at once, each on a thread of its own. Threads share no output and do not wait for
+ * one another, so this is an upper bound for threads of the machine: they share its memory and caches, also with other
+ * processes, as the threads of one picture do.
  */
 #ifndef ZR_BENCH_CROWD_H
 #define ZR_BENCH_CROWD_H
@@ -9,7 +9,7 @@
 
 struct crowd;
 
-/* NULL, explained on stderr, where threads or memory cannot be had. It ends with the child that opened it. */
+/* Returns NULL, with a message on stderr, without threads or memory. It ends with the child that opened it. */
 struct crowd *crowd_open(int threads);
 
 /* What all draw from now on, from the same arrays. */

@@ -18,7 +18,8 @@ void service_against_bare_http(struct bench *bench);
 /* From exec to the first PNG of a cube, against a process that opens Mesa and reads back its first frame. */
 void service_cold_start(struct bench *bench);
 
-/* A small request alone, beside a large one, and beside four of them; the note tells of the slowest. Nobody else's. */
+/* A small request alone, beside a large one, and beside four of them; the note has the slowest time. No rival
+ * runs. */
 void service_beside_large(struct bench *bench);
 
 /* The same beside six clients that read a large asset, and six whose small bodies inflate to large ones. */

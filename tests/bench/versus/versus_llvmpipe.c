@@ -73,8 +73,8 @@ static bool compare_variants(const struct bench *bench, void *context, const str
 
 /* ---- is it fast? ---- */
 
-/* What counts is a side's first frame of a turn, after the other side's frames have emptied the caches of what it
- * needs. One more is told beside, in the note: as in a stream of frames, in a process that does nothing else. */
+/* The result is a side's first frame of a turn, after the other side's frames have evicted its data from the caches.
+ * The note has the next frame, too: the time in a stream of frames, in a process that does nothing else. */
 enum { WITHOUT_IDS, WITH_IDS, THEIRS, OURS_NEXT, THEIRS_NEXT, SIDES };
 
 struct sides {

@@ -94,7 +94,7 @@ static const char *const declarations =
     "}\n";
 
 /* The level is that of the derivatives of the coordinates, which are those of coordinates over w and of 1/w. FIXED: the
- * plain call, whose level is told by differences between neighbours. */
+ * plain call, whose level follows from differences between neighbours. */
 static const char *const textures =
     "vec2 moved(int slot, vec4 p, float one)\n"
     "{\n"

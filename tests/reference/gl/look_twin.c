@@ -138,8 +138,7 @@ static void place_of(const struct look_twin *twin, const struct zr_light *light,
     out[3] = 1.0f;
 }
 
-/* What a lamp that has a place is. How long a unit of the scene is in the eye's space is told by the length of its up.
- */
+/* Sets a lamp with a position. The length of the up vector in eye space is that of a unit of the scene. */
 static void set_place(const struct look_twin *twin, struct uniforms *u, uint32_t i, vec3 rows[3])
 {
     const struct zr_light *light = &twin->scene->lights[i];

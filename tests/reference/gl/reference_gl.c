@@ -325,7 +325,7 @@ static void draw_batch(struct reference *reference, const struct reference_array
     if (is_fixed) reference_fixed_end(arrays);
 }
 
-/* Of fixed functions, and of the programs, which look at what is said here. */
+/* Sets the fog of fixed functions and of programs, which read the same state. */
 static void set_fog(const struct zr_fog *fog)
 {
     const GLfloat color[4] = {fog->color.x, fog->color.y, fog->color.z, 1.0f};

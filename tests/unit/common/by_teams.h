@@ -64,7 +64,7 @@ static inline struct reading *read_by_all(enum zr_format format, const struct te
     return alone;
 }
 
-/* That many, but reading ends where no more are told, of texts that contain these. */
+/* Asserts that the faults, up to the maximum that an error holds, have details that contain these texts, in order. */
 static inline void assert_faults(const struct reading *reading, char (*faults)[FAULT_SIZE], size_t count)
 {
     assert_int_equal(reading->status, ZR_BAD_SCENE);

@@ -17,7 +17,7 @@ struct lit_samples {
     float planes[9][ROOM], open[ROOM], out[3][ROOM];
 };
 
-/* Nobody anywhere; out is full of what no kernel writes. */
+/* No sample has an owner; `out` is full of a value that no kernel writes. */
 static inline void samples_clear(struct lit_samples *s)
 {
     memset(s, 0, sizeof *s);

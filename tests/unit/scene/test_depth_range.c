@@ -1,4 +1,4 @@
-/* The depth channel where a plane alone does not tell it: triangles that reach behind the camera or to
+/* The depth channel of triangles for which a plane is not enough: those that reach behind the camera or to
  * infinity, and slivers, whose samples lie on the subpixel grid but beside the triangle itself. */
 #include <math.h>
 

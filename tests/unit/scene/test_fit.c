@@ -62,7 +62,8 @@ TEST(views_without_a_solution_are_refused)
         {"\"azimuthDegrees\": 0, \"up\": [0,0,0]", "/view/up", "there is no axis to turn around"},
         {"\"direction\": [1,2,3], \"up\": [2,4,6]", "/view/up", "up is zero or along the line of sight"},
         {"\"direction\": [1,2,3], \"up\": [0,0,0]", "/view/up", "up is zero or along the line of sight"},
-        {"\"azimuthDegrees\": 0, \"distance\": 1e6, \"perspective\": {\"yfov\": 1e-30}", "/view", "numbers of the camera overflow"},
+        {"\"azimuthDegrees\": 0, \"distance\": 1e6, \"perspective\": {\"yfov\": 1e-30}", "/view",
+         "numbers of the camera overflow"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct shot shot = shoot(SMALL, CUBE, cases[i].view);
@@ -145,8 +146,8 @@ TEST(azimuth_and_direction_fit_as_the_presets_do)
     }
 }
 
-/* A cube of 2 units that is moved along x: the room that is left for rounding is told, wherever something is fitted. */
-TEST(room_for_rounding_far_from_the_origin_is_told)
+/* A cube of 2 units, moved along x: each fit warns of the room that it leaves for rounding. */
+TEST(fit_far_from_the_origin_warns_of_room_for_rounding)
 {
     static const struct {
         const char *view;

@@ -117,7 +117,7 @@ TEST(memory_all_goes_back_when_it_is_calm)
 
 /* ---- the express ---- */
 
-/* Small as it seems, it works on until it is told that this is too long, and then makes way. */
+/* A job that counts as small, runs until the queue reports that it takes too long, and then makes way. */
 struct endless {
     struct queue_job job;
     struct queue *queue;

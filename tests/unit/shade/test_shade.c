@@ -58,7 +58,7 @@ TEST(picture_is_that_of_its_view)
     narrowed.camera.projection.m[0] *= 0.5f;
     assert_int_equal(zr_render(&arena, NULL, &test.scene, &narrowed, NULL, &narrow, &error), ZR_OK);
     assert_true(narrow->covered_pixels < found_by_it->covered_pixels * 3 / 4);
-    /* Bounds are told where they are asked for, even if the view needs none. */
+    /* Requested bounds are returned even if the view needs none. */
     const struct zr_output info = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
     scene_look(&test.scene, (struct zr_view){.pose = ZR_POSE_MATRIX,
                                              .world_to_camera = zr_mat4_identity(),
