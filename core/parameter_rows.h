@@ -12,8 +12,7 @@
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
         "outputs instead of the scene's, with commas between them: color, depth, normals or others")                   \
     ROW(encoding, "/outputs/0/encoding", ANY, NAME,                                                                    \
-        "format of the output: png, png16, png32, jpeg, webp, npy, pfm, tiff, json, svg, apng or zip (default: by "    \
-        "channel)")                                                                                                    \
+        "format of the output: png, jpeg, npy or others (default: by channel)")                                        \
     ROW(scale, "/outputs/0/scale", ANY, UNITS, "scene units per step of a 16-bit depth picture")                       \
     ROW(quality, "/outputs/0/quality", ANY, WHOLE, "quality of a jpeg or webp, 1 to 100 (default: 85)")                \
     ROW(lossless, "/outputs/0/lossless", ANY, BOOL, "exact colours in a webp (default: false)")                        \

@@ -36,6 +36,14 @@ static const char *text_of(const cJSON *item, const char *key)
     return text ? text : "";
 }
 
+/* Returns the item of a list that has this name. */
+static const cJSON *find(const char *list, const char *name)
+{
+    const cJSON *item;
+    cJSON_ArrayForEach(item, list_of(list)) if (strcmp(text_of(item, "name"), name) == 0) return item;
+    return NULL;
+}
+
 /* Versions of a look are adjacent; its name is added once. */
 void tables_looks(struct words *words)
 {
@@ -48,28 +56,23 @@ void tables_looks(struct words *words)
     }
 }
 
-static void add_channels(struct words *words)
+static void add_names(struct words *words, const char *list)
 {
-    const cJSON *channel;
-    cJSON_ArrayForEach(channel, list_of("channels"))
+    const cJSON *item;
+    cJSON_ArrayForEach(item, list_of(list))
     {
-        const char *name = text_of(channel, "name");
+        const char *name = text_of(item, "name");
         words_add(words, name, strlen(name));
     }
 }
 
 const char *tables_extension(const char *name, const char *encoding)
 {
-    const cJSON *channel, *known;
-    cJSON_ArrayForEach(channel, list_of("channels"))
+    const cJSON *known;
+    cJSON_ArrayForEach(known, cJSON_GetObjectItemCaseSensitive(find("channels", name), "encodings"))
     {
-        if (strcmp(text_of(channel, "name"), name) != 0) continue;
-        cJSON_ArrayForEach(known, cJSON_GetObjectItemCaseSensitive(channel, "encodings"))
-        {
-            const char *word = text_of(known, NULL);
-            if (!*encoding || strcmp(word, encoding) == 0)
-                return strncmp(word, "png", 3) == 0 ? "png" : strcmp(word, "jpeg") == 0 ? "jpg" : word;
-        }
+        const char *word = text_of(known, NULL);
+        if (!*encoding || strcmp(word, encoding) == 0) return text_of(find("encodings", word), "suffix");
     }
     return NULL;
 }
@@ -96,10 +99,8 @@ static void print_word(const cJSON *word)
 {
     const char *name = text_of(word, "name"), *kind = text_of(word, "kind"), *text = text_of(word, "text");
     printf("%s: %s\n    %c%s.", name, kind, toupper((unsigned char)*text), text + (*text != '\0'));
-    const cJSON *channel;
     if (strcmp(kind, "channel") == 0)
-        cJSON_ArrayForEach(channel, list_of("channels")) if (strcmp(text_of(channel, "name"), name) == 0)
-            print_list(" Encodings: ", cJSON_GetObjectItemCaseSensitive(channel, "encodings"), NULL);
+        print_list(" Encodings: ", cJSON_GetObjectItemCaseSensitive(find("channels", name), "encodings"), NULL);
     if (strcmp(kind, "look") == 0) print_list(" Versions: ", list_of("looks"), name);
     putchar('\n');
 }
@@ -149,7 +150,9 @@ void tables_values(struct words *words, const struct parameter_row *parameter)
 {
     const char *value = parameter->value;
     if (parameter == &parameter_rows[PARAMETER_channel])
-        add_channels(words);
+        add_names(words, "channels");
+    else if (parameter == &parameter_rows[PARAMETER_encoding])
+        add_names(words, "encodings");
     else if (parameter == &parameter_rows[PARAMETER_look])
         tables_looks(words);
     else if (value[0] == '[') {

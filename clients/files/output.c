@@ -8,51 +8,31 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "commands/tables.h"
 #include "input.h"
 #include "mcp/unzip.h"
-#include "commands/tables.h"
 #include "options/parameters.h"
+#include "scene/encodings.h"
 
 struct format {
-    const char *type, *ending, *name, *instead;
+    const char *encoding, *ending, *spelling, *type, *name;
+    unsigned properties;
 };
 
-/* Formats of answers, and advice for getting another format. */
-static const struct format FORMATS[] = {
-    {"image/png", "png", "a PNG", ""},
-    {"image/apng", "apng", "an animated PNG", ""},
-    {"application/x-npy", "npy", "an array (NPY)", "; depth has a PNG, too: --encoding png16"},
-    {"image/tiff", "tiff", "a TIFF", ""},
-    {"application/json", "json", "JSON", ""},
-    {"image/svg+xml", "svg", "an SVG", ""},
-    {"image/jpeg", "jpg", "a JPEG", ""},
-    {"image/webp", "webp", "a WebP", ""},
-    {"image/x-portable-floatmap", "pfm", "a float map (PFM)", ""},
-    {"image/tiff", "tiff", "a TIFF", ""},
-    {"application/zip", "zip", "a ZIP archive of several outputs", "; or get one of them: --channel color"},
-};
+/* Formats of answers. */
+#define FORMAT(ID, word, ending, spelling, type, noun, properties, ...)                                                \
+    {word, ending, spelling, type, noun, properties},
+static const struct format FORMATS[] = {ZR_ENCODING_ROWS(FORMAT)};
+enum { FORMAT_COUNT = sizeof FORMATS / sizeof *FORMATS };
 
 /* Endings of formats that are never written. Other endings, such as .part, name no format. */
 static const char *const FOREIGN[] = {"gif", "bmp", "ppm", "pgm",  "exr", "hdr",
                                       "pdf", "npz", "gz",  "html", "txt", "csv"};
 
-/* Endings that choose the encoding. Those of float maps need a channel of floats: --channel depth. NULL: any channel
- * that is given. */
-static const struct {
-    const char *ending, *encoding, *channel;
-} CHOICES[] = {{"svg", "svg", "color"},   {"jpg", "jpeg", "color"},  {"jpeg", "jpeg", "color"},
-               {"webp", "webp", "color"}, {"pfm", "pfm", "depth"},   {"tif", "tiff", "depth"},
-               {"tiff", "tiff", "depth"}, {"apng", "apng", "color"}, {"json", "json", NULL}};
-
-/* Other spellings of endings. */
-static const struct {
-    const char *given, *ending;
-} SPELLINGS[] = {{"jpeg", "jpg"}, {"tif", "tiff"}};
-
 static const struct format *format_of(const char *type)
 {
-    static const struct format unknown = {"", "bin", "of an unknown type", ""};
-    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
+    static const struct format unknown = {.ending = "bin", .spelling = "", .name = "of an unknown type"};
+    for (size_t i = 0; i < FORMAT_COUNT; i++)
         if (strcasecmp(type, FORMATS[i].type) == 0) return &FORMATS[i];
     return &unknown;
 }
@@ -84,12 +64,10 @@ bool output_is_folder(const char *path)
     return path[strlen(path) - 1] == '/' || (stat(path, &status) == 0 && S_ISDIR(status.st_mode));
 }
 
-/* Returns true if the ending of a name means this ending of a format. */
-static bool is_ending(const char *given, const char *ending)
+/* Returns true if the ending of a name means this format. */
+static bool is_ending(const char *given, const struct format *format)
 {
-    for (size_t i = 0; i < sizeof SPELLINGS / sizeof *SPELLINGS; i++)
-        if (strcasecmp(given, SPELLINGS[i].given) == 0) given = SPELLINGS[i].ending;
-    return strcasecmp(given, ending) == 0;
+    return strcasecmp(given, format->ending) == 0 || (*given && strcasecmp(given, format->spelling) == 0);
 }
 
 static bool is_foreign(const char *ending)
@@ -102,8 +80,8 @@ static bool is_foreign(const char *ending)
 bool output_is_name(const char *name)
 {
     const char *ending = ending_of(name);
-    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
-        if (is_ending(ending, FORMATS[i].ending) && !input_has_ending(name)) return true;
+    for (size_t i = 0; i < FORMAT_COUNT; i++)
+        if (is_ending(ending, &FORMATS[i]) && !input_has_ending(name)) return true;
     return strcmp(name, "-") == 0 || is_foreign(ending) || output_is_folder(name);
 }
 
@@ -119,6 +97,21 @@ static bool has_outputs(const struct options *options)
     return has;
 }
 
+/* Sets the encoding that an ending selects. Without a channel, the output is color, or depth if color lacks the
+ * encoding.
+ */
+static void set_encoding(struct options *options, const char *encoding)
+{
+    const char *channel = options->parameters[PARAMETER_channel];
+    const char *own = tables_extension("color", encoding)   ? "color"
+                      : tables_extension("depth", encoding) ? "depth"
+                                                            : NULL;
+    if (channel ? !tables_extension(channel, encoding) : !own) return;
+    if (!channel && strcmp(encoding, "svg") != 0 && has_outputs(options)) return;
+    if (!channel) options->parameters[PARAMETER_channel] = own;
+    options->parameters[PARAMETER_encoding] = encoding;
+}
+
 void output_set_encoding(struct options *options)
 {
     const char *out = options->own[OPTION_OUTPUT];
@@ -126,16 +119,9 @@ void output_set_encoding(struct options *options)
     const bool has_frames = options->parameters[PARAMETER_turntable] || options->parameters[PARAMETER_frames];
     if (has_frames && strcasecmp(ending_of(out), "png") == 0 && !options->parameters[PARAMETER_channel])
         options->parameters[PARAMETER_encoding] = "apng";
-    for (size_t i = 0; i < sizeof CHOICES / sizeof *CHOICES; i++) {
-        if (strcasecmp(ending_of(out), CHOICES[i].ending) != 0) continue;
-        const char *channel = options->parameters[PARAMETER_channel];
-        const bool is_svg = strcmp(CHOICES[i].encoding, "svg") == 0;
-        if (!channel && !CHOICES[i].channel) return;
-        if (!channel && !is_svg && has_outputs(options)) return;
-        if (channel && !tables_extension(channel, CHOICES[i].encoding)) return;
-        if (!channel) options->parameters[PARAMETER_channel] = CHOICES[i].channel;
-        options->parameters[PARAMETER_encoding] = CHOICES[i].encoding;
-    }
+    for (size_t i = 0; i < FORMAT_COUNT; i++)
+        if (FORMATS[i].properties & ZR_ENCODING_BY_ENDING && is_ending(ending_of(out), &FORMATS[i]))
+            set_encoding(options, FORMATS[i].encoding);
 }
 
 bool output_may_be_folder(const char *path)
@@ -149,10 +135,10 @@ bool output_may_be_folder(const char *path)
 static bool says_another_format(const char *out, const struct format *format)
 {
     const char *ending = ending_of(out);
-    if (is_ending(ending, format->ending)) return false;
+    if (is_ending(ending, format)) return false;
     if (strcmp(format->ending, "apng") == 0 && strcasecmp(ending, "png") == 0) return false;
-    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
-        if (is_ending(ending, FORMATS[i].ending)) return true;
+    for (size_t i = 0; i < FORMAT_COUNT; i++)
+        if (is_ending(ending, &FORMATS[i])) return true;
     return is_foreign(ending) || input_has_ending(out);
 }
 
@@ -276,6 +262,14 @@ static int save_all(const struct target *target, const struct answer *answer, bo
     return unzip.at ? status : STATUS_FAILED;
 }
 
+/* Returns advice for getting a PNG instead. */
+static const char *advice_of(const struct format *format)
+{
+    return strcmp(format->ending, "npy") == 0   ? "; depth has a PNG, too: --encoding png16"
+           : strcmp(format->ending, "zip") == 0 ? "; or get one of them: --channel color"
+                                                : "";
+}
+
 static int save_as(const struct target *target, const struct answer *answer, const struct format *format,
                    bool no_clobber, struct bytes *names, struct bytes *faults)
 {
@@ -289,7 +283,7 @@ static int save_as(const struct target *target, const struct answer *answer, con
         return save(target, out, answer->file.data, answer->file.size, no_clobber, names, faults);
     bytes_print(faults, "nothing is saved: the output is %s; -o %.*s.%s saves it%s", format->name,
                 (int)(dot_of(out) - out), out, format->ending,
-                strcasecmp(ending_of(out), "png") == 0 ? format->instead : "");
+                strcasecmp(ending_of(out), "png") == 0 ? advice_of(format) : "");
     return STATUS_USAGE;
 }
 

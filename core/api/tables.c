@@ -78,6 +78,21 @@ static void print_channels(struct zr_print *print)
     zr_print_end(print, ']');
 }
 
+static void print_encodings(struct zr_print *print)
+{
+    zr_print_begin(print, "encodings", '[');
+    for (int i = 0; i < ZR_ENCODING_COUNT; i++) {
+        const struct zr_encoding_row *row = &zr_encoding_rows[i];
+        zr_print_begin(print, NULL, '{');
+        zr_print_string(print, "name", row->word);
+        zr_print_string(print, "suffix", row->ending);
+        if (*row->spelling) zr_print_string(print, "spelling", row->spelling);
+        zr_print_string(print, "type", row->type);
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, ']');
+}
+
 static void print_formats(struct zr_print *print)
 {
     zr_print_begin(print, "formats", '[');
@@ -113,7 +128,7 @@ static void print_words(struct zr_print *print)
     for (int i = 0; i < ZR_CHANNEL_COUNT; i++)
         print_word(print, "channel", zr_channel_rows[i].name, zr_channel_rows[i].text);
     for (int i = 0; i < ZR_ENCODING_COUNT; i++)
-        print_word(print, "encoding", zr_encoding_names.words[i], zr_encoding_texts[i]);
+        print_word(print, "encoding", zr_encoding_rows[i].word, zr_encoding_rows[i].text);
     for (int i = 0; i < ZR_SPACE_COUNT; i++)
         print_word(print, "space", zr_space_names.words[i], zr_space_texts[i]);
     for (int i = 0; i < zr_look_count; i++)
@@ -145,6 +160,7 @@ static void print_tables(const zraster *renderer, struct zr_buffer *out)
     print_keys(&print);
     print_looks(&print);
     print_channels(&print);
+    print_encodings(&print);
     print_formats(&print);
     print_words(&print);
     print_limits(&print, renderer);

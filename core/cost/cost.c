@@ -217,14 +217,24 @@ static const double CHANNEL_TIMES[ZR_CHANNEL_COUNT] = {
     [ZR_CHANNEL_DISTANCE] = 1.0, [ZR_CHANNEL_POSITION] = 1.0,     [ZR_CHANNEL_TEXCOORD] = 1.0,
     [ZR_CHANNEL_NORMALS] = 0.4,  [ZR_CHANNEL_BARYCENTRICS] = 4.0, [ZR_CHANNEL_FLOW] = 4.0};
 
+/* Kinds of cost per pixel of files, beside that of their words. */
+enum { ZR_COST_NONE = ZR_COST_KINDS };
+#define ROW(ID, word, ending, spelling, type, noun, properties, side_max, COST, text) ZR_COST_##COST,
+static const int FILE_COSTS[ZR_ENCODING_COUNT] = {ZR_ENCODING_ROWS(ROW)};
+#undef ROW
+
 /* Trying qualities for a number of bytes makes up to ZR_LOSSY_TRIES files. */
-static void count_lossy(const struct zr_scene *scene, const struct zr_output *output, double pixels, double *counts)
+static void count_file(const struct zr_scene *scene, const struct zr_output *output, double pixels, double *counts)
 {
-    const double tries = output->max_bytes > 0 ? (double)ZR_LOSSY_TRIES : 1.0;
+    const bool is_small = scene->compress == ZR_COMPRESS_SMALL,
+               is_tried = output->max_bytes > 0 && zr_encoding_has(output->encoding, ZR_ENCODING_HAS_QUALITY);
+    const int kind = FILE_COSTS[output->encoding];
+    if (kind == ZR_COST_NONE) return;
     if (output->is_lossless) /* effort 6 takes about 2.5 times as long as effort 1 */
-        counts[ZR_COST_LOSSLESS_WEBP_PIXEL] += pixels * (scene->compress == ZR_COMPRESS_SMALL ? 2.5 : 1.0);
+        counts[ZR_COST_LOSSLESS_WEBP_PIXEL] += pixels * (is_small ? 2.5 : 1.0);
     else
-        counts[output->encoding == ZR_ENCODING_JPEG ? ZR_COST_JPEG_PIXEL : ZR_COST_WEBP_PIXEL] += pixels * tries;
+        counts[kind == ZR_COST_PNG_PIXEL && is_small ? ZR_COST_SMALL_PNG_PIXEL : kind] +=
+            pixels * (is_tried ? (double)ZR_LOSSY_TRIES : 1.0);
 }
 
 /* Channels are computed for all `drawn` pixels. With a lens, they are more than those of the view. */
@@ -233,13 +243,10 @@ static void count_outputs(const struct zr_scene *scene, double drawn, double *co
     const struct zr_view *view = &scene->views[0];
     const double pixels = (double)view->width * (double)view->height;
     for (uint32_t i = 0; !scene->is_undrawn && i < view->output_count; i++) {
-        const enum zr_encoding encoding = view->outputs[i].encoding;
-        if (encoding == ZR_ENCODING_SVG) continue;
+        if (view->outputs[i].encoding == ZR_ENCODING_SVG) continue;
         counts[ZR_COST_OUTPUT_WORD] += pixels * fmax((double)zr_channel_rows[view->outputs[i].channel].words, 1.0);
         counts[ZR_COST_CHANNEL_PIXEL] += drawn * CHANNEL_TIMES[view->outputs[i].channel];
-        if (zr_encoding_has_quality(encoding)) count_lossy(scene, &view->outputs[i], pixels, counts);
-        if (!zr_encoding_is_png(encoding)) continue;
-        counts[scene->compress == ZR_COMPRESS_SMALL ? ZR_COST_SMALL_PNG_PIXEL : ZR_COST_PNG_PIXEL] += pixels;
+        count_file(scene, &view->outputs[i], pixels, counts);
     }
 }
 

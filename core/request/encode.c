@@ -23,14 +23,6 @@
 #include "scene/validate.h"
 #include "shade/frame.h"
 
-const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT] = {
-    [ZR_ENCODING_PNG] = {"png", "image/png"},          [ZR_ENCODING_PNG16] = {"png", "image/png"},
-    [ZR_ENCODING_PNG32] = {"png", "image/png"},        [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
-    [ZR_ENCODING_JSON] = {"json", "application/json"}, [ZR_ENCODING_SVG] = {"svg", "image/svg+xml"},
-    [ZR_ENCODING_TIFF] = {"tiff", "image/tiff"},       [ZR_ENCODING_APNG] = {"apng", "image/apng"},
-    [ZR_ENCODING_JPEG] = {"jpg", "image/jpeg"},        [ZR_ENCODING_WEBP] = {"webp", "image/webp"},
-    [ZR_ENCODING_ZIP] = {"zip", "application/zip"},    [ZR_ENCODING_PFM] = {"pfm", "image/x-portable-floatmap"}};
-
 enum { ENCODERS_SIZE = 256 };
 
 /* Inputs of encoding, and the results that the output info reports about the other outputs. */
@@ -183,7 +175,7 @@ static enum zr_status check_size(const struct encoding *e, uint32_t number, size
     char pointer[48];
     const struct zr_output *output = &e->frame->view->outputs[number];
     if (output->max_bytes == 0 || size <= output->max_bytes) return ZR_OK;
-    const bool is_lossy = zr_encoding_has_quality(output->encoding) && !output->is_lossless;
+    const bool is_lossy = zr_encoding_has(output->encoding, ZR_ENCODING_HAS_QUALITY) && !output->is_lossless;
     snprintf(pointer, sizeof pointer, "/outputs/%u/maxBytes", number);
     return zr_error_add(e->error, ZR_BAD_SCENE, pointer,
                         "%u bytes are too few for this picture, which has %zu%s; a smaller window takes fewer",
@@ -240,7 +232,7 @@ static const char *file_name(struct zr_arena *arena, const struct zr_output *out
     char *name = zr_arena_alloc(arena, LONGEST, 1);
     if (name)
         snprintf(name, LONGEST, "%s.%s", zr_channel_rows[output->channel].name,
-                 zr_file_kinds[output->encoding].extension);
+                 zr_encoding_rows[output->encoding].ending);
     return name;
 }
 
@@ -267,7 +259,7 @@ static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entrie
             if (status == ZR_OK) status = check_size(e, i, out.size);
             if (status != ZR_OK) return status;
             entries[i] = (struct zr_zip_entry){file_name(e->arena, output), out.bytes, out.size};
-            types[i] = zr_file_kinds[output->encoding].type;
+            types[i] = zr_encoding_rows[output->encoding].type;
         }
         if (reports) continue;
         const enum zr_status status = find_warnings(e);

@@ -23,12 +23,6 @@ enum zr_status zr_encode_files(struct zr_arena *arena, struct zr_team *team, con
                                const struct zr_frame *frame, const struct zr_drawing_warnings *drawing,
                                const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error);
 
-/* Extension and media type of a file. */
-struct zr_file_kind {
-    const char *extension, *type;
-};
-extern const struct zr_file_kind zr_file_kinds[ZR_ENCODING_COUNT];
-
 /* Joins files as the answer of a render: a single one as it is, several as a ZIP. Sets type, bytes and size. Fails with
  * ZR_BAD_SCENE for 4 GiB or more, or with ZR_NO_MEMORY. */
 enum zr_status zr_files_join(struct zr_arena *arena, const struct zr_files *files, struct zr_answer *answer,

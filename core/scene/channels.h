@@ -10,31 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum zr_encoding {
-    ZR_ENCODING_PNG,
-    ZR_ENCODING_PNG16,
-    ZR_ENCODING_PNG32, /* always RGBA, without a palette */
-    ZR_ENCODING_NPY,
-    ZR_ENCODING_JSON,
-    ZR_ENCODING_SVG,  /* lines of the mesh alone, without pixels (output/svg.h) */
-    ZR_ENCODING_TIFF, /* floats */
-    ZR_ENCODING_APNG, /* PNG with a frame for each of several views (output/images/apng.h) */
-    ZR_ENCODING_PFM,
-    ZR_ENCODING_JPEG,
-    ZR_ENCODING_WEBP,
-    ZR_ENCODING_ZIP, /* several pictures */
-    ZR_ENCODING_COUNT
-};
-
-static inline bool zr_encoding_is_png(enum zr_encoding encoding)
-{
-    return encoding == ZR_ENCODING_PNG || encoding == ZR_ENCODING_PNG16 || encoding == ZR_ENCODING_PNG32;
-}
-
-/* Limits of formats: pixels of a side, and bytes of the pixels of a TIFF, whose offsets have 32 bits. */
-#define ZR_JPEG_SIDE_MAX  65500
-#define ZR_WEBP_SIDE_MAX  16383
-#define ZR_TIFF_BYTES_MAX UINT64_C(0xffff0000)
+#include "scene/encodings.h"
 
 /* Type of a pixel's values, in words of four bytes. */
 enum zr_values {
@@ -116,17 +92,5 @@ extern const struct zr_channel_row zr_channel_rows[ZR_CHANNEL_COUNT];
 
 /* True if the channel's row lists the encoding. */
 bool zr_channel_has(enum zr_channel channel, enum zr_encoding encoding);
-
-/* True for PNG, JPEG and WebP, whose size depends on the picture. */
-static inline bool zr_encoding_compresses(enum zr_encoding encoding)
-{
-    return encoding == ZR_ENCODING_PNG || encoding == ZR_ENCODING_PNG16 || encoding == ZR_ENCODING_JPEG ||
-           encoding == ZR_ENCODING_WEBP;
-}
-
-static inline bool zr_encoding_has_quality(enum zr_encoding encoding)
-{
-    return encoding == ZR_ENCODING_JPEG || encoding == ZR_ENCODING_WEBP;
-}
 
 #endif

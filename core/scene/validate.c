@@ -210,14 +210,13 @@ static void check_formats(const struct zr_scene *scene, const struct zr_view *vi
         char pointer[48];
         const struct zr_output *output = &view->outputs[i];
         const uint64_t bytes = 4 * (uint64_t)view->width * view->height * zr_channel_rows[output->channel].words;
-        const bool is_jpeg = output->encoding == ZR_ENCODING_JPEG, is_webp = output->encoding == ZR_ENCODING_WEBP;
-        const uint32_t most = is_jpeg ? ZR_JPEG_SIDE_MAX : ZR_WEBP_SIDE_MAX;
+        const struct zr_encoding_row *row = &zr_encoding_rows[output->encoding];
         snprintf(pointer, sizeof pointer, "/outputs/%" PRIu32 "/encoding", i);
-        if ((is_jpeg || is_webp) && side > most)
+        if (row->side_max > 0 && side > row->side_max)
             zr_error_add(error, ZR_BAD_SCENE, pointer,
-                         "a %s has up to %" PRIu32 " pixels per side, and the window is %" PRIu32 "x%" PRIu32,
-                         is_jpeg ? "jpeg" : "webp", most, view->width, view->height);
-        if (is_jpeg && scene->background.w < 1.0f)
+                         "a %s has up to %" PRIu32 " pixels per side, and the window is %" PRIu32 "x%" PRIu32, row->word,
+                         row->side_max, view->width, view->height);
+        if (output->encoding == ZR_ENCODING_JPEG && scene->background.w < 1.0f)
             zr_error_add(error, ZR_BAD_SCENE, pointer,
                          "a jpeg has no alpha, and the background has: give an opaque background, or the encoding webp "
                          "or png");

@@ -223,9 +223,9 @@ static enum zr_status close_files(struct collecting *c)
         if (sink->kind == SHEET) status = close_sheet(c, i);
         if (status != ZR_OK) return status;
         if (sink->kind == SHEET) continue;
-        const struct zr_file_kind *kind = &zr_file_kinds[sink->output->encoding];
-        snprintf(name, sizeof name, "%s.%s", zr_channel_rows[sink->output->channel].name, kind->extension);
-        if (!add_file(c, name, sink->out.bytes, sink->out.size, kind->type)) return ZR_NO_MEMORY;
+        const struct zr_encoding_row *row = &zr_encoding_rows[sink->output->encoding];
+        snprintf(name, sizeof name, "%s.%s", zr_channel_rows[sink->output->channel].name, row->ending);
+        if (!add_file(c, name, sink->out.bytes, sink->out.size, row->type)) return ZR_NO_MEMORY;
     }
     return ZR_OK;
 }

@@ -80,9 +80,9 @@ static void print_pictures(struct zr_print *print, bool has_parts)
     for (int i = 0; i < ZR_ENCODING_COUNT; i++) {
         bool is_new = i != ZR_ENCODING_ZIP; /* below, with that of several outputs */
         for (int k = 0; k < i; k++)
-            is_new &= strcmp(zr_file_kinds[i].type, zr_file_kinds[k].type) != 0;
+            is_new &= strcmp(zr_encoding_rows[i].type, zr_encoding_rows[k].type) != 0;
         if (!is_new) continue;
-        zr_print_json(print, zr_file_kinds[i].type,
+        zr_print_json(print, zr_encoding_rows[i].type,
                       i == ZR_ENCODING_JSON ? ZR_SCHEMA({"schema": {"type": "object"}})
                                             : ZR_SCHEMA({
                                                 "schema": {

@@ -52,10 +52,10 @@ static bool belongs(const struct zr_request *request, size_t number, const char 
     const bool has_it =
         given >= 0 && given < ZR_ENCODING_COUNT && zr_channel_has((enum zr_channel)channel, (enum zr_encoding)given);
     const enum zr_encoding encoding = has_it ? (enum zr_encoding)given : zr_channel_rows[channel].encodings[0];
-    if (strcmp(parameter, "scale") == 0) return encoding == ZR_ENCODING_PNG16;
-    if (strcmp(parameter, "lossless") == 0) return encoding == ZR_ENCODING_WEBP;
-    if (strcmp(parameter, "quality") == 0) return zr_encoding_has_quality(encoding);
-    if (strcmp(parameter, "maxBytes") == 0) return zr_encoding_compresses(encoding);
+    if (strcmp(parameter, "scale") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_SCALE);
+    if (strcmp(parameter, "lossless") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_LOSSLESS);
+    if (strcmp(parameter, "quality") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_QUALITY);
+    if (strcmp(parameter, "maxBytes") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_MAX_BYTES);
     return has_it;
 }
 

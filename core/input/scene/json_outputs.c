@@ -1,3 +1,5 @@
+#include <string.h>
+
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/scene/outputs.h"
@@ -120,16 +122,26 @@ static void check_encoding(struct zr_json *json, const struct zr_json_path *path
                       zr_encoding_names.words[given->encoding], zr_channel_encodings_join(output->channel).text);
 }
 
-/* Only png16 has a scale. A scale with an unknown encoding, which is reported, may be right. */
+/* Reports a key that other encodings have. */
+static void fault_encoding(struct zr_json *json, const struct zr_json_path *path, unsigned property, const char *it)
+{
+    const struct zr_names_text words = zr_encodings_having(property);
+    const bool are_several = strchr(words.text, ' ');
+    zr_json_fault(json, path, "only the encoding%s %s %s %s", are_several ? "s" : "", words.text,
+                  are_several ? "have" : "has", it);
+}
+
+/* A scale with an unknown encoding, which is reported, may be right. */
 static void check_scale(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
                         const struct given_output *given, const struct zr_output *output)
 {
     const bool is_unknown = zr_json_gives(keys, ENCODING) && given->encoding == UNSET;
-    if (zr_json_gives(keys, SCALE) && output->encoding != ZR_ENCODING_PNG16 && !is_unknown)
-        zr_json_fault(json, ZR_JSON_KEY(path, fields[SCALE].key), "only the encoding png16 has one");
-    if (!zr_json_gives(keys, SCALE) && output->encoding == ZR_ENCODING_PNG16 && output->channel != ZR_CHANNEL_DEPTH)
-        zr_json_fault(json, path, "missing the key scale: a png16 of %s has no default",
-                      zr_channel_names.words[output->channel]);
+    if (zr_json_gives(keys, SCALE) && !zr_encoding_has(output->encoding, ZR_ENCODING_HAS_SCALE) && !is_unknown)
+        fault_encoding(json, ZR_JSON_KEY(path, fields[SCALE].key), ZR_ENCODING_HAS_SCALE, "one");
+    if (!zr_json_gives(keys, SCALE) && zr_encoding_has(output->encoding, ZR_ENCODING_HAS_SCALE) &&
+        output->channel != ZR_CHANNEL_DEPTH)
+        zr_json_fault(json, path, "missing the key scale: a %s of %s has no default",
+                      zr_encoding_names.words[output->encoding], zr_channel_names.words[output->channel]);
 }
 
 /* Quality and maxBytes belong to encodings that lose or save something. */
@@ -137,15 +149,15 @@ static void check_compression(struct zr_json *json, const struct zr_json_path *p
                               const struct given_output *given, const struct zr_output *output)
 {
     if (zr_json_gives(keys, ENCODING) && given->encoding == UNSET) return;
-    if (zr_json_gives(keys, QUALITY) && !zr_encoding_has_quality(output->encoding))
-        zr_json_fault(json, ZR_JSON_KEY(path, fields[QUALITY].key), "only the encodings jpeg and webp have one");
+    if (zr_json_gives(keys, QUALITY) && !zr_encoding_has(output->encoding, ZR_ENCODING_HAS_QUALITY))
+        fault_encoding(json, ZR_JSON_KEY(path, fields[QUALITY].key), ZR_ENCODING_HAS_QUALITY, "one");
     if (zr_json_gives(keys, QUALITY) && output->is_lossless)
-        zr_json_fault(json, ZR_JSON_KEY(path, fields[QUALITY].key), "a lossless webp has none");
-    if (output->is_lossless && output->encoding != ZR_ENCODING_WEBP)
-        zr_json_fault(json, ZR_JSON_KEY(path, fields[LOSSLESS].key), "only the encoding webp has it");
-    if (zr_json_gives(keys, MAX_BYTES) && !zr_encoding_compresses(output->encoding))
-        zr_json_fault(json, ZR_JSON_KEY(path, fields[MAX_BYTES].key),
-                      "only the encodings png, png16, jpeg and webp have it");
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[QUALITY].key), "a lossless %s has none",
+                      zr_encoding_names.words[output->encoding]);
+    if (output->is_lossless && !zr_encoding_has(output->encoding, ZR_ENCODING_HAS_LOSSLESS))
+        fault_encoding(json, ZR_JSON_KEY(path, fields[LOSSLESS].key), ZR_ENCODING_HAS_LOSSLESS, "it");
+    if (zr_json_gives(keys, MAX_BYTES) && !zr_encoding_has(output->encoding, ZR_ENCODING_HAS_MAX_BYTES))
+        fault_encoding(json, ZR_JSON_KEY(path, fields[MAX_BYTES].key), ZR_ENCODING_HAS_MAX_BYTES, "it");
 }
 
 static void check_range(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,

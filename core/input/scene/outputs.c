@@ -5,20 +5,7 @@
 
 #include "scene/output.h"
 
-/* WORD(word, meaning for people), in the order of enum zr_encoding and of enum zr_space */
-#define ZR_ENCODING_WORDS(WORD)                                                                                        \
-    WORD("png", "PNG, without loss")                                                                                   \
-    WORD("png16", "PNG of 16 bits per pixel: depth / scale, rounded")                                                  \
-    WORD("png32", "PNG that is always RGBA, without a palette")                                                        \
-    WORD("npy", "array of NumPy, float32 or uint32")                                                                   \
-    WORD("json", "JSON text")                                                                                          \
-    WORD("svg", "lines of the mesh as paths, without pixels")                                                          \
-    WORD("tiff", "TIFF of float32, uncompressed")                                                                      \
-    WORD("apng", "animated PNG of several views")                                                                      \
-    WORD("pfm", "float32, bottom row first")                                                                           \
-    WORD("jpeg", "JPEG, of a given quality")                                                                           \
-    WORD("webp", "WebP, of a given quality or without loss; animated for a turntable")                                 \
-    WORD("zip", "archive of one PNG per mask")
+/* WORD(word, meaning for people), in the order of enum zr_space */
 #define ZR_SPACE_WORDS(WORD)                                                                                           \
     WORD("camera", "x right, y up, looking along -z")                                                                  \
     WORD("world", "space of the scene, after the nodes")                                                               \
@@ -29,9 +16,8 @@
 static const char *const channels[] = {ZR_CHANNEL_ROWS(NAME) "coverage", "overdraw"};
 #define WORD(word, text) word,
 #define TEXT(word, text) text,
-static const char *const encodings[] = {ZR_ENCODING_WORDS(WORD)};
+static const char *const encodings[] = {ZR_ENCODING_ROWS(NAME)};
 static const char *const spaces[] = {ZR_SPACE_WORDS(WORD)};
-const char *const zr_encoding_texts[ZR_ENCODING_COUNT] = {ZR_ENCODING_WORDS(TEXT)};
 const char *const zr_space_texts[ZR_SPACE_COUNT] = {ZR_SPACE_WORDS(TEXT)};
 
 const struct zr_names zr_channel_names = ZR_NAMES(ZR_CHANNEL_COUNT, channels);
@@ -47,8 +33,27 @@ struct zr_names_text zr_channel_encodings_join(enum zr_channel channel)
     return zr_names_join(&(struct zr_names){row->encoding_count, row->encoding_count, words, NULL});
 }
 
+struct zr_names_text zr_encodings_having(unsigned property)
+{
+    struct zr_names_text text = {""};
+    int left = 0;
+    for (int i = 0; i < ZR_ENCODING_COUNT; i++)
+        left += zr_encoding_has((enum zr_encoding)i, property);
+    for (int i = 0, count = left; i < ZR_ENCODING_COUNT; i++) {
+        if (!zr_encoding_has((enum zr_encoding)i, property)) continue;
+        const size_t used = strlen(text.text);
+        snprintf(text.text + used, sizeof text.text - used, "%s%s",
+                 left == count ? ""
+                 : left == 1   ? " and "
+                               : ", ",
+                 encodings[i]);
+        left--;
+    }
+    return text;
+}
+
 bool zr_outputs_clash(const struct zr_output *a, const struct zr_output *b)
 {
-    const bool both_png = zr_encoding_is_png(a->encoding) && zr_encoding_is_png(b->encoding);
-    return a->channel == b->channel && (a->encoding == b->encoding || both_png);
+    return a->channel == b->channel &&
+           strcmp(zr_encoding_rows[a->encoding].ending, zr_encoding_rows[b->encoding].ending) == 0;
 }
