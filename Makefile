@@ -621,9 +621,10 @@ $(BUILD)/zrasterd: $(server) $(BUILD)/libcore.a
 	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
 
 # The page and the examples as an array (server/routes/site.h).
-$(BUILD)/server/site_files.c: server/page/build.sh server/site.sh $(wildcard server/page/*.* server/page/examples/*.* clients/examples/*.json)
+$(BUILD)/server/site_files.c: server/page/build.sh server/site.sh core/format_rows.h $(wildcard server/page/*.* server/page/examples/*.* clients/examples/*.json) \
+		| $(missing_compiler)
 	@mkdir -p $(@D)
-	$(Q)server/page/build.sh $@
+	$(Q)CC="$(CC)" server/page/build.sh $@
 
 # The manual, likewise.
 $(BUILD)/server/manual_files.c: $(wildcard server/manual/*) server/site.sh server/page/index.html server/page/colors.css README.md CHANGELOG.md clients/python/README.md server/api/v1.md \
@@ -634,7 +635,7 @@ $(BUILD)/server/manual_files.c: $(wildcard server/manual/*) server/site.sh serve
 $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o: %.o: %.c server/routes/site.h $(BUILD)/flags | $(missing_compiler)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
-$(BUILD)/zraster: $(client) $(mcp) $(BUILD)/libzraster.a
+$(BUILD)/zraster: $(client) $(mcp) $(BUILD)/libcore.a
 	$(LINK) $(CLIENT_LIBS) $(CORE_LIBS)
 
 $(BUILD)/zraster-reference: $(reference_pages) $(BUILD)/libcore.a

@@ -8,8 +8,14 @@
 bool mcp_fault(struct mcp_faults *faults, const char *pointer, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Adds the fault of a word that is not in a list, which ends with NULL: names the nearest word and all of them. */
+/* Words that are allowed; the last one is NULL. */
+enum { MCP_WORDS_MAX = 24 };
+struct mcp_words {
+    const char *at[MCP_WORDS_MAX];
+};
+
+/* Adds the fault of a word that is not in a list: names the nearest word and all of them. */
 bool mcp_fault_unknown(struct mcp_faults *faults, const char *pointer, const char *what, const char *word,
-                       const char *const *known);
+                       const struct mcp_words *known);
 
 #endif

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "faults.h"
+#include "input/scene/outputs.h"
 #include "meshes.h"
 #include "text.h"
 #include "tree.h"
@@ -39,22 +40,20 @@ static void refuse_channel(struct mcp_job *job, int number, const char *channel)
 
 static void take_color(struct mcp_job *job, int number, const cJSON *output)
 {
-    static const char *const formats[] = {"png", "jpeg", "webp"};
+    const struct mcp_words formats = mcp_words_of_formats();
     const cJSON *key;
     cJSON_ArrayForEach(key, output)
     {
         char pointer[96];
-        bool is_taken = strcmp(key->string, "channel") == 0;
-        for (size_t i = 0; i < sizeof formats / sizeof *formats && strcmp(key->string, "encoding") == 0; i++)
-            if (cJSON_IsString(key) && strcmp(key->valuestring, formats[i]) == 0) {
-                is_taken = true;
-                if (!job->format) job->format = formats[i];
-            }
+        const bool is_taken = strcmp(key->string, "channel") == 0;
+        const bool is_encoding = strcmp(key->string, "encoding") == 0 && cJSON_IsString(key);
+        const char *format = is_encoding ? mcp_words_find(&formats, key->valuestring) : NULL;
+        if (format && !job->format) job->format = format;
         snprintf(pointer, sizeof pointer, "/scene/outputs/%d/%.40s", number, key->string);
-        if (!is_taken)
+        if (!is_taken && !format)
             mcp_fault(&job->faults, pointer,
-                      "a picture here is a png, jpeg or webp whose size is chosen for a message; POST /v1/render has "
-                      "the other encodings");
+                      "pictures here are %s, of a size for a message; POST /v1/render has the other encodings",
+                      zr_encodings_having(ZR_ENCODING_FOR_AGENTS).text);
     }
 }
 

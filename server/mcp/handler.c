@@ -114,7 +114,8 @@ static void list_tools(struct exchange *exchange)
 static void refuse_tool(struct exchange *exchange, const char *name)
 {
     struct mcp_faults *faults = calloc(1, sizeof *faults);
-    if (faults) mcp_fault_unknown(faults, "", "the tool", name, mcp_tool_names);
+    const struct mcp_words names = mcp_tool_names();
+    if (faults) mcp_fault_unknown(faults, "", "the tool", name, &names);
     refuse(exchange, MCP_WRONG_PARAMS, 200, faults ? faults->at[0].detail : "the tool is unknown", NULL);
     free(faults);
 }
@@ -122,12 +123,13 @@ static void refuse_tool(struct exchange *exchange, const char *name)
 static enum mcp_draw_status call_tool(struct exchange *exchange)
 {
     const struct mcp_message *message = &exchange->message;
+    const struct mcp_words names = mcp_tool_names();
     int tool = 0;
     if (!message->name) {
         refuse(exchange, MCP_WRONG_PARAMS, 200, "params.name is missing or not a string", NULL);
         return MCP_DRAWN;
     }
-    while (tool < MCP_TOOLS && strcmp(message->name, mcp_tool_names[tool]) != 0)
+    while (tool < MCP_TOOLS && strcmp(message->name, names.at[tool]) != 0)
         tool++;
     if (tool == MCP_TOOLS) {
         refuse_tool(exchange, message->name);

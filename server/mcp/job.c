@@ -8,13 +8,6 @@
 #include "scene/defaults.h"
 #include "tree.h"
 
-/* Arguments of each tool. */
-#define OF_ALL      "model", "scene", "up"
-#define OF_PICTURES OF_ALL, "views", "sheet", "look", "parts", "sections", "annotate", "width", "height"
-static const char *const ARGUMENTS[MCP_TOOLS][16] = {
-    [MCP_RENDER] = {OF_PICTURES, "format"}, [MCP_FACTS] = {OF_ALL}, [MCP_PICK] = {OF_PICTURES, "image", "x", "y"}};
-static const char *const PARTS[] = {"hide", "isolate", "ghost", "highlight", "explode", "colors", NULL};
-
 static const char *const OWN[MCP_OWN_COUNT] = {[MCP_OWN_MESHES] = "meshes",
                                                [MCP_OWN_LOOK] = "look",
                                                [MCP_OWN_UP] = "up",
@@ -32,13 +25,6 @@ static const char *const OWN[MCP_OWN_COUNT] = {[MCP_OWN_MESHES] = "meshes",
 const cJSON *mcp_job_argument(const struct mcp_job *job, const char *name)
 {
     return mcp_get(job->message->arguments, name);
-}
-
-static bool is_in(const char *const *list, const char *word)
-{
-    for (; *list; list++)
-        if (strcmp(*list, word) == 0) return true;
-    return false;
 }
 
 /* ---- the scene's own keys ---- */
@@ -70,32 +56,42 @@ static unsigned count_items(const struct mcp_job *job, struct mcp_span list)
 
 /* ---- checks ---- */
 
-static void check_names(struct mcp_job *job)
+static void check_parts(struct mcp_job *job)
 {
-    const cJSON *item;
+    const struct mcp_words known = mcp_words_of_keys(mcp_part_keys, ~0u);
+    const cJSON *parts = mcp_job_argument(job, "parts"), *item;
     char pointer[MCP_POINTER_SIZE];
-    cJSON_ArrayForEach(item, job->message->arguments)
-    {
-        snprintf(pointer, sizeof pointer, "/%.100s", item->string);
-        if (is_in(ARGUMENTS[job->tool], item->string)) continue;
-        if (is_in(mcp_model_keys, item->string))
-            mcp_fault(&job->faults, pointer, "it is a key of model: {\"model\": {\"%s\": ...}}", item->string);
-        else
-            mcp_fault_unknown(&job->faults, pointer, "the argument", item->string, ARGUMENTS[job->tool]);
-    }
-    if (job->faults.count > 0)
-        mcp_fault(&job->faults, "",
-                  "other keys, such as background and lights, go into scene; a model may be beside it");
-    const cJSON *parts = mcp_job_argument(job, "parts"), *annotate = mcp_job_argument(job, "annotate");
-    if (annotate && !cJSON_IsBool(annotate)) mcp_fault(&job->faults, "/annotate", "true or false is expected");
     if (parts && !cJSON_IsObject(parts))
         mcp_fault(&job->faults, "/parts", "an object is expected, such as {\"hide\": [\"cover\"]}");
     cJSON_ArrayForEach(item, parts)
     {
         snprintf(pointer, sizeof pointer, "/parts/%.100s", item->string ? item->string : "");
-        if (item->string && !is_in(PARTS, item->string))
-            mcp_fault_unknown(&job->faults, pointer, "the key", item->string, PARTS);
+        if (item->string && !mcp_words_find(&known, item->string))
+            mcp_fault_unknown(&job->faults, pointer, "the key", item->string, &known);
     }
+}
+
+static void check_names(struct mcp_job *job)
+{
+    const struct mcp_words known = mcp_words_of_keys(mcp_arguments, 1u << job->tool),
+                           sources = mcp_words_of_keys(mcp_model_sources, ~0u);
+    const cJSON *item;
+    char pointer[MCP_POINTER_SIZE];
+    cJSON_ArrayForEach(item, job->message->arguments)
+    {
+        snprintf(pointer, sizeof pointer, "/%.100s", item->string);
+        if (mcp_words_find(&known, item->string)) continue;
+        if (mcp_words_find(&sources, item->string))
+            mcp_fault(&job->faults, pointer, "it is a key of model: {\"model\": {\"%s\": ...}}", item->string);
+        else
+            mcp_fault_unknown(&job->faults, pointer, "the argument", item->string, &known);
+    }
+    if (job->faults.count > 0)
+        mcp_fault(&job->faults, "",
+                  "other keys, such as background and lights, go into scene; a model may be beside it");
+    const cJSON *annotate = mcp_job_argument(job, "annotate");
+    if (annotate && !cJSON_IsBool(annotate)) mcp_fault(&job->faults, "/annotate", "true or false is expected");
+    check_parts(job);
 }
 
 /* Reads a whole number, or its default. */
@@ -114,15 +110,13 @@ static unsigned read_number(struct mcp_job *job, const char *name, unsigned leas
 
 static void read_format(struct mcp_job *job)
 {
-    static const char *const known[] = {"png", "jpeg", "webp", NULL};
+    const struct mcp_words known = mcp_words_of_formats();
     const cJSON *given = mcp_job_argument(job, "format");
     if (!given) return;
     if (!cJSON_IsString(given))
         mcp_fault(&job->faults, "/format", "a string is expected");
-    else if (!is_in(known, given->valuestring))
-        mcp_fault_unknown(&job->faults, "/format", "the format", given->valuestring, known);
-    else
-        job->format = given->valuestring;
+    else if (!(job->format = mcp_words_find(&known, given->valuestring)))
+        mcp_fault_unknown(&job->faults, "/format", "the format", given->valuestring, &known);
 }
 
 /* Counts the pictures of the answer. */

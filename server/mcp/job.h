@@ -2,13 +2,12 @@
 #ifndef MCP_JOB_H
 #define MCP_JOB_H
 
+#include "arguments.h"
 #include "model.h"
 
 /* IMAGES_MAX: pictures of an answer. SIDE_MAX: pixels of a side; models shrink larger pictures before they read them.
  * SIDE_MIN: captions have no room in smaller ones. */
 enum { MCP_IMAGES_MAX = 8, MCP_SIDE_MIN = 16, MCP_SIDE_MAX = 1568 };
-
-enum mcp_tool { MCP_RENDER, MCP_FACTS, MCP_PICK, MCP_TOOLS };
 
 /* Keys of a given scene that decide about its pictures and its model. Those from MCP_OWN_VIEW on choose its views;
  * those from MCP_OWN_TURNTABLE on make several. */
@@ -39,7 +38,7 @@ struct mcp_job {
     bool is_resized;        /* the scene's window is larger than SIDE_MAX */
     bool is_sheet;
     unsigned images;
-    const char *format;                 /* "png", "jpeg" or "webp"; NULL: by the size */
+    const char *format;                 /* of mcp_words_of_formats; NULL: by the size */
     unsigned image, x, y;               /* of MCP_PICK */
     bool is_bare;                       /* the model is the only mesh: the scene, if any, has no meshes */
     unsigned model_meshes;              /* meshes of the scene that are {"asset": "model"} */

@@ -5,7 +5,10 @@
 #include <string.h>
 #include <strings.h>
 
+#include "arguments.h"
 #include "faults.h"
+#include "input/formats/formats.h"
+#include "input/text/sniff.h"
 #include "tree.h"
 
 enum { LOOK_BYTES = 256 << 10 }; /* decoded within 1 ms */
@@ -161,27 +164,18 @@ static bool unescape(const struct mcp_host *host, struct mcp_span text, struct m
 
 /* ---- formats ---- */
 
-static bool has_ending(const char *name, const char *ending)
-{
-    const size_t length = strlen(name), wanted = strlen(ending);
-    return length > wanted && strcasecmp(name + length - wanted, ending) == 0;
-}
-
-/* STL and 3MF have z up, as printers do. */
+/* Returns true if z is the default up axis of the model's format. */
 static bool is_z_up(const struct mcp_model *model)
 {
-    const unsigned char *bytes = model->bytes;
-    if (model->path) return has_ending(model->path, ".stl") || has_ending(model->path, ".3mf");
-    if (!bytes || model->size < 6) return false;
-    if (memcmp(bytes, "PK\3\4", 4) == 0 || memcmp(bytes, "solid", 5) == 0) return true;
-    if (model->size < 84) return false;
-    const uint32_t count = bytes[80] | (uint32_t)bytes[81] << 8 | (uint32_t)bytes[82] << 16 | (uint32_t)bytes[83] << 24;
-    return model->size == 84 + (size_t)count * 50;
+    const char *dot = model->path ? strrchr(model->path, '.') : NULL;
+    enum zr_format format = ZR_FORMAT_UNKNOWN;
+    if (model->bytes && !model->path) format = zr_format_of_bytes(model->bytes, model->size);
+    for (int i = 0; dot && i < ZR_FORMAT_COUNT; i++)
+        if (strcasecmp(dot + 1, zr_format_rows[i].suffix) == 0) format = (enum zr_format)i;
+    return format != ZR_FORMAT_UNKNOWN && zr_format_rows[format].z_is_up;
 }
 
 /* ---- the argument ---- */
-
-const char *const mcp_model_keys[] = {"base64", "text", "path", "asset", NULL};
 
 static bool take_path(const struct mcp_host *host, const char *path, struct mcp_model *model, struct mcp_faults *faults)
 {
@@ -212,17 +206,15 @@ static bool take_asset(const struct mcp_host *host, const char *asset, struct mc
 
 static const cJSON *find_source(const cJSON *given, struct mcp_faults *faults)
 {
+    const struct mcp_words known = mcp_words_of_keys(mcp_model_sources, ~0u);
     const cJSON *found = NULL, *item;
     const size_t before = faults->count;
     cJSON_ArrayForEach(item, given)
     {
-        size_t i = 0;
         char pointer[MCP_POINTER_SIZE];
-        while (mcp_model_keys[i] && strcmp(mcp_model_keys[i], item->string) != 0)
-            i++;
         snprintf(pointer, sizeof pointer, "/model/%.100s", item->string);
-        if (!mcp_model_keys[i])
-            mcp_fault_unknown(faults, pointer, "the key", item->string, mcp_model_keys);
+        if (!mcp_words_find(&known, item->string))
+            mcp_fault_unknown(faults, pointer, "the key", item->string, &known);
         else if (!cJSON_IsString(item))
             mcp_fault(faults, pointer, "a string is expected");
         else if (found)

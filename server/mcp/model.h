@@ -15,8 +15,6 @@ struct mcp_model {
     bool is_given, z_is_up; /* of its format */
 };
 
-extern const char *const mcp_model_keys[]; /* ends with NULL */
-
 /* Reads `model`. False: there are faults, memory is exhausted or the request is cancelled. */
 bool mcp_model_read(const struct mcp_host *host, const struct mcp_message *message, struct mcp_model *model,
                     struct mcp_faults *faults);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "faults.h"
+#include "scene/encodings.h"
 #include "tree.h"
 #include "unzip.h"
 
@@ -40,7 +41,6 @@ static struct mcp_shot *shot_of(struct mcp_shots *shots, const char *name, size_
 /* Takes the file "front.info.json", "front.color.png" or "info.json". */
 static bool take_file(struct mcp_shots *shots, const char *name, const void *bytes, size_t size)
 {
-    static const char *const types[][2] = {{"png", "image/png"}, {"jpg", "image/jpeg"}, {"webp", "image/webp"}};
     const char *dot = strrchr(name, '.'), *channel = dot;
     while (channel > name && channel[-1] != '.')
         channel--;
@@ -53,11 +53,12 @@ static bool take_file(struct mcp_shots *shots, const char *name, const void *byt
         *place = cJSON_ParseWithLength(bytes, size);
         return *place;
     }
-    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-        if (strcmp(dot + 1, types[i][0]) == 0) {
+    for (int i = 0; i < ZR_ENCODING_COUNT; i++)
+        if (zr_encoding_has((enum zr_encoding)i, ZR_ENCODING_FOR_AGENTS) &&
+            strcmp(dot + 1, zr_encoding_rows[i].ending) == 0) {
             shot->image = bytes;
             shot->size = size;
-            shot->type = types[i][1];
+            shot->type = zr_encoding_rows[i].type;
         }
     return shot->image;
 }

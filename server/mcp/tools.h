@@ -2,9 +2,10 @@
 #ifndef MCP_TOOLS_H
 #define MCP_TOOLS_H
 
-#include "job.h"
+#include "arguments.h"
 
-extern const char *const mcp_tool_names[MCP_TOOLS + 1];
+/* Names of the tools, in the order of enum mcp_tool. */
+struct mcp_words mcp_tool_names(void);
 
 /* Adds the list of tools, JSON. Every call adds the same bytes. */
 void mcp_tools_list(struct mcp_text *text, const struct mcp_host *host);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# build.sh OUT: joins the page of server/page/, hashes its script and style for the policy, makes the files of the
+# build.sh OUT: joins the page of server/page/ and the list of formats, hashes its script and style for the policy, makes the files of the
 # examples, and writes all as a table of server/routes/site.h. Runs in the root of the repository.
 set -eu
 out=$1
@@ -26,7 +26,7 @@ policy_hash() { # FILE
 }
 
 # The text between the tags is what a policy hashes, line ends included.
-{ echo "'use strict';" && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt); } >"$work/script"
+{ echo "'use strict';" && ${CC:-cc} -E -P -x c -Icore $page/formats.h && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt); } >"$work/script"
 sed 's/^ *//' $page/colors.css $page/page.css >"$work/style"
 awk -v script="$work/script" -v style="$work/style" '
     function put(tag, file, line) {

@@ -1,13 +1,13 @@
-// Files: opened or dropped. A scene becomes the text; a model becomes a scene of a few lines.
+// Files: opened or dropped. A scene becomes the text; a model becomes a scene of a few lines. FORMATS: formats.h.
 
-const MODELS = /\.(obj|stl|ply|glb|gltf|3mf|zip)$/i;
+const formatOf = (file) => FORMATS.find(({ ending }) => file.name.toLowerCase().endsWith('.' + ending));
 
 async function openFiles(list) {
   const opened = [...list];
-  const scene = opened.find((file) => /\.json$/i.test(file.name));
-  const model = opened.find((file) => MODELS.test(file.name));
+  const scene = opened.find((file) => formatOf(file)?.isScene);
+  const model = opened.find((file) => formatOf(file)?.isScene === false);
   if (!scene && !model) {
-    say('These files hold no scene or model: JSON, OBJ, STL, PLY, glTF, 3MF or ZIP.', true);
+    say(`These files hold no scene or model. Their endings are ${FORMATS.map(({ ending }) => '.' + ending).join(', ')}.`, true);
     return;
   }
   for (const file of opened) if (file !== scene) files.set(file.name, { blob: file, together: opened.length > 1 });
@@ -17,8 +17,7 @@ async function openFiles(list) {
     setText(await scene.text());
   } else {
     const name = model.name.replace(/\.[^.]*$/, '');
-    const isZUp = /\.(stl|3mf)$/i.test(model.name);
-    setText(`{\n  "look": "studio",\n${isZUp ? '  "up": "z",\n' : ''}  "meshes": [${toLine({ name, asset: model.name })}]\n}\n`);
+    setText(`{\n  "look": "studio",\n${formatOf(model).isZUp ? '  "up": "z",\n' : ''}  "meshes": [${toLine({ name, asset: model.name })}]\n}\n`);
   }
   state.channel = 'color';
   refresh();

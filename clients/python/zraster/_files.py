@@ -5,37 +5,39 @@ import io
 import struct
 import zipfile
 import zlib
-from typing import Any, Dict, List, Mapping
+from typing import Any, Dict, List, Mapping, Tuple
 
 from ._errors import OptionError
+from ._renderer import shared
 
 PNG = b"\x89PNG\r\n\x1a\n"
-SUFFIXES = {
-    "image/png": ".png",
-    "image/apng": ".apng",
-    "image/svg+xml": ".svg",
-    "application/zip": ".zip",
-    "application/json": ".json",
-    "application/x-npy": ".npy",
-    "image/jpeg": ".jpg",
-    "image/webp": ".webp",
-    "image/tiff": ".tiff",
-    "image/x-portable-floatmap": ".pfm",
-}
-
-SPELLINGS = {".jpeg": ".jpg", ".tif": ".tiff"}
 
 
-def unzip(data: bytes) -> Dict[str, bytes]:
-    """Returns the files of a ZIP by channel: "depth" for depth.npy."""
+def suffix_of(type_: str) -> str:
+    """Returns the ending of files of a media type, such as ".png"."""
+    return next(("." + row["suffix"] for row in shared().tables["encodings"] if row["type"] == type_), type_)
+
+
+def spelled(suffix: str) -> str:
+    """Returns the ending that zraster writes for another spelling of it: ".jpg" for ".jpeg"."""
+    return next(("." + row["suffix"] for row in shared().tables["encodings"] if suffix == "." + row.get("spelling", "?")), suffix)
+
+
+def unzip(data: bytes) -> Dict[str, Tuple[bytes, str]]:
+    """Returns the files of a ZIP and their media types by channel: "depth" for depth.npy."""
+    types = {row["suffix"]: row["type"] for row in shared().tables["encodings"]}
+    files: Dict[str, Tuple[bytes, str]] = {}
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
-        return {name.rsplit(".", 1)[0]: archive.read(name) for name in archive.namelist()}
+        for name in archive.namelist():
+            channel, suffix = name.rsplit(".", 1)
+            files[channel] = archive.read(name), types[suffix]
+    return files
 
 
 def masks(data: bytes) -> Dict[int, Dict[str, Any]]:
     """Returns the masks of a ZIP of PNGs, arrays of booleans, by instance: {1: {"amodal": ..., "visible": ...}}."""
     found: Dict[int, Dict[str, Any]] = {}
-    for name, png in unzip(data).items():  # masks/000001.amodal
+    for name, (png, _) in unzip(data).items():  # masks/000001.amodal
         number, kind = name.rsplit("/", 1)[1].split(".")
         found.setdefault(int(number), {})[kind] = _decode_png(name, png)[:, :, 0] > 0
     return found

@@ -11,7 +11,7 @@ from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 from . import _library as c
 from ._errors import OptionError, Warning, expect, raise_status
-from ._files import SPELLINGS, SUFFIXES, decode, masks, unzip, zip_files
+from ._files import decode, masks, spelled, suffix_of, unzip, zip_files
 from ._renderer import shared
 
 
@@ -96,26 +96,17 @@ class Drawn:
 class Files:
     """A picture as files by channel."""
 
-    def __init__(self, answer: Tuple[bytes, str], files: Dict[str, bytes], look: str, warnings: List[str]) -> None:
+    def __init__(self, answer: Tuple[bytes, str], files: Dict[str, Tuple[bytes, str]], look: str, warnings: List[str]) -> None:
         self.answer, self.files, self.look, self.warnings = answer, files, look, warnings
 
     def encode(self, channel: Optional[str]) -> Optional[Tuple[bytes, str]]:
         if channel is None:
             return self.answer
         name = channel if channel in self.files else channel.rsplit(".", 1)[0]  # depth, front.color; depth.npy
-        if name not in self.files:
-            return None
-        data = self.files[name]
-        signatures = {b"\x89PNG": "image/png", b"\x93NUM": "application/x-npy", b"<svg": "image/svg+xml"}
-        signatures[b"PK\3\4"] = signatures[b"PK\5\6"] = "application/zip"
-        signatures.update({b"RIFF": "image/webp", b"II*\0": "image/tiff", b"\xff\xd8\xff\xe0": "image/jpeg"})
-        if data[37:41] == b"acTL":
-            return data, "image/apng"
-        is_pfm = data[:3] in (b"PF\n", b"Pf\n")
-        return data, "image/x-portable-floatmap" if is_pfm else signatures.get(data[:4], "application/json")
+        return self.files.get(name)
 
     def array(self, channel: str) -> Any:
-        return decode(channel, self.files[channel]) if channel in self.files else None
+        return decode(channel, self.files[channel][0]) if channel in self.files else None
 
     def channels(self) -> List[str]:
         return list(self.files)
@@ -140,7 +131,7 @@ class Info(Dict[str, Any]):
         return "\n".join(lines)
 
 
-def _unpickle(answer: Tuple[bytes, str], files: Dict[str, bytes], look: str, warnings: List[str]) -> "Picture":
+def _unpickle(answer: Tuple[bytes, str], files: Dict[str, Tuple[bytes, str]], look: str, warnings: List[str]) -> "Picture":
     return Picture(Files(answer, files, look, warnings))
 
 
@@ -200,11 +191,11 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
             path.write(self.content)
             return
         suffix = os.path.splitext(os.fspath(path))[1].lower()
-        suffix = SPELLINGS.get(suffix, suffix)
+        suffix = spelled(suffix)
         choices = [self._encode(None)] + [self._encode(channel) for channel in self._made.channels()]
-        fitting = [data for data, type_ in choices if suffix in ("", SUFFIXES.get(type_))]
+        fitting = [data for data, type_ in choices if suffix in ("", suffix_of(type_))]
         if not fitting:
-            there = ", ".join(sorted({SUFFIXES.get(type_, type_) for _, type_ in choices}))
+            there = ", ".join(sorted({suffix_of(type_) for _, type_ in choices}))
             raise OptionError(f"{os.fspath(path)}: the picture has no file for this ending, but {there}")
         with open(path, "wb") as file:
             file.write(fitting[0])
@@ -290,13 +281,13 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
         return f"<zraster.Picture {', '.join(self)} in {self.look}>"
 
     def __reduce__(self):  # type: ignore[no-untyped-def]
-        files = {channel: self.file(channel) for channel in self}
+        files = {channel: self._encode(channel) for channel in self}
         return _unpickle, (self._encode(None), files, self.look, self.warnings)
 
 
 def from_answer(data: bytes, type_: str, channel: str, look: str, warnings: List[str]) -> Picture:
     """Makes a picture of an answer of POST /v1/render. channel: the only one, unless the answer is a ZIP."""
-    files = unzip(data) if type_ == "application/zip" and channel != "masks" else {channel: data}
+    files = unzip(data) if type_ == "application/zip" and channel != "masks" else {channel: (data, type_)}
     return Picture(Files((data, type_), files, look, warnings))
 
 
@@ -305,8 +296,7 @@ def joined(pictures: List[Picture]) -> Picture:
     files: Dict[str, Tuple[bytes, str]] = {}
     for picture in pictures:
         files.update({channel: picture._encode(channel) for channel in picture})
-    names = {channel: channel + SUFFIXES[type_] for channel, (_, type_) in files.items()}
+    names = {channel: channel + suffix_of(type_) for channel, (_, type_) in files.items()}
     archive = zip_files({names[channel]: data for channel, (data, _) in files.items()})
     warnings = list(dict.fromkeys(text for picture in pictures for text in picture.warnings))
-    only = {channel: data for channel, (data, _) in files.items()}
-    return Picture(Files((archive, "application/zip"), only, pictures[0].look, warnings))
+    return Picture(Files((archive, "application/zip"), files, pictures[0].look, warnings))

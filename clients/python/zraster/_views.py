@@ -7,7 +7,7 @@ from typing import Any, Callable, Dict, List, Optional, Tuple
 
 from ._arrays import npy
 from ._errors import OptionError, SceneError
-from ._files import SPELLINGS, SUFFIXES, frames, zip_files
+from ._files import frames, spelled, suffix_of, zip_files
 from ._options import outputs_of
 from ._picture import Files, Picture
 
@@ -66,8 +66,8 @@ class Views(AbstractSequence):  # type: ignore[type-arg]
         files = {output["channel"]: self._file(key % len(self), output["channel"]) for output in self._outputs}
         only = next(iter(files.values()))
         if len(files) > 1:
-            only = (zip_files({name + SUFFIXES[type_]: data for name, (data, type_) in files.items()}), "application/zip")
-        picture = Picture(Files(only, {name: data for name, (data, _) in files.items()}, self.look, self.warnings))
+            only = (zip_files({name + suffix_of(type_): data for name, (data, type_) in files.items()}), "application/zip")
+        picture = Picture(Files(only, files, self.look, self.warnings))
         picture._issued = len(self.warnings)  # by the drawing of all
         return picture
 
@@ -119,7 +119,7 @@ class Views(AbstractSequence):  # type: ignore[type-arg]
         ends with / writes into that folder."""
         name = os.fspath(path)
         suffix = os.path.splitext(name)[1].lower()
-        suffix = SPELLINGS.get(suffix, suffix)
+        suffix = spelled(suffix)
         if suffix in (".apng", ".webp"):
             data = self.animation(suffix[1:]).content
         elif suffix == ".png":
@@ -153,7 +153,7 @@ class Views(AbstractSequence):  # type: ignore[type-arg]
         for number, name in enumerate(self.names):
             for output in self._outputs:
                 data, type_ = self._file(number, output["channel"])
-                files[f"{name}.{output['channel']}{SUFFIXES[type_]}"] = data
+                files[f"{name}.{output['channel']}{suffix_of(type_)}"] = data
         return files
 
     def _repr_png_(self) -> Optional[bytes]:
