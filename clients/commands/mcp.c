@@ -5,12 +5,12 @@
 #include <dirent.h>
 #include <errno.h>
 #include <pthread.h>
-#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "api/cancel.h"
 #include "engine/engine.h"
 #include "engine/interruption.h"
 #include "mcp/faults.h"
@@ -38,32 +38,19 @@ struct serving {
     char ids[IDS_MAX][ID_SIZE];
     size_t id_count;
     char current[ID_SIZE]; /* id of the message that is answered; "": none yet */
-    atomic_bool is_cancelled;
-    void **blocks; /* memory of the message */
+    void **blocks;         /* memory of the message */
     size_t block_count;
 };
 
 /* ---- cancelling ---- */
-
-static void raise_now(struct serving *serving)
-{
-    atomic_store(&serving->is_cancelled, true);
-    zraster_cancel_raise(serving->engine.cancel);
-}
 
 /* Notes that an id is cancelled, and stops its request if it runs now. */
 static void cancel(struct serving *serving, const char *id)
 {
     pthread_mutex_lock(&serving->lock);
     snprintf(serving->ids[serving->id_count++ % IDS_MAX], ID_SIZE, "%s", id);
-    if (strcmp(serving->current, id) == 0) raise_now(serving);
+    if (strcmp(serving->current, id) == 0) zraster_cancel_raise(serving->engine.cancel);
     pthread_mutex_unlock(&serving->lock);
-}
-
-static bool is_cancelled(void *context)
-{
-    const struct serving *serving = context;
-    return atomic_load(&serving->is_cancelled) || interrupted();
 }
 
 /* Takes the id of the request that runs now. It may be cancelled already. */
@@ -73,7 +60,7 @@ static void begin(void *context, struct mcp_span id)
     pthread_mutex_lock(&serving->lock);
     snprintf(serving->current, ID_SIZE, "%.*s", (int)(id.end - id.at < ID_SIZE ? id.end - id.at : ID_SIZE), id.at);
     for (size_t i = 0; i < IDS_MAX && i < serving->id_count; i++)
-        if (strcmp(serving->ids[i], serving->current) == 0) raise_now(serving);
+        if (strcmp(serving->ids[i], serving->current) == 0) zraster_cancel_raise(serving->engine.cancel);
     pthread_mutex_unlock(&serving->lock);
 }
 
@@ -81,12 +68,11 @@ static void begin(void *context, struct mcp_span id)
 static void look_for_cancel(struct serving *serving, const struct bytes *line)
 {
     const struct mcp_span text = {line->data, line->data + line->size};
-    const struct mcp_host host = {.context = serving, .is_cancelled = is_cancelled};
+    const struct mcp_host host = {.context = serving};
     struct mcp_message message;
     const char *why;
-    enum mcp_walk_fault fault;
     if (line->size > SHORT || !memmem(line->data, line->size, "notifications/cancelled", 23)) return;
-    if (mcp_message_read(&message, text, &host, &why, &fault) == 0 && !message.id.at &&
+    if (mcp_message_read(&message, text, &host, &why) == 0 && !message.id.at &&
         strcmp(message.method, "notifications/cancelled") == 0) {
         char *id = cJSON_PrintUnformatted(cJSON_GetObjectItemCaseSensitive(message.params, "requestId"));
         if (id) cancel(serving, id);
@@ -168,13 +154,13 @@ static void answer(struct serving *serving, const struct bytes *line)
                                   .version = zraster_version(),
                                   .reads_files = true,
                                   .begin = begin,
-                                  .is_cancelled = is_cancelled,
+                                  .cancel = zr_cancel_flag(serving->engine.cancel),
                                   .allocate = allocate,
                                   .draw = draw,
                                   .release = release};
     struct mcp_reply reply;
     if (mcp_handle(&host, (struct mcp_span){line->data, line->data + line->size}, NULL, &reply) == MCP_DRAWN &&
-        reply.text.size > 0 && !atomic_load(&serving->is_cancelled)) {
+        reply.text.size > 0 && !mcp_host_is_cancelled(&host)) {
         mcp_text_put(&reply.text, "\n");
         fwrite(reply.text.data, 1, reply.text.size, stdout);
         fflush(stdout);
@@ -198,7 +184,6 @@ static void *work(void *context)
         zraster_cancel *before = serving->engine.cancel;
         serving->engine.cancel = zraster_cancel_new();
         interruption_raises(serving->engine.cancel);
-        atomic_store(&serving->is_cancelled, false);
         pthread_cond_broadcast(&serving->changed);
         pthread_mutex_unlock(&serving->lock);
         zraster_cancel_free(before);

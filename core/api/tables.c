@@ -1,5 +1,5 @@
-/* tables.c - api: parameters, keys of scenes, looks, channels, formats and limits as JSON, for programs that offer
- * them as options; and the schema of scenes. */
+/* tables.c - api: parameters, keys of scenes, looks, channels, encodings, formats and limits as JSON, for programs
+ * that offer them as options; and the schema of scenes. */
 #include <stdlib.h>
 #include <string.h>
 

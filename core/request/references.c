@@ -4,11 +4,12 @@
 
 #include "core.h"
 #include "input/formats/formats.h"
-#include "input/json/json_text.h"
 #include "input/formats/sniff.h"
+#include "input/json/json.h"
 #include "input/text/text.h"
 
-enum { LINE_MAX = 64 << 10 }; /* bytes of a line with names; the rest of a longer one is not read */
+/* LINE_MAX: bytes of a line with names; the rest of a longer one is not read. NAMES_MAX: bytes of names with escapes. */
+enum { LINE_MAX = 64 << 10, NAMES_MAX = 64 << 20 };
 
 struct list {
     char *out;
@@ -173,116 +174,76 @@ static void list_mtl(struct list *list, const char *bytes, const char *end)
 
 /* ---- JSON ---- */
 
-enum { ROOT = 1, ITEM = 3 };
-
-/* glTF: lists the key "uri" of items of "buffers" and "images". The text is not checked. */
-struct json {
-    struct list *list;
-    int depth;
-    bool is_listed; /* within the value of "buffers" or "images" */
-};
-
-/* Returns the end of the string that begins before `at`; sets its has_escapes. */
-static const char *end_of_string(const char *at, const char *end, bool *has_escapes)
+static void add_string(struct list *list, struct zr_json *json)
 {
-    *has_escapes = false;
-    for (;;) {
-        const char *quote = memchr(at, '"', (size_t)(end - at));
-        if (!quote) return NULL;
-        const char *back = quote;
-        while (back > at && back[-1] == '\\')
-            back--;
-        if (!*has_escapes) *has_escapes = memchr(at, '\\', (size_t)(quote - at)) != NULL;
-        if ((quote - back) % 2 == 0) return quote;
-        at = quote + 1;
-    }
+    struct zr_json_text text;
+    if (!zr_json_take_string(json, &text)) return;
+    const char *name = text.has_escapes ? zr_json_decode(json, &text) : NULL;
+    if (name)
+        add(list, name, name + strlen(name));
+    else if (!text.has_escapes)
+        add(list, text.at, text.end);
 }
 
-static bool is_key(const struct zr_json_text *key, const char *word)
+/* glTF: lists the key "uri" of the items of "buffers" and "images". */
+static void list_uris(struct list *list, struct zr_json *json)
 {
-    const size_t length = strlen(word);
-    return (size_t)(key->end - key->at) == length && memcmp(key->at, word, length) == 0;
-}
-
-/* True if all escapes can be resolved. */
-static bool is_well_formed(const struct zr_json_text *text)
-{
-    for (const char *at = text->at; at < text->end; at++) {
-        size_t length;
-        if (*at != '\\') continue;
-        if (++at == text->end || !memchr("\"\\/bfnrtu", *at, 9)) return false;
-        if (*at != 'u') continue;
-        if (zr_json_text_unit(at - 1, text->end, &length) < 0) return false;
-        at += length - 2;
-    }
-    return true;
-}
-
-static void add_string(struct list *list, const struct zr_json_text *text)
-{
-    char name[4096];
-    if (!text->has_escapes) {
-        add(list, text->at, text->end);
-    } else if ((size_t)(text->end - text->at) <= sizeof name && is_well_formed(text)) {
-        const size_t length = zr_json_text_resolve(text, name);
-        add(list, name, name + length);
-    }
-}
-
-static const char *skip_space(const char *at, const char *end)
-{
-    while (at < end && (*at == ' ' || *at == '\n' || *at == '\r' || *at == '\t'))
-        at++;
-    return at;
-}
-
-/* Reads the string at `at` and, if it is a key, a string that is its value. Returns the next byte, or `end`. */
-static const char *read_string(struct json *json, const char *at, const char *end)
-{
-    struct zr_json_text key = {.at = at + 1}, value;
-    key.end = end_of_string(key.at, end, &key.has_escapes);
-    if (!key.end) return end;
-    const char *colon = skip_space(key.end + 1, end);
-    if (colon == end || *colon != ':') return key.end + 1;
-    at = skip_space(colon + 1, end);
-    if (json->depth == ROOT) json->is_listed = is_key(&key, "buffers") || is_key(&key, "images");
-    if (at == end || *at != '"') return at;
-    value.at = at + 1;
-    value.end = end_of_string(value.at, end, &value.has_escapes);
-    if (!value.end) return end;
-    if (json->is_listed && json->depth == ITEM && is_key(&key, "uri")) add_string(json->list, &value);
-    return value.end + 1;
-}
-
-static void list_gltf(struct list *list, const char *at, const char *end)
-{
-    struct json json = {.list = list};
-    while (at < end) {
-        if (*at == '"') {
-            at = read_string(&json, at, end);
+    struct zr_json_text key;
+    for (zr_json_enter(json, '['); zr_json_item(json);) {
+        if (zr_json_type(json) != ZR_JSON_OBJECT) {
+            zr_json_skip(json);
             continue;
         }
-        json.depth += (*at == '{' || *at == '[') - (*at == '}' || *at == ']');
-        at++;
+        for (zr_json_enter(json, '{'); zr_json_member(json, &key);)
+            if (zr_json_is(&key, "uri") && zr_json_type(json) == ZR_JSON_STRING)
+                add_string(list, json);
+            else
+                zr_json_skip(json);
     }
 }
 
-/* Scenes: lists the key "asset" anywhere. Searches for the letter s, which numbers do not have. */
-static void list_scene(struct list *list, const char *bytes, const char *end)
+static void list_gltf(struct list *list, struct zr_json *json)
 {
-    static const char key[] = "\"asset\"";
-    enum { LENGTH = sizeof key - 1, BEFORE = 2 };
-    for (const char *at = bytes; at < end && (at = memchr(at, 's', (size_t)(end - at))) != NULL; at++) {
-        if (at - bytes < BEFORE || end - at < LENGTH - BEFORE || memcmp(at - BEFORE, key, LENGTH) != 0) continue;
-        const char *value = skip_space(at - BEFORE + LENGTH, end);
-        if (value < end && *value == ':') value = skip_space(value + 1, end);
-        if (value == end || *value != '"') continue;
-        struct zr_json_text name = {.at = value + 1};
-        name.end = end_of_string(name.at, end, &name.has_escapes);
-        if (!name.end) return;
-        add_string(list, &name);
-        at = name.end;
+    struct zr_json_text key;
+    for (zr_json_enter(json, '{'); zr_json_member(json, &key);)
+        if ((zr_json_is(&key, "buffers") || zr_json_is(&key, "images")) && zr_json_type(json) == ZR_JSON_LIST)
+            list_uris(list, json);
+        else
+            zr_json_skip(json);
+}
+
+/* Scenes: lists the key "asset" anywhere. A list that begins with a number has none. */
+static void list_assets(struct list *list, struct zr_json *json)
+{
+    struct zr_json_text key;
+    const enum zr_json_type type = zr_json_type(json);
+    struct zr_json inside = *json;
+    if (type == ZR_JSON_OBJECT) {
+        for (zr_json_enter(json, '{'); zr_json_member(json, &key);)
+            if (zr_json_is(&key, "asset") && zr_json_type(json) == ZR_JSON_STRING)
+                add_string(list, json);
+            else
+                list_assets(list, json);
+    } else if (type == ZR_JSON_LIST && zr_json_enter(&inside, '[') && zr_json_type(&inside) != ZR_JSON_NUMBER) {
+        for (zr_json_enter(json, '['); zr_json_item(json);)
+            list_assets(list, json);
+    } else {
+        zr_json_skip(json);
     }
+}
+
+/* Reads a text of JSON as far as it is well-formed. Without memory, names are missing. */
+static void list_json(struct list *list, const char *bytes, size_t size, void (*read)(struct list *, struct zr_json *))
+{
+    static const struct zr_limits limits = {.json_depth_max = ZR_JSON_DEPTH_MAX};
+    struct zr_arena arena;
+    struct zr_error error = {0};
+    struct zr_json json = {.arena = &arena, .limits = &limits, .error = &error};
+    zr_arena_init(&arena, NAMES_MAX);
+    const size_t mark = zr_byte_order_mark(bytes, size);
+    zr_json_open(&json, bytes + mark, size - mark);
+    read(list, &json);
+    zr_arena_free(&arena);
 }
 
 static uint32_t read_u32(const char *at)
@@ -298,7 +259,7 @@ static void list_glb(struct list *list, const char *bytes, size_t size)
     if (size < JSON_AT) return;
     const uint32_t length = read_u32(bytes + JSON_AT - 8);
     const size_t room = size - JSON_AT;
-    list_gltf(list, bytes + JSON_AT, bytes + JSON_AT + (length < room ? length : room));
+    list_json(list, bytes + JSON_AT, length < room ? length : room, list_gltf);
 }
 
 /* ---- interface ---- */
@@ -319,6 +280,7 @@ static enum zr_format find_format(const char *type, const char *bytes, size_t si
 
 size_t zr_references_list(const char *bytes, size_t size, const char *type, char *names, size_t room)
 {
+    static const char asset[] = "\"asset\"";
     struct list list = {.out = names, .room = room};
     if (size == 0) return 0;
     if (is_type(type, "mtl") || is_type(type, "model/mtl")) {
@@ -330,16 +292,16 @@ size_t zr_references_list(const char *bytes, size_t size, const char *type, char
         list_obj(&list, bytes, bytes + size);
         break;
     case ZR_FORMAT_GLTF:
-        list_gltf(&list, bytes, bytes + size);
+        list_json(&list, bytes, size, list_gltf);
         break;
     case ZR_FORMAT_GLB:
         list_glb(&list, bytes, size);
         break;
     case ZR_FORMAT_JSON:
         if (zr_looks_so_GLTF(bytes, size))
-            list_gltf(&list, bytes, bytes + size);
-        else
-            list_scene(&list, bytes, bytes + size);
+            list_json(&list, bytes, size, list_gltf);
+        else if (memmem(bytes, size, asset, sizeof asset - 1)) /* most large scenes have none, and are not read twice */
+            list_json(&list, bytes, size, list_assets);
         break;
     default:
         break;

@@ -1,8 +1,10 @@
 #include "arguments.h"
 
 #include <string.h>
+#include <strings.h>
 
 #include "input/formats/formats.h"
+#include "input/formats/sniff.h"
 #include "input/text/names.h"
 #include "scene/encodings.h"
 #include "scene/looks.h"
@@ -65,6 +67,16 @@ static void put_model(struct mcp_text *text, const struct mcp_host *host)
                                          : "): its bytes, its text or an uploaded asset.");
     mcp_text_put(text, "\",\"properties\":{");
     mcp_keys_put(text, mcp_model_sources, host->reads_files ? MCP_OF_FILES : MCP_OF_ASSETS, host);
+}
+
+bool mcp_model_is_z_up(const char *path, const void *bytes, size_t size)
+{
+    const char *dot = path ? strrchr(path, '.') : NULL;
+    enum zr_format format = ZR_FORMAT_UNKNOWN;
+    if (bytes && !path) format = zr_format_of_bytes(bytes, size);
+    for (int i = 0; dot && i < ZR_FORMAT_COUNT; i++)
+        if (strcasecmp(dot + 1, zr_format_rows[i].suffix) == 0) format = (enum zr_format)i;
+    return format != ZR_FORMAT_UNKNOWN && zr_format_rows[format].z_is_up;
 }
 
 /* ---- rows ---- */

@@ -23,6 +23,9 @@ extern const struct mcp_key mcp_arguments[], mcp_model_sources[], mcp_part_keys[
 /* Adds the keys of a set as the properties of a schema. */
 void mcp_keys_put(struct mcp_text *text, const struct mcp_key *keys, unsigned of, const struct mcp_host *host);
 
+/* Returns true if z is the default up axis of a model's format: by the ending of its path, or by its bytes. */
+bool mcp_model_is_z_up(const char *path, const void *bytes, size_t size);
+
 struct mcp_words mcp_words_of_keys(const struct mcp_key *keys, unsigned of);
 struct mcp_words mcp_words_of_formats(void); /* encodings of pictures: ZR_ENCODING_FOR_AGENTS */
 

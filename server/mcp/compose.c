@@ -9,10 +9,10 @@
 static struct mcp_span find_item(const struct mcp_job *job, struct mcp_span list, unsigned wanted)
 {
     struct mcp_span value = {NULL, NULL};
-    struct mcp_walk walk = mcp_walk_open(list, job->host);
-    mcp_walk_enter(&walk, '[');
-    for (unsigned i = 0; i <= wanted && mcp_walk_item(&walk); i++)
-        mcp_walk_value(&walk, &value);
+    struct zr_json json = zr_json_at(&job->message->json, list.at);
+    zr_json_enter(&json, '[');
+    for (unsigned i = 0; i <= wanted && zr_json_item(&json); i++)
+        value = mcp_span_skip(&json);
     return value;
 }
 
@@ -155,9 +155,9 @@ static size_t copy_member(const struct mcp_job *job, struct mcp_span member, con
     const struct mcp_span meshes = job->own[MCP_OWN_MESHES];
     const char *from = member.at;
     char *end = out;
-    struct mcp_walk walk = mcp_walk_open(meshes, job->host);
+    struct zr_json json = zr_json_at(&job->message->json, meshes.at);
     struct mcp_span found;
-    for (unsigned i = 0; i < job->model_meshes && meshes.end == member.end && mcp_meshes_next(&walk, &found); i++) {
+    for (unsigned i = 0; i < job->model_meshes && meshes.end == member.end && mcp_meshes_next(&json, &found); i++) {
         end = mempcpy(end, from, (size_t)(found.at - from));
         end = mempcpy(end, name->data, name->size);
         from = found.end;
@@ -169,15 +169,15 @@ static size_t copy_member(const struct mcp_job *job, struct mcp_span member, con
 /* Copies the members of the given scene that are not taken. */
 static size_t copy_own(const struct mcp_job *job, const struct head *head, const struct mcp_text *name, char *out)
 {
-    struct mcp_span key, value;
+    struct zr_json_text key;
     size_t size = 0;
-    struct mcp_walk walk = mcp_walk_open(job->message->scene, job->host);
-    mcp_walk_enter(&walk, '{');
-    while (mcp_walk_member(&walk, &key)) {
-        mcp_walk_value(&walk, &value);
+    struct zr_json json = zr_json_at(&job->message->json, job->message->scene.at);
+    zr_json_enter(&json, '{');
+    while (zr_json_member(&json, &key)) {
+        const struct mcp_span value = mcp_span_skip(&json);
         bool is_taken = false;
         for (size_t i = 0; i < head->count && !is_taken; i++)
-            is_taken = mcp_span_is(key, head->taken[i]);
+            is_taken = zr_json_is(&key, head->taken[i]);
         if (is_taken || !value.at) continue;
         out[size++] = ',';
         size += copy_member(job, (struct mcp_span){key.at - 1, value.end}, name, out + size);

@@ -107,9 +107,9 @@ static void check_meshes(struct mcp_job *job, struct mcp_span meshes)
 {
     static const char name[] = "\"model\"";
     struct mcp_span found;
-    struct mcp_walk walk = mcp_walk_open(meshes, job->host);
+    struct zr_json json = zr_json_at(&job->message->json, meshes.at);
     if (memmem(meshes.at, (size_t)(meshes.end - meshes.at), name, sizeof name - 1))
-        while (mcp_meshes_next(&walk, &found))
+        while (mcp_meshes_next(&json, &found))
             job->model_meshes++;
     if (job->model_meshes > 0 && !job->model.is_given)
         mcp_fault(&job->faults, "/model", "the model is missing, which the scene names by {\"asset\": \"model\"}");

@@ -233,16 +233,15 @@ enum mcp_draw_status mcp_handle(const struct mcp_host *host, struct mcp_span tex
     struct exchange exchange = {.host = host, .headers = headers, .reply = reply};
     struct mcp_message *message = &exchange.message;
     const char *why = NULL;
-    enum mcp_walk_fault fault;
     enum mcp_draw_status status = MCP_DRAWN;
     *reply = (struct mcp_reply){.http_status = 202};
     mcp_memory_clear();
-    const int code = mcp_message_read(message, text, host, &why, &fault);
+    const int code = mcp_message_read(message, text, host, &why);
     /* The header alone also marks a modern request. */
     if (code == 0 && headers && headers->version && mcp_header_is(headers->version, MCP_MODERN) &&
         strcmp(message->method, "initialize") != 0)
         message->is_modern = true;
-    if (fault == MCP_WALK_CANCELLED) {
+    if (mcp_host_is_cancelled(host)) {
         status = MCP_CANCELLED;
     } else if (code == MCP_WRONG_PARAMS && !message->id.at) {
         /* a notification has no answer */

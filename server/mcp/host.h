@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/cancel.h"
 #include "span.h"
 
 enum { MCP_FAULTS_MAX = 20, MCP_POINTER_SIZE = 192, MCP_DETAIL_SIZE = 1300 };
@@ -50,15 +51,15 @@ struct mcp_host {
     const char *version;
     bool reads_files;                                 /* models may be paths; else they may be stored assets */
     void (*begin)(void *context, struct mcp_span id); /* called before a request runs; may be NULL */
-    bool (*is_cancelled)(void *context);
-    void *(*allocate)(void *context, size_t size); /* until the end of the message; NULL: out of memory */
+    const struct zr_cancel *cancel;                   /* of the request; NULL: none */
+    void *(*allocate)(void *context, size_t size);    /* until the end of the message; NULL: out of memory */
     enum mcp_draw_status (*draw)(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn);
     void (*release)(void *context, struct mcp_drawn *drawn); /* after MCP_DRAWN */
 };
 
 static inline bool mcp_host_is_cancelled(const struct mcp_host *host)
 {
-    return host->is_cancelled(host->context);
+    return zr_is_cancelled(host->cancel);
 }
 
 #endif

@@ -32,14 +32,14 @@ const cJSON *mcp_job_argument(const struct mcp_job *job, const char *name)
 /* Finds the keys in one pass; the last of a name counts. */
 static void find_own(struct mcp_job *job)
 {
-    struct mcp_span key, value;
+    struct zr_json_text key;
     if (!job->message->scene.at) return;
-    struct mcp_walk walk = mcp_walk_open(job->message->scene, job->host);
-    mcp_walk_enter(&walk, '{');
-    while (mcp_walk_member(&walk, &key)) {
-        mcp_walk_value(&walk, &value);
+    struct zr_json json = zr_json_at(&job->message->json, job->message->scene.at);
+    zr_json_enter(&json, '{');
+    while (zr_json_member(&json, &key)) {
+        const struct mcp_span value = mcp_span_skip(&json);
         for (int i = 0; i < MCP_OWN_COUNT; i++)
-            if (mcp_span_is(key, OWN[i])) job->own[i] = value;
+            if (zr_json_is(&key, OWN[i])) job->own[i] = value;
     }
 }
 
@@ -47,10 +47,10 @@ static unsigned count_items(const struct mcp_job *job, struct mcp_span list)
 {
     unsigned count = 0;
     if (!list.at || *list.at != '[') return 0;
-    struct mcp_walk walk = mcp_walk_open(list, job->host);
-    mcp_walk_enter(&walk, '[');
-    for (; mcp_walk_item(&walk); count++)
-        mcp_walk_value(&walk, NULL);
+    struct zr_json json = zr_json_at(&job->message->json, list.at);
+    zr_json_enter(&json, '[');
+    for (; zr_json_item(&json); count++)
+        zr_json_skip(&json);
     return count;
 }
 

@@ -2,20 +2,20 @@
 
 enum { IN_MESH = 2 };
 
-bool mcp_meshes_next(struct mcp_walk *walk, struct mcp_span *name)
+bool mcp_meshes_next(struct zr_json *json, struct mcp_span *name)
 {
-    struct mcp_span key;
-    if (walk->depth == 0 && mcp_walk_peek(walk) == '[') mcp_walk_enter(walk, '[');
-    while (walk->depth > 0 && walk->fault == MCP_WALK_OK) {
-        if (walk->depth == IN_MESH) {
-            if (!mcp_walk_member(walk, &key)) continue;
-            mcp_walk_value(walk, name);
-            if (mcp_span_is(key, "asset") && mcp_span_is(*name, "\"model\"")) return true;
-        } else if (mcp_walk_item(walk)) {
-            if (mcp_walk_peek(walk) == '{')
-                mcp_walk_enter(walk, '{');
+    struct zr_json_text key;
+    if (json->depth == 0 && zr_json_type(json) == ZR_JSON_LIST) zr_json_enter(json, '[');
+    while (json->depth > 0 && !zr_json_stops(json)) {
+        if (json->depth == IN_MESH) {
+            if (!zr_json_member(json, &key)) continue;
+            *name = mcp_span_skip(json);
+            if (zr_json_is(&key, "asset") && mcp_span_is(*name, "\"model\"")) return true;
+        } else if (zr_json_item(json)) {
+            if (zr_json_type(json) == ZR_JSON_OBJECT)
+                zr_json_enter(json, '{');
             else
-                mcp_walk_value(walk, NULL);
+                zr_json_skip(json);
         }
     }
     return false;

@@ -2,10 +2,10 @@
 #ifndef MCP_MESHES_H
 #define MCP_MESHES_H
 
-#include "walk.h"
+#include "span.h"
 
-/* Goes to the next mesh {"asset": "model"} of a list of meshes, which `walk` was opened on. `name`: the string "model"
+/* Goes to the next mesh {"asset": "model"} of a list of meshes, which is the next value of `json`. `name`: the string "model"
  * with its quotes. False: there are no more. */
-bool mcp_meshes_next(struct mcp_walk *walk, struct mcp_span *name);
+bool mcp_meshes_next(struct zr_json *json, struct mcp_span *name);
 
 #endif

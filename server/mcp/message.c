@@ -1,7 +1,9 @@
 #include "message.h"
 
+#include <stdlib.h>
 #include <string.h>
 
+#include "host.h"
 #include "tree.h"
 
 /* REST_MAX: bytes of a message without its scene and model; a tree takes up to 40 times as many. */
@@ -18,67 +20,69 @@ static struct mcp_span inside_quotes(struct mcp_span string)
     return (struct mcp_span){string.at + 1, string.end - 1};
 }
 
-/* Passes a value that is left out of the tree if it begins with `first`. */
-static void cut(struct mcp_walk *walk, struct cuts *cuts, char first, struct mcp_span *found)
+/* Passes a value, which is left out of the tree if it has the type. */
+static void cut(struct zr_json *json, struct cuts *cuts, enum zr_json_type type, struct mcp_span *found)
 {
-    struct mcp_span value;
-    const bool is_wanted = mcp_walk_peek(walk) == first && cuts->count < CUTS_MAX;
-    mcp_walk_value(walk, &value);
+    const bool is_wanted = zr_json_type(json) == type && cuts->count < CUTS_MAX;
+    const struct mcp_span value = mcp_span_skip(json);
     if (!is_wanted || !value.at) return;
     cuts->at[cuts->count++] = value;
-    *found = first == '"' ? inside_quotes(value) : value;
+    *found = type == ZR_JSON_STRING ? inside_quotes(value) : value;
 }
 
-static void read_model(struct mcp_message *message, struct mcp_walk *walk, struct cuts *cuts)
+static void read_model(struct mcp_message *message, struct zr_json *json, struct cuts *cuts)
 {
-    struct mcp_span key;
-    mcp_walk_enter(walk, '{');
-    while (mcp_walk_member(walk, &key))
-        if (mcp_span_is(key, "base64"))
-            cut(walk, cuts, '"', &message->base64);
-        else if (mcp_span_is(key, "text"))
-            cut(walk, cuts, '"', &message->text);
+    struct zr_json_text key;
+    zr_json_enter(json, '{');
+    while (zr_json_member(json, &key))
+        if (zr_json_is(&key, "base64"))
+            cut(json, cuts, ZR_JSON_STRING, &message->base64);
+        else if (zr_json_is(&key, "text"))
+            cut(json, cuts, ZR_JSON_STRING, &message->text);
         else
-            mcp_walk_value(walk, NULL);
+            zr_json_skip(json);
 }
 
-static void read_arguments(struct mcp_message *message, struct mcp_walk *walk, struct cuts *cuts)
+static void read_arguments(struct mcp_message *message, struct zr_json *json, struct cuts *cuts)
 {
-    struct mcp_span key;
-    mcp_walk_enter(walk, '{');
-    while (mcp_walk_member(walk, &key))
-        if (mcp_span_is(key, "scene"))
-            cut(walk, cuts, '{', &message->scene);
-        else if (mcp_span_is(key, "model") && mcp_walk_peek(walk) == '{')
-            read_model(message, walk, cuts);
+    struct zr_json_text key;
+    zr_json_enter(json, '{');
+    while (zr_json_member(json, &key))
+        if (zr_json_is(&key, "scene"))
+            cut(json, cuts, ZR_JSON_OBJECT, &message->scene);
+        else if (zr_json_is(&key, "model") && zr_json_type(json) == ZR_JSON_OBJECT)
+            read_model(message, json, cuts);
         else
-            mcp_walk_value(walk, NULL);
+            zr_json_skip(json);
 }
 
-static void read_params(struct mcp_message *message, struct mcp_walk *walk, struct cuts *cuts)
+static void read_params(struct mcp_message *message, struct zr_json *json, struct cuts *cuts)
 {
-    struct mcp_span key;
-    mcp_walk_enter(walk, '{');
-    while (mcp_walk_member(walk, &key))
-        if (mcp_span_is(key, "arguments") && mcp_walk_peek(walk) == '{')
-            read_arguments(message, walk, cuts);
+    struct zr_json_text key;
+    zr_json_enter(json, '{');
+    while (zr_json_member(json, &key))
+        if (zr_json_is(&key, "arguments") && zr_json_type(json) == ZR_JSON_OBJECT)
+            read_arguments(message, json, cuts);
         else
-            mcp_walk_value(walk, NULL);
+            zr_json_skip(json);
 }
 
-static void walk_over(struct mcp_message *message, struct mcp_walk *walk, struct cuts *cuts)
+static void read_root(struct mcp_message *message, struct cuts *cuts)
 {
-    struct mcp_span key;
-    if (mcp_walk_peek(walk) != '{') {
-        mcp_walk_value(walk, NULL);
+    struct zr_json_text key;
+    struct zr_json *json = &message->json;
+    if (zr_json_type(json) != ZR_JSON_OBJECT) {
+        zr_json_skip(json);
         return;
     }
-    mcp_walk_enter(walk, '{');
-    while (mcp_walk_member(walk, &key))
-        if (mcp_span_is(key, "params") && mcp_walk_peek(walk) == '{')
-            read_params(message, walk, cuts);
+    zr_json_enter(json, '{');
+    while (zr_json_member(json, &key))
+        if (zr_json_is(&key, "params") && zr_json_type(json) == ZR_JSON_OBJECT)
+            read_params(message, json, cuts);
+        else if (zr_json_is(&key, "id"))
+            message->id = mcp_span_skip(json);
         else
-            mcp_walk_value(walk, mcp_span_is(key, "id") ? &message->id : NULL);
+            zr_json_skip(json);
 }
 
 /* Makes the tree of the rest. Without it, `code` has the reason. */
@@ -150,33 +154,49 @@ static int take(struct mcp_message *message, const char **why)
     return message->params && !cJSON_IsObject(message->params) ? MCP_WRONG_PARAMS : 0;
 }
 
-int mcp_message_read(struct mcp_message *message, struct mcp_span text, const struct mcp_host *host, const char **why,
-                     enum mcp_walk_fault *fault)
+/* Reads the text. Returns 0, or a code with its words. */
+static int read_text(struct mcp_message *message, struct mcp_span text, const struct mcp_host *host, struct cuts *cuts,
+                     const char **why)
+{
+    static const struct zr_limits limits = {.json_depth_max = ZR_JSON_DEPTH_MAX};
+    struct zr_json *json = &message->json;
+    *why = "out of memory";
+    if (!(message->error = calloc(1, sizeof *message->error))) return MCP_INTERNAL;
+    zr_arena_init(&message->arena, 0);
+    *json = (struct zr_json){.arena = &message->arena,
+                             .cancel = host->cancel,
+                             .limits = &limits,
+                             .error = message->error,
+                             .has_nul = &message->has_nul};
+    zr_json_open(json, text.at, (size_t)(text.end - text.at));
+    read_root(message, cuts);
+    zr_json_end(json);
+    const enum zr_status status = zr_json_close(json);
+    if (status == ZR_OK) return 0;
+    *why = status == ZR_BAD_SCENE ? "the message is nested deeper than 512 levels" : "the message is not JSON in UTF-8";
+    message->id = (struct mcp_span){NULL, NULL};
+    return MCP_NOT_JSON;
+}
+
+int mcp_message_read(struct mcp_message *message, struct mcp_span text, const struct mcp_host *host, const char **why)
 {
     struct cuts cuts = {.count = 0};
-    struct mcp_walk walk = mcp_walk_open(text, host);
-    int code;
     *message = (struct mcp_message){.root = NULL};
-    walk_over(message, &walk, &cuts);
-    const bool is_json = mcp_walk_end(&walk);
-    *fault = walk.fault;
-    *why = walk.fault == MCP_WALK_DEEP ? "the message is nested deeper than 512 levels"
-                                       : "the message is not JSON in UTF-8";
-    if (!is_json) {
-        *message = (struct mcp_message){.root = NULL};
-        return MCP_NOT_JSON;
-    }
+    int code = read_text(message, text, host, &cuts, why);
+    if (code != 0) return code;
     code = MCP_NOT_A_REQUEST;
-    message->root = walk.has_nul ? NULL : parse_rest(text, &cuts, &code);
+    message->root = message->has_nul ? NULL : parse_rest(text, &cuts, &code);
     if (message->root) return take(message, why);
     if (message->id.at && !is_id(message->id)) message->id = (struct mcp_span){NULL, NULL};
-    if (code == MCP_NOT_A_REQUEST) *why = "the message has more than 262144 bytes beside its scene and model";
-    if (code == MCP_INTERNAL) *why = "out of memory";
-    if (walk.has_nul) *why = "a text has \\u0000, which is not allowed";
+    *why = message->has_nul            ? "a text has \\u0000, which is not allowed"
+           : code == MCP_NOT_A_REQUEST ? "the message has more than 262144 bytes beside its scene and model"
+           : code == MCP_INTERNAL      ? "out of memory"
+                                       : "the message is not JSON in UTF-8";
     return code;
 }
 
 void mcp_message_free(struct mcp_message *message)
 {
     cJSON_Delete(message->root);
+    free(message->error);
 }

@@ -7,10 +7,12 @@
 
 #include <cjson/cJSON.h>
 
+#include "span.h"
 #include "text.h"
-#include "walk.h"
 
 #define MCP_MODERN "2026-07-28"
+
+struct mcp_host; /* host.h */
 
 enum mcp_code {
     MCP_NOT_JSON = -32700,
@@ -32,12 +34,16 @@ struct mcp_message {
     /* In the text of the message. Of strings: between the quotes, as written. */
     struct mcp_span scene;        /* params.arguments.scene, an object */
     struct mcp_span base64, text; /* params.arguments.model.base64 and text, strings */
+    /* A reader of the text for places in it (zr_json_at), and its members. */
+    struct zr_json json;
+    struct zr_arena arena;
+    struct zr_error *error;
+    bool has_nul; /* a string has \u0000, which would end names and paths */
 };
 
-/* Reads a message. Returns 0, the code of an error, whose words `why` points to, or MCP_NOT_JSON with
- * walk fault MCP_WALK_CANCELLED in *fault. The caller frees the message in every case. */
-int mcp_message_read(struct mcp_message *message, struct mcp_span text, const struct mcp_host *host, const char **why,
-                     enum mcp_walk_fault *fault);
+/* Reads a message, which then stays where it is. Returns 0, or the code of an error, whose words `why` points to; a
+ * cancelled request has any. The caller frees the message in every case. */
+int mcp_message_read(struct mcp_message *message, struct mcp_span text, const struct mcp_host *host, const char **why);
 void mcp_message_free(struct mcp_message *message);
 
 #endif

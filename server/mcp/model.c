@@ -3,12 +3,9 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 #include "arguments.h"
 #include "faults.h"
-#include "input/formats/formats.h"
-#include "input/text/sniff.h"
 #include "tree.h"
 
 enum { LOOK_BYTES = 256 << 10 }; /* decoded within 1 ms */
@@ -102,77 +99,14 @@ static bool decode(const struct mcp_host *host, struct mcp_span text, struct mcp
     return true;
 }
 
-static uint32_t hex_of(const char *at)
-{
-    uint32_t value = 0;
-    for (int i = 0; i < 4; i++)
-        value = value << 4 | (uint32_t)(at[i] <= '9' ? at[i] - '0' : (at[i] | 32) - 'a' + 10);
-    return value;
-}
-
-static char *put_utf8(char *out, uint32_t code)
-{
-    if (code < 0x80) {
-        *out++ = (char)code;
-        return out;
-    }
-    const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
-    *out++ = (char)((more == 1 ? 0xC0 : more == 2 ? 0xE0 : 0xF0) | code >> 6 * more);
-    for (int i = more - 1; i >= 0; i--)
-        *out++ = (char)(0x80 | (code >> 6 * i & 63));
-    return out;
-}
-
-/* Undoes an escape at `at`, which is well-formed. Half of a pair becomes '?'. */
-static const char *undo_escape(const char *at, const char *end, char **out)
-{
-    static const char letters[] = "bfnrt", values[] = "\b\f\n\r\t";
-    const char *letter = strchr(letters, at[1]);
-    if (at[1] != 'u') {
-        *(*out)++ = letter ? values[letter - letters] : at[1];
-        return at + 2;
-    }
-    uint32_t code = hex_of(at + 2);
-    at += 6;
-    if (code >= 0xD800 && code < 0xDC00 && end - at >= 6 && at[0] == '\\' && at[1] == 'u' &&
-        hex_of(at + 2) - 0xDC00 < 0x400) {
-        code = 0x10000 + ((code - 0xD800) << 10) + (hex_of(at + 2) - 0xDC00);
-        at += 6;
-    }
-    *out = put_utf8(*out, code >= 0xD800 && code < 0xE000 ? '?' : code);
-    return at;
-}
-
 static bool unescape(const struct mcp_host *host, struct mcp_span text, struct mcp_model *model)
 {
+    const struct zr_json_text escaped = {text.at, text.end, true};
     char *out = host->allocate(host->context, (size_t)(text.end - text.at) + 1);
-    const char *look = text.at;
     if (!out) return false;
     model->bytes = out;
-    for (const char *at = text.at; at < text.end;) {
-        if (*at == '\\')
-            at = undo_escape(at, text.end, &out);
-        else
-            *out++ = *at++;
-        if (at < look) continue;
-        look = at + LOOK_BYTES;
-        if (mcp_host_is_cancelled(host)) return false;
-    }
-    model->size = (size_t)(out - (const char *)model->bytes);
+    model->size = zr_json_text_resolve(&escaped, out);
     return true;
-}
-
-/* ---- formats ---- */
-
-/* Returns true if z is the default up axis of the model's format. */
-static bool is_z_up(const struct mcp_model *model)
-{
-    const char *dot = model->path ? strrchr(model->path, '.') : NULL;
-    enum zr_format format = ZR_FORMAT_UNKNOWN;
-    if (model->bytes && !model->path) format = zr_format_of_bytes(model->bytes, model->size);
-    for (int i = 0; dot && i < ZR_FORMAT_COUNT; i++)
-        if (strcasecmp(dot + 1, zr_format_rows[i].suffix) == 0) format = (enum zr_format)i;
-    return format != ZR_FORMAT_UNKNOWN && zr_format_rows[format].z_is_up;
 }
 
 /* ---- the argument ---- */
@@ -248,6 +182,6 @@ bool mcp_model_read(const struct mcp_host *host, const struct mcp_message *messa
         is_read = decode(host, message->base64, model, faults);
     else
         is_read = unescape(host, message->text, model);
-    model->z_is_up = is_z_up(model);
+    model->z_is_up = mcp_model_is_z_up(model->path, model->bytes, model->size);
     return is_read;
 }

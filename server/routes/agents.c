@@ -61,12 +61,6 @@ struct agents {
     struct step_times *times;
 };
 
-static bool is_cancelled(void *context)
-{
-    const struct agents *agents = context;
-    return zr_is_cancelled(agents->request->small_only ? agents->cancel->parent : agents->cancel);
-}
-
 static void *allocate(void *context, size_t size)
 {
     const struct agents *agents = context;
@@ -159,7 +153,7 @@ static enum request_next answer_message(struct agents *agents, const struct zr_r
 {
     const struct mcp_host host = {.context = agents,
                                   .version = ZR_VERSION,
-                                  .is_cancelled = is_cancelled,
+                                  .cancel = agents->request->small_only ? agents->cancel->parent : agents->cancel,
                                   .allocate = allocate,
                                   .draw = draw,
                                   .release = release};

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "format_rows.h"
+#include "scene/encodings.h"
 #include "support/renderer.h"
 #include "support/tests.h"
 
@@ -179,6 +180,7 @@ TEST(tables_list_all_parameters_and_looks)
     assert_true(cJSON_GetArraySize(cJSON_GetObjectItem(all, "channels")) >= 15);
 #define ONE(...) +1
     assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(all, "formats")), 0 ZR_FORMAT_ROWS(ONE));
+    assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(all, "encodings")), ZR_ENCODING_COUNT);
     assert_non_null(strstr(tables, "\"looks\":["));
     assert_non_null(strstr(tables, "\"studio@1\""));
     assert_non_null(strstr(tables, "\"windowSideMax\":8192"));

@@ -108,7 +108,8 @@ static const char *pass_escape(struct zr_json *json, const char *at)
     }
     if (at[1] != 'u') return at + 2;
     const int32_t character = zr_json_text_unit(at, json->end, &length);
-    if (character > 0) return at + length;
+    if (character == 0 && json->has_nul) *json->has_nul = true;
+    if (character > 0 || (character == 0 && json->has_nul)) return at + length;
     if (character == 0)
         fail_limit(json, at, "U+0000 in a string", 0);
     else

@@ -42,6 +42,7 @@ struct zr_json {
     struct zr_json_uris *uris;       /* json_uris.h; NULL: long data: URIs are not noted */
     unsigned depth;                  /* open lists and objects around `at` */
     bool ended;    /* reading has ended: the text is malformed or too deep, or the request is cancelled */
+    bool *has_nul; /* set by U+0000 in a string; NULL: it is refused */
     bool is_ahead; /* reads a part of a list in parallel: a fault ends the part without a report (json_list.h) */
     char *room;    /* memory for such parts; NULL until the first large list */
 };

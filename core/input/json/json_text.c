@@ -82,5 +82,5 @@ bool zr_json_is(const struct zr_json_text *text, const char *word)
         size = zr_json_text_resolve(text, plain);
         at = plain;
     }
-    return strncmp(at, word, size) == 0 && word[size] == '\0';
+    return strncmp(at, word, size) == 0 && strlen(word) == size;
 }
