@@ -3,12 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "schema/kinds.h"
-#include "schema/schema.h"
-#include "input/scene/json_objects.h"
 #include "input/query/parameters.h"
+#include "input/scene/json_objects.h"
 #include "markdown.h"
 #include "parameter_rows.h"
+#include "schema/kinds.h"
+#include "schema/schema.h"
 
 /* CELL_WORDS: a longer value stands below its table; LIST_WORDS: a longer enumeration stands in a block. */
 enum { NAME_SIZE = 160, CELL_WORDS = 15, LIST_WORDS = 20, LINE_SIZE = 100 };
@@ -57,13 +57,6 @@ static const cJSON *find_key(const cJSON *all, const char *object, const char *k
         if (!found) found = values_member(values_member(values_follow(all, type), "properties"), key);
     }
     return found;
-}
-
-static bool has_types(const struct zr_json_object *object)
-{
-    for (size_t i = 0; i < object->count; i++)
-        if (object->fields[i].of) return true;
-    return false;
 }
 
 static void put_types(FILE *out, const struct zr_json_object *object, uint32_t of)
@@ -149,7 +142,7 @@ bool tables_print_object(const struct tables *tables, const char *name)
     char path[VALUES_PATH_SIZE];
     char *below[64] = {NULL};
     if (!object) return false;
-    const bool is_typed = has_types(object);
+    const bool is_typed = object->has_types;
     if (values_path(tables->values.all, name, path))
         fprintf(out, *path ? "Place in a scene: `%s`%s.\n\n" : "Place: the whole scene%s%s.\n\n", path,
                 values_places(tables->values.all, name) > 1 ? ", among others" : "");

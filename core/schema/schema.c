@@ -4,11 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "schema/kinds.h"
-#include "input/text/color_text.h"
 #include "input/scene/json_objects.h"
-#include "input/text/number.h"
 #include "input/scene/outputs.h"
+#include "input/text/color_text.h"
+#include "input/text/number.h"
+#include "schema/kinds.h"
 
 #define OBJECT(name) &zr_json_object_##name,
 const struct zr_json_object *const zr_schema_objects[] = {ZR_JSON_OBJECTS(OBJECT)};
@@ -177,13 +177,6 @@ static void print_field(struct zr_print *print, const struct zr_json_field *fiel
 
 /* ---- objects ---- */
 
-static bool has_types(const struct zr_json_object *object)
-{
-    for (size_t i = 0; i < object->count; i++)
-        if (object->fields[i].of) return true;
-    return false;
-}
-
 /* Writes "spotLight" for the type spot of the object light. */
 static void write_type_name(const struct zr_json_object *object, int type, char name[NAME_SIZE])
 {
@@ -260,6 +253,73 @@ static void print_channels(struct zr_print *print)
     zr_print_end(print, '}');
 }
 
+/* ---- rules ---- */
+
+/* Prints a schema that refuses the keys of a set; inside "not", one that wants one of them. */
+static void print_absent(struct zr_print *print, const char *name, const struct zr_json_object *object, uint64_t set)
+{
+    zr_print_begin(print, name, '{');
+    zr_print_begin(print, "properties", '{');
+    for (size_t i = 0; i < object->count; i++)
+        if (set & ZR_KEY(i)) zr_print_bool(print, object->fields[i].key, false);
+    zr_print_end(print, '}');
+    zr_print_end(print, '}');
+}
+
+/* Prints what a rule says if `key` is given. */
+static void print_dependent(struct zr_print *print, const struct zr_json_object *object,
+                            const struct zr_json_rule *rule, size_t key)
+{
+    const char *name = object->fields[key].key;
+    uint64_t others = 0;
+    int own = 0;
+    while (own < ZR_RULE_SETS && !(rule->sets[own] & ZR_KEY(key)))
+        own++;
+    for (int i = own + 1; i < ZR_RULE_SETS; i++)
+        others |= rule->sets[i];
+    if (rule->kind == ZR_RULE_ALL && own == 0) {
+        zr_print_begin(print, name, '{');
+        zr_print_begin(print, "required", '[');
+        for (size_t i = 0; i < object->count; i++)
+            if (rule->sets[0] & ZR_KEY(i)) zr_print_string(print, NULL, object->fields[i].key);
+        zr_print_end(print, ']');
+        zr_print_end(print, '}');
+    } else if (rule->kind == ZR_RULE_NEEDS && own == 0) {
+        zr_print_begin(print, name, '{');
+        print_absent(print, "not", object, others);
+        zr_print_end(print, '}');
+    } else if (others && (rule->kind == ZR_RULE_APART || rule->kind == ZR_RULE_AGAINST)) {
+        print_absent(print, name, object, others);
+    }
+}
+
+static void print_rule(struct zr_print *print, const struct zr_json_object *object, const struct zr_json_rule *rule,
+                       int type)
+{
+    zr_print_begin(print, NULL, '{');
+    if (rule->kind == ZR_RULE_SOME) {
+        print_absent(print, "not", object, rule->sets[0]);
+    } else {
+        zr_print_begin(print, "dependentSchemas", '{');
+        for (size_t key = 0; key < object->count; key++)
+            if (is_of(&object->fields[key], type)) print_dependent(print, object, rule, key);
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, '}');
+}
+
+/* Prints a schema per rule, all of which hold. */
+static void print_rules(struct zr_print *print, const struct zr_json_object *object, int type)
+{
+    if (object->rule_count == 0) return;
+    zr_print_begin(print, "allOf", '[');
+    for (size_t i = 0; i < object->rule_count; i++)
+        print_rule(print, object, &object->rules[i], type);
+    zr_print_end(print, ']');
+}
+
+/* ---- the schema of an object ---- */
+
 /* Prints an object as a member of the open object; `type`: one of its types, or -1 for all keys. */
 static void print_closed(struct zr_print *print, const char *name, const struct zr_json_object *object, int type,
                          bool has_examples)
@@ -281,7 +341,8 @@ static void print_closed(struct zr_print *print, const char *name, const struct 
         }
     }
     zr_print_end(print, '}');
-    if (object->rules) zr_print_members(print, object->rules);
+    print_rules(print, object, type);
+    if (object->schema) zr_print_members(print, object->schema);
     if (object->examples && has_examples) zr_print_json(print, "examples", object->examples);
     if (object == &zr_json_object_output) print_channels(print);
     zr_print_end(print, '}');
@@ -333,7 +394,7 @@ static void add_object(struct definitions *all, const struct zr_json_object *obj
 {
     struct definition *item = begin(all, object->name);
     struct zr_print print = {.out = &all->text};
-    const bool is_typed = has_types(object);
+    const bool is_typed = object->has_types;
     if (is_typed)
         print_types(&print, object);
     else

@@ -10,13 +10,8 @@ struct given {
     struct zr_bytes_name name;
 };
 static const struct zr_json_field fields[] = {ZR_BYTES_NAME_FIELDS(struct given, name)};
-/* clang-format off */
-const struct zr_json_object zr_json_object_bytes = ZR_JSON_RULED_OBJECT("bytes", fields,
-    {
-        "not": {"properties": {"uri": false, "asset": false}},
-        "dependentSchemas": {"uri": {"properties": {"asset": false}}}
-    });
-/* clang-format on */
+static const struct zr_json_rule rules[] = {ZR_BYTES_NAME_RULES(0)};
+const struct zr_json_object zr_json_object_bytes = {ZR_JSON_FIELDS("bytes", fields), ZR_JSON_RULES(rules)};
 
 bool zr_json_check_read(struct zr_json *json, const struct zr_json_path *path, enum zr_status status,
                         const struct zr_reason *reason)
@@ -71,8 +66,6 @@ static bool read_asset(struct zr_json *json, const struct zr_json_path *path, co
 static bool find_named(struct zr_json *json, const struct zr_json_path *path, const struct zr_bytes_name *name,
                        struct zr_asset *out)
 {
-    if (!name->uri == !name->asset)
-        return zr_json_fault(json, path, "%s of uri and asset is needed", name->uri ? "only one" : "one");
     *out = (struct zr_asset){.name = ""};
     return name->uri ? read_uri(json, ZR_JSON_KEY(path, ZR_BYTES_URI), name->uri, out)
                      : read_asset(json, ZR_JSON_KEY(path, ZR_BYTES_ASSET), name->asset, out);

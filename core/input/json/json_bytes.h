@@ -21,6 +21,16 @@
         .text = "name of a file beside the scene (HTTP: of a part), or sha256: and the hash of an asset"               \
     }
 
+/* The rules of these keys, whose numbers in the table are `first` and `first` + 1. */
+#define ZR_BYTES_NAME_RULES(first)                                                                                     \
+    {.kind = ZR_RULE_SOME, .text = "one of uri and asset is needed", .sets = {ZR_KEY(first) | ZR_KEY((first) + 1)}},   \
+    {                                                                                                                  \
+        .kind = ZR_RULE_APART, .text = "only one of uri and asset is needed", .sets = {                                \
+            ZR_KEY(first),                                                                                             \
+            ZR_KEY((first) + 1)                                                                                        \
+        }                                                                                                              \
+    }
+
 /* Find the bytes of a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."}. They stay in the arena or
  * in the request. */
 bool zr_parsed_read_named(struct zr_json *json, const struct zr_json_path *path, const struct zr_bytes_name *name,

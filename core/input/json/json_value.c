@@ -2,73 +2,12 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "input/text/color_text.h"
 #include "input/text/nearest.h"
 #include "input/text/text.h"
 #include "scene/scene.h"
-
-enum { PATH_LINKS_MAX = 16, POINTER_ROOM = ZR_POINTER_SIZE + 8 };
-
-/* ---- faults ---- */
-
-/* RFC 6901, section 3: ~ becomes ~0 and / becomes ~1. A key without room is cut short; the text is then still too long
- * for zr_error_add, which cuts it at a whole character. */
-static size_t write_key(char *text, size_t used, const char *key)
-{
-    for (; *key && used + 2 < POINTER_ROOM; key++) {
-        if (*key == '~' || *key == '/') {
-            text[used++] = '~';
-            text[used++] = *key == '~' ? '0' : '1';
-        } else {
-            text[used++] = *key;
-        }
-    }
-    return used;
-}
-
-static void write_pointer(const struct zr_json_path *path, char text[POINTER_ROOM])
-{
-    const struct zr_json_path *links[PATH_LINKS_MAX];
-    size_t count = 0, used = 0;
-    for (; path && count < PATH_LINKS_MAX; path = path->parent)
-        links[count++] = path;
-    while (count > 0 && used + 24 < POINTER_ROOM) {
-        const struct zr_json_path *link = links[--count];
-        if (link->key) {
-            text[used++] = '/';
-            used = write_key(text, used, link->key);
-        } else {
-            used += (size_t)snprintf(text + used, POINTER_ROOM - used, "/%zu", link->index);
-        }
-    }
-    text[used] = '\0';
-}
-
-const char *zr_json_pointer(struct zr_arena *arena, const struct zr_json_path *path)
-{
-    char pointer[POINTER_ROOM];
-    write_pointer(path, pointer);
-    return zr_arena_copy(arena, pointer, strlen(pointer) + 1);
-}
-
-bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
-{
-    char pointer[POINTER_ROOM], detail[ZR_DETAIL_SIZE + 8];
-    if (json->is_ahead) zr_json_give_up(json);
-    if (json->ended || !zr_arena_ok(json->arena)) return false;
-    write_pointer(path, pointer);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(detail, sizeof detail, format, arguments);
-    va_end(arguments);
-    zr_error_add(json->error, ZR_BAD_SCENE, pointer, "%s", detail);
-    zr_json_look(json);
-    return false;
-}
 
 static const char *const kinds[] = {"nothing", "null", "a boolean", "a number", "a string", "a list", "an object"};
 
@@ -112,18 +51,21 @@ static size_t find_field(const struct zr_json_object *object, const struct zr_js
     return object->count;
 }
 
-static void read_field(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
-                       const struct zr_json_text *key, size_t number, void *out, uint64_t *given)
+static void read_field(struct zr_json_reading *reading, const struct zr_json_text *key, size_t number)
 {
+    struct zr_json *json = reading->json;
+    const struct zr_json_path *path = reading->path;
+    const struct zr_json_object *object = reading->object;
     const struct zr_json_field *field = &object->fields[number];
-    const uint64_t bit = UINT64_C(1) << (number & 63);
-    if (number < object->count && field->read && !(*given & bit)) {
-        *given |= bit;
-        field->read(json, ZR_JSON_FIELD(path, field), (char *)out + field->offset);
+    const uint64_t bit = ZR_KEY(number & 63);
+    if (number < object->count && field->read && !(*reading->given & bit)) {
+        *reading->given |= bit;
+        field->read(json, ZR_JSON_FIELD(path, field), (char *)reading->out + field->offset);
         return;
     }
     const char *word = zr_json_decode(json, key);
     if (!zr_json_skip(json) || !word) return;
+    reading->has_unknown |= number == object->count;
     if (number == object->count)
         report_unknown(json, path, object, word);
     else
@@ -147,19 +89,20 @@ static bool take_first(struct zr_json *json, const char *key)
 bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
                     void *out, uint64_t *given)
 {
+    struct zr_json_reading reading = {json, path, object, out, given, 0, false};
     struct zr_json_text key = {NULL, NULL, false};
     size_t number = 0;
     *given = 0;
     if (!expect(json, path, ZR_JSON_OBJECT, "an object") || !zr_json_enter(json, '{')) return false;
-    if (object->fields[0].read && take_first(json, object->fields[0].key))
-        read_field(json, path, object, &key, 0, out, given);
+    if (object->fields[0].read && take_first(json, object->fields[0].key)) read_field(&reading, &key, 0);
     while (zr_json_member(json, &key)) {
         number = find_field(object, &key, number < object->count ? number : 0);
-        read_field(json, path, object, &key, number, out, given);
+        read_field(&reading, &key, number);
     }
     for (size_t i = 0; i < object->count && object->fields[i].required; i++)
-        if (!(*given >> i & 1u))
+        if (!zr_json_gives(*given, (int)i))
             zr_json_fault(json, path, "%s is missing: %s", object->fields[i].key, object->fields[i].text);
+    if (object->rule_count || object->has_types) zr_json_check_rules(&reading);
     return true;
 }
 

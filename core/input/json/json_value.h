@@ -11,95 +11,18 @@
 #include <stdint.h>
 
 #include "base/vec.h"
-#include "input/json/json.h"
-#include "input/text/names.h"
-
-struct zr_json_field;
-
-/* The place of a reader in the text: a chain of links on the stack, formatted as a JSON Pointer (RFC 6901) for faults
- * only. `key` is NULL for an item of a list. */
-struct zr_json_path {
-    const struct zr_json_path *parent; /* NULL: the root */
-    const char *key;
-    size_t index;
-    const struct zr_json_field *field; /* row of the key whose value is read; NULL: an item, or a key of no table */
-};
-
-#define ZR_JSON_KEY(parent, key)     (&(const struct zr_json_path){(parent), (key), 0, NULL})
-#define ZR_JSON_ITEM(parent, index)  (&(const struct zr_json_path){(parent), NULL, (index), NULL})
-#define ZR_JSON_FIELD(parent, field) (&(const struct zr_json_path){(parent), (field)->key, 0, (field)})
-
-/* ---- faults ---- */
-
-/* Reports ZR_BAD_SCENE at `path` (NULL: the root); returns false. Reports nothing once the arena has failed, since
- * values that could not be kept would seem to be missing. Ends a part that json_list.h reads ahead. */
-bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-/* Returns the JSON Pointer of a path, in the arena. NULL without memory. */
-const char *zr_json_pointer(struct zr_arena *arena, const struct zr_json_path *path);
+#include "input/json/json_table.h"
 
 /* Reports that `what` was expected and the next value found, skips that value and returns false. */
 bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const char *what);
 
 /* ---- objects ---- */
 
-struct zr_json_object;
-
-/* Reads the value at `path` into *out, as path->field says. */
-typedef bool zr_json_read_fn(struct zr_json *json, const struct zr_json_path *path, void *out);
-
-/* One key of an object. */
-struct zr_json_field {
-    const char *key;
-    zr_json_read_fn *read; /* NULL: reserved for a later version */
-    size_t offset;         /* of the output member in the object's struct */
-    double low, high;      /* bounds of a number */
-    const struct zr_names *words;
-    const struct zr_json_object *object; /* table of the value's keys, or of a list's items; NULL: neither */
-    bool required;                       /* required fields come first in their table */
-    const char *unit, *otherwise, *text; /* documentation: the unit, the default, the meaning */
-    const char *schema;                  /* of the value, as JSON Schema; NULL: follows from `read`, `object` or `words`
-                                            (schema/schema.h) */
-    uint32_t of, required_of;            /* of a key of some types only: bits of the words of the first key; 0: all */
-};
-
-/* A schema as text. Tokens are not expanded: true and false stay words. Refers to kinds of values and to objects as
- * "#/$defs/NAME". */
-#define ZR_SCHEMA(...)     #__VA_ARGS__
-#define ZR_SCHEMA_OF(name) "{\"$ref\": \"#/$defs/" name "\"}"
-
-/* The keys of one kind of object, at most 64; the first has a reader. */
-struct zr_json_object {
-    const char *name;
-    size_t count;
-    const struct zr_json_field *fields;
-    const char *rules;    /* members of the object's schema about several keys, as an object; NULL: none */
-    const char *examples; /* list of objects; NULL: none */
-};
-#define ZR_JSON_OBJECT_OF(name, fields)                                                                                \
-    {                                                                                                                  \
-        (name), sizeof(fields) / sizeof((fields)[0]), (fields), NULL, NULL                                             \
-    }
-#define ZR_JSON_RULED_OBJECT(name, fields, ...)                                                                        \
-    {                                                                                                                  \
-        (name), sizeof(fields) / sizeof((fields)[0]), (fields), #__VA_ARGS__, NULL                                     \
-    }
-
-#define ZR_JSON_SHOWN_OBJECT(name, fields, rules, examples)                                                            \
-    {                                                                                                                  \
-        (name), sizeof(fields) / sizeof((fields)[0]), (fields), rules, examples                                        \
-    }
-
 /* Reads an object into *out, in the order of the text, and sets bit i of *given if field i is present. Reports unknown,
- * unsupported, repeated and missing keys, and still reads the others. False only if the next value is no object. */
+ * unsupported, repeated and missing keys and broken rules, and still reads the others. False only if the next value is
+ * no object. */
 bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
                     void *out, uint64_t *given);
-
-static inline bool zr_json_gives(uint64_t given, int field)
-{
-    return given >> field & 1u;
-}
 
 /* ---- values; `field` is path->field ---- */
 

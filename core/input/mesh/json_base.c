@@ -40,10 +40,10 @@ static const struct zr_json_field fields[] = {
     [FIRST_FACE_ID] = {"firstFaceId", zr_json_whole, offsetof(struct reader, first_face_id),
                        .otherwise = "the largest id of the base + 1", .text = "id of the first new face",
                        .schema = ZR_SCHEMA({"type" : "integer", "minimum" : 1, "maximum" : 4294967295})}};
-/* clang-format off */
-const struct zr_json_object zr_json_object_base = ZR_JSON_RULED_OBJECT("base", fields,
-    {"not": {"properties": {"windowDepth": false, "depth": false}}});
-/* clang-format on */
+static const struct zr_json_rule rules[] = {
+    {ZR_RULE_SOME, .text = "windowDepth is missing: the base needs it, or depth, to hide what lies behind its surfaces",
+     .sets = {ZR_KEY(WINDOW_DEPTH) | ZR_KEY(DEPTH)}}};
+const struct zr_json_object zr_json_object_base = {ZR_JSON_FIELDS("base", fields), ZR_JSON_RULES(rules)};
 
 static bool has(const struct reader *reader, int key)
 {
@@ -231,9 +231,6 @@ void zr_parsed_read_base(struct zr_parsed_scene *root, const struct zr_json_path
         struct zr_json image = zr_json_at(json, reader.places[key]);
         if (has(&reader, key)) zr_parsed_read_bytes(&image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
     }
-    if (!has(&reader, WINDOW_DEPTH) && !has(&reader, DEPTH))
-        zr_json_fault(json, path,
-                      "windowDepth is missing: the base needs it, or depth, to hide what lies behind its surfaces");
     if (json->error->count > 0 || !zr_arena_ok(json->arena) || !window_is_good(root)) return;
     if (has(&reader, COLOR)) read_color(&reader);
     if (has(&reader, WINDOW_DEPTH)) read_window_depth(&reader);

@@ -66,35 +66,28 @@ static const struct zr_json_field fields[] = {
     ZR_SCALARS_FIELDS(struct zr_parsed_mesh, scalars),
     ZR_SIDES_FIELD(struct zr_parsed_mesh, face_style),
     {.key = "data"}};
+#define FILES  (ZR_KEY(FILE_URI) | ZR_KEY(FILE_ASSET))
+#define SHAPES (ZR_KEY(POSITIONS) | ZR_KEY(FACES) | ZR_KEY(LINES) | ZR_KEY(POINTS))
+#define LISTS                                                                                                          \
+    (SHAPES | ZR_KEY(NORMALS) | ZR_KEY(COLORS) | ZR_KEY(FACE_COLORS) | ZR_KEY(HEIGHTS) | ZR_KEY(TEXCOORDS) |           \
+     ZR_KEY(TEXCOORDS1) | ZR_KEY(TANGENTS))
+/* A mesh has heights, a file, or positions with faces, lines or points. A file brings its lists and colours. */
+static const struct zr_json_rule rules[] = {
+    {ZR_RULE_AGAINST, .text = "two shapes: %s and %s", .sets = {FILES, LISTS}},
+    {ZR_RULE_APART, .text = "only one of uri and asset is needed", .sets = {ZR_KEY(FILE_URI), ZR_KEY(FILE_ASSET)}},
+    {ZR_RULE_AGAINST, .text = "two shapes: %s and %s", .sets = {ZR_KEY(HEIGHTS), SHAPES}},
+    {ZR_RULE_SOME, .text = "positions is missing", .sets = {ZR_KEY(POSITIONS) | ZR_KEY(HEIGHTS) | FILES}},
+    {ZR_RULE_SOME, .text = "faces is missing, and so are lines and points",
+     .sets = {ZR_KEY(FACES) | ZR_KEY(LINES) | ZR_KEY(POINTS) | ZR_KEY(HEIGHTS) | FILES}}};
+#undef FILES
+#undef SHAPES
+#undef LISTS
 /* clang-format off */
-const struct zr_json_object zr_json_object_mesh = ZR_JSON_SHOWN_OBJECT("mesh", fields,
-    ZR_SCHEMA({
-        "if": {"properties": {"heights": false}},
-        "then": {
-            "if": {"properties": {"uri": false, "asset": false}},
-            "then": {
-                "not": {
-                    "anyOf": [
-                        {"properties": {"positions": false}},
-                        {"properties": {"faces": false, "lines": false, "points": false}}
-                    ]
-                }
-            },
-            "else": {
-                "properties": {
-                    "positions": false, "normals": false, "colors": false, "faceColors": false, "faces": false,
-                    "lines": false, "points": false, "texcoords": false, "texcoords1": false, "tangents": false,
-                    "scalars": false, "colormap": false, "range": false
-                }
-            }
-        },
-        "else": {
-            "properties": {
-                "positions": false, "faces": false, "lines": false, "points": false, "uri": false, "asset": false
-            }
-        },
+const struct zr_json_object zr_json_object_mesh = {ZR_JSON_FIELDS("mesh", fields), ZR_JSON_RULES(rules),
+    .schema = ZR_SCHEMA({
         "dependentSchemas": {
-            "uri": {"properties": {"asset": false}},
+            "uri": {"properties": {"scalars": false, "colormap": false, "range": false}},
+            "asset": {"properties": {"scalars": false, "colormap": false, "range": false}},
             "scalars": {"properties": {"colors": false, "faceColors": false}},
             "colormap": {
                 "if": {"properties": {"scalars": false}},
@@ -108,10 +101,10 @@ const struct zr_json_object zr_json_object_mesh = ZR_JSON_SHOWN_OBJECT("mesh", f
             }
         }
     }),
-    ZR_SCHEMA([
+    .examples = ZR_SCHEMA([
         {"positions": [[0, 0, 0], [2, 0, 0], [1, 2, 0]], "faces": [[0, 1, 2]]},
         {"heights": [[0, 1, 0], [1, 2, 1]], "colormap": "viridis"}, {"asset": "part.stl"}
-    ]));
+    ])};
 /* clang-format on */
 
 static bool gives(const struct zr_parsed_mesh *given, int key)
@@ -124,14 +117,11 @@ static bool has_file(const struct zr_parsed_mesh *given)
     return gives(given, FILE_URI) || gives(given, FILE_ASSET);
 }
 
-/* A model file brings its lists and colours, so the mesh must not give any. */
+/* A model file brings its colours. */
 static bool check_file(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given)
 {
     const char *file = fields[gives(given, FILE_URI) ? FILE_URI : FILE_ASSET].key;
     const size_t faults = json->error->count;
-    for (int key = POSITIONS; key <= TANGENTS; key++)
-        if (gives(given, key) && key != POINT_SIZE && key != POINT_SHAPE)
-            zr_json_fault(json, path, "two shapes: %s and %s", file, fields[key].key);
     if (given->scalars.values.items)
         zr_json_fault(json, ZR_JSON_KEY(path, "scalars"), "two kinds of colours: %s and scalars", file);
     else
@@ -162,8 +152,9 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, void 
                                        .heights.values.size = sizeof(float),
                                        .scalars = ZR_SCALARS_UNSET};
         const struct zr_json_path *at = ZR_JSON_ITEM(path, list->count);
+        const size_t faults = json->error->count;
         if (zr_json_fields(json, at, &zr_json_object_mesh, &given, &given.keys) && has_file(&given) &&
-            check_file(json, at, &given))
+            check_file(json, at, &given) && json->error->count == faults)
             given.model = zr_model_read(out, at, &given.file);
         struct zr_parsed_mesh *kept = zr_growing_next(list, json);
         if (!kept) return false;
@@ -175,20 +166,6 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, void 
 }
 
 /* ---- meshes ---- */
-
-/* A mesh has heights, a file, or positions with faces, lines or points. */
-static void check_shape(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given)
-{
-    static const int others[] = {POSITIONS, FACES, LINES, POINTS};
-    if (gives(given, HEIGHTS)) {
-        for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-            if (gives(given, others[i])) zr_json_fault(json, path, "two shapes: heights and %s", fields[others[i]].key);
-        return;
-    }
-    if (!gives(given, POSITIONS)) zr_json_fault(json, path, "positions is missing");
-    if (!gives(given, FACES) && !gives(given, LINES) && !gives(given, POINTS))
-        zr_json_fault(json, path, "faces is missing, and so are lines and points");
-}
 
 /* Returns the items of a list that must have `wanted` items; NULL if it is not given. Reports another length. */
 static const void *one_each(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
@@ -280,7 +257,6 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
                              .number = (uint32_t)path->index};
     *mesh = (struct zr_mesh){.name = given->name ? given->name : ""};
     if (has_file(given) && !given->model) return; /* refused before */
-    if (!given->model) check_shape(json, path, given);
     if (given->material)
         style.material = zr_parsed_find_material(root, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
     if (given->model) {

@@ -116,10 +116,10 @@ static const struct zr_json_field fields[] = {
     [CHILDREN] = {"children", zr_json_place, AT(children), .otherwise = "[]", .text = "numbers or names of child nodes",
                   .schema = ZR_SCHEMA(
                       {"type" : "array", "items" : {"anyOf" : [ {"$ref" : "#/$defs/index"}, {"type" : "string"} ]}})}};
-/* clang-format off */
-const struct zr_json_object zr_json_object_node = ZR_JSON_RULED_OBJECT("node", fields,
-    {"dependentSchemas": {"matrix": {"properties": {"translation": false, "rotation": false, "scale": false}}}});
-/* clang-format on */
+static const struct zr_json_rule rules[] = {
+    {ZR_RULE_AGAINST, .text = "two transformations: %s and %s",
+     .sets = {ZR_KEY(MATRIX), ZR_KEY(TRANSLATION) | ZR_KEY(ROTATION) | ZR_KEY(SCALE)}}};
+const struct zr_json_object zr_json_object_node = {ZR_JSON_FIELDS("node", fields), ZR_JSON_RULES(rules)};
 
 /* Pose of a node as read. */
 struct own_pose {
@@ -141,12 +141,7 @@ static zr_mat4 find_local(struct zr_json *json, const struct zr_json_path *path,
                           uint64_t keys)
 {
     const zr_vec4 q = given->rotation;
-    if (zr_json_gives(keys, MATRIX)) {
-        for (int key = TRANSLATION; key <= SCALE; key++)
-            if (zr_json_gives(keys, key))
-                zr_json_fault(json, path, "two transformations: %s and %s", fields[MATRIX].key, fields[key].key);
-        return given->matrix;
-    }
+    if (zr_json_gives(keys, MATRIX)) return given->matrix;
     if (!(zr_json_gives(keys, TRANSLATION) || zr_json_gives(keys, ROTATION) || zr_json_gives(keys, SCALE)))
         return zr_mat4_identity();
     if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f)

@@ -161,8 +161,8 @@ const struct zr_json_field zr_scene_fields[] = {
                           .text = "several views: frames of nodes that move"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_scene, face_style)};
 /* clang-format off */
-const struct zr_json_object zr_json_object_scene = ZR_JSON_SHOWN_OBJECT("scene", zr_scene_fields,
-    ZR_SCHEMA({
+const struct zr_json_object zr_json_object_scene = {ZR_JSON_FIELDS("scene", zr_scene_fields),
+    .schema = ZR_SCHEMA({
         "not": {"properties": {"meshes": {"maxItems": 0}, "polygons": {"maxItems": 0}}},
         "dependentSchemas": {
             "views": {"properties": {"turntable": false, "orbit": false, "animate": false}},
@@ -235,11 +235,11 @@ const struct zr_json_object zr_json_object_scene = ZR_JSON_SHOWN_OBJECT("scene",
             }
         }
     }),
-    ZR_SCHEMA([
+    .examples = ZR_SCHEMA([
         {"polygons": [{"vertices": [[0, 0, 0], [2, 0, 0], [1, 2, 0]], "color": "tomato"}]},
         {
             "look": "studio", "meshes": [{"asset": "part.stl"}], "view": {"preset": "front"},
             "outputs": [{"channel": "color"}, {"channel": "depth", "encoding": "png16", "scale": 0.001}]
         }
-    ]));
+    ])};
 /* clang-format on */

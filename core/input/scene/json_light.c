@@ -131,12 +131,13 @@ static const struct zr_json_field fields[] = {
                        .of = OF_SPOT, .schema = ZR_SCHEMA({"type" : "number"})},
     {.key = "spot"},
     {.key = "name"}};
+static const struct zr_json_rule rules[] = {
+    {ZR_RULE_APART, .text = "two angles: %s and %s", .sets = {ZR_KEY(INNER), ZR_KEY(INNER_DEGREES)}},
+    {ZR_RULE_APART, .text = "two angles: %s and %s", .sets = {ZR_KEY(OUTER), ZR_KEY(OUTER_DEGREES)}}};
 /* clang-format off */
-const struct zr_json_object zr_json_object_light = ZR_JSON_RULED_OBJECT("light", fields,
-    {
+const struct zr_json_object zr_json_object_light = {
+    ZR_JSON_FIELDS("light", fields), .has_types = true, ZR_JSON_RULES(rules), .schema = ZR_SCHEMA({
         "dependentSchemas": {
-            "innerConeAngle": {"properties": {"innerConeAngleDegrees": false}},
-            "outerConeAngle": {"properties": {"outerConeAngleDegrees": false}},
             "intensity": {
                 "if": {"properties": {"type": {"enum": ["directional", "hemisphere"]}}},
                 "then": {"properties": {"intensity": {"maximum": 1e6}}}
@@ -148,41 +149,11 @@ const struct zr_json_object zr_json_object_light = ZR_JSON_RULED_OBJECT("light",
                 }
             }
         }
-    });
+    })};
 /* clang-format on */
 
-/* Names a set of types: "types directional, point and spot". */
-static void name_types(uint32_t types, char text[64])
+static void check_cone(struct zr_json *json, const struct zr_json_path *path, const struct given_light *given)
 {
-    const bool is_one = (types & (types - 1)) == 0;
-    size_t used = (size_t)snprintf(text, 64, is_one ? "type" : "types");
-    for (int type = 0; types; type++, types >>= 1) {
-        if (!(types & 1u)) continue;
-        const char *const before = strchr(text, ' ') == NULL ? " " : types == 1u ? " and " : ", ";
-        used += (size_t)snprintf(text + used, 64 - used, "%s%s", before, light_types[type]);
-    }
-}
-
-static void check_keys(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int type)
-{
-    char named[64];
-    for (int key = 0; key < (int)zr_json_object_light.count; key++) {
-        const struct zr_json_field *field = &fields[key];
-        if (zr_json_gives(keys, key) && field->of && !(field->of >> type & 1u)) {
-            name_types(field->of, named);
-            zr_json_fault(json, ZR_JSON_KEY(path, field->key), "belongs to lights of the %s only", named);
-        }
-        if (!zr_json_gives(keys, key) && field->required_of >> type & 1u)
-            zr_json_fault(json, path, "%s is missing: %s", field->key, field->text);
-    }
-}
-
-static void check_cone(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
-                       const struct given_light *given)
-{
-    for (int key = INNER; key <= OUTER; key += OUTER - INNER)
-        if (zr_json_gives(keys, key) && zr_json_gives(keys, key + 1))
-            zr_json_fault(json, path, "two angles: %s and %s", fields[key].key, fields[key + 1].key);
     if (!(given->inner_degrees < given->outer_degrees))
         zr_json_fault(json, path, "innerConeAngle must be smaller than outerConeAngle: %.9g and %.9g degrees",
                       given->inner_degrees, given->outer_degrees);
@@ -192,13 +163,11 @@ static void check_cone(struct zr_json *json, const struct zr_json_path *path, ui
                       SHADOW_DEGREES_MAX, given->outer_degrees);
 }
 
-static void check_light(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
-                        const struct given_light *given)
+static void check_light(struct zr_json *json, const struct zr_json_path *path, const struct given_light *given)
 {
     const bool is_placed = given->type == ZR_LIGHT_POINT || given->type == ZR_LIGHT_SPOT;
     const double most = is_placed ? INTENSITY_PLACED_MAX : INTENSITY_MAX;
-    check_keys(json, path, keys, given->type);
-    if (given->type == ZR_LIGHT_SPOT) check_cone(json, path, keys, given);
+    if (given->type == ZR_LIGHT_SPOT) check_cone(json, path, given);
     if (!(given->intensity >= 0.0 && given->intensity <= most))
         zr_json_fault(json, ZR_JSON_KEY(path, fields[INTENSITY].key), "%.10g is outside of %.10g to %.10g",
                       given->intensity, 0.0, most);
@@ -248,7 +217,7 @@ static void read_light(struct zr_parsed_scene *root, struct zr_json *json, const
                                 .outer_degrees = 45};
     uint64_t keys;
     if (!zr_json_fields(json, path, &zr_json_object_light, &given, &keys) || given.type < 0) return;
-    check_light(json, path, keys, &given);
+    check_light(json, path, &given);
     make_light(&given, light, colors);
     if (light->type == ZR_LIGHT_HEMISPHERE) root->linear_key = "the type hemisphere of lights";
     if (light->has_shadows) root->linear_key = "the key shadows of lights";

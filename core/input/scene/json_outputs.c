@@ -80,8 +80,8 @@ static const struct zr_json_field fields[] = {
     [TO] = {"to", zr_read_flow, AT(to), .object = &zr_json_object_flow,
             .text = "the other view, or the other poses of nodes, for the channel flow"}};
 /* clang-format off */
-const struct zr_json_object zr_json_object_output = ZR_JSON_SHOWN_OBJECT("output", fields,
-    ZR_SCHEMA({
+const struct zr_json_object zr_json_object_output = {ZR_JSON_FIELDS("output", fields),
+    .schema = ZR_SCHEMA({
         "dependentRequired": {"scale": ["encoding"], "quality": ["encoding"]},
         "dependentSchemas": {
             "scale": {"properties": {"encoding": {"const": "png16"}}},
@@ -104,10 +104,10 @@ const struct zr_json_object zr_json_object_output = ZR_JSON_SHOWN_OBJECT("output
             "y": {"properties": {"channel": {"const": "fragments"}}}
         }
     }),
-    ZR_SCHEMA([
+    .examples = ZR_SCHEMA([
         {"channel": "color"}, {"channel": "depth", "encoding": "png16", "scale": 0.001},
         {"channel": "fragments", "x": 320, "y": 240}
-    ]));
+    ])};
 /* clang-format on */
 
 static void check_encoding(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,

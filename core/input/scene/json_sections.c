@@ -46,42 +46,26 @@ static const struct zr_json_field plane_fields[] = {
               .text =
                   "side that stays: the far one from the camera, or the one to which normal or axis points or not"}};
 #undef AT
-/* clang-format off */
-const struct zr_json_object zr_json_object_plane = ZR_JSON_RULED_OBJECT("plane", plane_fields,
-    {
-        "if": {"properties": {"axis": false}},
-        "then": {"not": {"properties": {"normal": false}}, "properties": {"offset": false, "fraction": false}},
-        "else": {"properties": {"normal": false, "point": false}},
-        "dependentSchemas": {"offset": {"properties": {"fraction": false}}}
-    });
-/* clang-format on */
-
-static bool check_keys(struct zr_json *json, const struct zr_json_path *path, uint64_t keys)
-{
-    const bool has_axis = zr_json_gives(keys, AXIS), has_normal = zr_json_gives(keys, NORMAL);
-    if (has_axis == has_normal)
-        return zr_json_fault(json, path,
-                             "a plane takes %s: {\"axis\": \"x\", \"fraction\": 0.5}, or {\"point\": "
-                             "[0,0,0], \"normal\": [1,0,0]}",
-                             has_axis ? "either an axis or a normal" : "an axis or a normal");
-    if (has_axis && zr_json_gives(keys, POINT))
-        return zr_json_fault(json, ZR_JSON_KEY(path, "point"),
-                             "belongs to a normal; an axis takes an offset or a fraction");
-    for (int key = OFFSET; has_normal && key <= FRACTION; key++)
-        if (zr_json_gives(keys, key))
-            return zr_json_fault(json, ZR_JSON_KEY(path, plane_fields[key].key),
-                                 "belongs to an axis; a normal takes a point");
-    if (zr_json_gives(keys, OFFSET) && zr_json_gives(keys, FRACTION))
-        return zr_json_fault(json, path, "offset and fraction are two places: give one of them");
-    return true;
-}
+#define EXAMPLES "{\"axis\": \"x\", \"fraction\": 0.5}, or {\"point\": [0,0,0], \"normal\": [1,0,0]}"
+static const struct zr_json_rule plane_rules[] = {
+    {ZR_RULE_SOME, .text = "a plane takes an axis or a normal: " EXAMPLES, .sets = {ZR_KEY(AXIS) | ZR_KEY(NORMAL)}},
+    {ZR_RULE_APART, .text = "a plane takes either an axis or a normal: " EXAMPLES,
+     .sets = {ZR_KEY(AXIS), ZR_KEY(NORMAL)}},
+    {ZR_RULE_AGAINST, .at_key = true, .text = "belongs to a normal; an axis takes an offset or a fraction",
+     .sets = {ZR_KEY(AXIS), ZR_KEY(POINT)}},
+    {ZR_RULE_AGAINST, .at_key = true, .text = "belongs to an axis; a normal takes a point",
+     .sets = {ZR_KEY(NORMAL), ZR_KEY(OFFSET) | ZR_KEY(FRACTION)}},
+    {ZR_RULE_APART, .text = "offset and fraction are two places: give one of them",
+     .sets = {ZR_KEY(OFFSET), ZR_KEY(FRACTION)}}};
+#undef EXAMPLES
+const struct zr_json_object zr_json_object_plane = {ZR_JSON_FIELDS("plane", plane_fields), ZR_JSON_RULES(plane_rules)};
 
 static bool read_plane(struct zr_json *json, const struct zr_json_path *path, struct zr_section *out)
 {
     struct given_plane given = {.fraction = 0.5};
+    const size_t faults = json->error->count;
     uint64_t keys;
-    if (!zr_json_fields(json, path, &zr_json_object_plane, &given, &keys) || !check_keys(json, path, keys))
-        return false;
+    if (!zr_json_fields(json, path, &zr_json_object_plane, &given, &keys) || json->error->count > faults) return false;
     *out = (struct zr_section){.keep = (enum zr_section_keep)given.keep,
                                .normal = {(double)given.normal.x, (double)given.normal.y, (double)given.normal.z},
                                .point = {(double)given.point.x, (double)given.point.y, (double)given.point.z}};

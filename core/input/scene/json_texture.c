@@ -114,26 +114,21 @@ static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path,
             .otherwise = "[1, 1]", .text = "factor of the coordinates: 2 shows the image twice"                        \
     }
 static const struct zr_json_field fields[] = {TEXTURE_FIELDS};
-/* clang-format off */
-static const char image_rules[] = ZR_SCHEMA({
-    "not": {"properties": {"uri": false, "asset": false}},
-    "dependentSchemas": {"uri": {"properties": {"asset": false}}}
-});
-/* clang-format on */
-const struct zr_json_object zr_json_object_texture = ZR_JSON_SHOWN_OBJECT("texture", fields, image_rules, NULL);
+static const struct zr_json_rule rules[] = {ZR_BYTES_NAME_RULES(0)};
+const struct zr_json_object zr_json_object_texture = {ZR_JSON_FIELDS("texture", fields), ZR_JSON_RULES(rules)};
 
 static const struct zr_json_field normal_fields[] = {TEXTURE_FIELDS,
                                                      {"normalScale", zr_json_float, TEXTURE(strength), -1000, 1000,
                                                       .otherwise = "1",
                                                       .text = "factor of the x and y of the normals"}};
-const struct zr_json_object zr_json_object_normalTexture =
-    ZR_JSON_SHOWN_OBJECT("normalTexture", normal_fields, image_rules, NULL);
+const struct zr_json_object zr_json_object_normalTexture = {ZR_JSON_FIELDS("normalTexture", normal_fields),
+                                                            ZR_JSON_RULES(rules)};
 
 static const struct zr_json_field occlusion_fields[] = {
     TEXTURE_FIELDS,
     {"strength", zr_json_float, TEXTURE(strength), 0, 1, .otherwise = "1", .text = "strength of the effect"}};
-const struct zr_json_object zr_json_object_occlusionTexture =
-    ZR_JSON_SHOWN_OBJECT("occlusionTexture", occlusion_fields, image_rules, NULL);
+const struct zr_json_object zr_json_object_occlusionTexture = {ZR_JSON_FIELDS("occlusionTexture", occlusion_fields),
+                                                               ZR_JSON_RULES(rules)};
 
 static bool read_by(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
                     struct zr_parsed_texture *out)

@@ -140,16 +140,14 @@ static const struct zr_json_field track_fields[] = {
     [INTERPOLATION] = {"interpolation", zr_json_choice, AT(interpolation), .words = &interpolation_names,
                        .otherwise = "linear", .text = "poses between keys: linear, or step, which holds a key"}};
 #undef AT
-/* clang-format off */
-const struct zr_json_object zr_json_object_track = ZR_JSON_RULED_OBJECT("track", track_fields,
-    {
-        "not": {"properties": {"rotate": false, "times": false}},
-        "dependentRequired": {"translation": ["times"], "rotation": ["times"], "scale": ["times"]},
-        "dependentSchemas": {
-            "times": {"not": {"properties": {"translation": false, "rotation": false, "scale": false}}}
-        }
-    });
-/* clang-format on */
+#define POSES (ZR_KEY(TRANSLATION) | ZR_KEY(ROTATION) | ZR_KEY(SCALE))
+static const struct zr_json_rule track_rules[] = {
+    {ZR_RULE_NEEDS, .text = "keys without times", .sets = {POSES, ZR_KEY(TIMES)}},
+    {ZR_RULE_NEEDS, .text = "times without keys: translation, rotation or scale", .sets = {ZR_KEY(TIMES), POSES}},
+    {ZR_RULE_SOME, .text = "no motion: give rotate, or times with translation, rotation or scale",
+     .sets = {POSES | ZR_KEY(TIMES) | ZR_KEY(ROTATE)}}};
+#undef POSES
+const struct zr_json_object zr_json_object_track = {ZR_JSON_FIELDS("track", track_fields), ZR_JSON_RULES(track_rules)};
 
 /* Takes a list of keys. False if their number is not that of the times. */
 static bool take_keys(struct zr_json *json, const struct zr_json_path *path, const struct zr_growing *list,
@@ -165,15 +163,7 @@ static bool read_track(struct zr_json *json, const struct zr_json_path *path, st
     struct given_track given = {.track = *track};
     const size_t faults = json->error->count;
     uint64_t keys;
-    bool has_keys = false;
     if (!zr_json_fields(json, path, &zr_json_object_track, &given, &keys) || json->error->count > faults) return false;
-    for (int key = TRANSLATION; key <= SCALE; key++)
-        has_keys |= zr_json_gives(keys, key);
-    if (has_keys != zr_json_gives(keys, TIMES))
-        return zr_json_fault(json, path,
-                             has_keys ? "keys without times" : "times without keys: translation, rotation or scale");
-    if (!has_keys && !zr_json_gives(keys, ROTATE))
-        return zr_json_fault(json, path, "no motion: give rotate, or times with translation, rotation or scale");
     const size_t times = given.times.count;
     given.track.key_count = (uint32_t)times;
     given.track.times = given.times.items;

@@ -42,14 +42,15 @@ static const struct zr_json_field distortion_fields[] = {
            .text = "p1 and p2 of the model opencv",
            .schema = ZR_SCHEMA({"$ref" : "#/$defs/coefficients", "minItems" : 2, "maxItems" : 2})}};
 /* clang-format off */
-const struct zr_json_object zr_json_object_distortion = ZR_JSON_RULED_OBJECT("distortion", distortion_fields, {
+const struct zr_json_object zr_json_object_distortion = {
+    ZR_JSON_FIELDS("distortion", distortion_fields), .schema = ZR_SCHEMA({
     "dependentSchemas": {
         "model": {
             "if": {"properties": {"model": {"const": "fisheye"}}},
             "then": {"properties": {"k": {"maxItems": 4}, "p": false}}
         }
     }
-});
+})};
 /* clang-format on */
 
 static bool read_object(struct zr_json *json, const struct zr_json_path *path, struct zr_lens *lens)

@@ -11,15 +11,14 @@ static const struct zr_json_field fields[] = {
                .text = "matrices of nodes, by their names",
                .schema = ZR_SCHEMA({"type" : "object", "additionalProperties" : {"$ref" : "#/$defs/affine"}})}};
 #undef AT
-/* clang-format off */
-const struct zr_json_object zr_json_object_flow = ZR_JSON_RULED_OBJECT("flow", fields, {
-    "minProperties": 1, "dependentSchemas": {"view": {"properties": {"view": {"properties": {"camera": false}}}}}
-});
-/* clang-format on */
+static const struct zr_json_rule rules[] = {
+    {ZR_RULE_SOME, .text = "neither view nor poses: nothing moves", .sets = {ZR_KEY(VIEW) | ZR_KEY(POSES)}}};
+const struct zr_json_object zr_json_object_flow = {
+    ZR_JSON_FIELDS("flow", fields), ZR_JSON_RULES(rules),
+    .schema = ZR_SCHEMA({"properties" : {"view" : {"properties" : {"camera" : false}}}})};
 
 bool zr_read_flow(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     uint64_t keys;
-    if (!zr_json_fields(json, path, &zr_json_object_flow, out, &keys)) return false;
-    return keys != 0 || zr_json_fault(json, path, "neither view nor poses: nothing moves");
+    return zr_json_fields(json, path, &zr_json_object_flow, out, &keys);
 }

@@ -13,69 +13,28 @@ static const double ROTATION_TOLERANCE = 1e-3;
 
 #define BIT(key) (1u << ZR_VIEW_##key)
 
-/* A form of a pose: one of the keys `by` selects it; the keys `with` may accompany it. */
+/* The keys that select a form of a pose. */
 static const struct form {
     enum zr_pose pose;
-    unsigned by, with;
-} forms[] = {{ZR_POSE_PRESET, BIT(PRESET), 0},
-             {ZR_POSE_LOOK_AT, BIT(EYE), BIT(TARGET) | BIT(UP)},
-             {ZR_POSE_DIRECTION, BIT(DIRECTION), BIT(UP)},
-             {ZR_POSE_ORBIT, BIT(AZIMUTH_DEGREES) | BIT(ELEVATION_DEGREES), BIT(TARGET) | BIT(UP) | BIT(DISTANCE)},
-             {ZR_POSE_MATRIX, BIT(CAMERA_TO_WORLD), 0},
-             {ZR_POSE_MATRIX, BIT(WORLD_TO_CAMERA), 0},
-             {ZR_POSE_MATRIX, BIT(R), BIT(T)}};
+    unsigned by;
+} forms[] = {{ZR_POSE_PRESET, BIT(PRESET)},
+             {ZR_POSE_LOOK_AT, BIT(EYE)},
+             {ZR_POSE_DIRECTION, BIT(DIRECTION)},
+             {ZR_POSE_ORBIT, BIT(AZIMUTH_DEGREES) | BIT(ELEVATION_DEGREES)},
+             {ZR_POSE_MATRIX, BIT(CAMERA_TO_WORLD) | BIT(WORLD_TO_CAMERA) | BIT(R)}};
 enum { FORMS = sizeof forms / sizeof forms[0] };
 
-static const struct part {
-    enum zr_view_key key;
-    const char *of;
-} parts[] = {{ZR_VIEW_TARGET, "eye or azimuthDegrees"},
-             {ZR_VIEW_DISTANCE, "azimuthDegrees or elevationDegrees"},
-             {ZR_VIEW_T, "R"}};
-enum { PARTS = sizeof parts / sizeof parts[0] };
-
-static unsigned keys_among(const struct zr_parsed_view *given, unsigned mask)
+static bool gives_any(const struct zr_parsed_view *given, unsigned mask)
 {
-    return (unsigned)given->keys & mask;
+    return (given->keys & mask) != 0;
 }
 
-static const char *first_word(unsigned bits)
+/* Returns the form that the keys select, or NULL. */
+static const struct form *find_form(const struct zr_parsed_view *given)
 {
-    int key = 0;
-    while (!(bits >> key & 1u))
-        key++;
-    return zr_view_fields[key].key;
-}
-
-/* Returns the form that the keys select. NULL if there is none, or several, which is reported. */
-static const struct form *find_form(struct zr_parsed_view *given)
-{
-    const struct form *form = NULL;
-    bool many = false;
-    for (int i = 0; i < FORMS; i++) {
-        if (!keys_among(given, forms[i].by)) continue;
-        if (form) {
-            many = true;
-            zr_json_fault(given->json, given->path, "two poses: %s and %s", first_word(keys_among(given, form->by)),
-                          first_word(keys_among(given, forms[i].by)));
-        } else {
-            form = &forms[i];
-        }
-    }
-    if (many) return NULL;
-    for (int i = 0; i < PARTS; i++) {
-        if (!zr_view_gives(given, parts[i].key) || (form && form->with >> parts[i].key & 1u)) continue;
-        const char *word = zr_view_fields[parts[i].key].key;
-        if (form)
-            zr_json_fault(given->json, given->path, "two poses: %s and %s", first_word(keys_among(given, form->by)),
-                          word);
-        else
-            zr_json_fault(given->json, given->path, "%s needs %s, which is missing", word, parts[i].of);
-    }
-    if (zr_view_gives(given, ZR_VIEW_UP) && !(form && form->with & BIT(UP)))
-        zr_json_fault(given->json, ZR_VIEW_PATH(given, ZR_VIEW_UP),
-                      "belongs to the poses eye, direction and azimuthDegrees only");
-    return form;
+    for (int i = 0; i < FORMS; i++)
+        if (gives_any(given, forms[i].by)) return &forms[i];
+    return NULL;
 }
 
 /* ---- each pose ---- */
@@ -149,7 +108,7 @@ static void find_matrix(struct zr_parsed_view *given)
 
 static void check_convention(struct zr_parsed_view *given)
 {
-    const bool matrices = keys_among(given, BIT(CAMERA_TO_WORLD) | BIT(WORLD_TO_CAMERA) | BIT(R)) != 0;
+    const bool matrices = gives_any(given, BIT(CAMERA_TO_WORLD) | BIT(WORLD_TO_CAMERA) | BIT(R));
     if (!zr_view_gives(given, ZR_VIEW_CONVENTION))
         given->convention = zr_view_gives(given, ZR_VIEW_R) ? ZR_CONVENTION_OPENCV : ZR_CONVENTION_OPENGL;
     else if (given->convention == ZR_CONVENTION_OPENCV && !matrices)
@@ -162,7 +121,6 @@ void zr_view_find_pose(struct zr_parsed_view *given)
     struct zr_view *view = &given->view;
     const struct form *form = find_form(given);
     check_convention(given);
-    if (given->has_faults) return;
     if (!form) {
         if (!zr_view_gives(given, ZR_VIEW_PROJECTION_MATRIX)) return;
         view->pose = ZR_POSE_MATRIX; /* as in OpenGL: projectionMatrix alone maps the world to clip space */

@@ -50,10 +50,12 @@ static const struct zr_json_field angle_fields[] = {
     {"xfovDegrees", read_angle, AT(xfov), 0, 180, .unit = "degrees", .text = "horizontal angle of view",
      .schema = HALF_TURN_DEGREES}};
 #undef AT
-/* clang-format off */
-const struct zr_json_object zr_json_object_perspective = ZR_JSON_RULED_OBJECT("perspective", angle_fields,
-    {"minProperties": 1, "maxProperties": 1});
-/* clang-format on */
+static const struct zr_json_rule angle_rules[] = {
+    {ZR_RULE_APART, .text = "two angles: %s and %s", .sets = {ZR_KEY(0), ZR_KEY(1), ZR_KEY(2), ZR_KEY(3)}},
+    {ZR_RULE_SOME, .text = "no angle; one of yfov, yfovDegrees, xfov, xfovDegrees is needed",
+     .sets = {ZR_KEY(0) | ZR_KEY(1) | ZR_KEY(2) | ZR_KEY(3)}}};
+const struct zr_json_object zr_json_object_perspective = {ZR_JSON_FIELDS("perspective", angle_fields),
+                                                          ZR_JSON_RULES(angle_rules)};
 
 bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
@@ -61,17 +63,7 @@ bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, 
     struct given_angles angles = {0, 0};
     const size_t faults = json->error->count;
     uint64_t keys;
-    int first = -1;
     if (!zr_json_fields(json, path, &zr_json_object_perspective, &angles, &keys)) return false;
-    for (int i = 0; i < (int)zr_json_object_perspective.count; i++) {
-        if (!zr_json_gives(keys, i)) continue;
-        if (first >= 0)
-            zr_json_fault(json, path, "two angles: %s and %s", angle_fields[first].key, angle_fields[i].key);
-        else
-            first = i;
-    }
-    if (first < 0 && json->error->count == faults)
-        zr_json_fault(json, path, "no angle; one of yfov, yfovDegrees, xfov, xfovDegrees is needed");
     given->view.yfov_radians = angles.yfov;
     given->view.xfov_radians = angles.xfov;
     return json->error->count == faults;
@@ -85,19 +77,16 @@ static const struct zr_json_field orthographic_fields[] = {
               .otherwise = "fitted to the geometry", .text = "half of the width of the view"},
     [YMAG] = {"ymag", zr_json_positive, offsetof(struct zr_parsed_view, view.ymag), .unit = "scene units",
               .otherwise = "fitted to the geometry", .text = "half of the height of the view"}};
-/* clang-format off */
-const struct zr_json_object zr_json_object_orthographic = ZR_JSON_RULED_OBJECT("orthographic", orthographic_fields,
-    {"dependentRequired": {"xmag": ["ymag"], "ymag": ["xmag"]}});
-/* clang-format on */
+static const struct zr_json_rule orthographic_rules[] = {
+    {ZR_RULE_ALL, .text = "%s is missing; give xmag and ymag, or neither to fit the geometry",
+     .sets = {ZR_KEY(XMAG) | ZR_KEY(YMAG)}}};
+const struct zr_json_object zr_json_object_orthographic = {ZR_JSON_FIELDS("orthographic", orthographic_fields),
+                                                           ZR_JSON_RULES(orthographic_rules)};
 
 bool zr_read_orthographic(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     uint64_t keys;
-    if (!zr_json_fields(json, path, &zr_json_object_orthographic, out, &keys)) return false;
-    const bool has_xmag = zr_json_gives(keys, XMAG);
-    return has_xmag == zr_json_gives(keys, YMAG) ||
-           zr_json_fault(json, path, "%s is missing; give xmag and ymag, or neither to fit the geometry",
-                         has_xmag ? "ymag" : "xmag");
+    return zr_json_fields(json, path, &zr_json_object_orthographic, out, &keys);
 }
 
 /* ---- intrinsics ---- */

@@ -1,5 +1,4 @@
-/* A view is one pose and one projection. Two of either are refused by name: to ignore one would draw a wrong picture
- * without a message. */
+/* A view is one pose and one projection; zr_json_object_view refuses two of either. */
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/view/view_keys.h"
@@ -26,10 +25,7 @@ static void check_pixel_center(struct zr_parsed_view *given)
 {
     const struct zr_json_path *path = ZR_VIEW_PATH(given, ZR_VIEW_PIXEL_CENTER);
     const double center = given->pixel_center;
-    if (given->view.projection != ZR_PROJECTION_INTRINSICS)
-        zr_json_fault(given->json, path, "belongs to intrinsics and K only");
-    else if (center != 0.0 && center != 0.5)
-        zr_json_fault(given->json, path, "%.9g is neither 0 nor 0.5", center);
+    if (center != 0.0 && center != 0.5) zr_json_fault(given->json, path, "%.9g is neither 0 nor 0.5", center);
     given->view.intrinsics.cx += 0.5 - center;
     given->view.intrinsics.cy += 0.5 - center;
 }
@@ -53,20 +49,9 @@ static void find_projection(struct zr_parsed_view *given)
                  {ZR_VIEW_INTRINSICS, ZR_PROJECTION_INTRINSICS},
                  {ZR_VIEW_K, ZR_PROJECTION_INTRINSICS},
                  {ZR_VIEW_PROJECTION_MATRIX, ZR_PROJECTION_MATRIX}};
-    int first = -1;
-    for (int i = 0; i < (int)(sizeof kinds / sizeof kinds[0]); i++) {
-        if (!zr_view_gives(given, kinds[i].key)) continue;
-        if (first >= 0)
-            zr_json_fault(given->json, given->path, "two projections: %s and %s", zr_view_fields[kinds[first].key].key,
-                          zr_view_fields[kinds[i].key].key);
-        else
-            first = i;
-    }
-    if (given->has_faults) return;
-    if (first < 0)
-        suggest_projection(&given->view);
-    else
-        given->view.projection = kinds[first].projection;
+    if (!(given->keys & ZR_VIEW_PROJECTIONS)) suggest_projection(&given->view);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (zr_view_gives(given, kinds[i].key)) given->view.projection = kinds[i].projection;
     if (zr_view_gives(given, ZR_VIEW_K)) check_k(given);
     given->view.intrinsics = given->intrinsics;
     if (zr_view_gives(given, ZR_VIEW_PIXEL_CENTER)) check_pixel_center(given);
@@ -78,8 +63,6 @@ static void find_projection(struct zr_parsed_view *given)
 static bool check_plane(struct zr_parsed_view *given, enum zr_view_key key, float distance)
 {
     if (!zr_view_gives(given, key)) return false;
-    if (given->view.projection == ZR_PROJECTION_MATRIX)
-        return zr_json_fault(given->json, ZR_VIEW_PATH(given, key), "projectionMatrix sets the planes itself");
     return given->view.projection == ZR_PROJECTION_ORTHOGRAPHIC || distance > 0.0f ||
            zr_json_fault(given->json, ZR_VIEW_PATH(given, key), "%.9g is not greater than 0", (double)distance);
 }
@@ -95,20 +78,11 @@ static void find_planes(struct zr_parsed_view *given)
 }
 
 /* A camera of a model file has a pose, a projection and planes. Keys of the last two override it. */
-static bool find_camera(struct zr_parsed_view *given)
+static void find_camera(struct zr_parsed_view *given)
 {
-    for (int key = 0; key < ZR_VIEW_KEYS; key++)
-        if (!(ZR_VIEW_BIT(key) &
-              (ZR_VIEW_PROJECTIONS | ZR_VIEW_BIT(ZR_VIEW_CAMERA) | ZR_VIEW_BIT(ZR_VIEW_PIXEL_CENTER) |
-               ZR_VIEW_BIT(ZR_VIEW_DISTORTION) | ZR_VIEW_BIT(ZR_VIEW_ZNEAR) | ZR_VIEW_BIT(ZR_VIEW_ZFAR))) &&
-            zr_view_gives(given, (enum zr_view_key)key))
-            return zr_json_fault(given->json, given->path, "two views: %s and %s", zr_view_fields[ZR_VIEW_CAMERA].key,
-                                 zr_view_fields[key].key);
     find_projection(given);
-    if (given->has_faults) return false;
     if (!(given->keys & ZR_VIEW_PROJECTIONS)) given->view.projection = ZR_PROJECTION_PERSPECTIVE; /* for the planes */
     find_planes(given);
-    return true;
 }
 
 bool zr_view_read(struct zr_json *json, const struct zr_json_path *path, const struct zr_view *defaults,
@@ -121,12 +95,14 @@ bool zr_view_read(struct zr_json *json, const struct zr_json_path *path, const s
                                      .convention = -1,
                                      .pixel_center = 0.5};
     const size_t faults = json->error->count;
-    if (!zr_json_fields(json, path, &zr_json_object_view, given, &given->keys)) return false;
-    given->has_faults = json->error->count > faults;
-    if (zr_view_gives(given, ZR_VIEW_CAMERA)) return find_camera(given);
+    if (!zr_json_fields(json, path, &zr_json_object_view, given, &given->keys) || json->error->count > faults)
+        return false;
+    if (zr_view_gives(given, ZR_VIEW_CAMERA)) {
+        find_camera(given);
+        return true;
+    }
     zr_view_find_pose(given);
     find_projection(given);
-    if (given->has_faults) return false;
     find_planes(given);
     if (zr_view_gives(given, ZR_VIEW_AZIMUTH_DEGREES) || zr_view_gives(given, ZR_VIEW_ELEVATION_DEGREES))
         given->view.suits_extent = false;

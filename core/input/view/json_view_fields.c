@@ -130,86 +130,62 @@ const struct zr_json_field zr_view_fields[] = {
          .schema = ZR_SCHEMA({"anyOf" : [ {"type" : "string"}, {"$ref" : "#/$defs/index"} ]})},
     {.key = "name"},
     {.key = "window"}};
+#define BIT(key)   ZR_KEY(ZR_VIEW_##key)
+#define ORBIT      (BIT(AZIMUTH_DEGREES) | BIT(ELEVATION_DEGREES))
+#define MATRICES   (BIT(CAMERA_TO_WORLD) | BIT(WORLD_TO_CAMERA))
+#define POSES      (BIT(PRESET) | BIT(EYE) | BIT(DIRECTION) | ORBIT | MATRICES | BIT(R))
+#define POSE_PARTS (BIT(TARGET) | BIT(UP) | BIT(DISTANCE) | BIT(T) | BIT(CONVENTION) | BIT(FIT))
+#define TWO_POSES  .text = "two poses: %s and %s"
+/* Two poses or projections are refused: to ignore one would draw a wrong picture without a message. */
+static const struct zr_json_rule view_rules[] = {
+    {ZR_RULE_APART, .text = "two views: %s and %s", .sets = {BIT(CAMERA), POSES | POSE_PARTS}},
+    {ZR_RULE_APART, TWO_POSES,
+     .sets = {BIT(PRESET), BIT(EYE), BIT(DIRECTION), ORBIT, BIT(CAMERA_TO_WORLD), BIT(WORLD_TO_CAMERA), BIT(R)}},
+    {ZR_RULE_AGAINST, TWO_POSES, .sets = {BIT(PRESET) | MATRICES, BIT(TARGET) | BIT(DISTANCE) | BIT(T)}},
+    {ZR_RULE_AGAINST, TWO_POSES, .sets = {BIT(EYE), BIT(DISTANCE) | BIT(T)}},
+    {ZR_RULE_AGAINST, TWO_POSES, .sets = {BIT(DIRECTION), BIT(TARGET) | BIT(DISTANCE) | BIT(T)}},
+    {ZR_RULE_AGAINST, TWO_POSES, .sets = {ORBIT, BIT(T)}},
+    {ZR_RULE_AGAINST, TWO_POSES, .sets = {BIT(R), BIT(TARGET) | BIT(DISTANCE)}},
+    {ZR_RULE_NEEDS, .text = "target needs eye or azimuthDegrees, which is missing",
+     .sets = {BIT(TARGET), BIT(EYE) | ORBIT}},
+    {ZR_RULE_NEEDS, .text = "distance needs azimuthDegrees or elevationDegrees, which is missing",
+     .sets = {BIT(DISTANCE), ORBIT}},
+    {ZR_RULE_NEEDS, .text = "t needs R, which is missing", .sets = {BIT(T), BIT(R)}},
+    {ZR_RULE_NEEDS, .at_key = true, .text = "belongs to the poses eye, direction and azimuthDegrees only",
+     .sets = {BIT(UP), BIT(EYE) | BIT(DIRECTION) | ORBIT}},
+    {ZR_RULE_APART, .text = "two projections: %s and %s",
+     .sets = {BIT(PERSPECTIVE), BIT(ORTHOGRAPHIC), BIT(INTRINSICS), BIT(K), BIT(PROJECTION_MATRIX)}},
+    {ZR_RULE_NEEDS, .at_key = true, .text = "belongs to intrinsics and K only",
+     .sets = {BIT(PIXEL_CENTER), BIT(INTRINSICS) | BIT(K)}},
+    {ZR_RULE_AGAINST, .at_key = true, .text = "projectionMatrix sets the planes itself",
+     .sets = {BIT(PROJECTION_MATRIX), BIT(ZNEAR) | BIT(ZFAR)}}};
 /* clang-format off */
-const struct zr_json_object zr_json_object_view = ZR_JSON_SHOWN_OBJECT("view", zr_view_fields,
-    ZR_SCHEMA({
+const struct zr_json_object zr_json_object_view = {ZR_JSON_FIELDS("view", zr_view_fields), ZR_JSON_RULES(view_rules),
+    .schema = ZR_SCHEMA({
         "dependentSchemas": {
-            "preset": {
-                "properties": {
-                    "eye": false, "target": false, "up": false, "direction": false, "azimuthDegrees": false,
-                    "elevationDegrees": false, "distance": false, "cameraToWorld": false, "worldToCamera": false,
-                    "R": false
-                }
-            },
-            "eye": {
-                "properties": {
-                    "direction": false, "azimuthDegrees": false, "elevationDegrees": false, "distance": false,
-                    "cameraToWorld": false, "worldToCamera": false, "R": false
-                }
-            },
-            "direction": {
-                "properties": {
-                    "target": false, "azimuthDegrees": false, "elevationDegrees": false, "distance": false,
-                    "cameraToWorld": false, "worldToCamera": false, "R": false
-                }
-            },
-            "azimuthDegrees": {"properties": {"cameraToWorld": false, "worldToCamera": false, "R": false}},
-            "elevationDegrees": {"properties": {"cameraToWorld": false, "worldToCamera": false, "R": false}},
-            "cameraToWorld": {"properties": {"worldToCamera": false, "R": false}},
-            "worldToCamera": {"properties": {"R": false}},
-            "target": {"not": {"properties": {"eye": false, "azimuthDegrees": false, "elevationDegrees": false}}},
-            "distance": {"not": {"properties": {"azimuthDegrees": false, "elevationDegrees": false}}},
-            "up": {
-                "not": {
-                    "properties": {
-                        "eye": false, "direction": false, "azimuthDegrees": false, "elevationDegrees": false
-                    }
-                }
-            },
-            "perspective": {
-                "properties": {
-                    "orthographic": false, "intrinsics": false, "K": false, "projectionMatrix": false,
-                    "znear": {"exclusiveMinimum": 0}, "zfar": {"exclusiveMinimum": 0}
-                }
-            },
-            "orthographic": {
-                "properties": {
-                    "intrinsics": false, "K": false, "projectionMatrix": false, "distortion": {"maxItems": 0}
-                }
-            },
-            "intrinsics": {
-                "properties": {
-                    "K": false, "projectionMatrix": false, "znear": {"exclusiveMinimum": 0},
-                    "zfar": {"exclusiveMinimum": 0}
-                }
-            },
-            "K": {
-                "properties": {
-                    "projectionMatrix": false, "znear": {"exclusiveMinimum": 0}, "zfar": {"exclusiveMinimum": 0}
-                }
-            },
-            "projectionMatrix": {"properties": {"znear": false, "zfar": false, "distortion": {"maxItems": 0}}},
-            "pixelCenter": {"not": {"properties": {"intrinsics": false, "K": false}}},
+            "perspective": {"properties": {"znear": {"exclusiveMinimum": 0}, "zfar": {"exclusiveMinimum": 0}}},
+            "intrinsics": {"properties": {"znear": {"exclusiveMinimum": 0}, "zfar": {"exclusiveMinimum": 0}}},
+            "K": {"properties": {"znear": {"exclusiveMinimum": 0}, "zfar": {"exclusiveMinimum": 0}}},
+            "orthographic": {"properties": {"distortion": {"maxItems": 0}}},
+            "projectionMatrix": {"properties": {"distortion": {"maxItems": 0}}},
             "convention": {
                 "if": {"properties": {"convention": {"const": "opencv"}}},
                 "then": {"not": {"properties": {"cameraToWorld": false, "worldToCamera": false, "R": false}}}
-            },
-            "camera": {
-                "properties": {
-                    "eye": false, "target": false, "up": false, "preset": false, "direction": false,
-                    "azimuthDegrees": false, "elevationDegrees": false, "distance": false, "cameraToWorld": false,
-                    "worldToCamera": false, "R": false, "t": false, "convention": false, "fit": false
-                }
             }
-        },
-        "dependentRequired": {"t": ["R"]}
+        }
     }),
-    ZR_SCHEMA([
+    .examples = ZR_SCHEMA([
         {"preset": "front"}, {"azimuthDegrees": 35, "elevationDegrees": 20},
         {"eye": [3, 2, 4], "target": [0, 0, 0], "perspective": {"yfovDegrees": 40}},
         {"R": [[1, 0, 0], [0, -1, 0], [0, 0, -1]], "t": [0, 0, 2], "K": [[600, 0, 320], [0, 600, 240], [0, 0, 1]]}
-    ]));
+    ])};
 /* clang-format on */
+#undef BIT
+#undef ORBIT
+#undef MATRICES
+#undef POSES
+#undef POSE_PARTS
+#undef TWO_POSES
 
 void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path)
 {

@@ -214,14 +214,14 @@ static const struct zr_json_field sheet_fields[] = {
     {"captions", zr_json_bool, AT(has_captions), .otherwise = "true", .text = "name and scale below each view"}};
 #undef AT
 /* clang-format off */
-const struct zr_json_object zr_json_object_sheet = ZR_JSON_RULED_OBJECT("sheet", sheet_fields,
-    {
+const struct zr_json_object zr_json_object_sheet = {
+    ZR_JSON_FIELDS("sheet", sheet_fields), .schema = ZR_SCHEMA({
         "dependentSchemas": {
             "columns": {"properties": {"layout": {"const": "views"}}},
             "angle": {"properties": {"layout": {"const": "threeView"}}}
         },
         "dependentRequired": {"angle": ["layout"]}
-    });
+    })};
 /* clang-format on */
 
 bool zr_read_sheet(struct zr_json *json, const struct zr_json_path *path, void *out)

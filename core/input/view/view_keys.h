@@ -40,12 +40,11 @@ enum zr_view_key {
 /* Axes of a camera: y up and looking along -z, or y down and looking along +z. */
 enum zr_convention { ZR_CONVENTION_OPENGL, ZR_CONVENTION_OPENCV };
 
-/* A view as read, before its keys are checked against each other. */
+/* A view as read, before its values are checked against each other. */
 struct zr_parsed_view {
     struct zr_json *json;
     const struct zr_json_path *path; /* the view's */
     uint64_t keys;                   /* bit i: key i is given */
-    bool has_faults;                 /* some values are missing: only the keys are checked against each other */
     struct zr_view view;             /* defaults, overridden by the keys */
     int preset, convention;
     zr_mat4 camera_to_world;

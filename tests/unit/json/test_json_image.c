@@ -145,8 +145,6 @@ TEST(images_have_their_own_texels)
 TEST(what_is_no_image_is_refused_where_it_is_named)
 {
     struct fixture *f = open_fixture();
-    refuse(f, NULL, NULL, "/t", "one of uri and asset is needed");
-    refuse(f, red_uri, "red", "/t", "only one of uri and asset is needed");
     refuse(f, NULL, "green", "/t/asset", "no part of the request has the name 'green'");
     refuse(f, NULL, "broken", "/t/asset", "a broken PNG: it ends too early");
     refuse(f, "data:image/png;base64,R0lGODlh", NULL, "/t/uri", "it looks like a GIF picture");
