@@ -1,5 +1,5 @@
-/* zraster-tables: prints the rows of the tables that the contract describes, "KIND NAME" a line: channel, look,
- * parameter, type (of a body), key.
+/* zraster-tables: prints the rows of the tables that the contract describes, "KIND NAME" a line: parameter, types (of a
+ * body), channel, look, encoding, shading, algorithm, light, key.
  *
  * Keys are those that readers name: each object is given an unknown key, and the message lists the known ones. */
 #include <stdio.h>
@@ -7,6 +7,9 @@
 
 #include "core.h"
 #include "format_rows.h"
+#include "input/scene/json_objects.h"
+#include "input/scene/outputs.h"
+#include "input/text/names.h"
 #include "parameter_rows.h"
 #include "render_request.h"
 #include "scene/looks.h"
@@ -60,6 +63,12 @@ static void print_keys(const char *before, const char *after, int depth)
     }
 }
 
+static void print_names(const char *kind, const struct zr_names *names)
+{
+    for (int i = 0; i < names->count; i++)
+        printf("%s %s\n", kind, names->words[i]);
+}
+
 int main(void)
 {
 #define PRINT_PARAMETER(name, ...)           printf("parameter " #name "\n");
@@ -70,6 +79,10 @@ int main(void)
         printf("channel %s\n", zr_channel_rows[i].name);
     for (int i = 0; i < zr_look_count; i++)
         printf("look %s\n", zr_looks[i].name);
+    print_names("encoding", &zr_encoding_names);
+    print_names("shading", &zr_shading_names);
+    print_names("algorithm", &zr_algorithm_names);
+    print_names("light", zr_json_object_light.fields[0].words);
     print_keys("", "", 0);
     return 0;
 }
